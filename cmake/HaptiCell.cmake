@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+# What every target of the project shares.
+include(GNUInstallDirs)
+find_package(Threads REQUIRED)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(HAPTICELL_CCACHE ccache)
+if(HAPTICELL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICELL_CCACHE}")
+endif()
+
+add_library(hapticell_warnings INTERFACE)
+target_compile_options(hapticell_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  $<$<BOOL:${HAPTICELL_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# hapticell_add_library(NAME SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...])
+#
+# A library with the alias hapticell::NAME. Headers are found as "folder/file.h" from the project's root, and as
+# <folder/file.h> under include/hapticell once installed.
+function(hapticell_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  set(target hapticell_${name})
+  add_library(${target} STATIC ${ARG_SOURCES} ${ARG_HEADERS})
+  add_library(hapticell::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hapticell>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
+  set_property(GLOBAL APPEND PROPERTY HAPTICELL_LIBRARIES ${target})
+  foreach(header IN LISTS ARG_HEADERS)
+    cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+    cmake_path(GET header PARENT_PATH below)
+    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hapticell/${folder}/${below})
+  endforeach()
+endfunction()
+
+# hapticell_add_executable(NAME SOURCES ... [LIBRARIES ...]): a program in bin/.
+function(hapticell_add_executable name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} hapticell_warnings)
+endfunction()

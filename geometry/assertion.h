@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace hapticell::detail {
+
+/// Prints the broken contract and ends the process. Never returns.
+[[noreturn]] void contractBroken(const char* condition, const char* file, int line);
+
+}  // namespace hapticell::detail
+
+/// A contract between pieces of this program, checked in every build. Never for input from outside.
+#define HAPTICELL_DEMAND(condition) \
+  (static_cast<bool>(condition) ? void(0) : ::hapticell::detail::contractBroken(#condition, __FILE__, __LINE__))
+
+/// The same, checked in debug builds only (for inner loops).
+#ifdef NDEBUG
+#define HAPTICELL_ASSERT(condition) static_cast<void>(sizeof(condition))
+#else
+#define HAPTICELL_ASSERT(condition) HAPTICELL_DEMAND(condition)
+#endif

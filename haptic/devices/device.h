@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "geometry/error.h"
+#include "geometry/pose.h"
+
+namespace hapticell::haptic {
+
+/// What a stylus can do. Device frame D: origin in the middle of the workspace, x to the user's right, y away from the
+/// user, z up.
+struct DeviceCapabilities {
+  std::string name;
+  dvec3 workspace_min{0.0};        ///< Box in D, metres.
+  dvec3 workspace_max{0.0};
+  double resolution = 0.0;         ///< Position step, metres.
+  int measured_axes = 6;
+  int driven_axes = 3;             ///< 3: force only; 6: force and torque.
+  double peak_force = 0.0;         ///< N.
+  double continuous_force = 0.0;   ///< N that the motors bear for ever.
+  double stiffness = 0.0;          ///< N/m that is stable with nobody holding it.
+  double damping = 0.0;            ///< N s/m that belongs to that stiffness.
+  int buttons = 1;
+};
+
+/// One measurement of the stylus.
+struct DeviceReading {
+  Pose X_DS;                       ///< Stylus tip in D.
+  std::uint32_t buttons = 0;       ///< Bit i set while button i is pressed.
+  double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit; 0 where the device does not tell.
+};
+
+enum class DeviceStatus : std::uint8_t { kOk, kNotOpen, kFault, kVanished };
+
+/// A force-feedback stylus (or a pointing device without force). Used by one thread at a time: the force loop's.
+///
+/// read() and write() are called once a tick and neither throw, allocate, lock nor log.
+class Device {
+ public:
+  virtual ~Device() = default;
+  virtual const DeviceCapabilities& capabilities() const = 0;
+  virtual Expected<void> open() = 0;
+  virtual DeviceStatus read(DeviceReading& reading) noexcept = 0;
+  /// Commands a force (N, in D) and, where the device can, a torque (N m). Already through the safety chain.
+  virtual DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept = 0;
+  /// Force zero, motors off. Safe to call at any time, more than once.
+  virtual void close() noexcept = 0;
+};
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/constraint_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::haptic {
+
+namespace {
+
+Vector6 multiply(const SymmetricMatrix6& B, const Vector6& xi) {
+  Vector6 result{};
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = i; j < 6; ++j, ++k) {
+      result[i] += B[k] * xi[j];
+      if (i != j) result[j] += B[k] * xi[i];
+    }
+  }
+  return result;
+}
+
+template <typename Container>
+bool allFinite(const Container& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+bool isWellFormed(const Constraint& c) {
+  return allFinite(c.gradient) && allFinite(c.curvature) && allFinite(c.trim_gradient) &&
+         allFinite(std::array{c.gap, c.trim_gap, c.stiffness, c.damping, c.friction}) && c.stiffness >= 0.0 &&
+         c.damping >= 0.0 && c.friction >= 0.0;
+}
+
+}  // namespace
+
+double evaluate(const Constraint& constraint, const Vector6& xi) {
+  const Vector6 Bxi = multiply(constraint.curvature, xi);
+  double value = constraint.gap;
+  for (std::size_t i = 0; i < 6; ++i) value += (constraint.gradient[i] + 0.5 * Bxi[i]) * xi[i];
+  return value;
+}
+
+Vector6 gradientAt(const Constraint& constraint, const Vector6& xi) {
+  Vector6 result = multiply(constraint.curvature, xi);
+  for (std::size_t i = 0; i < 6; ++i) result[i] += constraint.gradient[i];
+  return result;
+}
+
+bool isWellFormed(const ConstraintSet& set) {
+  if (set.count > kMaxConstraints || !set.X_DR.isValid()) return false;
+  if (!std::isfinite(set.zone_radius) || set.zone_radius <= 0.0) return false;
+  return std::all_of(set.active().begin(), set.active().end(), [](const Constraint& c) { return isWellFormed(c); });
+}
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "geometry/pose.h"
+
+namespace hapticell::haptic {
+
+/// Most constraints one set can carry; a set that would need more shrinks its zone instead (see zone_radius).
+inline constexpr std::size_t kMaxConstraints = 64;
+
+/// Least radius, in device space, that a set is asked to be complete in: what a hand reaches before the next set comes.
+inline constexpr double kWantedZoneRadius = 0.060;
+
+/// Six numbers over xi = (dx, dy, dz, rx, ry, rz): the stylus's displacement in metres and its rotation vector in
+/// radians, both in the device frame D, from the set's reference pose.
+using Vector6 = std::array<double, 6>;
+
+/// A symmetric 6x6 matrix: its upper triangle row by row, (0,0) (0,1) .. (0,5) (1,1) .. (5,5).
+using SymmetricMatrix6 = std::array<double, 21>;
+
+enum class ConstraintKind : std::uint8_t {
+  kInequality,  ///< Free while f(xi) >= 0.
+  kEquality,    ///< A guide: f(xi) = 0.
+};
+
+/// One thing that can be felt: f(xi) = gap + gradient . xi + 1/2 xi' curvature xi.
+///
+/// A contact of two meshes, a joint limit, the edge of a workspace, a guide: all the same for the force loop.
+/// Constraints of one group are OR (free when one of them holds, as at a convex edge); groups are AND.
+struct Constraint {
+  std::uint32_t group = 0;
+  ConstraintKind kind = ConstraintKind::kInequality;
+  double gap = 0.0;               ///< g, metres of clearance at the reference pose; negative inside.
+  Vector6 gradient{};             ///< a; of unit length in its linear part where it is a contact at motion scale 1.
+  SymmetricMatrix6 curvature{};   ///< B, 1/m in the linear block. Rounded to the safe side by whoever makes it.
+  bool has_trim = false;          ///< A half-space g' + a'.xi that ends a curved face: the smaller of both values counts.
+  double trim_gap = 0.0;
+  Vector6 trim_gradient{};
+  double stiffness = 0.0;         ///< N/m wanted; 0 means the device's own.
+  double damping = 0.0;           ///< N s/m wanted; 0 means the device's own.
+  double friction = 0.0;          ///< Coulomb coefficient.
+  std::uint64_t id = 0;           ///< Stays the same from set to set for the same physical thing.
+};
+
+/// Everything the hand can feel within `zone_radius` of `X_DR`, complete. Made by the client, rendered by the server.
+struct ConstraintSet {
+  std::uint64_t sequence = 0;       ///< Counts up; an older one than the adopted is ignored.
+  std::int64_t stamp_ns = 0;        ///< Client's steady clock when the query was made; for statistics only.
+  Pose X_DR;                        ///< Reference pose (of the proxy) in the device frame.
+  double zone_radius = kWantedZoneRadius;  ///< Metres; a rotation counts with the lever kRotationLever.
+  std::size_t count = 0;
+  std::array<Constraint, kMaxConstraints> constraints{};
+
+  std::span<const Constraint> active() const { return {constraints.data(), count}; }
+};
+
+/// Lever that weighs rotation against translation in the proxy's metric, metres (feel trial: 0.05 good everywhere).
+inline constexpr double kRotationLever = 0.05;
+
+/// f(xi), without the trim.
+double evaluate(const Constraint& constraint, const Vector6& xi);
+
+/// Gradient of f at xi: gradient + curvature * xi.
+Vector6 gradientAt(const Constraint& constraint, const Vector6& xi);
+
+/// True when every number is finite, the pose valid, the radius positive and the count within bounds.
+bool isWellFormed(const ConstraintSet& set);
+
+}  // namespace hapticell::haptic

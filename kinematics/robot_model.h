@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+
+namespace hapticell::kinematics {
+
+enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic };
+
+/// A joint that follows another: position = multiplier * position(joint) + offset.
+struct Mimic {
+  int joint = -1;
+  double multiplier = 1.0;
+  double offset = 0.0;
+};
+
+/// A shape on a link, in the link's frame L.
+struct LinkShape {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  Pose X_LS;
+  std::array<float, 4> color{0.7f, 0.7f, 0.7f, 1.0f};
+  std::string source;  ///< The file it came from, or "box", "cylinder", "sphere".
+};
+
+struct Link {
+  std::string name;
+  int parent_joint = -1;  ///< Index of the joint that carries it; -1 for the root.
+  std::vector<LinkShape> visuals;
+  std::vector<LinkShape> collisions;  ///< What is checked; equal to the visuals where the file names none.
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::kFixed;
+  int parent_link = -1;
+  int child_link = -1;
+  Pose X_PJ;                      ///< Joint frame in the parent link's frame, at position 0.
+  dvec3 axis_J{0.0, 0.0, 1.0};    ///< Unit, in the joint frame.
+  double lower = 0.0;             ///< rad or m; -inf for continuous.
+  double upper = 0.0;
+  double velocity = 0.0;          ///< rad/s or m/s; 0 where the file does not say.
+  std::optional<Mimic> mimic;
+  int variable = -1;              ///< Index among the moving joints (what users set); -1 for fixed and mimic joints.
+};
+
+/// A tree of links and joints, root first: joints are ordered so that each parent link comes before its children.
+struct RobotModel {
+  std::string name;
+  std::vector<Link> links;    ///< links[0] is the root.
+  std::vector<Joint> joints;  ///< Topological order.
+  std::vector<int> moving;    ///< Joint indices of the variables, in order; size() is the number of degrees of freedom.
+
+  std::size_t dof() const { return moving.size(); }
+  int findLink(const std::string& link_name) const;    ///< Index or -1.
+  int findJoint(const std::string& joint_name) const;  ///< Index or -1.
+  /// The deepest leaf: the tip a user most likely means (a link named tool0, flange, tcp or tool goes first).
+  int defaultTip() const;
+};
+
+/// Poses X_BL of all links in the root link's frame B for joint positions `q` (one a variable), into `X_BL` (resized).
+void forwardKinematics(const RobotModel& model, const std::vector<double>& q, std::vector<Pose>& X_BL);
+
+}  // namespace hapticell::kinematics
