@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <clocale>
+#include <exception>
+
+#include "cli/commands.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+/// Runs what was chosen. Foreign libraries may throw (a disk full, memory gone); a user then reads one sentence.
+int run(const Action& chosen, const std::string& json_file) {
+  ResultWriter writer(json_file);
+  try {
+    return static_cast<int>(chosen(writer));
+  } catch (const std::bad_alloc&) {
+    report({"", "", "there is not enough memory for this", "", "Use a smaller or coarser model."});
+  } catch (const std::exception& exception) {
+    report({"", "", std::string("an unforeseen fault: ") + exception.what(), "", "This is a bug worth reporting."});
+  }
+  return static_cast<int>(ExitStatus::kBadInput);
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv) {
+  std::setlocale(LC_ALL, "C");
+  CLI::App app("HaptiCell without a window: inspect, measure, solve and run sessions.", "hapticell-cli");
+  app.set_version_flag("--version", HAPTICELL_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  std::string json_file;
+  app.add_option("--json", json_file, "Write the result to this file instead of standard output");
+  Action chosen;
+  // One line a command; each comes with the file that defines it.
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
+  }
+  if (!chosen) {
+    report({"", "", "the command needs a further word", "", "See hapticell-cli COMMAND --help."});
+    return static_cast<int>(ExitStatus::kBadInput);
+  }
+  return run(chosen, json_file);
+}
+
+}  // namespace hapticell::cli

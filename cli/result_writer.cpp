@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/result_writer.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace hapticell::cli {
+
+Expected<void> ResultWriter::write(const nlohmann::ordered_json& result) const {
+  // Text that is not UTF-8 (a file name, say) must not stop the result from being written.
+  const std::string text = result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  if (!json_file_.empty()) return writeFileAtomically(json_file_, text);
+  std::cout << text << std::flush;
+  if (!std::cout)
+    return makeError({"standard output", "", "it could not be written", "", "Check the pipe or the disk."});
+  return {};
+}
+
+Expected<void> writeFileAtomically(const std::string& path, const std::string& content) {
+  const std::string aside = path + ".part";
+  {
+    std::ofstream file(aside, std::ios::binary | std::ios::trunc);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    if (!file.flush()) {
+      std::error_code ignored;
+      std::filesystem::remove(aside, ignored);
+      return makeError(
+          {path, "", "the file could not be written", "", "Check that the folder exists and may be written."});
+    }
+  }
+  std::error_code failed;
+  std::filesystem::rename(aside, path, failed);
+  if (failed) return makeError({path, "", failed.message(), "a place to write the result", ""});
+  return {};
+}
+
+nlohmann::ordered_json toJson(const dvec3& v) {
+  return nlohmann::ordered_json::array({v.x, v.y, v.z});
+}
+
+void report(const Error& error) {
+  std::fprintf(stderr, "hapticell-cli: %s\n", error.message().c_str());
+}
+
+void warn(const std::string& sentence) {
+  std::fprintf(stderr, "hapticell-cli: %s\n", sentence.c_str());
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "geometry/error.h"
+#include "geometry/vector.h"
+
+namespace hapticell::cli {
+
+/// Writes the one JSON document that is a command's result: to standard output, or to the file of `--json`.
+///
+/// A file is written aside and moved into place, so a half-written result never stands there.
+class ResultWriter {
+ public:
+  explicit ResultWriter(std::string json_file = {}) : json_file_(std::move(json_file)) {}
+  Expected<void> write(const nlohmann::ordered_json& result) const;
+
+ private:
+  std::string json_file_;
+};
+
+/// Writes a whole text or binary file aside and moves it into place.
+Expected<void> writeFileAtomically(const std::string& path, const std::string& content);
+
+/// [x, y, z]
+nlohmann::ordered_json toJson(const dvec3& v);
+
+/// Prints "hapticell-cli: SENTENCE" on standard error.
+void report(const Error& error);
+void warn(const std::string& sentence);
+
+}  // namespace hapticell::cli
