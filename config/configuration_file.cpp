@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <toml++/toml.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+
+#include "config/configuration.h"
+
+namespace hapticell::config {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lineOf(const toml::node& node) {
+  return "line " + std::to_string(node.source().begin.line);
+}
+
+/// A value of the file as the text that setValue takes; empty optional for arrays, tables and dates.
+std::optional<std::string> textOf(const toml::node& node) {
+  if (const auto* text = node.as_string()) return text->get();
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+  if (const auto* number = node.as_floating_point()) {
+    char buffer[64];
+    return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, number->get()).ptr);
+  }
+  return std::nullopt;
+}
+
+Expected<void> applyPreset(Configuration& configuration, const toml::node& node) {
+  const std::string preset = node.value_or(std::string());
+  if (preset == "shipped") return {};
+  if (preset != "classic")
+    return makeError({"", lineOf(node) + ", key 'preset'", '"' + preset + '"', "shipped or classic", ""});
+  configuration.manipulation.rate_hz = 10.0;
+  configuration.gui.rate_hz = 10.0;
+  return {};
+}
+
+/// A material that the file adds starts from the shipped defaults of the struct.
+void makeRoomForMaterials(Configuration& configuration, const toml::table& root) {
+  const toml::table* materials = root["materials"].as_table();
+  if (materials == nullptr) return;
+  for (const auto& [name, node] : *materials) {
+    if (node.is_table()) configuration.materials.try_emplace(std::string(name.str()));
+  }
+}
+
+Expected<void> applyTable(Configuration& configuration, const toml::table& table, const std::string& prefix) {
+  for (const auto& [name, node] : table) {
+    const std::string key = prefix.empty() ? std::string(name.str()) : prefix + "." + std::string(name.str());
+    if (key == "preset") continue;
+    if (const toml::table* below = node.as_table()) {
+      if (auto done = applyTable(configuration, *below, key); !done) return done;
+      continue;
+    }
+    const std::optional<std::string> text = textOf(node);
+    auto done = text ? setValue(configuration, key, *text)
+                     : Expected<void>(makeError({"", "key '" + key + "'", "a list or a date", "one value", ""}));
+    if (!done) {
+      Error error = done.error();
+      error.place = lineOf(node) + ", " + error.place;
+      return makeError(error);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Expected<Configuration> readConfiguration(const std::string& path, const Configuration& base) {
+  toml::table root;
+  try {
+    root = toml::parse_file(path);
+  } catch (const toml::parse_error& problem) {
+    const auto line = problem.source().begin.line;
+    return makeError(
+        {path, line > 0 ? "line " + std::to_string(line) : "", std::string(problem.description()), "", ""});
+  }
+  Configuration configuration = base;
+  Expected<void> done;
+  if (const toml::node* preset = root.get("preset")) done = applyPreset(configuration, *preset);
+  makeRoomForMaterials(configuration, root);
+  if (done) done = applyTable(configuration, root, "");
+  if (!done) {
+    Error error = done.error();
+    error.file = path;
+    return makeError(error);
+  }
+  return configuration;
+}
+
+Expected<std::string> findShippedFile(const std::string& relative) {
+  std::vector<fs::path> folders;
+  if (const char* named = std::getenv("HAPTICELL_CONFIG_DIR")) folders.emplace_back(named);
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  if (!program.empty()) folders.push_back(program.parent_path().parent_path() / "share" / "hapticell");
+  folders.emplace_back(HAPTICELL_CONFIG_SOURCE_DIR);
+  for (const fs::path& folder : folders) {
+    if (fs::exists(folder / relative, ignored)) return (folder / relative).string();
+  }
+  return makeError({relative, "", "it is in none of the folders of shipped files", "",
+                    "Set HAPTICELL_CONFIG_DIR to the folder that holds hapticell.toml."});
+}
+
+Expected<Configuration> loadConfiguration(const std::string& extra) {
+  const auto shipped = findShippedFile("hapticell.toml");
+  if (!shipped) return makeError(shipped.error());
+  auto configuration = readConfiguration(*shipped);
+  const char* home = std::getenv("HOME");
+  const char* xdg = std::getenv("XDG_CONFIG_HOME");
+  const fs::path folder = xdg != nullptr && *xdg != '\0' ? fs::path(xdg) : fs::path(home ? home : "") / ".config";
+  const fs::path own = folder / "hapticell" / "hapticell.toml";
+  std::error_code ignored;
+  if (configuration && fs::exists(own, ignored)) configuration = readConfiguration(own.string(), *configuration);
+  if (configuration && !extra.empty()) configuration = readConfiguration(extra, *configuration);
+  return configuration;
+}
+
+}  // namespace hapticell::config
