@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstring>
+#include <string>
+
+#include "haptic/protocol/codec.h"
+#include "haptic/protocol/hapticell_generated.h"
+#include "haptic/protocol/wire_values.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+// A frame nests Envelope, body, constraint: more is somebody else's format.
+constexpr flatbuffers::uoffset_t kMaxDepth = 8;
+constexpr flatbuffers::uoffset_t kMaxTables = 256;
+
+tl::unexpected<Error> refuse(std::string place, std::string found, std::string expected) {
+  return makeError({.file = "haptic message",
+                    .place = std::move(place),
+                    .found = std::move(found),
+                    .expected = std::move(expected),
+                    .fix = ""});
+}
+
+Expected<std::string> text(const flatbuffers::String* text, const char* place) {
+  if (text == nullptr) return std::string();
+  if (text->size() > kMaxTextBytes) {
+    return refuse(place, std::to_string(text->size()) + " bytes", "at most " + std::to_string(kMaxTextBytes));
+  }
+  return text->str();
+}
+
+Expected<ClientKind> clientKind(wire::ClientKind kind, const char* place) {
+  if (kind == wire::ClientKind_Controller) return ClientKind::kController;
+  if (kind == wire::ClientKind_Watcher) return ClientKind::kWatcher;
+  return refuse(place, "client kind " + std::to_string(kind), "0 (controller) or 1 (watcher)");
+}
+
+/// A struct that must be there: a pose, a vector.
+template <typename T>
+bool copy(const T* from, auto& to) {
+  if (from == nullptr) return false;
+  to = fromWire(*from);
+  return true;
+}
+
+Expected<void> read(const wire::Hello& from, Hello& to) {
+  const auto kind = clientKind(from.kind(), "Hello.kind");
+  const auto program = text(from.program(), "Hello.program");
+  if (!kind) return tl::unexpected(kind.error());
+  if (!program) return tl::unexpected(program.error());
+  to = {from.protocol_version(), *kind, from.accept_watching(), *program};
+  return {};
+}
+
+Expected<void> read(const wire::Device& from, DeviceDescription& to) {
+  auto name = text(from.name(), "Device.name");
+  if (!name) return tl::unexpected(name.error());
+  if (!copy(from.workspace_min(), to.workspace_min) || !copy(from.workspace_max(), to.workspace_max)) {
+    return refuse("Device", "no workspace", "workspace_min and workspace_max");
+  }
+  to.name = std::move(*name);
+  to.simulated = from.simulated();
+  to.resolution = from.resolution();
+  to.peak_force = from.peak_force();
+  to.continuous_force = from.continuous_force();
+  to.stiffness = from.stiffness();
+  to.damping = from.damping();
+  to.measured_axes = from.measured_axes();
+  to.driven_axes = from.driven_axes();
+  to.buttons = from.buttons();
+  if (!isWellFormed(to)) return refuse("Device", "a figure out of its range", "finite figures and a true box");
+  return {};
+}
+
+Expected<void> read(const wire::Welcome& from, Welcome& to) {
+  const auto kind = clientKind(from.kind(), "Welcome.kind");
+  if (!kind) return tl::unexpected(kind.error());
+  if (from.device() == nullptr) return refuse("Welcome", "no device", "a device");
+  to.protocol_version = from.protocol_version();
+  to.kind = *kind;
+  to.tick_rate_hz = from.tick_rate_hz();
+  if (!(to.tick_rate_hz > 0.0 && to.tick_rate_hz <= 1e5)) {
+    return refuse("Welcome.tick_rate_hz", std::to_string(to.tick_rate_hz), "over 0 and at most 100000");
+  }
+  return read(*from.device(), to.device);
+}
+
+Expected<void> read(const wire::Refusal& from, Refusal& to) {
+  auto sentence = text(from.sentence(), "Refusal.sentence");
+  if (!sentence) return tl::unexpected(sentence.error());
+  to.sentence = std::move(*sentence);
+  return {};
+}
+
+bool read(const wire::Constraint& from, Constraint& to) {
+  if (from.kind() > wire::ConstraintKind_MAX || !copy(from.gradient(), to.gradient)) return false;
+  to.group = from.group();
+  to.kind = from.kind() == wire::ConstraintKind_Equality ? ConstraintKind::kEquality : ConstraintKind::kInequality;
+  to.gap = from.gap();
+  to.curvature = {};
+  if (from.curvature() != nullptr) {
+    for (std::size_t i = 0; i < to.curvature.size(); ++i) {
+      to.curvature[i] = from.curvature()->values()->Get(static_cast<flatbuffers::uoffset_t>(i));
+    }
+  }
+  to.has_trim = from.trim() != nullptr;
+  to.trim_gap = to.has_trim ? from.trim()->gap() : 0.0;
+  to.trim_gradient = to.has_trim ? fromWire(from.trim()->gradient()) : Vector6{};
+  to.stiffness = from.stiffness();
+  to.damping = from.damping();
+  to.friction = from.friction();
+  to.id = from.id();
+  return true;
+}
+
+Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
+  if (!copy(from.reference(), to.X_DR)) return refuse("ConstraintSet", "no reference pose", "a pose");
+  to.sequence = from.sequence();
+  to.stamp_ns = from.stamp_ns();
+  to.zone_radius = from.zone_radius();
+  to.count = from.constraints() == nullptr ? 0 : from.constraints()->size();
+  if (to.count > kMaxConstraints) {
+    return refuse("ConstraintSet.constraints", std::to_string(to.count) + " entries",
+                  "at most " + std::to_string(kMaxConstraints));
+  }
+  for (std::size_t i = 0; i < to.count; ++i) {
+    const wire::Constraint* entry = from.constraints()->Get(static_cast<flatbuffers::uoffset_t>(i));
+    if (!read(*entry, to.constraints[i])) {
+      return refuse("constraint " + std::to_string(i), "an unknown kind or no gradient", "kind 0 or 1 and a gradient");
+    }
+  }
+  if (!isWellFormed(to)) {
+    return refuse("ConstraintSet", "a number that is not finite or out of its range",
+                  "finite numbers, a unit quaternion, a positive zone, no negative stiffness, damping or friction");
+  }
+  return {};
+}
+
+Expected<void> read(const wire::State& from, HapticState& to) {
+  if (!copy(from.stylus(), to.X_DS) || !copy(from.proxy(), to.X_DP) || !copy(from.velocity(), to.v_DS) ||
+      !copy(from.force(), to.force_D)) {
+    return refuse("State", "a part is missing", "stylus, proxy, velocity and force");
+  }
+  to.tick = from.tick();
+  to.server_stamp_ns = from.server_stamp_ns();
+  to.buttons = from.buttons();
+  to.adopted_set = from.adopted_set();
+  to.forces_on = from.forces_on();
+  to.force_ramp = from.force_ramp();
+  to.motor_temperature = from.motor_temperature();
+  if (!isWellFormed(to))
+    return refuse("State", "a number that is not finite or out of its range", "valid poses, finite numbers");
+  return {};
+}
+
+Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
+  to = {from.rate_hz(),      from.late_p50_ms(),   from.late_p99_ms(),    from.late_max_ms(),   from.ticks(),
+        from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(), from.set_age_p99_ms()};
+  if (!isWellFormed(to)) return refuse("Statistics", "a number that is not finite or negative", "figures from 0 up");
+  return {};
+}
+
+Expected<void> read(const wire::Control& from, HapticControl& to) {
+  to = {from.forces_enabled(), from.stiffness(), from.damping()};
+  if (!isWellFormed(to)) return refuse("Control", "a stiffness or damping that is negative or not finite", "0 or more");
+  return {};
+}
+
+Expected<void> read(const wire::HandTarget& from, HandTarget& to) {
+  if (!copy(from.pose(), to.X_DH)) return refuse("HandTarget", "no pose", "a pose");
+  to.holding = from.holding();
+  to.buttons = from.buttons();
+  if (!isWellFormed(to))
+    return refuse("HandTarget", "a pose that is not valid", "finite numbers and a unit quaternion");
+  return {};
+}
+
+Expected<void> read(const wire::Heartbeat& from, Heartbeat& to) {
+  to = {from.sent_ns(), from.echo_ns(), from.held_ns()};
+  return {};
+}
+
+/// Reads into the alternative that `message` holds already, if it is the right one: a set is large.
+template <typename T>
+Expected<void> readInto(const wire::Envelope& envelope, Message& message) {
+  if (!std::holds_alternative<T>(message)) message.emplace<T>();
+  return read(*envelope.body_as<wireType<T>>(), std::get<T>(message));
+}
+
+Expected<void> readBody(const wire::Envelope& envelope, Message& message) {
+  if (envelope.body() == nullptr) return refuse("", "an envelope without a body", "a message of the protocol");
+  switch (envelope.body_type()) {
+    case wire::Body_Hello:
+      return readInto<Hello>(envelope, message);
+    case wire::Body_Welcome:
+      return readInto<Welcome>(envelope, message);
+    case wire::Body_Refusal:
+      return readInto<Refusal>(envelope, message);
+    case wire::Body_ConstraintSet:
+      return readInto<ConstraintSet>(envelope, message);
+    case wire::Body_State:
+      return readInto<HapticState>(envelope, message);
+    case wire::Body_Statistics:
+      return readInto<ServerStatistics>(envelope, message);
+    case wire::Body_Control:
+      return readInto<HapticControl>(envelope, message);
+    case wire::Body_HandTarget:
+      return readInto<HandTarget>(envelope, message);
+    case wire::Body_Heartbeat:
+      return readInto<Heartbeat>(envelope, message);
+    case wire::Body_NONE:
+      break;
+  }
+  return refuse("", "message type " + std::to_string(envelope.body_type()), "1 to " + std::to_string(wire::Body_MAX));
+}
+
+Expected<void> decodeAligned(const std::uint8_t* bytes, std::size_t size, Message& message) {
+  flatbuffers::Verifier verifier(bytes, size, kMaxDepth, kMaxTables);
+  if (size < 12 || !wire::EnvelopeBufferHasIdentifier(bytes)) {
+    return refuse("", std::to_string(size) + " bytes without the identifier", "a FlatBuffer with the identifier HCEL");
+  }
+  if (!wire::VerifyEnvelopeBuffer(verifier)) {
+    return refuse("", "a FlatBuffer that points outside itself", "a valid Envelope");
+  }
+  return readBody(*wire::GetEnvelope(bytes), message);
+}
+
+}  // namespace
+
+Expected<void> decode(std::span<const std::uint8_t> flatbuffer, Message& message) {
+  if (flatbuffer.size() > kMaxFrameBytes) {
+    return refuse("", std::to_string(flatbuffer.size()) + " bytes", "at most " + std::to_string(kMaxFrameBytes));
+  }
+  // FlatBuffers reads eight-byte numbers in place: the buffer must start where one may.
+  if (reinterpret_cast<std::uintptr_t>(flatbuffer.data()) % alignof(std::uint64_t) == 0) {
+    return decodeAligned(flatbuffer.data(), flatbuffer.size(), message);
+  }
+  thread_local std::vector<std::uint64_t> aligned;
+  aligned.resize(flatbuffer.size() / sizeof(std::uint64_t) + 1);
+  std::memcpy(aligned.data(), flatbuffer.data(), flatbuffer.size());
+  return decodeAligned(reinterpret_cast<const std::uint8_t*>(aligned.data()), flatbuffer.size(), message);
+}
+
+void FrameReader::append(std::span<const std::uint8_t> bytes) {
+  if (begin_ > 0) {
+    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    begin_ = 0;
+  }
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+}
+
+Expected<std::span<const std::uint8_t>> FrameReader::next() {
+  const std::span<const std::uint8_t> rest = std::span<const std::uint8_t>(buffer_).subspan(begin_);
+  if (rest.size() < kFrameHeaderBytes) return std::span<const std::uint8_t>();
+  std::uint32_t length = 0;
+  for (std::size_t i = kFrameHeaderBytes; i-- > 0;) length = (length << 8) | rest[i];
+  if (length == 0 || length > kMaxFrameBytes) {
+    return refuse("frame length", std::to_string(length) + " bytes", "1 to " + std::to_string(kMaxFrameBytes));
+  }
+  if (rest.size() < kFrameHeaderBytes + length) return std::span<const std::uint8_t>();
+  begin_ += kFrameHeaderBytes + length;
+  return rest.subspan(kFrameHeaderBytes, length);
+}
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "geometry/pose.h"
+#include "haptic/rendering/constraint_set.h"
+
+namespace hapticell::haptic {
+
+/// Version of the protocol; client and server must agree on it exactly. Counts up when a message changes its meaning.
+inline constexpr std::uint32_t kProtocolVersion = 1;
+
+/// The server's newest word, one force-loop tick (or less often, newest wins).
+struct HapticState {
+  std::uint64_t tick = 0;            ///< Counts the ticks that were due, skipped ones too.
+  std::int64_t server_stamp_ns = 0;  ///< Server's steady clock at the tick.
+  Pose X_DS;                         ///< Measured stylus.
+  Pose X_DP;                  ///< The proxy: where the stylus would be if it obeyed every constraint. The wanted pose.
+  dvec3 v_DS{0.0};            ///< Filtered velocity, m/s.
+  dvec3 force_D{0.0};         ///< Commanded force on the hand, N.
+  std::uint32_t buttons = 0;  ///< Bit i set while button i is pressed.
+  std::uint64_t adopted_set = 0;   ///< Sequence of the set that is rendered; 0 while there is none.
+  bool forces_on = false;          ///< The engage gate is open.
+  double force_ramp = 0.0;         ///< 0 .. 1 while it opens.
+  double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit.
+};
+
+/// The server's figures, about ten times a second.
+struct ServerStatistics {
+  double rate_hz = 0.0;                                            ///< Ticks per second over the last second or so.
+  double late_p50_ms = 0.0, late_p99_ms = 0.0, late_max_ms = 0.0;  ///< Wake-up past the deadline, last 5 to 10 s.
+  std::uint64_t ticks = 0, missed_ticks = 0;                       ///< Since the start.
+  double round_trip_ms = 0.0;                         ///< Newest round trip of the controlling client's heart-beat.
+  double set_age_p50_ms = 0.0, set_age_p99_ms = 0.0;  ///< From the client's query to the adoption, last 5 to 10 s.
+};
+
+/// What the client asks of the server besides sets.
+struct HapticControl {
+  bool forces_enabled = false;  ///< Opens or closes the engage gate.
+  double stiffness = 0.0;       ///< N/m; 0: the device's own.
+  double damping = 0.0;         ///< N s/m; 0: the device's own.
+};
+
+/// Where the simulated hand wants the stylus to be; only a simulated device heeds it.
+struct HandTarget {
+  bool holding = false;  ///< False: nobody holds the stylus.
+  Pose X_DH;
+  std::uint32_t buttons = 0;
+};
+
+/// What the connected device can do, as the server told at connection.
+struct DeviceDescription {
+  std::string name;
+  bool simulated = false;
+  dvec3 workspace_min{0.0}, workspace_max{0.0};
+  double resolution = 0.0, peak_force = 0.0, continuous_force = 0.0, stiffness = 0.0, damping = 0.0;
+  int measured_axes = 6, driven_axes = 3, buttons = 1;
+};
+
+enum class ClientKind : std::uint8_t {
+  kController,  ///< Sends constraint sets; the server takes one at a time.
+  kWatcher,     ///< Only listens; any number.
+};
+
+/// First message of a client; must come within two seconds of the connection.
+struct Hello {
+  std::uint32_t protocol_version = kProtocolVersion;
+  ClientKind kind = ClientKind::kController;
+  bool accept_watching = false;  ///< A controller that would rather watch than be refused when there is one already.
+  std::string program;           ///< Who it is, for messages to the user.
+};
+
+/// The server's answer to a Hello that it accepts.
+struct Welcome {
+  std::uint32_t protocol_version = kProtocolVersion;
+  ClientKind kind = ClientKind::kController;  ///< What the client was taken as.
+  double tick_rate_hz = 1000.0;
+  DeviceDescription device;
+};
+
+/// The server's last message to a client that it will not serve; the connection closes after it.
+struct Refusal {
+  std::string sentence;
+};
+
+/// Sent by the client every kHeartbeatPeriod from its network thread and answered at once by the server. Each side
+/// repeats the stamp that it heard last, so each can tell the round trip: now - echo_ns - held_ns.
+struct Heartbeat {
+  std::int64_t sent_ns = 0;  ///< Sender's steady clock.
+  std::int64_t echo_ns = 0;  ///< `sent_ns` of the peer's last heart-beat; 0 when there was none.
+  std::int64_t held_ns = 0;  ///< Time between hearing that one and sending this one.
+};
+
+/// Any message of the protocol.
+using Message = std::variant<std::monostate, Hello, Welcome, Refusal, ConstraintSet, HapticState, ServerStatistics,
+                             HapticControl, HandTarget, Heartbeat>;
+
+/// Seconds between a client's heart-beats.
+inline constexpr double kHeartbeatPeriod = 0.1;
+
+/// True when every number is finite and every value within its range; what a decoder demands of a message.
+bool isWellFormed(const HapticControl& control);
+bool isWellFormed(const HandTarget& target);
+bool isWellFormed(const HapticState& state);
+bool isWellFormed(const ServerStatistics& statistics);
+bool isWellFormed(const DeviceDescription& device);
+
+}  // namespace hapticell::haptic
