@@ -13,7 +13,8 @@ namespace hapticell::kinematics {
 
 enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic };
 
-/// A joint that follows another: position = multiplier * position(joint) + offset.
+/// A joint that follows another: position = multiplier * position(joint) + offset. The followed one is a moving joint
+/// or a fixed one (position 0), never a mimic joint itself: readers see to that.
 struct Mimic {
   int joint = -1;
   double multiplier = 1.0;
@@ -40,13 +41,13 @@ struct Joint {
   JointType type = JointType::kFixed;
   int parent_link = -1;
   int child_link = -1;
-  Pose X_PJ;                      ///< Joint frame in the parent link's frame, at position 0.
-  dvec3 axis_J{0.0, 0.0, 1.0};    ///< Unit, in the joint frame.
-  double lower = 0.0;             ///< rad or m; -inf for continuous.
+  Pose X_PJ;                    ///< Joint frame in the parent link's frame, at position 0.
+  dvec3 axis_J{0.0, 0.0, 1.0};  ///< Unit, in the joint frame.
+  double lower = 0.0;           ///< rad or m; -inf for continuous.
   double upper = 0.0;
-  double velocity = 0.0;          ///< rad/s or m/s; 0 where the file does not say.
+  double velocity = 0.0;  ///< rad/s or m/s; 0 where the file does not say.
   std::optional<Mimic> mimic;
-  int variable = -1;              ///< Index among the moving joints (what users set); -1 for fixed and mimic joints.
+  int variable = -1;  ///< Index among the moving joints (what users set); -1 for fixed and mimic joints.
 };
 
 /// A tree of links and joints, root first: joints are ordered so that each parent link comes before its children.
@@ -59,9 +60,13 @@ struct RobotModel {
   std::size_t dof() const { return moving.size(); }
   int findLink(const std::string& link_name) const;    ///< Index or -1.
   int findJoint(const std::string& joint_name) const;  ///< Index or -1.
-  /// The deepest leaf: the tip a user most likely means (a link named tool0, flange, tcp or tool goes first).
+  /// The tip a user most likely means: the link moved by most joints, deepest among equals; a link named tcp, tool0,
+  /// tool or flange (or ending in "_" and one of these) goes before all others. -1 without links.
   int defaultTip() const;
 };
+
+/// The position of one joint (rad or m) at the variables `q`: its own, or what it mimics; 0 for fixed.
+double jointPosition(const RobotModel& model, const std::vector<double>& q, const Joint& joint);
 
 /// Poses X_BL of all links in the root link's frame B for joint positions `q` (one a variable), into `X_BL` (resized).
 void forwardKinematics(const RobotModel& model, const std::vector<double>& q, std::vector<Pose>& X_BL);
