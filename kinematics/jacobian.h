@@ -44,15 +44,15 @@ struct Manipulability {
   double smallest = 0.0;  ///< Least singular value of the min(6, columns that move it) ones.
   double largest = 0.0;
   double measure = 0.0;  ///< Product of the singular values (Yoshikawa 1985).
-  bool singular() const { return smallest < 1e-3 * largest; }
+  bool singular() const { return smallest < 1e-3; }
 };
 Manipulability manipulability(const Jacobian& J, double lever_m);
 
 /// The damped pseudo-inverse J+ = Jᵀ (J Jᵀ + λ² I)⁻¹ with the rows scaled by `lever_m` (Nakamura and Hanafusa 1986).
 ///
-/// λ is zero while the least singular value (linear rows divided by the lever) is over `threshold`, and grows smoothly
-/// to `threshold` at the singularity, so that a motion there costs bounded joint speed. Chains with fewer than six
-/// variables get the least-squares inverse (JᵀJ + λ² I)⁻¹ Jᵀ. `out` is resized.
+/// λ is zero while the least singular value σ (linear rows divided by the lever) is over `threshold`, and grows to it
+/// at the singularity, λ² = threshold² - σ², so that no singular value of J+ exceeds 1 / threshold. With fewer than six
+/// variables the directions that none of them moves give nothing. `out` is resized.
 void dampedPseudoInverse(const Jacobian& J, double lever_m, double threshold, InverseJacobian& out);
 
 /// How far a variable may still move, rad or m; negative when it stands outside; infinite without limit.

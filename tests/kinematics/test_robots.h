@@ -35,6 +35,10 @@ inline Joint& addJoint(RobotModel& model, int parent, const std::string& name, J
   return model.joints.back();
 }
 
+inline std::string numbered(std::string word, std::size_t number) {
+  return word.append(std::to_string(number));
+}
+
 inline RobotModel emptyModel() {
   RobotModel model;
   model.name = "test";
@@ -54,7 +58,7 @@ inline RobotModel fromDh(const std::vector<DhRow>& rows) {
   Pose X_PJ;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Pose turned = X_PJ * Pose::rotation(glm::angleAxis(rows[i].theta, dvec3(0, 0, 1)));
-    addJoint(model, static_cast<int>(i), "j" + std::to_string(i + 1), JointType::kRevolute, {0, 0, 1}, turned);
+    addJoint(model, static_cast<int>(i), numbered("j", i + 1), JointType::kRevolute, {0, 0, 1}, turned);
     X_PJ = Pose{{rows[i].a, 0.0, rows[i].d}, glm::angleAxis(rows[i].alpha, dvec3(1, 0, 0))};
   }
   addJoint(model, static_cast<int>(rows.size()), "to_flange", JointType::kFixed, {0, 0, 1}, X_PJ);
@@ -92,7 +96,7 @@ inline RobotModel kr120() {
                                   {{0, 1, 0}, {1.15, 0, 0}, -130, 154},   {{-1, 0, 0}, {1.0, 0, -0.041}, -350, 350},
                                   {{0, 1, 0}, {0, 0, 0}, -130, 130},      {{-1, 0, 0}, {0, 0, 0}, -350, 350}};
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    Joint& joint = addJoint(model, static_cast<int>(i), "a" + std::to_string(i + 1), JointType::kRevolute, axes[i].axis,
+    Joint& joint = addJoint(model, static_cast<int>(i), numbered("a", i + 1), JointType::kRevolute, axes[i].axis,
                             Pose::translation(axes[i].offset));
     joint.lower = degrees(axes[i].lower);
     joint.upper = degrees(axes[i].upper);
@@ -120,8 +124,7 @@ inline RobotModel panda() {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Pose X_PJ =
         Pose{{rows[i].a, 0, 0}, glm::angleAxis(rows[i].alpha, dvec3(1, 0, 0))} * Pose::translation({0, 0, rows[i].d});
-    Joint& joint =
-        addJoint(model, static_cast<int>(i), "j" + std::to_string(i + 1), JointType::kRevolute, {0, 0, 1}, X_PJ);
+    Joint& joint = addJoint(model, static_cast<int>(i), numbered("j", i + 1), JointType::kRevolute, {0, 0, 1}, X_PJ);
     joint.lower = rows[i].lower;
     joint.upper = rows[i].upper;
   }
