@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/motion_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manipulation/symmetric.h"
+
+namespace hapticell::manipulation {
+
+dquat deviceAxes(AxesMode mode, const Pose& X_WCamera, const Pose& X_WF) {
+  if (mode == AxesMode::kFrame) return X_WF.q;
+  if (mode == AxesMode::kCell) return {1.0, 0.0, 0.0, 0.0};
+  // Columns: where the device's right, away and up point to in the camera's frame.
+  const dmat3 R_CameraD(dvec3(1.0, 0.0, 0.0), dvec3(0.0, 0.0, -1.0), dvec3(0.0, 1.0, 0.0));
+  return glm::normalize(X_WCamera.q * glm::quat_cast(R_CameraD));
+}
+
+double screenScale(double visible_width, double workspace_width) {
+  if (!(visible_width > 0.0) || !(workspace_width > 0.0)) return 1.0;
+  return visible_width / workspace_width;
+}
+
+void MotionMapping::setScale(double scale) {
+  if (std::isfinite(scale)) scale_ = std::clamp(scale, 1e-3, 1e3);
+}
+
+void MotionMapping::setFilter(bool translates, bool rotates) {
+  translates_ = translates;
+  rotates_ = rotates;
+}
+
+void MotionMapping::anchor(const Pose& X_DA, const Pose& X_WA) {
+  X_DA_ = X_DA;
+  X_WA_ = X_WA;
+}
+
+Twist MotionMapping::toCell(const Twist& motion_D) const {
+  return {translates_ ? scale_ * (q_WD_ * motion_D.linear) : dvec3(0.0), rotates_ ? q_WD_ * motion_D.angular : dvec3(0.0)};
+}
+
+Twist MotionMapping::toDevice(const Twist& motion_W) const {
+  const dquat q_DW = glm::conjugate(q_WD_);
+  return {translates_ ? (q_DW * motion_W.linear) / scale_ : dvec3(0.0), rotates_ ? q_DW * motion_W.angular : dvec3(0.0)};
+}
+
+Pose MotionMapping::toCell(const Pose& X_DP) const { return displaced(X_WA_, toCell(difference(X_DP, X_DA_))); }
+
+Pose MotionMapping::toDevice(const Pose& X_WM, const Pose& X_DNear) const {
+  const Pose X_DP = displaced(X_DA_, toDevice(difference(X_WM, X_WA_)));
+  return {translates_ ? X_DP.p : X_DNear.p, rotates_ ? X_DP.q : X_DNear.q};
+}
+
+haptic::Vector6 MotionMapping::gradientToDevice(const haptic::Vector6& a_W) const {
+  const dquat q_DW = glm::conjugate(q_WD_);
+  const dvec3 linear = translates_ ? q_DW * dvec3(a_W[0], a_W[1], a_W[2]) : dvec3(0.0);
+  const dvec3 angular = rotates_ ? (q_DW * dvec3(a_W[3], a_W[4], a_W[5])) / scale_ : dvec3(0.0);
+  return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
+}
+
+void MotionMapping::toDevice(haptic::Constraint& constraint_W) const {
+  constraint_W.gap /= scale_;
+  constraint_W.trim_gap /= scale_;
+  constraint_W.gradient = gradientToDevice(constraint_W.gradient);
+  constraint_W.trim_gradient = gradientToDevice(constraint_W.trim_gradient);
+  // xi_W = S xi_D with S = diag(scale R_WD, R_WD): B_D = S' B_W S / scale.
+  const dmat3 R_DW = glm::mat3_cast(glm::conjugate(q_WD_));
+  const dmat3 R_WD = glm::transpose(R_DW);
+  Blocks blocks = blocksOf(constraint_W.curvature);
+  const double linear = translates_ ? 1.0 : 0.0;
+  const double angular = rotates_ ? 1.0 : 0.0;
+  blocks.linear = (linear * scale_) * (R_DW * blocks.linear * R_WD);
+  blocks.mixed = (linear * angular) * (R_DW * blocks.mixed * R_WD);
+  blocks.angular = (angular / scale_) * (R_DW * blocks.angular * R_WD);
+  constraint_W.curvature = symmetricOf(blocks);
+}
+
+}  // namespace hapticell::manipulation
