@@ -36,15 +36,19 @@ void MotionMapping::anchor(const Pose& X_DA, const Pose& X_WA) {
 }
 
 Twist MotionMapping::toCell(const Twist& motion_D) const {
-  return {translates_ ? scale_ * (q_WD_ * motion_D.linear) : dvec3(0.0), rotates_ ? q_WD_ * motion_D.angular : dvec3(0.0)};
+  return {translates_ ? scale_ * (q_WD_ * motion_D.linear) : dvec3(0.0),
+          rotates_ ? q_WD_ * motion_D.angular : dvec3(0.0)};
 }
 
 Twist MotionMapping::toDevice(const Twist& motion_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
-  return {translates_ ? (q_DW * motion_W.linear) / scale_ : dvec3(0.0), rotates_ ? q_DW * motion_W.angular : dvec3(0.0)};
+  return {translates_ ? (q_DW * motion_W.linear) / scale_ : dvec3(0.0),
+          rotates_ ? q_DW * motion_W.angular : dvec3(0.0)};
 }
 
-Pose MotionMapping::toCell(const Pose& X_DP) const { return displaced(X_WA_, toCell(difference(X_DP, X_DA_))); }
+Pose MotionMapping::toCell(const Pose& X_DP) const {
+  return displaced(X_WA_, toCell(difference(X_DP, X_DA_)));
+}
 
 Pose MotionMapping::toDevice(const Pose& X_WM, const Pose& X_DNear) const {
   const Pose X_DP = displaced(X_DA_, toDevice(difference(X_WM, X_WA_)));

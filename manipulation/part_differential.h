@@ -32,6 +32,8 @@ struct PointCondition {
   dvec3 nhat_W{0.0, 0.0, 1.0};
   double gap = 0.0;
   dmat3 M{0.0};  ///< Curvature of what it meets, 1/m, positive where that is convex.
+  /// The normal is fixed to the part: its face meets a corner of the obstacle at p_WQ. Then M is not used.
+  bool normal_moves = false;
 };
 
 /// The same as gap, gradient and curvature over xi: a_i = n . v_i and B_ij = v_i . M v_j + n . a_ij (chain rule).

@@ -16,8 +16,8 @@ using kinematics::JointType;
 using kinematics::RobotModel;
 using Matrix6 = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-constexpr double kDampedBelow = 0.02;   ///< Singular value, m (rotation times the lever).
-constexpr double kFoldCurvature = 0.02; ///< Under this a singularity is no edge of the workspace (wrist, shoulder).
+constexpr double kDampedBelow = 0.02;    ///< Singular value, m (rotation times the lever).
+constexpr double kFoldCurvature = 0.02;  ///< Under this a singularity is no edge of the workspace (wrist, shoulder).
 
 /// Velocities and accelerations of all links for joint rates and accelerations, in W.
 struct LinkMotion {
@@ -167,9 +167,10 @@ void fillAccelerations(const Arm& arm, const Eigen::MatrixXd& plus, RobotDiffere
     for (std::size_t j = i; j < 6; ++j) {
       const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
       const std::size_t at = packedIndex(i, j);
-      const Quadratic both = i == j ? single[i]
-                                    : alongDirection(arm, plus, Eigen::Matrix<double, 6, 1>::Unit(row) +
-                                                                    Eigen::Matrix<double, 6, 1>::Unit(column));
+      const Quadratic both =
+          i == j ? single[i]
+                 : alongDirection(arm, plus,
+                                  Eigen::Matrix<double, 6, 1>::Unit(row) + Eigen::Matrix<double, 6, 1>::Unit(column));
       const auto polarised = [&](const auto& whole, const auto& first, const auto& second) {
         return i == j ? whole : decltype(whole + whole)(0.5 * (whole - first - second));
       };

@@ -23,45 +23,46 @@ struct EntityState {
 struct PairState {
   workcell::EntityId moved = 0;
   workcell::EntityId other = 0;
-  std::string moved_part;     ///< Link name of a robot; empty for a solid.
+  std::string moved_part;  ///< Link name of a robot; empty for a solid.
   std::string other_part;
-  double distance = 0.0;      ///< Metres.
-  dvec3 p_WA{0.0};            ///< On the moved entity.
+  double distance = 0.0;  ///< Metres.
+  dvec3 p_WA{0.0};        ///< On the moved entity.
   dvec3 p_WB{0.0};
-  bool contact = false;       ///< At the safety boundary.
+  bool contact = false;  ///< At the safety boundary.
   bool near_miss = false;
 };
 
 /// A limit that pushes back now.
 struct LimitState {
-  std::string text;           ///< "A5 is 1.2 deg from its limit"
+  std::string text;  ///< "A5 is 1.2 deg from its limit"
   int joint = -1;
 };
 
 /// What the manipulation loop hands to the window each step: a value, newest wins, no lock between the loops.
 struct SceneSnapshot {
   std::uint64_t step = 0;
-  double time_s = 0.0;                  ///< Since the loop was started.
-  std::vector<EntityState> entities;    ///< Only those that differ from the document (the held one and what moves with it).
-  std::vector<PairState> pairs;         ///< Nearest first.
+  double time_s = 0.0;  ///< Since the loop was started.
+  std::vector<EntityState>
+      entities;                  ///< Only those that differ from the document (the held one and what moves with it).
+  std::vector<PairState> pairs;  ///< Nearest first.
   std::vector<LimitState> limits;
-  workcell::EntityId held = 0;          ///< 0 while nothing is held.
+  workcell::EntityId held = 0;  ///< 0 while nothing is held.
   bool clutched = false;
-  bool stopped = false;                 ///< Stop-on-collision holds the entity.
+  bool stopped = false;  ///< Stop-on-collision holds the entity.
   bool connected = false;
   bool forces_on = false;
-  double force_ramp = 0.0;              ///< 0 .. 1.
-  Pose X_WStylus;                       ///< The stylus as drawn in the cell.
-  Pose X_DS;                            ///< The stylus in its own workspace.
-  dvec3 force_W{0.0};                   ///< On the hand, N, mapped to the cell's axes.
+  double force_ramp = 0.0;  ///< 0 .. 1.
+  Pose X_WStylus;           ///< The stylus as drawn in the cell.
+  Pose X_DS;                ///< The stylus in its own workspace.
+  dvec3 force_W{0.0};       ///< On the hand, N, mapped to the cell's axes.
   double force_n = 0.0;
-  double motion_scale = 1.0;            ///< Metres of the cell a metre of hand.
-  double device_edge_m = 0.0;           ///< To the edge of the device's workspace.
-  double free_gap_m = 0.0;              ///< Nearest free pair.
+  double motion_scale = 1.0;   ///< Metres of the cell a metre of hand.
+  double device_edge_m = 0.0;  ///< To the edge of the device's workspace.
+  double free_gap_m = 0.0;     ///< Nearest free pair.
   double rate_haptic_hz = 0.0, late_p99_ms = 0.0;
   double rate_manipulation_hz = 0.0, step_p99_ms = 0.0;
   double round_trip_ms = 0.0;
-  std::string status;                   ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
+  std::string status;  ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
 };
 
 }  // namespace hapticell::manipulation

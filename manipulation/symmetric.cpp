@@ -12,7 +12,8 @@ Blocks blocksOf(const haptic::SymmetricMatrix6& packed) {
       // GLM is column-major: matrix[column][row].
       blocks.linear[column][row] = packed[packedIndex(low, high)];
       blocks.angular[column][row] = packed[packedIndex(low + 3, high + 3)];
-      blocks.mixed[column][row] = packed[packedIndex(static_cast<std::size_t>(row), static_cast<std::size_t>(column) + 3)];
+      blocks.mixed[column][row] =
+          packed[packedIndex(static_cast<std::size_t>(row), static_cast<std::size_t>(column) + 3)];
     }
   }
   return blocks;

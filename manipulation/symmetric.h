@@ -14,7 +14,9 @@ struct Blocks {
 };
 
 /// Place of entry (i, j), i <= j < 6, in a packed upper triangle.
-constexpr std::size_t packedIndex(std::size_t i, std::size_t j) { return i * 6 - i * (i + 1) / 2 + j; }
+constexpr std::size_t packedIndex(std::size_t i, std::size_t j) {
+  return i * 6 - i * (i + 1) / 2 + j;
+}
 
 Blocks blocksOf(const haptic::SymmetricMatrix6& packed);
 haptic::SymmetricMatrix6 symmetricOf(const Blocks& blocks);
