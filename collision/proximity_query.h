@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "collision/mesh_collider.h"
+#include "geometry/pose.h"
+
+namespace hapticell::collision {
+
+/// Repeated proximity queries of one pair of colliders A and B, each warmed by the last answer.
+///
+/// One object belongs to one thread at a time; different objects, also of the same colliders, may run at once. Queries
+/// do not allocate. Poses are valid (Pose::isValid). After Larsen et al., "Fast proximity queries with swept sphere
+/// volumes" (1999): the last nearest pair of triangles gives the first upper bound.
+class ProximityQuery {
+ public:
+  ProximityQuery(std::shared_ptr<const MeshCollider> a, std::shared_ptr<const MeshCollider> b);
+
+  /// Exact distance and nearest points, to rounding. Pairs not nearer than `limit` (m) are answered `beyond_limit`.
+  DistanceResult distance(const Pose& X_WA, const Pose& X_WB, double limit = std::numeric_limits<double>::infinity());
+
+  /// The surfaces touch or intersect, or one is inside the other's solid.
+  bool collides(const Pose& X_WA, const Pose& X_WB);
+
+  /// The distance is `margin` (m) or less; leaves at the first pair of triangles that shows it.
+  bool within(const Pose& X_WA, const Pose& X_WB, double margin);
+
+  const MeshCollider& a() const { return *a_; }
+  const MeshCollider& b() const { return *b_; }
+
+ private:
+  bool isContained(const Pose& X_AB, double surface_distance);
+
+  std::shared_ptr<const MeshCollider> a_;
+  std::shared_ptr<const MeshCollider> b_;
+  std::uint32_t last_slot_a_ = 0;
+  std::uint32_t last_slot_b_ = 0;
+  // Surfaces this far apart at that pose cannot have crossed after less motion: containment is then as it was.
+  Pose certified_X_AB_;
+  double certified_distance_ = -1.0;
+  bool certified_contained_ = false;
+};
+
+/// One cold query.
+DistanceResult distance(const std::shared_ptr<const MeshCollider>& a, const Pose& X_WA,
+                        const std::shared_ptr<const MeshCollider>& b, const Pose& X_WB,
+                        double limit = std::numeric_limits<double>::infinity());
+
+}  // namespace hapticell::collision
