@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/pose.h"
+#include "haptic/protocol/messages.h"
+#include "manipulation/motion_mapping.h"
+#include "workcell/entity.h"
+
+namespace hapticell::manipulation {
+
+/// What the hand holds of an entity: the frame M whose motion follows the stylus.
+struct MovedBy {
+  enum class Kind {
+    kDefault,          ///< Robots: tcp; solids: self_origin.
+    kTcp,              ///< Robots: the tool centre point; joints follow by the inverse model.
+    kBase,             ///< Robots: the root link; the robot moves as a whole.
+    kSelfOrigin,       ///< Solids: the origin of the entity.
+    kGeometricCenter,  ///< Solids: the middle of its bounds.
+    kFrame,            ///< The origin and axes of a frame by name: a robot's link or another entity.
+  };
+  Kind kind = Kind::kDefault;
+  std::string frame;  ///< kFrame only.
+};
+
+/// tcp, base, self_origin, geometric_center, frame:NAME; anything else is an error that lists them.
+Expected<MovedBy> parseMovedBy(const std::string& text);
+
+enum class ScaleLevel { kRough, kMedium, kFine, kScreen, kNumber };
+struct ScaleChoice {
+  ScaleLevel level = ScaleLevel::kMedium;
+  double number = 1.0;  ///< Metres of the cell a metre of hand; kNumber only.
+};
+
+/// rough, medium, fine, screen or a number in 1e-3 .. 1e3; anything else is an error.
+Expected<ScaleChoice> parseScale(const std::string& text);
+
+struct AxesChoice {
+  AxesMode mode = AxesMode::kScreen;
+  std::string frame;  ///< kFrame only: an entity's or a robot link's name.
+};
+
+/// screen, cell, frame:NAME; anything else is an error.
+Expected<AxesChoice> parseAxes(const std::string& text);
+Expected<workcell::OnContact> parseOnContact(const std::string& text);
+Expected<workcell::ForceClass> parseForceClass(const std::string& text);
+
+/// What the window (or a session) asks of the manipulation loop. Values; queued, never waited for.
+namespace command {
+
+/// The document has changed: all entities and pair sets as they stand now. What is held goes on being held.
+struct SetDocument {
+  std::vector<workcell::Entity> entities;
+  std::vector<workcell::PairSet> pair_sets;
+};
+/// The entity that the next press of the stylus's button takes; 0: whatever the stylus's tip touches.
+struct ChooseEntity {
+  workcell::EntityId entity = 0;
+};
+struct SetMovedBy {
+  MovedBy moved_by;
+};
+struct SetAxes {
+  AxesChoice axes;
+};
+struct SetScale {
+  ScaleChoice scale;
+};
+/// What the view shows; `visible_width` is the width of the cell seen at the focus, metres.
+struct SetCamera {
+  Pose X_WCamera;  ///< Looks along its -z, x to the right, y up.
+  double visible_width = 1.0;
+};
+/// Overrides the entity's own choice until the next document; for the held or chosen entity.
+struct SetOnContact {
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+};
+struct SetForceClass {
+  workcell::ForceClass force_class = workcell::ForceClass::kContact;
+};
+struct SetForces {
+  bool on = false;
+};
+struct SetFilter {
+  bool translates = true;
+  bool rotates = true;
+};
+/// While true the hand moves without the entity.
+struct SetClutch {
+  bool on = false;
+};
+/// Where the simulated hand shall bring the stylus; passed on to the server.
+struct SetHandTarget {
+  haptic::HandTarget target;
+};
+/// Takes an entity without the button (0: the chosen one).
+struct Grab {
+  workcell::EntityId entity = 0;
+};
+struct Release {};
+
+}  // namespace command
+
+using Command =
+    std::variant<command::SetDocument, command::ChooseEntity, command::SetMovedBy, command::SetAxes, command::SetScale,
+                 command::SetCamera, command::SetOnContact, command::SetForceClass, command::SetForces,
+                 command::SetFilter, command::SetClutch, command::SetHandTarget, command::Grab, command::Release>;
+
+/// What the loop tells back, in order; each is told once.
+namespace result {
+
+/// An entity was taken.
+struct Grabbed {
+  workcell::EntityId entity = 0;
+};
+/// An entity was let go where it stands now: to be made one undoable command of the document.
+struct Moved {
+  workcell::EntityId entity = 0;
+  Pose X_WE;
+  std::vector<double> joints;  ///< Robots: position of each variable.
+};
+/// Something that the user should read.
+struct Notice {
+  std::string sentence;
+};
+
+}  // namespace result
+
+using Result = std::variant<result::Grabbed, result::Moved, result::Notice>;
+
+}  // namespace hapticell::manipulation

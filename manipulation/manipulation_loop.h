@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "config/configuration.h"
+#include "haptic/client/haptic_link.h"
+#include "manipulation/manipulation_command.h"
+#include "manipulation/scene_snapshot.h"
+
+namespace hapticell::manipulation {
+
+/// The manipulation loop in its own thread: as fast as its queries allow, from 10 up to Configuration::Manipulation's
+/// rate. It never waits for the window or for the socket.
+///
+/// post() and takeResults() may be called from any thread; latest() from one (the window's). Meshes of a new document
+/// are prepared in a thread of their own; until they are ready the old scene goes on.
+class ManipulationLoop {
+ public:
+  /// Starts the thread. The link is used by that thread alone from now on.
+  ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration);
+  /// Stops it: forces off, set emptied, thread joined.
+  ~ManipulationLoop();
+  ManipulationLoop(const ManipulationLoop&) = delete;
+  ManipulationLoop& operator=(const ManipulationLoop&) = delete;
+
+  /// Queues a command for the next step. Holds a lock only for as long as a pointer is moved.
+  void post(Command command);
+  /// Copies the newest snapshot if there is one since the last call; false when there is none.
+  bool latest(SceneSnapshot& snapshot);
+  /// What happened since the last call, in order.
+  std::vector<Result> takeResults();
+
+ private:
+  struct Worker;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace hapticell::manipulation
