@@ -46,6 +46,16 @@ Vector6 gradientAt(const Constraint& constraint, const Vector6& xi) {
   return result;
 }
 
+double evaluateWithGradient(const Constraint& constraint, const Vector6& xi, Vector6& gradient) {
+  const Vector6 Bxi = multiply(constraint.curvature, xi);
+  double value = constraint.gap;
+  for (std::size_t i = 0; i < 6; ++i) {
+    value += (constraint.gradient[i] + 0.5 * Bxi[i]) * xi[i];
+    gradient[i] = constraint.gradient[i] + Bxi[i];
+  }
+  return value;
+}
+
 bool isWellFormed(const ConstraintSet& set) {
   if (set.count > kMaxConstraints || !set.X_DR.isValid()) return false;
   if (!std::isfinite(set.zone_radius) || set.zone_radius <= 0.0) return false;

@@ -35,23 +35,23 @@ enum class ConstraintKind : std::uint8_t {
 struct Constraint {
   std::uint32_t group = 0;
   ConstraintKind kind = ConstraintKind::kInequality;
-  double gap = 0.0;               ///< g, metres of clearance at the reference pose; negative inside.
-  Vector6 gradient{};             ///< a; of unit length in its linear part where it is a contact at motion scale 1.
-  SymmetricMatrix6 curvature{};   ///< B, 1/m in the linear block. Rounded to the safe side by whoever makes it.
-  bool has_trim = false;          ///< A half-space g' + a'.xi that ends a curved face: the smaller of both values counts.
+  double gap = 0.0;              ///< g, metres of clearance at the reference pose; negative inside.
+  Vector6 gradient{};            ///< a; of unit length in its linear part where it is a contact at motion scale 1.
+  SymmetricMatrix6 curvature{};  ///< B, 1/m in the linear block. Rounded to the safe side by whoever makes it.
+  bool has_trim = false;  ///< A half-space g' + a'.xi that ends a curved face: the smaller of both values counts.
   double trim_gap = 0.0;
   Vector6 trim_gradient{};
-  double stiffness = 0.0;         ///< N/m wanted; 0 means the device's own.
-  double damping = 0.0;           ///< N s/m wanted; 0 means the device's own.
-  double friction = 0.0;          ///< Coulomb coefficient.
-  std::uint64_t id = 0;           ///< Stays the same from set to set for the same physical thing.
+  double stiffness = 0.0;  ///< N/m wanted; 0 means the device's own.
+  double damping = 0.0;    ///< N s/m wanted; 0 means the device's own.
+  double friction = 0.0;   ///< Coulomb coefficient.
+  std::uint64_t id = 0;    ///< Stays the same from set to set for the same physical thing.
 };
 
 /// Everything the hand can feel within `zone_radius` of `X_DR`, complete. Made by the client, rendered by the server.
 struct ConstraintSet {
-  std::uint64_t sequence = 0;       ///< Counts up; an older one than the adopted is ignored.
-  std::int64_t stamp_ns = 0;        ///< Client's steady clock when the query was made; for statistics only.
-  Pose X_DR;                        ///< Reference pose (of the proxy) in the device frame.
+  std::uint64_t sequence = 0;              ///< Counts up; an older one than the adopted is ignored.
+  std::int64_t stamp_ns = 0;               ///< Client's steady clock when the query was made; for statistics only.
+  Pose X_DR;                               ///< Reference pose (of the proxy) in the device frame.
   double zone_radius = kWantedZoneRadius;  ///< Metres; a rotation counts with the lever kRotationLever.
   std::size_t count = 0;
   std::array<Constraint, kMaxConstraints> constraints{};
@@ -67,6 +67,9 @@ double evaluate(const Constraint& constraint, const Vector6& xi);
 
 /// Gradient of f at xi: gradient + curvature * xi.
 Vector6 gradientAt(const Constraint& constraint, const Vector6& xi);
+
+/// Both at once: returns f(xi) without the trim and fills its gradient.
+double evaluateWithGradient(const Constraint& constraint, const Vector6& xi, Vector6& gradient);
 
 /// True when every number is finite, the pose valid, the radius positive and the count within bounds.
 bool isWellFormed(const ConstraintSet& set);

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "config/device_profile.h"
+
+#include <toml++/toml.h>
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace hapticell::config {
+
+namespace {
+
+std::string textOf(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+std::string lineOf(const toml::node& node) {
+  return "line " + std::to_string(node.source().begin.line);
+}
+
+struct Range {
+  double min;
+  double max;
+};
+
+/// Walks through one table key by key; keeps the first error and the keys that were known.
+class TableReader {
+ public:
+  TableReader(const toml::table& table, std::string file, std::string section)
+      : table_(table), file_(std::move(file)), section_(std::move(section)) {}
+
+  void read(const char* key, double& value, const Range& range) {
+    if (const toml::node* node = find(key)) takeNumber(*node, key, value, range);
+  }
+  void read(const char* key, int& value, const Range& range) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    double number = value;
+    if (!node->is_integer())
+      fail(*node, key, "no whole number", rangeText(range));
+    else
+      takeNumber(*node, key, number, range);
+    value = static_cast<int>(number);
+  }
+  void read(const char* key, std::string& value) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const auto text = node->value<std::string>();
+    if (!node->is_string() || text->empty())
+      fail(*node, key, "no name", "a text that is not empty");
+    else
+      value = *text;
+  }
+  void read(const char* key, dvec3& value, const Range& range) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const toml::array* numbers = node->as_array();
+    if (numbers == nullptr || numbers->size() != 3) {
+      fail(*node, key, "not three numbers", "[width, depth, height], each " + rangeText(range));
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      takeNumber(*numbers->get(i), key, value[static_cast<glm::length_t>(i)], range);
+    }
+  }
+
+  /// The first error, a key that nobody asked for included.
+  std::optional<Error> finish() {
+    for (const auto& [key, node] : table_) {
+      if (!error_ && !known_.contains(key.str())) fail(node, std::string(key.str()), "there is no such key", "");
+    }
+    return error_;
+  }
+
+ private:
+  static std::string rangeText(const Range& range) { return textOf(range.min) + " .. " + textOf(range.max); }
+
+  const toml::node* find(const char* key) {
+    known_.insert(key);
+    return error_ ? nullptr : table_.get(key);
+  }
+  void takeNumber(const toml::node& node, const std::string& key, double& value, const Range& range) {
+    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!number)
+      fail(node, key, "no number", rangeText(range));
+    else if (!(*number >= range.min && *number <= range.max))
+      fail(node, key, textOf(*number), rangeText(range));
+    else
+      value = *number;
+  }
+  void fail(const toml::node& node, const std::string& key, const std::string& found, const std::string& expected) {
+    if (!error_) error_ = Error{file_, lineOf(node) + ", key '" + section_ + "." + key + "'", found, expected, ""};
+  }
+
+  const toml::table& table_;
+  std::string file_;
+  std::string section_;
+  std::set<std::string, std::less<>> known_;
+  std::optional<Error> error_;
+};
+
+void readCapabilities(TableReader& table, DeviceProfile& profile) {
+  table.read("name", profile.name);
+  table.read("workspace", profile.workspace, {0.01, 2.0});
+  table.read("resolution", profile.resolution, {1e-7, 0.01});
+  table.read("rotation_resolution", profile.rotation_resolution, {0.0, 0.1});
+  table.read("measured_axes", profile.measured_axes, {3, 6});
+  table.read("driven_axes", profile.driven_axes, {3, 3});
+  table.read("buttons", profile.buttons, {0, 8});
+  table.read("peak_force", profile.peak_force, {0.1, 100.0});
+  table.read("continuous_force", profile.continuous_force, {0.1, 100.0});
+  table.read("stiffness", profile.stiffness, {10.0, 20000.0});
+  table.read("damping", profile.damping, {0.1, 50.0});
+}
+
+void readMechanics(TableReader& table, DeviceProfile& profile) {
+  table.read("apparent_mass", profile.apparent_mass, {0.005, 5.0});
+  table.read("coulomb_friction", profile.coulomb_friction, {0.0, 10.0});
+  table.read("viscous_friction", profile.viscous_friction, {0.0, 10.0});
+  table.read("weight", profile.weight, {0.0, 50.0});
+  table.read("upper_arm", profile.upper_arm, {0.02, 2.0});
+  table.read("forearm", profile.forearm, {0.02, 2.0});
+  table.read("stop_stiffness", profile.stop_stiffness, {100.0, 50000.0});
+  table.read("stop_damping", profile.stop_damping, {0.0, 100.0});
+}
+
+void readElectronics(TableReader& table, DeviceProfile& profile) {
+  table.read("converter_range", profile.converter_range, {0.1, 100.0});
+  table.read("converter_bits", profile.converter_bits, {6, 24});
+  table.read("delay_ticks", profile.delay_ticks, {0, 15});
+  table.read("thermal_time", profile.thermal_time, {0.1, 3600.0});
+}
+
+using SectionReader = void (*)(TableReader&, DeviceProfile&);
+
+struct Section {
+  const char* name;
+  SectionReader read;
+};
+
+constexpr Section kSections[] = {
+    {"capabilities", readCapabilities}, {"mechanics", readMechanics}, {"electronics", readElectronics}};
+
+std::optional<Error> readSection(const toml::node& node, const std::string& key, const std::string& file,
+                                 DeviceProfile& profile) {
+  for (const Section& section : kSections) {
+    if (key != section.name) continue;
+    const toml::table* table = node.as_table();
+    if (table == nullptr) return Error{file, lineOf(node) + ", key '" + key + "'", "no table", "[" + key + "]", ""};
+    TableReader reader(*table, file, key);
+    section.read(reader, profile);
+    return reader.finish();
+  }
+  return Error{file, lineOf(node) + ", key '" + key + "'", "there is no such key",
+               "[capabilities], [mechanics] or [electronics]", ""};
+}
+
+}  // namespace
+
+Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::string& name) {
+  DeviceProfile profile;
+  toml::table document;
+  try {
+    document = toml::parse(text, name);
+  } catch (const toml::parse_error& problem) {
+    const auto& at = problem.source().begin;
+    const std::string place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column);
+    return makeError({name, place, std::string(problem.description()), "TOML", ""});
+  }
+  for (const auto& [key, node] : document) {
+    if (auto error = readSection(node, std::string(key.str()), name, profile)) return makeError(std::move(*error));
+  }
+  if (profile.continuous_force > profile.peak_force) {
+    return makeError({name, "key 'capabilities.continuous_force'", textOf(profile.continuous_force),
+                      "no more than peak_force, " + textOf(profile.peak_force), ""});
+  }
+  return profile;
+}
+
+Expected<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return makeError({file.string(), "", "the file cannot be read", "a device profile", ""});
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return parseDeviceProfile(text.str(), file.string());
+}
+
+}  // namespace hapticell::config

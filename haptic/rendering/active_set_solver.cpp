@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/active_set_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr std::size_t kMaxActive = 8;  // Six independent rows and two dependent ones.
+constexpr double kRegularisation = 1e-7;
+constexpr double kTolerance = 1e-9;  // Metres a row may stay violated.
+constexpr double kDependent = 1e-6;  // Squared part of a normal that the active rows do not span.
+constexpr int kMaxSteps = 400;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using ActiveVector = std::array<double, kMaxActive>;
+
+double dot(const Vector6& a, const Vector6& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+void addScaled(Vector6& a, double scale, const Vector6& b) {
+  for (std::size_t i = 0; i < 6; ++i) a[i] += scale * b[i];
+}
+
+/// The state of Goldfarb and Idnani's method: active rows, their multipliers, and the Cholesky factor of their Gram
+/// matrix plus the regularisation. An equality is handled with the sign that it was violated with.
+class ActiveSet {
+ public:
+  ActiveSet(std::span<const SolverRow> rows, const Vector6& d0) : rows_(rows), d_(d0) {}
+
+  SolverResult solve();
+
+ private:
+  struct Candidate {
+    std::size_t row = 0;
+    double sign = 1.0;
+    double value = 0.0;  ///< Signed normal . d + slack, negative.
+  };
+  bool mostViolated(Candidate& candidate) const;
+  bool bringIn(const Candidate& candidate);
+  void stepDirection(const Vector6& normal, ActiveVector& r, Vector6& z) const;
+  void drop(std::size_t position);
+  void append(std::size_t row, double sign, double multiplier);
+  void factorise();
+
+  std::span<const SolverRow> rows_;
+  Vector6 d_;
+  std::size_t count_ = 0;
+  std::array<std::size_t, kMaxActive> row_of_{};
+  std::array<double, kMaxActive> sign_{};
+  std::array<Vector6, kMaxActive> normal_{};
+  ActiveVector multiplier_{};
+  std::array<ActiveVector, kMaxActive> factor_{};  // Lower triangle.
+  std::array<bool, kMaxRows> is_active_{};
+  int dependent_ = 0;
+  int steps_ = 0;
+};
+
+bool ActiveSet::mostViolated(Candidate& candidate) const {
+  double worst = -kTolerance;
+  bool found = false;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (is_active_[i]) continue;
+    double value = dot(rows_[i].normal, d_) + rows_[i].slack;
+    const double sign = rows_[i].equality && value > 0.0 ? -1.0 : 1.0;
+    value *= sign;
+    if (!(value < worst)) continue;
+    worst = value;
+    candidate = {i, sign, value};
+    found = true;
+  }
+  return found;
+}
+
+void ActiveSet::factorise() {
+  for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = dot(normal_[i], normal_[j]) + (i == j ? kRegularisation : 0.0);
+      for (std::size_t k = 0; k < j; ++k) sum -= factor_[i][k] * factor_[j][k];
+      factor_[i][j] = i == j ? std::sqrt(std::max(sum, 1e-18)) : sum / factor_[j][j];
+    }
+  }
+}
+
+void ActiveSet::stepDirection(const Vector6& normal, ActiveVector& r, Vector6& z) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    r[i] = dot(normal_[i], normal);
+    for (std::size_t k = 0; k < i; ++k) r[i] -= factor_[i][k] * r[k];
+    r[i] /= factor_[i][i];
+  }
+  for (std::size_t i = count_; i-- > 0;) {
+    for (std::size_t k = i + 1; k < count_; ++k) r[i] -= factor_[k][i] * r[k];
+    r[i] /= factor_[i][i];
+  }
+  z = normal;
+  for (std::size_t i = 0; i < count_; ++i) addScaled(z, -r[i], normal_[i]);
+}
+
+void ActiveSet::drop(std::size_t position) {
+  is_active_[row_of_[position]] = false;
+  --count_;
+  for (std::size_t i = position; i < count_; ++i) {
+    row_of_[i] = row_of_[i + 1];
+    sign_[i] = sign_[i + 1];
+    normal_[i] = normal_[i + 1];
+    multiplier_[i] = multiplier_[i + 1];
+  }
+  factorise();
+}
+
+void ActiveSet::append(std::size_t row, double sign, double multiplier) {
+  is_active_[row] = true;
+  row_of_[count_] = row;
+  sign_[count_] = sign;
+  normal_[count_] = rows_[row].normal;
+  for (double& number : normal_[count_]) number *= sign;
+  multiplier_[count_] = multiplier;
+  ++count_;
+  factorise();
+}
+
+/// Raises the candidate's multiplier from zero until its row holds, dropping rows that would begin to pull. False when
+/// the method should stop.
+bool ActiveSet::bringIn(const Candidate& candidate) {
+  Vector6 normal = rows_[candidate.row].normal;
+  for (double& number : normal) number *= candidate.sign;
+  double multiplier = 0.0;
+  double value = candidate.value;
+  while (steps_++ < kMaxSteps) {
+    ActiveVector r{};
+    Vector6 z{};
+    stepDirection(normal, r, z);
+    const double gain = dot(z, normal) + kRegularisation;
+    const double full = -value / gain;
+    double partial = kInfinity;
+    std::size_t leaving = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (rows_[row_of_[i]].equality || r[i] <= 1e-12 || multiplier_[i] / r[i] >= partial) continue;
+      partial = multiplier_[i] / r[i];
+      leaving = i;
+    }
+    const double t = std::min(full, partial);
+    addScaled(d_, t, z);
+    for (std::size_t i = 0; i < count_; ++i) multiplier_[i] -= t * r[i];
+    multiplier += t;
+    value += t * gain;
+    if (partial < full) {
+      drop(leaving);
+      continue;
+    }
+    if (dot(z, z) < kDependent) ++dependent_;
+    if (count_ == kMaxActive) return false;
+    append(candidate.row, candidate.sign, multiplier);
+    return dependent_ < 2;
+  }
+  return false;
+}
+
+SolverResult ActiveSet::solve() {
+  SolverResult result;
+  Candidate candidate;
+  while (mostViolated(candidate)) {
+    if (bringIn(candidate)) continue;
+    result.status = dependent_ >= 2 || count_ == kMaxActive ? SolverStatus::kInfeasible : SolverStatus::kGaveUp;
+    break;
+  }
+  // One dependent row can be met only by the regularisation's softness: then the rows contradict each other.
+  for (std::size_t i = 0; i < count_; ++i) {
+    const SolverRow& row = rows_[row_of_[i]];
+    const double value = sign_[i] * (dot(row.normal, d_) + row.slack);
+    if (result.status == SolverStatus::kSolved && value < -1e-7) result.status = SolverStatus::kInfeasible;
+    result.multiplier[row_of_[i]] = sign_[i] * multiplier_[i];
+  }
+  result.active_count = count_;
+  result.d = d_;
+  return result;
+}
+
+}  // namespace
+
+SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
+  return ActiveSet(rows.first(std::min(rows.size(), kMaxRows)), d0).solve();
+}
+
+}  // namespace hapticell::haptic

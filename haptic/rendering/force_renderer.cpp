@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/force_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr double kMillisecond = 0.001;
+constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
+constexpr int kIterations = 2;
+constexpr double kJumpAllowance = 0.01e-3;   // m the proxy may outrun the stylus in a tick.
+constexpr double kOffsetDecay = 0.05e-3;     // m per millisecond.
+constexpr double kOffsetGone = 1e-6;         // m.
+constexpr double kTrustForce = 0.8;          // N.
+constexpr double kFilterFrequency = 100.0;   // Hz.
+constexpr double kEnergyAllowance = 0.2e-3;  // J made before the controller acts.
+constexpr double kControllerStep = 0.1;      // N s/m per millisecond.
+constexpr double kControllerLimit = 5.0;     // N s/m.
+constexpr double kDampingLimit = 8.0;        // N s/m an entry can ask for.
+constexpr double kStiffnessTime = 0.1;       // s for a whole change of stiffness in contact.
+
+dvec3 linear(const Vector6& v) {
+  return {v[0], v[1], v[2]};
+}
+dvec3 angular(const Vector6& v) {
+  return {v[3], v[4], v[5]};
+}
+
+Vector6 join(const dvec3& a, const dvec3& b) {
+  return {a.x, a.y, a.z, b.x, b.y, b.z};
+}
+
+double norm(const Vector6& v) {
+  double sum = 0.0;
+  for (const double number : v) sum += number * number;
+  return std::sqrt(sum);
+}
+
+dvec3 limited(const dvec3& v, double limit) {
+  const double length = glm::length(v);
+  return length > limit ? v * (limit / length) : v;
+}
+
+/// The way from one pose to another in the proxy's metric: rotation times its lever.
+Vector6 metricDifference(const Pose& X_DB, const Pose& X_DA) {
+  const Twist motion = difference(X_DB, X_DA);
+  return join(motion.linear, kRotationLever * motion.angular);
+}
+
+Pose moved(const Pose& X_DP, const Vector6& d) {
+  return displaced(X_DP, {linear(d), angular(d) / kRotationLever});
+}
+
+/// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
+/// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
+Vector6 inMetric(const Vector6& gradient, const dvec3& theta) {
+  const dvec3 g = angular(gradient);
+  const dvec3 once = glm::cross(theta, g);
+  return join(linear(gradient), (g + 0.5 * once + glm::cross(theta, once) / 12.0) / kRotationLever);
+}
+
+double lowPassGain(double dt) {
+  return 1.0 - std::exp(-2.0 * std::numbers::pi * kFilterFrequency * dt);
+}
+
+double saneOr(double value, double fallback) {
+  return std::isfinite(value) && value > 0.0 ? value : fallback;
+}
+
+}  // namespace
+
+RendererOptions limitedByDelay(RendererOptions options) {
+  const RendererOptions defaults;
+  options.stiffness = saneOr(options.stiffness, defaults.stiffness);
+  options.damping = saneOr(options.damping, defaults.damping);
+  options.delay = saneOr(options.delay, defaults.delay);
+  options.peak_force = saneOr(options.peak_force, defaults.peak_force);
+  const double ticks = std::max(1.0, options.delay / kMillisecond);
+  options.stiffness = std::min(options.stiffness, 0.65 * 2300.0 / ticks);
+  if (ticks >= 1.999) options.damping = std::max(options.damping, 4.0);
+  return options;
+}
+
+/// The half-spaces of one set about one proxy pose. The trust row is the last one.
+struct ForceRenderer::Rows {
+  std::array<SolverRow, kMaxRows> row;
+  std::array<std::uint8_t, kMaxRows> entry{};
+  std::size_t count = 0;
+
+  std::span<const SolverRow> all() const { return {row.data(), count}; }
+  void gather(const StoredSet& stored, const Pose& X_DP);
+
+ private:
+  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi);
+  void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
+};
+
+void ForceRenderer::Rows::gather(const StoredSet& stored, const Pose& X_DP) {
+  const Twist motion = difference(X_DP, stored.set.X_DR);
+  const Vector6 xi = join(motion.linear, motion.angular);
+  count = stored.groups;
+  for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
+  for (std::size_t i = 0; i < stored.set.count; ++i) offer(stored.row_of[i], i, stored.set.constraints[i], xi);
+  // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
+  for (std::size_t i = 0; i < count; ++i) {
+    if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};
+  }
+  addTrustRow(stored.set, join(motion.linear, kRotationLever * motion.angular));
+}
+
+void ForceRenderer::Rows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi) {
+  const dvec3 theta = angular(xi);
+  Vector6 gradient{};
+  double value = evaluateWithGradient(constraint, xi, gradient);
+  gradient = inMetric(gradient, theta);
+  double length = norm(gradient);
+  if (length < 1e-9) return;
+  double slack = value / length;
+  const bool equality = constraint.kind == ConstraintKind::kEquality;
+  if (constraint.has_trim && !equality) {
+    double trim = constraint.trim_gap;
+    for (std::size_t i = 0; i < 6; ++i) trim += constraint.trim_gradient[i] * xi[i];
+    const Vector6 trim_gradient = inMetric(constraint.trim_gradient, theta);
+    const double trim_length = norm(trim_gradient);
+    if (trim_length > 1e-9 && trim / trim_length < slack) {
+      gradient = trim_gradient;
+      length = trim_length;
+      slack = trim / trim_length;
+    }
+  }
+  if (slack <= row[slot].slack) return;
+  row[slot].slack = slack;
+  row[slot].equality = equality;
+  for (std::size_t i = 0; i < 6; ++i) row[slot].normal[i] = gradient[i] / length;
+  entry[slot] = static_cast<std::uint8_t>(index);
+}
+
+void ForceRenderer::Rows::addTrustRow(const ConstraintSet& set, const Vector6& from_reference) {
+  const double distance = norm(from_reference);
+  SolverRow& trust = row[count++];
+  trust = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, set.zone_radius - distance, false};
+  if (distance < 1e-9) return;
+  for (std::size_t i = 0; i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
+}
+
+/// Where one set lets the proxy go, and what holds it there.
+struct ForceRenderer::Solved {
+  Pose X_DP;
+  std::size_t active_rows = 0;
+  bool contact = false;
+  bool trust = false;
+  dvec3 trust_D{0.0};      ///< The trust row's part of proxy less stylus, m.
+  double friction = 0.0;   ///< Of the active rows, weighted by how hard they press.
+  double stiffness = 0.0;  ///< Least that an active row asks for, 0: none does.
+  double damping = 0.0;    ///< Most that an active row asks for.
+
+  void note(const StoredSet& stored, const Rows& rows, const SolverResult& result);
+};
+
+void ForceRenderer::Solved::note(const StoredSet& stored, const Rows& rows, const SolverResult& result) {
+  active_rows = result.active_count;
+  const std::size_t last = rows.count - 1;
+  trust = result.multiplier[last] != 0.0;
+  trust_D = result.multiplier[last] * linear(rows.row[last].normal);
+  contact = false;
+  friction = stiffness = damping = 0.0;
+  double pressed = 0.0;
+  for (std::size_t i = 0; i < last; ++i) {
+    const double press = std::abs(result.multiplier[i]);
+    if (press <= 0.0) continue;
+    const Constraint& constraint = stored.set.constraints[rows.entry[i]];
+    contact = true;
+    pressed += press;
+    friction += press * constraint.friction;
+    damping = std::max(damping, constraint.damping);
+    if (constraint.stiffness > 0.0)
+      stiffness = stiffness > 0.0 ? std::min(stiffness, constraint.stiffness) : constraint.stiffness;
+  }
+  if (pressed > 0.0) friction /= pressed;
+}
+
+void ForceRenderer::setOptions(const RendererOptions& options) {
+  options_ = limitedByDelay(options);
+  if (contact_) return;
+  stiffness_ = options_.stiffness;
+  damping_ = options_.damping;
+}
+
+void ForceRenderer::reset(const Pose& X_DS) {
+  has_set_ = offered_ = contact_ = false;
+  started_ = X_DS.isValid();
+  if (started_) proxy_ = stylus_ = X_DS;
+  offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = dvec3(0.0);
+  energy_ = balance_ = controller_damping_ = 0.0;
+  stiffness_ = options_.stiffness;
+  damping_ = options_.damping;
+  since_adoption_ = 0.0;
+  set_period_ = 0.1;
+}
+
+Adoption ForceRenderer::adopt(const ConstraintSet& set) {
+  if (!isWellFormed(set)) return Adoption::kMalformed;
+  if (has_set_ && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
+  if (started_ && norm(metricDifference(proxy_, set.X_DR)) >= set.zone_radius) return Adoption::kOutsideZone;
+  StoredSet& stored = sets_[1 - current_];
+  stored.set = set;
+  stored.groups = 0;
+  std::array<std::uint32_t, kMaxConstraints> group{};
+  for (std::size_t i = 0; i < set.count; ++i) {
+    const auto begin = group.begin(), end = begin + static_cast<std::ptrdiff_t>(stored.groups);
+    const auto found = std::find(begin, end, set.constraints[i].group);
+    if (found == end) group[stored.groups++] = set.constraints[i].group;
+    stored.row_of[i] = static_cast<std::uint8_t>(found - begin);
+  }
+  offered_ = true;
+  return Adoption::kAdopted;
+}
+
+ForceRenderer::Solved ForceRenderer::moveProxy(const StoredSet& stored, const Pose& X_DS) const {
+  Solved solved;
+  solved.X_DP = proxy_;
+  Rows rows;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    rows.gather(stored, solved.X_DP);
+    const SolverResult result = nearestFeasible(rows.all(), metricDifference(X_DS, solved.X_DP));
+    Vector6 d = result.d;
+    const double length = norm(d);
+    solved.note(stored, rows, result);
+    if (result.active_count == 0 && length <= kLongestMove) {
+      solved.X_DP = X_DS;  // To the last bit, so that free motion costs exactly nothing.
+      continue;
+    }
+    if (length > kLongestMove) {
+      for (double& number : d) number *= kLongestMove / length;
+    }
+    solved.X_DP = moved(solved.X_DP, d);
+  }
+  applyFriction(stored, X_DS, solved);
+  return solved;
+}
+
+void ForceRenderer::applyFriction(const StoredSet& stored, const Pose& X_DS, Solved& solved) const {
+  if (!solved.contact || solved.friction <= 0.0) return;
+  const dvec3 way = solved.X_DP.p - proxy_.p;
+  const double length = glm::length(way);
+  const double held = solved.friction * glm::length(solved.X_DP.p - X_DS.p);
+  if (length <= 0.0 || held <= 0.0) return;
+  solved.X_DP.p = proxy_.p + way * std::max(0.0, 1.0 - held / length);
+  Rows rows;
+  rows.gather(stored, solved.X_DP);
+  const SolverResult back = nearestFeasible(rows.all(), Vector6{});
+  if (back.active_count > 0) solved.X_DP = moved(solved.X_DP, back.d);
+}
+
+dvec3 ForceRenderer::springOf(const Solved& solved, const Pose& X_DS) const {
+  const dvec3 stretch = solved.X_DP.p - X_DS.p;
+  return stiffness_ * (stretch - solved.trust_D + limited(solved.trust_D, kTrustForce / stiffness_));
+}
+
+ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) {
+  const Solved solved = moveProxy(sets_[1 - current_], X_DS);
+  jump_D = dvec3(0.0);
+  if (has_set_) {
+    const Solved before = moveProxy(sets_[current_], X_DS);
+    const dvec3 f_before = limited(springOf(before, X_DS), options_.peak_force);
+    const dvec3 f_after = limited(springOf(solved, X_DS), options_.peak_force);
+    offset_D_ += (f_before - f_after) / stiffness_;
+    jump_D = solved.X_DP.p - before.X_DP.p;
+    set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
+  }
+  current_ = 1 - current_;
+  has_set_ = true;
+  offered_ = false;
+  since_adoption_ = 0.0;
+  return solved;
+}
+
+/// Moves what the proxy outran the stylus by (another facet, a step of the surface) into the offset, so that the force
+/// goes on from where it was. Returns the proxy's step without it.
+dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& proxy_step, const dvec3& stylus_step) {
+  const double length = glm::length(proxy_step);
+  const double allowed = glm::length(stylus_step) + kJumpAllowance;
+  if (!contact_ || !solved.contact || length <= allowed) return proxy_step;
+  const dvec3 excess = proxy_step * (1.0 - allowed / length);
+  offset_D_ -= excess;
+  return proxy_step - excess;
+}
+
+void ForceRenderer::filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt) {
+  const double gain = lowPassGain(dt);
+  v_stylus_D_ += gain * (stylus_step / dt - v_stylus_D_);
+  v_proxy_D_ += gain * (proxy_step / dt - v_proxy_D_);
+}
+
+void ForceRenderer::decayOffset(const Solved& solved, const dvec3& stylus_step, double dt) {
+  const double length = glm::length(offset_D_);
+  if (length <= kOffsetGone) {
+    offset_D_ = dvec3(0.0);
+    return;
+  }
+  double decay = kOffsetDecay * dt / kMillisecond;
+  if (solved.contact) {
+    decay = std::min(decay, length * dt / (0.8 * set_period_));
+  } else {
+    decay += std::abs(glm::dot(stylus_step, offset_D_)) / length;
+  }
+  offset_D_ = decay >= length ? dvec3(0.0) : offset_D_ * (1.0 - decay / length);
+}
+
+void ForceRenderer::updateCoupling(const Solved& solved, double dt) {
+  const double wanted = solved.stiffness > 0.0 ? std::min(solved.stiffness, options_.stiffness) : options_.stiffness;
+  const double step = options_.stiffness * dt / kStiffnessTime;
+  stiffness_ = contact_ ? stiffness_ + std::clamp(wanted - stiffness_, -step, step) : wanted;
+  const double damping = std::clamp(solved.damping, options_.damping, std::max(options_.damping, kDampingLimit));
+  const double damping_step = damping * dt / kStiffnessTime;
+  damping_ = contact_ ? damping_ + std::clamp(damping - damping_, -damping_step, damping_step) : damping;
+}
+
+dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
+  const double pull = glm::length(spring_D_);
+  if (pull <= 0.0) return dvec3(0.0);
+  const bool trust_only = solved.trust && !solved.contact;
+  const double damping = trust_only ? 0.0 : damping_ + controller_damping_;
+  const dvec3 force = spring_D_ - damping * (v_stylus_D_ - v_proxy_D_);
+  const dvec3 outward = spring_D_ / pull;
+  const double along = glm::dot(force, outward);
+  return along < 0.0 ? force - along * outward : force;
+}
+
+void ForceRenderer::observeEnergy(const dvec3& stylus_step, double wrist_work, bool contact, double dt) {
+  energy_ += wrist_work - glm::dot(applied_D_, stylus_step);
+  const double stored = glm::dot(spring_D_, spring_D_) / (2.0 * stiffness_);
+  balance_ = std::min(0.0, energy_ - stored);
+  energy_ = stored + balance_;
+  const double step = kControllerStep * dt / kMillisecond;
+  const bool act = contact && balance_ < -kEnergyAllowance;
+  controller_damping_ = std::clamp(controller_damping_ + (act ? step : -step), 0.0, kControllerLimit);
+}
+
+RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
+  dt = std::isfinite(dt) ? std::clamp(dt, 1e-5, 0.1) : kMillisecond;
+  if (!started_) reset(X_DS_measured);
+  const Pose X_DS = X_DS_measured.isValid() ? X_DS_measured : stylus_;
+  const dvec3 stylus_step = X_DS.p - stylus_.p;
+  since_adoption_ += dt;
+
+  dvec3 set_jump(0.0);
+  Solved solved;
+  solved.X_DP = X_DS;
+  if (offered_)
+    solved = changeSet(X_DS, set_jump);
+  else if (has_set_)
+    solved = moveProxy(sets_[current_], X_DS);
+
+  const dvec3 whole_step = solved.X_DP.p - proxy_.p - set_jump;
+  const dvec3 proxy_step = takeOutJump(solved, whole_step, stylus_step);
+  // Turning the wrist can load the spring without work that the hand's force does: at most what the lever moves.
+  const double turn = kRotationLever * glm::length(rotationVector(solved.X_DP.q * glm::conjugate(proxy_.q)));
+  const double wrist_work = std::clamp(glm::dot(spring_D_, proxy_step), 0.0, glm::length(spring_D_) * turn);
+  filterVelocities(stylus_step, proxy_step, dt);
+  decayOffset(solved, stylus_step, dt);
+  updateCoupling(solved, dt);
+
+  const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
+  spring_D_ = free ? dvec3(0.0) : springOf(solved, X_DS) + stiffness_ * offset_D_;
+  observeEnergy(stylus_step, wrist_work, solved.contact, dt);
+  proxy_ = solved.X_DP;
+  stylus_ = X_DS;
+  contact_ = solved.contact;
+
+  RenderResult result;
+  result.X_DP = proxy_;
+  result.spring_D = spring_D_;
+  result.force_D = couplingForce(solved);
+  result.v_DS = v_stylus_D_;
+  result.offset_D = offset_D_;
+  result.active_rows = solved.active_rows;
+  result.contact = solved.contact;
+  result.at_zone_edge = solved.trust;
+  result.energy = balance_;
+  result.controller_damping = controller_damping_;
+  result.adopted_set = has_set_ ? sets_[current_].set.sequence : 0;
+  applied_D_ = result.force_D;
+  return result;
+}
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/pose.h"
+#include "haptic/rendering/active_set_solver.h"
+#include "haptic/rendering/constraint_set.h"
+
+namespace hapticell::haptic {
+
+/// How stiff and how damped the coupling between stylus and proxy is.
+struct RendererOptions {
+  double stiffness = 1000.0;  ///< K wanted, N/m.
+  double damping = 2.0;       ///< B wanted, N s/m.
+  double delay = 0.001;       ///< From the measurement to the force that answers it, seconds.
+  double peak_force = 6.4;    ///< Of the device, N; forces are compared at set changes after clamping to it.
+};
+
+/// The options that are stable with nobody holding the stylus: K <= 0.65 * 2.3 N/mm per millisecond of delay, and
+/// B >= 4 N s/m from 2 ms of delay on (the limits of the project's own trial with the simulated device). Values that
+/// are not finite or not positive are replaced by the defaults.
+RendererOptions limitedByDelay(RendererOptions options);
+
+/// What one tick of the force renderer yields. All in the device frame D.
+struct RenderResult {
+  Pose X_DP;                        ///< The proxy: where the stylus would be if it obeyed every constraint.
+  dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
+  dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
+  dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
+  dvec3 offset_D{0.0};              ///< o, what is left of blended set changes, m.
+  std::size_t active_rows = 0;      ///< Rows that hold the proxy back, the trust row included.
+  bool contact = false;             ///< One of them is a constraint.
+  bool at_zone_edge = false;        ///< The trust row is one of them.
+  double energy = 0.0;              ///< Passivity observer's balance, J; negative: the renderer made that much.
+  double controller_damping = 0.0;  ///< What the passivity controller adds to B, N s/m.
+  std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
+};
+
+/// What became of a set that was offered.
+enum class Adoption : std::uint8_t {
+  kAdopted,
+  kMalformed,    ///< Not isWellFormed().
+  kOutdated,     ///< Older than the one in use.
+  kOutsideZone,  ///< The proxy is not inside its zone: the old set stays.
+};
+
+/// Turns stylus poses and constraint sets into a proxy and a force, a thousand times a second.
+///
+/// The proxy (god-object; C. Zilles, K. Salisbury, 1995) moves from its last place towards the stylus inside one
+/// half-space per group, found by nearestFeasible(); the force is a virtual coupling (E. Colgate) from the stylus to
+/// the proxy. A new set's force difference goes into an offset that decays, so that no change of set is felt; a
+/// passivity observer and a ramped controller (B. Hannaford, J.-H. Ryu, 2002) are always on. docs/feel.md tells each
+/// step and why.
+///
+/// In free motion (no active row, no offset) the force is exactly zero. Owned by the force loop's thread; reset(),
+/// adopt(), setOptions() and tick() neither allocate, lock nor throw. Needs about 60 kB.
+class ForceRenderer {
+ public:
+  explicit ForceRenderer(const RendererOptions& options = {}) { setOptions(options); }
+
+  /// Takes new options after limitedByDelay(). In contact the stiffness moves there over about 0.1 s.
+  void setOptions(const RendererOptions& options);
+  const RendererOptions& options() const { return options_; }
+
+  /// Forgets the set, the offset and the energy; the proxy goes to the stylus.
+  void reset(const Pose& X_DS);
+
+  /// Offers a new set; it takes effect with the next tick. Anything but kAdopted changes nothing.
+  Adoption adopt(const ConstraintSet& set);
+
+  /// One step of `dt` seconds (nominally 0.001). A pose that is not valid counts as the last valid one.
+  RenderResult tick(const Pose& X_DS, double dt);
+
+  /// Tells what the safety chain let through of the last tick's force, so that the energy account is of the real force.
+  /// Without this call the account takes the wanted force.
+  void noteApplied(const dvec3& force_D) { applied_D_ = force_D; }
+
+  const Pose& proxy() const { return proxy_; }
+
+ private:
+  /// A set with the row that each of its entries competes for.
+  struct StoredSet {
+    ConstraintSet set;
+    std::array<std::uint8_t, kMaxConstraints> row_of{};
+    std::size_t groups = 0;
+  };
+  struct Rows;
+  struct Solved;
+
+  Solved moveProxy(const StoredSet& stored, const Pose& X_DS) const;
+  void applyFriction(const StoredSet& stored, const Pose& X_DS, Solved& solved) const;
+  Solved changeSet(const Pose& X_DS, dvec3& jump_D);
+  dvec3 springOf(const Solved& solved, const Pose& X_DS) const;
+  dvec3 takeOutJump(const Solved& solved, const dvec3& proxy_step, const dvec3& stylus_step);
+  void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
+  void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
+  void updateCoupling(const Solved& solved, double dt);
+  dvec3 couplingForce(const Solved& solved) const;
+  void observeEnergy(const dvec3& stylus_step, double wrist_work, bool contact, double dt);
+
+  RendererOptions options_;
+  std::array<StoredSet, 2> sets_{};
+  std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
+  bool has_set_ = false;
+  bool offered_ = false;
+  bool started_ = false;
+  double since_adoption_ = 0.0;
+  double set_period_ = 0.1;  ///< Time between the last two adoptions, s.
+
+  Pose proxy_;
+  Pose stylus_;
+  dvec3 offset_D_{0.0};
+  dvec3 v_stylus_D_{0.0};
+  dvec3 v_proxy_D_{0.0};
+  dvec3 spring_D_{0.0};
+  dvec3 applied_D_{0.0};  ///< Force of the last tick, N.
+  double stiffness_ = 1000.0;
+  double damping_ = 2.0;
+  double energy_ = 0.0;   ///< Taken up and not forgotten, J.
+  double balance_ = 0.0;  ///< energy_ less what the spring holds, J.
+  double controller_damping_ = 0.0;
+  bool contact_ = false;
+};
+
+}  // namespace hapticell::haptic
