@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/chain_report.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace hapticell::kinematics {
+
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Jacobian6 = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, static_cast<int>(kMaxChainVariables)>;
+
+constexpr double kParallel = 1e-6;  // sine of the angle between two axes
+constexpr double kMeeting = 1e-6;   // m, between two axes
+
+Jacobian6 scaledJacobian(const Chain& chain, const ChainPositions& x) {
+  ChainState state;
+  chain.evaluate(x, state);
+  Jacobian6 J = Jacobian6::Zero(6, static_cast<Eigen::Index>(chain.size()));
+  const double scale = 2.0 / std::max(chain.reach(), 1e-6);
+  for (std::size_t i = 0; i < chain.elements().size(); ++i) {
+    const Chain::Element& element = chain.elements()[i];
+    const dvec3& z = state.axis_B[i];
+    const dvec3 linear =
+        scale * element.factor * (element.prismatic ? z : glm::cross(z, state.p_BT - state.origin_B[i]));
+    for (int row = 0; row < 3; ++row) {
+      J(row, element.variable) += linear[row];
+      if (!element.prismatic) J(row + 3, element.variable) += element.factor * z[row];
+    }
+  }
+  return J;
+}
+
+// The point where axes 4, 5 and 6 meet, if they do.
+std::optional<dvec3> wristCentre(const ChainState& state) {
+  const dvec3 &o4 = state.origin_B[3], &z4 = state.axis_B[3], &o5 = state.origin_B[4], &z5 = state.axis_B[4];
+  const dvec3 normal = glm::cross(z4, z5);
+  const double squared = glm::dot(normal, normal);
+  if (squared < kParallel) return std::nullopt;
+  const double along4 = glm::dot(glm::cross(o5 - o4, z5), normal) / squared;
+  const dvec3 centre = o4 + along4 * z4;
+  const auto distanceFrom = [&](std::size_t axis) {
+    return glm::length(glm::cross(centre - state.origin_B[axis], state.axis_B[axis]));
+  };
+  if (distanceFrom(4) > kMeeting || distanceFrom(5) > kMeeting) return std::nullopt;
+  return centre;
+}
+
+bool sixRevolutes(const Chain& chain) {
+  return chain.size() == 6 && chain.elements().size() == 6 &&
+         std::none_of(chain.elements().begin(), chain.elements().end(),
+                      [](const Chain::Element& e) { return e.prismatic; });
+}
+
+// The direction "forward" of the arm plane at x: from axis 1 to axis 2, or the base's x axis turned by joint 1.
+dvec3 forwardDirection(const Chain& chain, const ChainState& state, double joint_1) {
+  const dvec3& z1 = state.axis_B[0];
+  dvec3 offset = state.origin_B[1] - state.origin_B[0];
+  offset -= glm::dot(offset, z1) * z1;
+  // Only what lies in the arm plane counts; an offset along axis 2 says nothing about front and back.
+  offset -= glm::dot(offset, state.axis_B[1]) * state.axis_B[1];
+  if (glm::length(offset) > kMeeting) return glm::normalize(offset);
+  return quaternionFromRotationVector(joint_1 * chain.elements()[0].factor * z1) * dvec3(1.0, 0.0, 0.0);
+}
+
+}  // namespace
+
+bool chainIsSingular(const Chain& chain, const ChainPositions& x) {
+  const Jacobian6 J = scaledJacobian(chain, x);
+  const Matrix6 JJt = J * J.transpose();
+  const Eigen::SelfAdjointEigenSolver<Matrix6> solver(JJt, Eigen::EigenvaluesOnly);
+  const int rank = static_cast<int>(std::min<std::size_t>(chain.size(), 6));
+  return solver.eigenvalues()[6 - rank] < 1e-6;
+}
+
+std::string configurationName(const Chain& chain, const ChainPositions& x) {
+  if (!sixRevolutes(chain)) return {};
+  ChainState state;
+  chain.evaluate(x, state);
+  if (glm::length(glm::cross(state.axis_B[1], state.axis_B[2])) > kParallel) return {};
+  const std::optional<dvec3> centre = wristCentre(state);
+  if (!centre) return {};
+  const dvec3 up = state.axis_B[0].z < 0.0 ? -state.axis_B[0] : state.axis_B[0];
+  const dvec3 forward = forwardDirection(chain, state, x[0]);
+  const bool front = glm::dot(*centre - state.origin_B[0], forward) >= 0.0;
+  const dvec3 to_wrist = *centre - state.origin_B[1], to_elbow = state.origin_B[2] - state.origin_B[1];
+  const double turn = glm::dot(glm::cross(to_wrist, to_elbow), glm::cross(forward, up));
+  const bool elbow_up = (turn >= 0.0) == front;
+  const bool flipped = glm::dot(glm::cross(state.axis_B[3], state.axis_B[5]), state.axis_B[4]) < 0.0;
+  return std::string(front ? "front" : "back") + (elbow_up ? ", elbow up" : ", elbow down") +
+         (flipped ? ", wrist flipped" : ", wrist not flipped");
+}
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "kinematics/chain.h"
+
+namespace hapticell::kinematics {
+
+/// True when the tip (nearly) loses a direction at `x`: the least singular value of the Jacobian, lengths in units of
+/// half the chain's reach, is under 1e-3 (about the angle in rad from the singular position). No allocation.
+bool chainIsSingular(const Chain& chain, const ChainPositions& x);
+
+/// In words, which branch of the inverse `x` lies on: "front, elbow up, wrist not flipped" for a six-axis arm with
+/// axes 2 and 3 parallel and axes 4 to 6 meeting in a point; empty for other chains.
+///
+/// Front: the wrist centre is on the side of axis 1 that the first link points to; up: the elbow is above the line
+/// from axis 2 to the wrist centre; flipped: joint 5 is negative.
+std::string configurationName(const Chain& chain, const ChainPositions& x);
+
+}  // namespace hapticell::kinematics

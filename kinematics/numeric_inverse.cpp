@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/numeric_inverse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "geometry/assertion.h"
+#include "kinematics/chain_report.h"
+
+namespace hapticell::kinematics {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr std::size_t kSeedCount = 1024;
+constexpr std::size_t kSeedsForNearest = 48;  // enough to meet every configuration of a 6R arm
+constexpr std::size_t kSeedsWithoutLimits = 96;
+constexpr int kHapticIterations = 24;
+constexpr int kRestartIterations = 60;
+constexpr double kNearEnough = 0.5;     // rad or m: an answer this near is not worth a search for a nearer one
+constexpr double kSameSolution = 1e-4;  // rad or m
+constexpr std::size_t kMaxAlternatives = 64;
+
+double distanceSquared(const ChainPositions& a, const ChainPositions& b, std::size_t n) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+double largestChange(const ChainPositions& a, const ChainPositions& b, std::size_t n) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+// The radical inverse of `index` in a prime base: one coordinate of the Halton sequence (Halton 1960).
+double radicalInverse(std::size_t index, std::size_t base) {
+  double result = 0.0, fraction = 1.0 / static_cast<double>(base);
+  for (; index > 0; index /= base, fraction /= static_cast<double>(base))
+    result += fraction * static_cast<double>(index % base);
+  return result;
+}
+
+double fitCost(const FitResult& fit, double lever) {
+  return fit.position_error * fit.position_error + lever * lever * fit.orientation_error * fit.orientation_error;
+}
+
+}  // namespace
+
+const char* toString(InverseStatus status) {
+  switch (status) {
+    case InverseStatus::kSolved:
+      return "solved";
+    case InverseStatus::kLimit:
+      return "limit";
+    case InverseStatus::kUnreachable:
+      break;
+  }
+  return "unreachable";
+}
+
+Expected<std::unique_ptr<NumericInverse>> NumericInverse::create(const RobotModel& model, int tip_link,
+                                                                 const Pose& X_LT, double lever_m) {
+  HAPTICELL_DEMAND(lever_m > 0.0 && X_LT.isValid());
+  auto chain = Chain::create(model, tip_link, X_LT);
+  if (!chain) return makeError(chain.error());
+  return std::unique_ptr<NumericInverse>(new NumericInverse(std::move(*chain), model.dof(), lever_m));
+}
+
+NumericInverse::NumericInverse(Chain chain, std::size_t model_dof, double lever_m)
+    : chain_(std::move(chain)), model_dof_(model_dof) {
+  options_.lever = lever_m;
+  options_.max_iterations = kRestartIterations;
+  makeSeeds();
+}
+
+void NumericInverse::makeSeeds() {
+  constexpr std::size_t kPrimes[kMaxChainVariables] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
+  seeds_.resize(kSeedCount);
+  ChainState state;
+  for (std::size_t s = 0; s < kSeedCount; ++s) {
+    for (std::size_t i = 0; i < chain_.size(); ++i) {
+      const bool endless = !std::isfinite(chain_.lower()[i]) || !std::isfinite(chain_.upper()[i]);
+      const double lower = endless ? -std::numbers::pi : chain_.lower()[i];
+      const double upper = endless ? std::numbers::pi : chain_.upper()[i];
+      seeds_[s].x[i] = lower + (upper - lower) * radicalInverse(s + 20, kPrimes[i]);
+    }
+    chain_.evaluate(seeds_[s].x, state);
+    seeds_[s].X_BT = {state.p_BT, glm::normalize(glm::quat_cast(state.R_BT))};
+  }
+}
+
+FitBox NumericInverse::limits() const {
+  return {chain_.lower(), chain_.upper()};
+}
+
+FitBox NumericInverse::withoutTurningLimits() const {
+  FitBox box = limits();
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    if (!chain_.turns(i)) continue;
+    box.lower[i] = -std::numeric_limits<double>::infinity();
+    box.upper[i] = std::numeric_limits<double>::infinity();
+  }
+  return box;
+}
+
+ChainPositions NumericInverse::pick(const std::vector<double>& q) const {
+  HAPTICELL_DEMAND(q.size() == model_dof_);
+  ChainPositions x{};
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    x[i] = std::clamp(q[static_cast<std::size_t>(chain_.variables()[i])], chain_.lower()[i], chain_.upper()[i]);
+  }
+  return x;
+}
+
+void NumericInverse::fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const {
+  solution.q = q_start;
+  for (std::size_t i = 0; i < chain_.size(); ++i)
+    solution.q[static_cast<std::size_t>(chain_.variables()[i])] = fit.x[i];
+  solution.position_error = fit.position_error;
+  solution.orientation_error = fit.orientation_error;
+  solution.singular = chainIsSingular(chain_, fit.x);
+  solution.status =
+      fit.converged ? InverseStatus::kSolved : (fit.held ? InverseStatus::kLimit : InverseStatus::kUnreachable);
+}
+
+void NumericInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                                  InverseSolution& solution) const {
+  HAPTICELL_DEMAND(duration_s > 0.0);
+  const ChainPositions x = pick(q_start);
+  FitBox box = limits();
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    box.lower[i] = std::max(box.lower[i], x[i] - chain_.velocity()[i] * duration_s);
+    box.upper[i] = std::min(box.upper[i], x[i] + chain_.velocity()[i] * duration_s);
+  }
+  FitOptions options = options_;
+  options.max_iterations = kHapticIterations;
+  FitResult fit = fitPose(chain_, X_BT, x, box, options);
+  // Held by its speed is not held by a limit: only the latter is told.
+  bool at_limit = false;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    at_limit = at_limit || (fit.held && (fit.x[i] <= chain_.lower()[i] || fit.x[i] >= chain_.upper()[i]));
+  }
+  fit.held = at_limit;
+  fill(fit, q_start, solution);
+}
+
+std::vector<std::size_t> NumericInverse::seedsNear(const Pose& X_BT) const {
+  const double scale = 3.0 / std::max(chain_.reach(), 1e-3);
+  std::vector<double> cost(seeds_.size());
+  for (std::size_t s = 0; s < seeds_.size(); ++s) {
+    const dvec3 apart = scale * (seeds_[s].X_BT.p - X_BT.p);
+    const double cosine = glm::dot(seeds_[s].X_BT.q, X_BT.q);
+    cost[s] = glm::dot(apart, apart) + 4.0 * (1.0 - cosine * cosine);
+  }
+  std::vector<std::size_t> order(seeds_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost[a] < cost[b]; });
+  return order;
+}
+
+// Shifts turning variables by whole turns to where they are nearest to x_start; false when one is outside its limits.
+bool NumericInverse::takeNearestTurns(ChainPositions& x, const ChainPositions& x_start) const {
+  bool within = true;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    constexpr double kSlack = 1e-9;
+    const double lower = chain_.lower()[i] - kSlack, upper = chain_.upper()[i] + kSlack;
+    if (chain_.turns(i)) {
+      x[i] += kTurn * std::round((x_start[i] - x[i]) / kTurn);
+      if (x[i] > upper) x[i] -= kTurn * std::ceil((x[i] - upper) / kTurn);
+      if (x[i] < lower) x[i] += kTurn * std::ceil((lower - x[i]) / kTurn);
+    }
+    within = within && x[i] >= lower && x[i] <= upper;
+    if (within) x[i] = std::clamp(x[i], chain_.lower()[i], chain_.upper()[i]);
+  }
+  return within;
+}
+
+FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const {
+  FitOptions options = options_;
+  options.max_iterations = 200;
+  FitResult best = fitPose(chain_, X_BT, x_start, limits(), options);
+  if (best.converged) {
+    takeNearestTurns(best.x, x_start);
+    if (largestChange(best.x, x_start, chain_.size()) < kNearEnough) return best;
+  }
+  const double first_joint_distance = glm::length(X_BT.p - chain_.elements()[0].p_PJ);
+  if (first_joint_distance > chain_.reach()) return best;
+  options.max_iterations = kRestartIterations;
+  options.give_up_when_slow = true;
+  options.second_order = false;
+  const std::vector<std::size_t> order = seedsNear(X_BT);
+  double nearest =
+      best.converged ? distanceSquared(best.x, x_start, chain_.size()) : std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < order.size(); ++s) {
+    if (best.converged && s >= kSeedsForNearest) break;
+    FitResult fit = fitPose(chain_, X_BT, seeds_[order[s]].x, limits(), options);
+    if (!fit.converged) {
+      if (!best.converged && fitCost(fit, options.lever) < fitCost(best, options.lever)) best = fit;
+      continue;
+    }
+    takeNearestTurns(fit.x, x_start);
+    const double distance = distanceSquared(fit.x, x_start, chain_.size());
+    if (distance < nearest) {
+      nearest = distance;
+      best = fit;
+    }
+  }
+  if (best.converged) return best;
+  // The least misfit of all tries, taken to its minimum.
+  return fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 200, true, false});
+}
+
+bool NumericInverse::reachableWithoutLimits(const Pose& X_BT, const ChainPositions& x_start) const {
+  if (glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach()) return false;
+  const FitBox box = withoutTurningLimits();
+  if (fitPose(chain_, X_BT, x_start, box, options_).converged) return true;
+  const std::vector<std::size_t> order = seedsNear(X_BT);
+  for (std::size_t s = 0; s < kSeedsWithoutLimits; ++s) {
+    if (fitPose(chain_, X_BT, seeds_[order[s]].x, box, options_).converged) return true;
+  }
+  return false;
+}
+
+InverseSolution NumericInverse::solve(const Pose& X_BT, const std::vector<double>& q_start) const {
+  InverseSolution solution;
+  const ChainPositions x_start = pick(q_start);
+  const FitResult fit = searchWithinLimits(X_BT, x_start);
+  fill(fit, q_start, solution);
+  if (!fit.converged) {
+    solution.status = reachableWithoutLimits(X_BT, x_start) ? InverseStatus::kLimit : InverseStatus::kUnreachable;
+  }
+  return solution;
+}
+
+std::vector<AlternativeSolution> NumericInverse::solveAll(const Pose& X_BT, const std::vector<double>& q_start) const {
+  const ChainPositions x_start = pick(q_start);
+  const std::size_t n = chain_.size();
+  std::vector<ChainPositions> found;
+  std::vector<AlternativeSolution> solutions;
+  if (glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach()) return solutions;
+  FitOptions options = options_;
+  options.give_up_when_slow = true;
+  options.second_order = false;
+  const FitBox box = withoutTurningLimits();
+  std::vector<bool> within_limits;
+  const auto take = [&](const ChainPositions& x_try) {
+    FitResult fit = fitPose(chain_, X_BT, x_try, box, options);
+    if (!fit.converged || found.size() >= kMaxAlternatives) return;
+    const bool within = takeNearestTurns(fit.x, x_start);
+    const bool known = std::any_of(found.begin(), found.end(), [&](const ChainPositions& x) {
+      double largest = 0.0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double change = x[i] - fit.x[i];
+        largest = std::max(largest, std::abs(chain_.turns(i) ? std::remainder(change, kTurn) : change));
+      }
+      return largest < kSameSolution;
+    });
+    if (known) return;
+    found.push_back(fit.x);
+    within_limits.push_back(within);
+  };
+  take(x_start);
+  for (const Seed& seed : seeds_) take(seed.x);
+
+  std::vector<std::size_t> order(found.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return distanceSquared(found[a], x_start, n) < distanceSquared(found[b], x_start, n);
+  });
+  for (const std::size_t index : order) {
+    AlternativeSolution solution{q_start, within_limits[index], configurationName(chain_, found[index])};
+    for (std::size_t i = 0; i < n; ++i) solution.q[static_cast<std::size_t>(chain_.variables()[i])] = found[index][i];
+    solutions.push_back(std::move(solution));
+  }
+  return solutions;
+}
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "geometry/error.h"
+#include "kinematics/chain.h"
+#include "kinematics/inverse_model.h"
+#include "kinematics/pose_fit.h"
+
+namespace hapticell::kinematics {
+
+/// Inverse kinematics of any serial chain by bounded damped least squares (see fitPose() for the method).
+///
+/// Where a pose cannot be met, position weighs 1 and orientation by a lever of 0.25 m unless set otherwise: 1 rad
+/// counts like 250 mm. A longer lever keeps the orientation and lets the position yield, a shorter one the other way
+/// round. Restarts begin at 1024 Halton points within the limits, those nearest to the wanted pose first, always the
+/// same: answers repeat. Const methods keep no state and may run in several threads at once.
+class NumericInverse final : public InverseModel {
+ public:
+  /// For the tool centre point X_LT on `tip_link` of `model`. The model is read, not kept. Errors: see Chain::create().
+  static Expected<std::unique_ptr<NumericInverse>> create(const RobotModel& model, int tip_link, const Pose& X_LT = {},
+                                                          double lever_m = 0.25);
+
+  std::string name() const override { return "numeric"; }
+  const std::vector<int>& variables() const override { return chain_.variables(); }
+  void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                    InverseSolution& solution) const override;
+  InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
+  std::vector<AlternativeSolution> solveAll(const Pose& X_BT, const std::vector<double>& q_start) const override;
+
+ private:
+  struct Seed {
+    ChainPositions x{};
+    Pose X_BT;
+  };
+
+  Chain chain_;
+  FitOptions options_;
+  std::size_t model_dof_ = 0;
+  std::vector<Seed> seeds_;
+
+  NumericInverse(Chain chain, std::size_t model_dof, double lever_m);
+  void makeSeeds();
+  FitBox limits() const;
+  FitBox withoutTurningLimits() const;
+  ChainPositions pick(const std::vector<double>& q) const;
+  void fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const;
+  std::vector<std::size_t> seedsNear(const Pose& X_BT) const;
+  bool takeNearestTurns(ChainPositions& x, const ChainPositions& x_start) const;
+  FitResult searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const;
+  bool reachableWithoutLimits(const Pose& X_BT, const ChainPositions& x_start) const;
+};
+
+}  // namespace hapticell::kinematics
