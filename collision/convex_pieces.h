@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "collision/convex_hull.h"
+#include "geometry/bounds.h"
+#include "geometry/triangle_mesh.h"
+
+namespace hapticell::collision {
+
+/// A patch of a mesh's surface that fills no free room when its convex hull is taken: what lies outside the hull of one
+/// piece is decided by one group of separating directions (OR).
+struct ConvexPiece {
+  ConvexHull hull;  ///< In the mesh's frame M.
+  std::vector<std::uint8_t>
+      real_plane;  ///< Per plane of the hull: 1 where it is a face of the mesh, 0 where it only closes it.
+  std::vector<dvec3> beyond_edges;  ///< Unit normals of the mesh's faces across convex edges of the patch.
+  geometry::Bounds bounds;
+  std::vector<std::uint32_t> triangles;  ///< Of the mesh given to build().
+};
+
+/// A mesh's surface cut into convex pieces: every triangle belongs to one piece, so two meshes are apart where every
+/// pair of their pieces is. Immutable after build; any thread may read it.
+class ConvexPieces {
+ public:
+  /// Cuts the surface of a soup (indices in range, coordinates finite). A convex mesh (box, cylinder, sphere) becomes
+  /// one piece; elsewhere triangles are joined while their hull stays free of other surface by more than
+  /// `tolerance` (m; 0 chooses 1e-5 of the size, at least a micrometre). Degenerate triangles are dropped.
+  static std::shared_ptr<const ConvexPieces> build(const geometry::TriangleMesh& mesh, double tolerance = 0.0);
+
+  const std::vector<ConvexPiece>& pieces() const { return pieces_; }
+  const geometry::Bounds& bounds() const { return bounds_; }
+  double tolerance() const { return tolerance_; }
+
+ private:
+  std::vector<ConvexPiece> pieces_;
+  geometry::Bounds bounds_;
+  double tolerance_ = 0.0;
+};
+
+}  // namespace hapticell::collision

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/direction_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hapticell::collision {
+namespace {
+
+constexpr std::size_t kMostSamples = 3000;
+constexpr double kTouch = 1e-9;
+
+double halton(std::uint32_t index, std::uint32_t base) {
+  double result = 0.0;
+  double fraction = 1.0;
+  for (; index > 0; index /= base) {
+    fraction /= base;
+    result += fraction * (index % base);
+  }
+  return result;
+}
+
+/// Fixed directions with lengths spread evenly over their logarithm, 1/1000 to 1: near places count as much as far
+/// ones.
+std::vector<dvec3> ballSamples(std::uint32_t count) {
+  std::vector<dvec3> samples;
+  for (std::uint32_t i = 1; i <= count; ++i) {
+    const double z = 2.0 * halton(i, 2) - 1.0;
+    const double angle = 6.283185307179586 * halton(i, 3);
+    const double width = std::sqrt(std::max(0.0, 1.0 - z * z));
+    samples.push_back(std::pow(10.0, -3.0 * halton(i, 5)) * dvec3(width * std::cos(angle), width * std::sin(angle), z));
+  }
+  return samples;
+}
+
+void addFacetSamples(const SeparatingDirection& direction, double reach, bool many, std::vector<dvec3>& samples) {
+  if (std::abs(direction.gap) >= reach) return;
+  const dvec3& n = direction.nhat_W;
+  const dvec3 base = (-direction.gap + 1e-7 + 1e-5 * reach) * n;
+  samples.push_back(base);
+  if (!many) return;
+  const double room = std::sqrt(reach * reach - direction.gap * direction.gap);
+  const dvec3 u = glm::normalize(glm::cross(n, std::abs(n.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+  const dvec3 v = glm::cross(n, u);
+  for (const double length : {0.03, 0.2, 0.7}) {
+    for (const dvec3& side : {u + v, u - v, -u + v, -u - v}) samples.push_back(base + 0.7 * length * room * side);
+  }
+}
+
+std::vector<dvec3> samplesFor(const std::vector<PieceGroup>& groups, double reach) {
+  static const std::vector<dvec3> kBall = ballSamples(400);
+  std::vector<dvec3> samples;
+  for (const dvec3& s : kBall) samples.push_back(reach * s);
+  std::size_t directions = 0;
+  for (const PieceGroup& group : groups) directions += group.directions.size();
+  const bool many = 13 * directions < kMostSamples;
+  for (const PieceGroup& group : groups) {
+    for (const SeparatingDirection& direction : group.directions) {
+      if (samples.size() < kMostSamples) addFacetSamples(direction, reach, many, samples);
+    }
+  }
+  std::stable_sort(samples.begin(), samples.end(),
+                   [](const dvec3& a, const dvec3& b) { return glm::dot(a, a) < glm::dot(b, b); });
+  return samples;
+}
+
+bool isFree(const std::vector<PieceGroup>& groups, const dvec3& d, std::size_t& last_blocker) {
+  if (separationAt(groups[last_blocker], d) < -kTouch) return false;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (separationAt(groups[i], d) < -kTouch) {
+      last_blocker = i;
+      return false;
+    }
+  }
+  return true;
+}
+
+std::uint32_t bestAt(const PieceGroup& group, const dvec3& d, double tolerance) {
+  std::uint32_t best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < group.directions.size(); ++i) {
+    const SeparatingDirection& direction = group.directions[i];
+    const double value = direction.gap + glm::dot(direction.nhat_W, d);
+    // A face that frees the place is taken before anything of a lower rank, however much freer that would make it.
+    const double ranked = value >= -tolerance ? 1e3 - 1e2 * static_cast<double>(direction.rank) + value : score;
+    if (ranked > most) {
+      most = ranked;
+      best = i;
+    }
+  }
+  return best;
+}
+
+bool isCovered(const PieceGroup& group, const dvec3& d, double tolerance) {
+  return std::any_of(group.chosen.begin(), group.chosen.end(), [&](auto i) {
+    return group.directions[i].gap + glm::dot(group.directions[i].nhat_W, d) >= -tolerance;
+  });
+}
+
+/// Wherever `strong` is free `weak` is free too, also after the rotations within the limits.
+bool implies(const PieceGroup& strong, const PieceGroup& weak, double max_rotation) {
+  return std::all_of(strong.chosen.begin(), strong.chosen.end(), [&](auto i) {
+    const SeparatingDirection& a = strong.directions[i];
+    return std::any_of(weak.chosen.begin(), weak.chosen.end(), [&](auto j) {
+      const SeparatingDirection& b = weak.directions[j];
+      const double turn = max_rotation * glm::length(a.supports.front().p_W - b.supports.front().p_W);
+      return b.gap + kTouch >= a.gap + turn && glm::dot(a.nhat_W, b.nhat_W) > 1.0 - 1e-10;
+    });
+  });
+}
+
+void dropImplied(std::vector<PieceGroup>& groups, double max_rotation) {
+  std::vector<bool> dropped(groups.size(), false);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t j = 0; j < groups.size() && !dropped[i]; ++j) {
+      dropped[i] = i != j && !dropped[j] && implies(groups[j], groups[i], max_rotation);
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (dropped[i]) continue;
+    if (kept != i) groups[kept] = std::move(groups[i]);
+    ++kept;
+  }
+  groups.resize(kept);
+}
+
+}  // namespace
+
+double separationAt(const PieceGroup& group, const dvec3& d_W) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const SeparatingDirection& direction : group.directions) {
+    most = std::max(most, direction.gap + glm::dot(direction.nhat_W, d_W));
+  }
+  return most;
+}
+
+void chooseDirections(std::vector<PieceGroup>& groups, const DirectionLimits& limits) {
+  if (groups.empty()) return;
+  for (PieceGroup& group : groups) group.chosen = {bestAt(group, dvec3(0.0), 1e-6)};
+  std::size_t last_blocker = 0;
+  for (const dvec3& d : samplesFor(groups, limits.reach)) {
+    if (!isFree(groups, d, last_blocker)) continue;
+    const double tolerance = 1e-6 + 0.005 * glm::length(d);
+    for (PieceGroup& group : groups) {
+      if (!isCovered(group, d, tolerance)) group.chosen.push_back(bestAt(group, d, kTouch));
+    }
+  }
+  dropImplied(groups, limits.max_rotation);
+}
+
+}  // namespace hapticell::collision

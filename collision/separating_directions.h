@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/convex_pieces.h"
+#include "geometry/pose.h"
+
+namespace hapticell::collision {
+
+/// A convex piece placed in the world.
+struct PlacedPiece {
+  const ConvexPiece* piece = nullptr;
+  std::vector<dvec3> vertices_W;
+  std::vector<HullPlane> planes_W;
+  std::vector<dvec3> beyond_W;
+  geometry::Bounds bounds_W;
+};
+
+PlacedPiece placed(const ConvexPiece& piece, const Pose& X_W);
+
+/// One pair of points that keeps a separating direction: the moving body's point (or, where the normal moves, the
+/// obstacle's point as if it belonged to the body) and its gap along the direction.
+struct SupportPoint {
+  dvec3 p_W{0.0};    ///< Moves with the body.
+  dvec3 q_W{0.0};    ///< Of the obstacle, or of the body's face where the normal moves.
+  double gap = 0.0;  ///< Metres.
+  bool normal_moves = false;
+  std::uint32_t feature = 0;  ///< Vertex of the moving piece, or 2^31 + vertex of the obstacle's piece.
+};
+
+enum class DirectionRank : std::uint8_t {
+  kFace = 0,     ///< Faces and convex edges that the meshes have.
+  kBeyond = 1,   ///< Faces of the mesh next to the piece.
+  kVirtual = 2,  ///< Faces or edges that only close a piece; used where nothing else frees a free place.
+};
+
+/// A direction in which a moving piece A and an obstacle piece B are separated, or could become so.
+struct SeparatingDirection {
+  dvec3 nhat_W{0.0, 0.0, 1.0};  ///< Unit, from B towards A.
+  double gap = 0.0;             ///< min over A of nhat.a - max over B of nhat.b, metres.
+  DirectionRank rank = DirectionRank::kFace;
+  std::uint32_t feature_A = 0;  ///< For ids: plane, edge or vertex number.
+  std::uint32_t feature_B = 0;
+  std::vector<SupportPoint> supports;  ///< The first holds the gap; others could come to hold it by turning.
+};
+
+struct DirectionLimits {
+  double reach = 0.0;         ///< Metres the body's points can move; directions with gap < -reach are left out.
+  double max_rotation = 0.0;  ///< Radians; decides which other support points matter.
+  std::size_t max_supports = 8;
+};
+
+/// The faces of the Minkowski difference of two convex pieces which a motion within the limits can meet (Gauss-map
+/// test for edge pairs: Gregorius, "The separating axis test between convex polyhedra", GDC 2013), plus the planes
+/// beyond the pieces' convex borders. For a translation d the pieces are apart exactly where some direction has
+/// gap + nhat . d > 0; every direction found is sound whether or not all are found.
+std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,
+                                                      const DirectionLimits& limits);
+
+}  // namespace hapticell::collision

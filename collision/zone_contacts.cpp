@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/zone_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "collision/direction_choice.h"
+#include "collision/separating_directions.h"
+#include "geometry/assertion.h"
+
+namespace hapticell::collision {
+namespace {
+
+constexpr double kShrink = 0.65;
+constexpr std::size_t kMostPairs = 600;
+
+geometry::Bounds grown(geometry::Bounds bounds, double by) {
+  bounds.min -= dvec3(by);
+  bounds.max += dvec3(by);
+  return bounds;
+}
+
+bool overlap(const geometry::Bounds& a, const geometry::Bounds& b) {
+  return glm::all(glm::lessThanEqual(a.min, b.max)) && glm::all(glm::lessThanEqual(b.min, a.max));
+}
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  hash ^= value + 0x9e3779b97f4a7c15ull + (hash << 6) + (hash >> 2);
+  hash *= 0xff51afd7ed558ccdull;
+  return hash ^ (hash >> 33);
+}
+
+/// Pieces of one part placed in the world, each when first asked for.
+class PlacedPart {
+ public:
+  explicit PlacedPart(const ZonePart& part) : part_(part), placed_(part.pieces->pieces().size()) {
+    bounds_W_ = geometry::transformed(part.X_W, part.pieces->bounds());
+  }
+
+  const ZonePart& part() const { return part_; }
+  const geometry::Bounds& bounds() const { return bounds_W_; }
+
+  const PlacedPiece& piece(std::uint32_t index) {
+    if (!placed_[index]) placed_[index] = placed(part_.pieces->pieces()[index], part_.X_W);
+    return *placed_[index];
+  }
+
+  /// Pieces whose box comes near a box in the world.
+  std::vector<std::uint32_t> near(const geometry::Bounds& box_W) {
+    std::vector<std::uint32_t> found;
+    const geometry::Bounds box_M = geometry::transformed(part_.X_W.inverse(), box_W);
+    const auto& pieces = part_.pieces->pieces();
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      if (overlap(pieces[i].bounds, box_M) && overlap(piece(i).bounds_W, box_W)) found.push_back(i);
+    }
+    return found;
+  }
+
+ private:
+  ZonePart part_;
+  geometry::Bounds bounds_W_;
+  std::vector<std::optional<PlacedPiece>> placed_;
+};
+
+class ZoneQuery {
+ public:
+  ZoneQuery(std::span<const ZonePart> moving, std::span<const ZonePart> environment, const ZoneOptions& options)
+      : options_(options) {
+    for (const ZonePart& part : moving) moving_.emplace_back(part);
+    for (const ZonePart& part : environment) environment_.emplace_back(part);
+  }
+
+  ZoneContacts run();
+
+ private:
+  DirectionLimits limits(std::size_t moving_part, double radius, std::size_t supports) const;
+  bool counts(std::size_t moving_part, std::size_t environment_part) const;
+  /// False: more pairs than can be looked at; the zone must shrink.
+  bool collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups);
+  bool collectPair(std::size_t moving_part, std::size_t environment_part, const DirectionLimits& limits,
+                   std::vector<PieceGroup>& groups);
+  std::optional<ZoneContacts> attempt(double radius, std::size_t supports);
+  ZoneContacts nearestOnly(double radius);
+  void write(std::size_t moving_part, const PieceGroup& group, ZoneContacts& result) const;
+  ZoneContact entry(std::size_t moving_part, const PieceGroup& group, const SeparatingDirection& direction,
+                    const SupportPoint& support) const;
+
+  ZoneOptions options_;
+  std::vector<PlacedPart> moving_;
+  std::vector<PlacedPart> environment_;
+};
+
+DirectionLimits ZoneQuery::limits(std::size_t moving_part, double radius, std::size_t supports) const {
+  const double scale = radius / options_.radius;
+  const double own = moving_[moving_part].part().reach;
+  return {(own > 0.0 ? own : options_.radius) * scale + options_.safety_distance, options_.max_rotation * scale,
+          supports};
+}
+
+bool ZoneQuery::counts(std::size_t moving_part, std::size_t environment_part) const {
+  return options_.pair_mask.empty() || options_.pair_mask[moving_part * environment_.size() + environment_part] != 0;
+}
+
+bool ZoneQuery::collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups) {
+  for (std::size_t e = 0; e < environment_.size(); ++e) {
+    if (!counts(moving_part, e)) continue;
+    if (!overlap(grown(moving_[moving_part].bounds(), limits.reach), environment_[e].bounds())) continue;
+    if (!collectPair(moving_part, e, limits, groups)) return false;
+  }
+  return true;
+}
+
+bool ZoneQuery::collectPair(std::size_t moving_part, std::size_t environment_part, const DirectionLimits& limits,
+                            std::vector<PieceGroup>& groups) {
+  PlacedPart& a = moving_[moving_part];
+  PlacedPart& b = environment_[environment_part];
+  const auto pieces_a = a.near(grown(b.bounds(), limits.reach));
+  const auto pieces_b = b.near(grown(a.bounds(), limits.reach));
+  for (const auto i : pieces_a) {
+    const geometry::Bounds box = grown(a.piece(i).bounds_W, limits.reach);
+    for (const auto j : pieces_b) {
+      if (!overlap(box, b.piece(j).bounds_W)) continue;
+      if (groups.size() >= kMostPairs) return false;
+      PieceGroup group{static_cast<std::uint32_t>(environment_part), i, j, {}, {}};
+      group.directions = separatingDirections(a.piece(i), b.piece(j), limits);
+      if (group.directions.empty()) {
+        DirectionLimits endless = limits;
+        endless.reach = 1e9;
+        group.directions = separatingDirections(a.piece(i), b.piece(j), endless);
+        if (group.directions.empty()) continue;
+      }
+      if (separationAt(group, dvec3(0.0)) < limits.reach) groups.push_back(std::move(group));
+    }
+  }
+  return true;
+}
+
+ZoneContact ZoneQuery::entry(std::size_t moving_part, const PieceGroup& group, const SeparatingDirection& direction,
+                             const SupportPoint& support) const {
+  ZoneContact contact;
+  contact.moving_part = static_cast<std::uint32_t>(moving_part);
+  contact.environment_part = group.environment_part;
+  contact.p_W = support.p_W;
+  contact.q_W = support.q_W;
+  contact.nhat_W = direction.nhat_W;
+  contact.gap = support.gap;
+  contact.normal_moves = support.normal_moves;
+  contact.t1_W = glm::normalize(
+      glm::cross(direction.nhat_W, std::abs(direction.nhat_W.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+  std::uint64_t id = mixed(moving_[moving_part].part().key, environment_[group.environment_part].part().key);
+  for (const std::uint32_t part :
+       {group.moving_piece, group.environment_piece, direction.feature_A, direction.feature_B, support.feature}) {
+    id = mixed(id, part);
+  }
+  contact.id = id;
+  return contact;
+}
+
+void ZoneQuery::write(std::size_t moving_part, const PieceGroup& group, ZoneContacts& result) const {
+  // Group 0 holds every direction's own support; one more group for each further corner that turning could bring up.
+  std::vector<std::uint32_t> features;
+  for (const auto i : group.chosen) {
+    const auto& supports = group.directions[i].supports;
+    for (std::size_t k = 1; k < supports.size(); ++k) features.push_back(supports[k].feature);
+  }
+  std::sort(features.begin(), features.end());
+  features.erase(std::unique(features.begin(), features.end()), features.end());
+  features.insert(features.begin(), 0xFFFFFFFFu);
+  for (const auto feature : features) {
+    for (const auto i : group.chosen) {
+      const SeparatingDirection& direction = group.directions[i];
+      const auto found = std::find_if(direction.supports.begin(), direction.supports.end(),
+                                      [&](const SupportPoint& s) { return s.feature == feature; });
+      const SupportPoint& support = found == direction.supports.end() ? direction.supports.front() : *found;
+      result.contacts.push_back(entry(moving_part, group, direction, support));
+      result.contacts.back().group = result.groups;
+    }
+    ++result.groups;
+  }
+}
+
+std::optional<ZoneContacts> ZoneQuery::attempt(double radius, std::size_t supports) {
+  ZoneContacts result;
+  result.radius = radius;
+  for (std::size_t m = 0; m < moving_.size(); ++m) {
+    std::vector<PieceGroup> groups;
+    const DirectionLimits part_limits = limits(m, radius, supports);
+    if (!collect(m, part_limits, groups)) return std::nullopt;
+    chooseDirections(groups, part_limits);
+    for (const PieceGroup& group : groups) write(m, group, result);
+    if (result.contacts.size() > options_.max_entries) return std::nullopt;
+  }
+  return result;
+}
+
+ZoneContacts ZoneQuery::nearestOnly(double radius) {
+  ZoneContacts result;
+  result.radius = radius;
+  result.complete = false;
+  for (std::size_t m = 0; m < moving_.size(); ++m) {
+    std::vector<PieceGroup> groups;
+    collect(m, limits(m, radius, 1), groups);
+    for (PieceGroup& group : groups) {
+      group.chosen = {0};
+      for (std::uint32_t i = 1; i < group.directions.size(); ++i) {
+        if (group.directions[i].gap > group.directions[group.chosen[0]].gap) group.chosen[0] = i;
+      }
+      const SeparatingDirection& best = group.directions[group.chosen[0]];
+      result.contacts.push_back(entry(m, group, best, best.supports.front()));
+    }
+  }
+  std::stable_sort(result.contacts.begin(), result.contacts.end(),
+                   [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  if (result.contacts.size() > options_.max_entries) result.contacts.resize(options_.max_entries);
+  for (ZoneContact& contact : result.contacts) contact.group = result.groups++;
+  return result;
+}
+
+ZoneContacts ZoneQuery::run() {
+  double radius = options_.radius;
+  for (; radius >= options_.min_radius; radius *= kShrink) {
+    for (const std::size_t supports : {8u, 4u}) {
+      if (auto result = attempt(radius, supports)) return std::move(*result);
+    }
+  }
+  return nearestOnly(options_.min_radius);
+}
+
+}  // namespace
+
+ZoneContacts zoneContacts(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
+                          const ZoneOptions& options) {
+  for (const ZonePart& part : moving) HAPTICELL_DEMAND(part.pieces != nullptr);
+  for (const ZonePart& part : environment) HAPTICELL_DEMAND(part.pieces != nullptr);
+  HAPTICELL_DEMAND(options.pair_mask.empty() || options.pair_mask.size() == moving.size() * environment.size());
+  HAPTICELL_DEMAND(options.radius > 0.0 && options.max_entries > 0);
+  return ZoneQuery(moving, environment, options).run();
+}
+
+}  // namespace hapticell::collision

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/convex_pieces.h"
+#include "geometry/pose.h"
+
+namespace hapticell::collision {
+
+/// One rigid body in a zone query: a moved solid, a robot's link, or an obstacle.
+struct ZonePart {
+  const ConvexPieces* pieces = nullptr;  ///< Prepared at load; never null.
+  Pose X_W;                              ///< Of the mesh's frame.
+  std::uint64_t key = 0;                 ///< Stable from query to query; goes into the entries' ids.
+  double reach = 0.0;  ///< Farthest any point of this part can move while the hand stays in the wanted
+                       ///< radius, metres; 0 means the radius itself. Ignored for the environment.
+};
+
+/// One entry of the set: gap + nhat_W . v >= 0 for a small motion v of the moving part at p_W.
+///
+/// Entries of one `group` are OR (free when one of them holds), groups are AND.
+struct ZoneContact {
+  std::uint32_t group = 0;
+  std::uint32_t moving_part = 0;       ///< Index into `moving`.
+  std::uint32_t environment_part = 0;  ///< Index into `environment`.
+  dvec3 p_W{0.0};                      ///< Material point of the moving part whose motion along nhat_W changes the gap,
+                                       ///< to first order in translation and rotation.
+  dvec3 q_W{0.0};                      ///< The point of the environment it meets: gap = nhat_W . (p - q) or, where the
+                                       ///< normal moves, nhat_W . (a - p) with a on the face of the moving part.
+  dvec3 nhat_W{0.0, 0.0, 1.0};         ///< Unit: the direction in which the moving part gets free.
+  double gap = 0.0;                    ///< Metres, raw (no safety distance taken off); negative inside.
+  double k1 = 0.0;                     ///< Curvatures of the gap along t1_W and nhat_W x t1_W, 1/m; 0 for planes.
+  double k2 = 0.0;
+  dvec3 t1_W{1.0, 0.0, 0.0};
+  bool has_trim = false;  ///< A second value at the same point; the smaller of both counts.
+  dvec3 trim_nhat_W{0.0, 0.0, 1.0};
+  double trim_gap = 0.0;
+  bool normal_moves = false;  ///< The normal turns with the moving part (its face on an obstacle's corner).
+  std::uint64_t id = 0;       ///< The same physical contact keeps it from query to query.
+};
+
+struct ZoneOptions {
+  double radius = 0.060;  ///< Wanted, metres.
+  std::size_t max_entries = 64;
+  double safety_distance = 0.0;  ///< Metres; contacts are looked for this much farther out.
+  double max_rotation = 0.3;     ///< Radians that the part may turn within the wanted radius; shrinks with it.
+  double min_radius = 0.0005;    ///< Metres: below it the fallback of zoneContacts takes over.
+  /// Which pairs count, row by row: pair_mask[moving * environment.size() + environment]; empty = all.
+  std::span<const std::uint8_t> pair_mask;
+};
+
+struct ZoneContacts {
+  std::vector<ZoneContact> contacts;  ///< Ordered by group; group numbers count up from 0 without holes.
+  std::uint32_t groups = 0;
+  double radius = 0.0;   ///< Metres: nothing can be met inside it that is not in the set. A part with its
+                         ///< own reach is complete within reach * radius / wanted radius.
+  bool complete = true;  ///< False: more than max_entries even at min_radius; then only the nearest
+                         ///< contacts stand, each for itself (AND).
+};
+
+/// Everything that the moving parts could meet in the environment within the zone.
+///
+/// For every pair of convex pieces near each other one group holds the directions in which they are separated or could
+/// become so: faces of either and crossed edges, that is the faces of their Minkowski difference which the zone
+/// reaches. A group therefore never calls two pieces free that overlap, under any translation; rotations are covered
+/// by further corners of the same faces. Where the set would have more than max_entries the zone shrinks as a whole.
+/// A start that touches or penetrates gives gaps <= 0 with the direction of least penetration. Any thread.
+ZoneContacts zoneContacts(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
+                          const ZoneOptions& options);
+
+}  // namespace hapticell::collision
