@@ -121,7 +121,7 @@ TriangleMesh makeTorus(double major_radius, double minor_radius, int major_segme
   return revolve(profile, true, major_segments);
 }
 
-std::vector<Triangle> triangulatePolygon(std::span<const dvec2> outline) {
+std::vector<Triangle> triangulatePolygon(std::span<const dvec2> outline, std::uint64_t* work) {
   std::vector<std::uint32_t> left(outline.size());
   std::iota(left.begin(), left.end(), 0u);
   std::vector<Triangle> triangles;
@@ -129,6 +129,8 @@ std::vector<Triangle> triangulatePolygon(std::span<const dvec2> outline) {
   while (left.size() > 3 && tried < left.size()) {
     const std::size_t n = left.size();
     at %= n;
+    if (work && *work < n) return {};
+    if (work) *work -= n;
     if (!isEar(outline, left, at)) {
       ++at;
       ++tried;

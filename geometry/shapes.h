@@ -38,6 +38,8 @@ TriangleMesh makePrism(std::span<const glm::dvec2> outline, double height);
 
 /// Cuts a simple polygon (counter-clockwise, at least 3 points) into triangles by ears (G. H. Meisters, "Polygons have
 /// ears", 1975); indices into `outline`. Empty where no ear is left: the polygon crosses itself or turns clockwise.
-std::vector<Triangle> triangulatePolygon(std::span<const glm::dvec2> outline);
+/// `work`, where given, is how many corners may still be looked at; it is counted down, and the result is empty when it
+/// is used up (the worst polygon of n corners needs n^3 / 6).
+std::vector<Triangle> triangulatePolygon(std::span<const glm::dvec2> outline, std::uint64_t* work = nullptr);
 
 }  // namespace hapticell::geometry

@@ -25,8 +25,8 @@ enum class ForceClass { kConstant, kContact, kDynamics };
 
 /// Where a file came from, and how its numbers were read.
 struct SourceFile {
-  std::string path;      ///< Absolute while in memory; written relative to the document.
-  double scale = 1.0;    ///< Metres per unit of the file.
+  std::string path;    ///< Absolute while in memory; written relative to the document.
+  double scale = 1.0;  ///< Metres per unit of the file.
 };
 
 /// One thing in the workcell: a solid or a robot. A value; meshes and models are shared and immutable.
@@ -34,32 +34,32 @@ struct Entity {
   EntityId id = 0;
   std::string name;
   EntityKind kind = EntityKind::kSolid;
-  Pose X_WE;                                     ///< Placement: a solid's own origin, a robot's root link.
-  std::string parent;                            ///< Name of the tree's folder it stands in; empty at the top.
+  Pose X_WE;           ///< Placement: a solid's own origin, a robot's root link.
+  std::string parent;  ///< Name of the tree's folder it stands in; empty at the top.
   std::array<float, 3> color{0.72f, 0.74f, 0.76f};
   bool visible = true;
-  bool locked = false;                           ///< Cannot be grabbed or moved.
-  bool checked = true;                           ///< Takes part in collision checks.
+  bool locked = false;  ///< Cannot be grabbed or moved.
+  bool checked = true;  ///< Takes part in collision checks.
   SourceFile source;
-  std::shared_ptr<const geometry::TriangleMesh> mesh;              ///< Solids.
-  std::shared_ptr<const kinematics::RobotModel> robot;             ///< Robots.
-  std::vector<double> joints;                    ///< Robots: position of each variable.
-  std::string tip_link;                          ///< Robots: the link that carries the tool centre point.
-  Pose X_LT;                                     ///< Robots: the tool centre point in the tip link.
+  std::shared_ptr<const geometry::TriangleMesh> mesh;   ///< Solids.
+  std::shared_ptr<const kinematics::RobotModel> robot;  ///< Robots.
+  std::vector<double> joints;                           ///< Robots: position of each variable.
+  std::string tip_link;                                 ///< Robots: the link that carries the tool centre point.
+  Pose X_LT;                                            ///< Robots: the tool centre point in the tip link.
   OnContact on_contact = OnContact::kSlide;
   ForceClass force_class = ForceClass::kContact;
-  std::string material = "steel";                ///< Key of the configuration's material table.
-  double mass = 1.0;                             ///< kg, for the class kDynamics.
+  std::string material = "steel";  ///< Key of the configuration's material table.
+  double mass = 1.0;               ///< kg, for the class kDynamics.
 };
 
 /// A pair set as users know it: what of the first column is checked against what of the second.
 struct PairSet {
   std::string name;
   bool enabled = true;
-  std::vector<std::string> first;    ///< Entity names; empty means everything.
+  std::vector<std::string> first;  ///< Entity names; empty means everything.
   std::vector<std::string> second;
-  double safety_distance = 0.001;    ///< Metres; felt as the boundary (the paper's safety zone).
-  double near_miss = 0.010;          ///< Metres; shown and heard, not felt.
+  double safety_distance = 0.001;  ///< Metres; felt as the boundary (the paper's safety zone).
+  double near_miss = 0.010;        ///< Metres; shown and heard, not felt.
 };
 
 }  // namespace hapticell::workcell

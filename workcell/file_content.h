@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geometry/error.h"
+
+namespace hapticell::workcell {
+
+/// The bytes of a regular file of at most 4 GB. Anything else (missing, a folder, a pipe that would block for ever, a
+/// file that may not be read) is an error that names it.
+Expected<std::string> readFileContent(const std::filesystem::path& path);
+
+/// Writes the file aside, flushes it to the disk and moves it into place: whatever happens, either the old content or
+/// the new one stands there. Follows a symbolic link to the file that it means.
+Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/mesh_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "geometry/assertion.h"
+#include "workcell/file_content.h"
+#include "workcell/length_unit.h"
+#include "workcell/mesh_formats.h"
+#include "workcell/text_cursor.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+constexpr const char* kReadable = "a mesh as STL, OBJ, PLY or OFF";
+
+bool beginsWithUtf16(std::string_view content) {
+  return content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
+}
+
+/// The first word of the first line that is neither empty nor a comment, within the file's beginning.
+std::string_view firstWord(std::string_view content) {
+  TextCursor cursor(content.substr(0, 65536));
+  while (cursor.nextLine()) {
+    const std::string_view word = cursor.nextWord();
+    if (!word.empty() && !word.starts_with('#')) return word;
+  }
+  return {};
+}
+
+bool isObjKeyword(std::string_view word) {
+  constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp", "f",     "o",
+                                                          "g", "s",  "l",  "p",  "mtllib"};
+  return word == "usemtl" || std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+/// What an unreadable file seems to be, for the message.
+std::string seemsToBe(std::string_view content) {
+  if (content.starts_with("ISO-10303-21")) return "a STEP file";
+  if (content.starts_with("glTF")) return "a glTF file";
+  if (content.starts_with("PK\x03\x04")) return "a zip archive";
+  if (content.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return "a Collada file";
+  if (content.substr(0, 4096).find("<robot") != std::string_view::npos) return "a URDF robot";
+  if (beginsWithUtf16(content)) return "UTF-16 text";
+  return "a content of an unknown kind";
+}
+
+using Reader = Expected<geometry::TriangleMesh> (*)(std::string_view, Diagnostics&);
+
+Reader readerOf(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kStlAscii:
+      return readStlAscii;
+    case MeshFormat::kStlBinary:
+      return readStlBinary;
+    case MeshFormat::kObj:
+      return readObj;
+    case MeshFormat::kPly:
+      return readPly;
+    case MeshFormat::kOff:
+      return readOff;
+    case MeshFormat::kUnknown:
+      break;
+  }
+  return nullptr;
+}
+
+void warnAboutUnit(const geometry::Bounds& bounds, Diagnostics& diagnostics) {
+  if (guessUnit(bounds) == LengthUnit::kMetre) return;
+  const dvec3 size = bounds.size();
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the file names no unit; read in metres it measures %.4g m, so millimetres seem to be meant (unit mm)",
+                std::max({size.x, size.y, size.z}));
+  diagnostics.warn(text);
+}
+
+void warnAboutWelding(const geometry::WeldReport& weld, Diagnostics& diagnostics) {
+  if (weld.degenerate_triangles > 0) {
+    diagnostics.warn(std::to_string(weld.degenerate_triangles) + " triangles without area were dropped");
+  }
+  if (weld.duplicate_triangles > 0) {
+    diagnostics.warn(std::to_string(weld.duplicate_triangles) + " triangles were there twice and dropped once");
+  }
+}
+
+Error named(Error error, const std::filesystem::path& name) {
+  if (error.file.empty()) error.file = name.string();
+  return error;
+}
+
+Error unreadable(std::string_view content) {
+  if (beginsWithUtf16(content)) {
+    return {"", "", "the file is UTF-16 text", "plain text (UTF-8)", "Save it again as UTF-8 or ASCII."};
+  }
+  return {"", "", seemsToBe(content), kReadable, "Export it in one of these."};
+}
+
+}  // namespace
+
+const char* formatName(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kStlAscii:
+    case MeshFormat::kStlBinary:
+      return "stl";
+    case MeshFormat::kObj:
+      return "obj";
+    case MeshFormat::kPly:
+      return "ply";
+    case MeshFormat::kOff:
+      return "off";
+    case MeshFormat::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+MeshFormat probeMeshFormat(std::string_view content, std::string_view extension) {
+  if (hasLengthOfBinaryStl(content)) return MeshFormat::kStlBinary;
+  if (content.starts_with("ply\n") || content.starts_with("ply\r")) return MeshFormat::kPly;
+  const std::string named = lowerCase(extension);
+  const std::string_view word = firstWord(content);
+  const bool text = !beginsWithUtf16(content) && content.substr(0, 4096).find('\0') == std::string_view::npos;
+  if (!text) return named == ".stl" && !beginsWithUtf16(content) ? MeshFormat::kStlBinary : MeshFormat::kUnknown;
+  if (word.ends_with("OFF") && word.size() <= 7) return MeshFormat::kOff;
+  if (lowerCase(word.substr(0, 6)) == "solid") return MeshFormat::kStlAscii;
+  if (isObjKeyword(word)) return MeshFormat::kObj;
+  if (named == ".stl") return content.size() < 84 ? MeshFormat::kStlAscii : MeshFormat::kStlBinary;
+  if (named == ".obj" && seemsToBe(content) == "a content of an unknown kind") return MeshFormat::kObj;
+  return MeshFormat::kUnknown;
+}
+
+Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem::path& name,
+                                 const MeshReadOptions& options, Diagnostics& diagnostics) {
+  HAPTICELL_DEMAND(options.scale > 0.0 && std::isfinite(options.scale));
+  if (content.empty()) return makeError({name.string(), "", "the file is empty", kReadable, ""});
+  MeshFile file;
+  file.format = probeMeshFormat(content, name.extension().string());
+  const Reader reader = readerOf(file.format);
+  if (!reader) return makeError(named(unreadable(content), name));
+  Expected<geometry::TriangleMesh> mesh = reader(content, diagnostics);
+  if (!mesh) return makeError(named(mesh.error(), name));
+  file.mesh = std::move(*mesh);
+  file.triangles_in_file = file.mesh.triangles.size();
+  for (dvec3& vertex : file.mesh.vertices) vertex *= options.scale;
+  if (options.weld) file.weld = geometry::weld(file.mesh, geometry::weldTolerance(file.mesh));
+  if (file.mesh.triangles.empty()) {
+    const std::string found = file.triangles_in_file == 0 ? "no triangles" : "only triangles without area";
+    return makeError({name.string(), "", found, "a mesh with at least one triangle", ""});
+  }
+  warnAboutWelding(file.weld, diagnostics);
+  if (options.warn_about_unit && options.scale == 1.0) warnAboutUnit(file.mesh.bounds(), diagnostics);
+  return file;
+}
+
+Expected<MeshFile> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
+                                Diagnostics& diagnostics) {
+  const Expected<std::string> content = readFileContent(path);
+  if (!content) return makeError(content.error());
+  return parseMeshFile(*content, path, options, diagnostics);
+}
+
+Expected<geometry::TriangleMesh> readMesh(const std::filesystem::path& path, const MeshReadOptions& options,
+                                          Diagnostics& diagnostics) {
+  Expected<MeshFile> file = readMeshFile(path, options, diagnostics);
+  if (!file) return makeError(file.error());
+  return std::move(file->mesh);
+}
+
+}  // namespace hapticell::workcell
