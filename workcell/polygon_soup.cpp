@@ -85,7 +85,7 @@ class Triangulator {
   }
 
   geometry::TriangleMesh& mesh_;
-  std::uint64_t work_ = 2'000'000'000;  // Corner tests for the whole file: seconds, so that no file can hang us.
+  std::uint64_t work_ = 500'000'000;  // Corner tests for the whole file: a second, so that no file can hang us.
   std::uint64_t dropped_ = 0;
   std::uint64_t crossed_ = 0;
 };

@@ -49,7 +49,7 @@ Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
   }
   for (const char* expected : {"endloop", "endfacet"}) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, "'" + std::string(expected) + "'"));
+    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, quoted(expected)));
   }
   mesh.triangles.push_back({first, first + 1, first + 2});
   return {};
