@@ -83,7 +83,7 @@ std::uint32_t bestAt(const PieceGroup& group, const dvec3& d, double tolerance) 
     const SeparatingDirection& direction = group.directions[i];
     const double value = direction.gap + glm::dot(direction.nhat_W, d);
     // A face that frees the place is taken before anything of a lower rank, however much freer that would make it.
-    const double ranked = value >= -tolerance ? 1e3 - 1e2 * static_cast<double>(direction.rank) + value : score;
+    const double ranked = value >= -tolerance ? 1e3 - 1e2 * static_cast<double>(direction.rank) + value : value;
     if (ranked > most) {
       most = ranked;
       best = i;
