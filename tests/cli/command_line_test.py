@@ -1,0 +1,302 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Drives the built hapticell-cli as a user would, and checks what it answers against sums made here.
+
+usage: command_line_test.py HAPTICELL_CLI [NAME_PART]
+"""
+import json
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+CLI = sys.argv[1]
+BOX_FACES = [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6),
+             (3, 0, 4), (3, 4, 7)]
+
+
+def box(size, center=(0, 0, 0), scale=1.0):
+    sx, sy, sz = (0.5 * s for s in size)
+    corners = [(-sx, -sy, -sz), (sx, -sy, -sz), (sx, sy, -sz), (-sx, sy, -sz), (-sx, -sy, sz), (sx, -sy, sz), (sx, sy, sz),
+               (-sx, sy, sz)]
+    corners = [tuple((c + o) * scale for c, o in zip(corner, center)) for corner in corners]
+    return [tuple(corners[i] for i in face) for face in BOX_FACES]
+
+
+def write_binary_stl(path, triangles):
+    with open(path, "wb") as file:
+        # Begins with "solid" on purpose: many exporters do, and the file is binary all the same.
+        file.write(b"solid made by a test".ljust(80) + struct.pack("<I", len(triangles)))
+        for triangle in triangles:
+            file.write(struct.pack("<12fH", 0, 0, 0, *(v for corner in triangle for v in corner), 0))
+
+
+def write_ascii_stl(path, triangles):
+    lines = ["solid test"]
+    for triangle in triangles:
+        lines += ["facet normal 0 0 0", "outer loop"] + ["vertex %.9g %.9g %.9g" % corner for corner in triangle]
+        lines += ["endloop", "endfacet"]
+    path.write_text("\n".join(lines + ["endsolid test"]) + "\n")
+
+
+def write_obj(path, triangles):
+    lines, count = [], 0
+    for triangle in triangles:
+        lines += ["v %.9g %.9g %.9g" % corner for corner in triangle]
+        lines.append(f"f {count + 1} {count + 2} {count + 3}")
+        count += 3
+    path.write_text("\n".join(lines) + "\n")
+
+
+ARM = """<robot name="arm">
+<link name="base"/><link name="upper"/><link name="lower"/><link name="tip"/>
+<joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><origin xyz="0 0 0.1"/><axis xyz="0 0 1"/>
+<limit lower="-2.5" upper="2.5" velocity="1" effort="1"/></joint>
+<joint name="elbow" type="revolute"><parent link="upper"/><child link="lower"/><origin xyz="0.5 0 0"/><axis xyz="0 0 1"/>
+<limit lower="-2.5" upper="2.5" velocity="1" effort="1"/></joint>
+<joint name="end" type="fixed"><parent link="lower"/><child link="tip"/><origin xyz="0.3 0 0"/></joint>
+</robot>
+"""
+
+
+class Case:
+    """One call of the program in a fresh folder."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def run(self, *arguments, expect=0, timeout=60):
+        done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, timeout=timeout, cwd=self.folder)
+        self.error = done.stderr
+        assert done.returncode == expect, f"exit {done.returncode}, expected {expect}: {done.stderr[-600:]}"
+        return json.loads(done.stdout) if expect in (0, 1) else done.stderr
+
+
+def near(a, b, tolerance=1e-9):
+    if isinstance(a, (list, tuple)):
+        return len(a) == len(b) and all(near(x, y, tolerance) for x, y in zip(a, b))
+    return abs(a - b) <= tolerance
+
+
+def poses(path, rows):
+    path.write_text("x,y,z,qw,qx,qy,qz\n" + "\n".join(",".join(repr(float(v)) for v in row) for row in rows) + "\n")
+
+
+def test_inspect_reads_each_mesh_format_alike(case):
+    triangles = box((0.2, 0.4, 0.6), (1, 0, 0))
+    write_binary_stl(case.folder / "a.stl", triangles)
+    write_ascii_stl(case.folder / "b.stl", triangles)
+    write_obj(case.folder / "c.obj", triangles)
+    for name, tolerance in (("a.stl", 1e-7), ("b.stl", 1e-9), ("c.obj", 1e-9)):
+        answer = case.run("inspect", name)
+        (entity,) = answer["entities"]
+        assert entity["kind"] == "solid" and entity["triangles"] == 12, entity
+        assert near(entity["bounds"]["min"], [0.9, -0.2, -0.3], tolerance), entity
+        assert near(entity["bounds"]["max"], [1.1, 0.2, 0.3], tolerance), entity
+        assert near(entity["volume"], 0.048, 1e-7), entity
+        assert {"format", "unit", "up_axis", "warnings"} <= set(answer)
+
+
+def test_inspect_a_robot(case):
+    (case.folder / "arm.urdf").write_text(ARM)
+    answer = case.run("inspect", "arm.urdf")
+    (robot,) = answer["entities"]
+    assert robot["kind"] == "robot" and robot["dof"] == 2, robot
+    assert [joint["name"] for joint in robot["joints"]] == ["shoulder", "elbow"], robot["joints"]
+    assert near(robot["joints"][0]["lower"], -2.5) and "inverse_model" in robot
+
+
+def test_bad_files_are_one_sentence(case):
+    write_binary_stl(case.folder / "cut.stl", box((1, 1, 1)))
+    data = (case.folder / "cut.stl").read_bytes()
+    (case.folder / "cut.stl").write_bytes(data[:200])
+    (case.folder / "nan.stl").write_bytes(data[:96] + struct.pack("<f", math.nan) + data[100:])
+    (case.folder / "empty.stl").write_bytes(b"")
+    (case.folder / "text.ply").write_text("ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n")
+    (case.folder / "index.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+    for name in ("cut.stl", "nan.stl", "empty.stl", "text.ply", "index.obj", "absent.stl"):
+        message = case.run("inspect", name, expect=2)
+        assert name in message and message.strip().count("\n") == 0, message
+
+
+def test_bad_robots_are_one_sentence(case):
+    def variant(name, old, new):
+        assert old in ARM
+        (case.folder / name).write_text(ARM.replace(old, new))
+
+    variant("mesh.urdf", '<link name="base"/>',
+            '<link name="base"><visual><geometry><mesh filename="gone.stl"/></geometry></visual></link>')
+    variant("roots.urdf", '<link name="base"/>', '<link name="base"/><link name="other"/>')
+    variant("cycle.urdf", '<parent link="base"/>', '<parent link="tip"/>')
+    variant("parent.urdf", '<parent link="upper"/>', '<parent link="nowhere"/>')
+    (case.folder / "broken.urdf").write_text(ARM[:200])
+    for name in ("mesh.urdf", "roots.urdf", "cycle.urdf", "parent.urdf", "broken.urdf"):
+        message = case.run("inspect", name, expect=2)
+        assert name in message and message.strip().count("\n") == 0, (name, message)
+
+
+def test_distance_between_boxes(case):
+    write_obj(case.folder / "moving.obj", box((0.2, 0.2, 0.2)))
+    write_obj(case.folder / "wall.obj", box((0.1, 4.0, 4.0), (1.0, 0, 0)))
+    write_obj(case.folder / "floor.obj", box((4.0, 4.0, 0.1), (0, 0, -1.0)))
+    c = math.cos(math.pi / 8)
+    s = math.sin(math.pi / 8)
+    poses(case.folder / "poses.csv", [(0, 0, 0, 1, 0, 0, 0), (0.8, 0, 0, 1, 0, 0, 0), (0.9, 0.3, 0, 1, 0, 0, 0), (0, 0, -0.5, 1, 0, 0, 0),
+                                      (0, 0, 0, c, 0, 0, s)])
+    answer = case.run("distance", "--moving", "moving.obj", "--environment", "wall.obj", "floor.obj", "--poses", "poses.csv")
+    results = answer["results"]
+    expected = [0.85, 0.05, 0.0, 0.35, 0.95 - 0.1 * math.sqrt(2)]
+    assert [near(r["distance"], d, 1e-9) for r, d in zip(results, expected)] == [True] * 5, results
+    assert [r["colliding"] for r in results] == [False, False, True, False, False]
+    first = results[1]
+    assert near(first["point_on_moving"][0], 0.9, 1e-9) and near(first["point_on_environment"][0], 0.95, 1e-9), first
+    assert near(first["normal"], [-1, 0, 0], 1e-9), "the normal points from the environment to the moving part"
+    assert near(results[2]["point_on_moving"], results[2]["point_on_environment"], 1e-9)
+    assert {"median_us", "p99_us", "max_us", "build_ms"} <= set(answer["timing"])
+
+
+def test_distance_units_and_zone(case):
+    write_obj(case.folder / "moving.obj", box((200, 200, 200)))
+    write_obj(case.folder / "wall.obj", box((100, 4000, 4000), (1000, 0, 0)))
+    poses(case.folder / "poses.csv", [(0, 0, 0, 1, 0, 0, 0), (0.84, 0, 0, 1, 0, 0, 0)])
+    answer = case.run("distance", "--moving", "moving.obj", "--environment", "wall.obj", "--poses", "poses.csv", "--unit", "mm",
+                      "--safety-zone", "0.1")
+    far, close = answer["results"]
+    assert far["distance"] is None and far["distance_at_least"] >= 0.1 or near(far["distance"], 0.85, 1e-9), far
+    assert near(close["distance"], 0.01, 1e-9) and close["contacts"] >= 1, close
+
+
+def test_bad_tables_name_line_and_column(case):
+    write_obj(case.folder / "part.obj", box((1, 1, 1)))
+    for text, part in (("x,y,z,qw,qx,qy\n0,0,0,1,0,0\n", "qz"), ("x,y,z,qw,qx,qy,qz\n0,0,zero,1,0,0,0\n", "2"),
+                       ("x,y,z,qw,qx,qy,qz\n0,0,0,0.2,0,0,0\n", "2"), ("x,y,z,qw,qx,qy,qz\n0,0,nan,1,0,0,0\n", "2"),
+                       ("x,y,z,qw,qx,qy,qz\n0,0,0,1\n", "2")):
+        (case.folder / "bad.csv").write_text(text)
+        message = case.run("distance", "--moving", "part.obj", "--environment", "part.obj", "--poses", "bad.csv", expect=2)
+        assert "bad.csv" in message and part in message, message
+
+
+def test_forward_and_inverse_kinematics_of_a_planar_arm(case):
+    (case.folder / "arm.urdf").write_text(ARM)
+    rows = [(0.3, 0.7), (-1.0, 2.0), (0.0, 0.0)]
+    (case.folder / "joints.csv").write_text("elbow,shoulder\n" + "".join(f"{e},{s}\n" for s, e in rows))
+    answer = case.run("fk", "--robot", "arm.urdf", "--joints", "joints.csv", "--tip", "tip")
+    table = []
+    for (s, e), pose in zip(rows, answer["poses"]):
+        x, y = 0.5 * math.cos(s) + 0.3 * math.cos(s + e), 0.5 * math.sin(s) + 0.3 * math.sin(s + e)
+        values = [pose[k] for k in ("x", "y", "z", "qw", "qx", "qy", "qz")] if isinstance(pose, dict) else pose
+        half = (s + e) / 2
+        expected = [x, y, 0.1, math.cos(half), 0, 0, math.sin(half)]
+        sign = 1 if values[3] * expected[3] + values[6] * expected[6] > 0 else -1
+        assert near(values[:3], expected[:3]) and near([sign * v for v in values[3:]], expected[3:]), (values, expected)
+        table.append(expected)
+    poses(case.folder / "poses.csv", table + [[2.0, 0, 0.1, 1, 0, 0, 0]])
+    answer = case.run("ik", "--robot", "arm.urdf", "--poses", "poses.csv", "--tip", "tip", "--start", "0.2,0.6")
+    for (s, e), result in zip(rows, answer["results"]):
+        assert result["status"] == "solved", result
+        assert near(result["joints"], [s, e], 1e-6), result
+        assert result["position_error"] < 1e-6 and result["orientation_error"] < 1e-6
+    assert answer["results"][3]["status"] == "unreachable", answer["results"][3]
+
+
+def test_workcell_new_then_inspect(case):
+    write_obj(case.folder / "table.obj", box((1000, 1000, 100)))
+    (case.folder / "arm.urdf").write_text(ARM)
+    case.run("workcell", "new", "cell.hcell", "--add", "table.obj,name=table,unit=mm,pose=1,0,0,1,0,0,0", "--add", "arm.urdf,name=arm",
+             "--check", "arm:table,near_miss=0.02,safety=0.002")
+    document = json.loads((case.folder / "cell.hcell").read_text())
+    assert document["format"] == "hapticell-workcell" and document["version"] == 1
+    answer = case.run("inspect", "cell.hcell")
+    by_name = {entity["name"]: entity for entity in answer["entities"]}
+    assert near(by_name["table"]["bounds"]["max"], [1.5, 0.5, 0.05], 1e-9), by_name["table"]
+    assert by_name["arm"]["kind"] == "robot"
+    document["version"] = 2
+    (case.folder / "newer.hcell").write_text(json.dumps(document))
+    assert "newer.hcell" in case.run("inspect", "newer.hcell", expect=2)
+
+
+def hand(path, stations, step=0.01):
+    """A hand that moves in straight lines between (t, x, y, z, button)."""
+    rows, t = [], 0.0
+    while t <= stations[-1][0] + 1e-9:
+        for (t0, *p0, b0), (t1, *p1, _) in zip(stations, stations[1:]):
+            if t0 - 1e-9 <= t <= t1 + 1e-9:
+                s = (t - t0) / (t1 - t0)
+                p = [a + (b - a) * s for a, b in zip(p0, p1)]
+                rows.append(f"{t:.3f},{p[0]:.6f},{p[1]:.6f},{p[2]:.6f},1,0,0,0,{b0}")
+                break
+        t += step
+    path.write_text("t,x,y,z,qw,qx,qy,qz,button\n" + "\n".join(rows) + "\n")
+
+
+def session_on_a_table(case, *more):
+    write_obj(case.folder / "table.obj", box((1, 1, 0.1), (0, 0, -0.05)))
+    write_obj(case.folder / "brick.obj", box((0.1, 0.06, 0.04)))
+    case.run("workcell", "new", "cell.hcell", "--add", "table.obj,name=table", "--add", "brick.obj,name=brick,pose=0,0,0.06,1,0,0,0",
+             "--check", "brick:table,near_miss=0.02,safety=0")
+    hand(case.folder / "hand.csv", [(0, 0, 0, 0.02, 0), (0.3, 0, 0, 0.02, 1), (0.5, 0, 0, 0.02, 0), (2.0, 0, 0, -0.035, 0),
+                                    (4.0, 0.04, 0, -0.035, 0), (5.0, 0.04, 0, 0.02, 0)])
+    return case.run("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv", *more)
+
+
+def test_session_presses_slides_and_lifts(case):
+    for rate in (10, 1000):
+        answer = session_on_a_table(case, "--rate-manipulation", rate, "--trace", "trace.csv")
+        assert answer["penetration"]["max_m"] <= 1e-4, answer["penetration"]
+        assert 1.0 < answer["force"]["max_n"] <= 6.4, answer["force"]
+        assert answer["force"]["max_step_n_per_ms"] <= 1.0 + 1e-9, answer["force"]
+        assert answer["energy"]["min_j"] >= -1e-3, answer["energy"]
+        assert len(answer["contacts"]) >= 1, answer["contacts"]
+        lines = (case.folder / "trace.csv").read_text().splitlines()
+        assert lines[0].startswith("t,x,y,z,qw,qx,qy,qz,proxy_x,proxy_y,proxy_z,fx,fy,fz"), lines[0]
+        assert 4900 <= len(lines) <= 5200, len(lines)
+        column = lines[0].split(",").index("fz")
+        pressed = [float(line.split(",")[column]) for line in lines[2500:3500]]
+        assert min(pressed) > 0.5, "the table pushes up while the hand presses"
+
+
+def test_session_refuses_what_does_not_exist(case):
+    session_on_a_table(case)
+    message = case.run("session", "--workcell", "cell.hcell", "--entity", "stone", "--hand", "hand.csv", expect=2)
+    assert "stone" in message and "brick" in message, message
+    message = case.run("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv", "--set", "scale=huge", expect=2)
+    assert "scale" in message, message
+    message = case.run("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv", "--set", "colour=red", expect=2)
+    assert "colour" in message, message
+
+
+def test_session_without_forces_gives_none(case):
+    answer = session_on_a_table(case, "--set", "forces=off")
+    assert answer["force"]["max_n"] == 0.0, answer["force"]
+    assert answer["penetration"]["max_m"] <= 1e-4, answer["penetration"]
+
+
+def test_usage(case):
+    assert subprocess.run([CLI, "--help"], capture_output=True).returncode == 0
+    case.run(expect=2)
+    case.run("fly", expect=2)
+    case.run("inspect", expect=2)
+
+
+def main():
+    wanted = sys.argv[2] if len(sys.argv) > 2 else ""
+    passed = failed = 0
+    for name, test in list(globals().items()):
+        if not name.startswith("test_") or wanted not in name:
+            continue
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                test(Case(pathlib.Path(folder)))
+                passed += 1
+                print("ok     ", name)
+            except Exception as problem:  # a test run goes on after a failure
+                failed += 1
+                print("FAILED ", name, "-", type(problem).__name__, problem)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
