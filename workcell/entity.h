@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,18 @@ enum class OnContact { kStop, kSlide, kPass };
 /// How contacts feel: the same everywhere; after stiffness and material; with mass and inertia besides.
 enum class ForceClass { kConstant, kContact, kDynamics };
 
-/// Where a file came from, and how its numbers were read.
+/// Where an entity came from, and how its numbers were read.
 struct SourceFile {
-  std::string path;    ///< Absolute while in memory; written relative to the document.
+  /// A file (absolute while in memory, written relative to the document) or a built-in shape or robot as
+  /// loadEntity() understands it: "library:NAME", "box:X,Y,Z", "cylinder:R,H", "sphere:R".
+  std::string path;
   double scale = 1.0;  ///< Metres per unit of the file.
+};
+
+/// A named frame F on an entity, to move it by or to take axes from (frame:NAME).
+struct Frame {
+  std::string name;
+  Pose X_EF;
 };
 
 /// One thing in the workcell: a solid or a robot. A value; meshes and models are shared and immutable.
@@ -50,6 +59,7 @@ struct Entity {
   ForceClass force_class = ForceClass::kContact;
   std::string material = "steel";  ///< Key of the configuration's material table.
   double mass = 1.0;               ///< kg, for the class kDynamics.
+  std::vector<Frame> frames;       ///< Names unique within the entity.
 };
 
 /// A pair set as users know it: what of the first column is checked against what of the second.
@@ -58,8 +68,9 @@ struct PairSet {
   bool enabled = true;
   std::vector<std::string> first;  ///< Entity names; empty means everything.
   std::vector<std::string> second;
-  double safety_distance = 0.001;  ///< Metres; felt as the boundary (the paper's safety zone).
-  double near_miss = 0.010;        ///< Metres; shown and heard, not felt.
+  double safety_distance = 0.001;       ///< Metres; felt as the boundary (the paper's safety zone).
+  double near_miss = 0.010;             ///< Metres; shown and heard, not felt.
+  std::optional<OnContact> on_contact;  ///< Goes over the entity's own choice.
 };
 
 }  // namespace hapticell::workcell

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/command.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::workcell {
+
+namespace {
+
+Error refusal(std::string place, std::string found, std::string expected, std::string fix = {}) {
+  return {"", std::move(place), std::move(found), std::move(expected), std::move(fix)};
+}
+
+std::string inQuotes(const std::string& name) {
+  return "'" + name + "'";
+}
+
+/// What a name may be: shown in one line of the tree.
+bool isName(const std::string& name) {
+  constexpr std::size_t kLongest = 200;
+  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  return !name.empty() && name.size() <= kLongest && printable && name.front() != ' ' && name.back() != ' ';
+}
+
+Expected<void> checkName(const std::string& what, const std::string& name) {
+  if (isName(name)) return {};
+  return makeError(refusal(what, inQuotes(name), "a printable name of 1 to 200 letters"));
+}
+
+Expected<void> checkPose(const std::string& what, const Pose& pose) {
+  if (pose.isValid()) return {};
+  return makeError(refusal(what, "a pose that is not one", "finite numbers and a quaternion of length 1"));
+}
+
+/// Applies commands to one state; each function leaves it untouched where it gives an error.
+class Applier {
+ public:
+  Applier(DocumentState& state, EntityId new_id) : state_(state), new_id_(new_id) {}
+
+  Expected<EntityId> operator()(const AddEntity& command) {
+    auto entity = std::make_shared<Entity>(command.entity);
+    entity->id = new_id_;
+    if (auto checked = checkNew(*entity); !checked) return makeError(checked.error());
+    if (entity->robot && entity->joints.empty()) entity->joints = restingJoints(*entity->robot);
+    state_.entities.push_back(std::move(entity));
+    return new_id_;
+  }
+
+  Expected<EntityId> operator()(const RemoveEntity& command) {
+    const auto entity = movable(command.id);
+    if (!entity) return makeError(entity.error());
+    dropFromPairSets((*entity)->name);
+    std::erase_if(state_.entities, [&](const auto& other) { return other->id == command.id; });
+    return command.id;
+  }
+
+  Expected<EntityId> operator()(const RenameEntity& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    if (auto checked = checkName("the entity's name", command.name); !checked) return makeError(checked.error());
+    const Entity* other = state_.findByName(command.name);
+    if (other && other->id != command.id) return makeError(taken(command.name));
+    for (PairSet& set : state_.pair_sets) {
+      std::replace(set.first.begin(), set.first.end(), (*entity)->name, command.name);
+      std::replace(set.second.begin(), set.second.end(), (*entity)->name, command.name);
+    }
+    return change(command.id, [&](Entity& changed) { changed.name = command.name; });
+  }
+
+  Expected<EntityId> operator()(const SetPlacement& command) {
+    const auto entity = movable(command.id);
+    if (!entity) return makeError(entity.error());
+    if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& changed) { changed.X_WE = command.X_WE; });
+  }
+
+  Expected<EntityId> operator()(const SetJoints& command) {
+    const auto entity = movable(command.id);
+    if (!entity) return makeError(entity.error());
+    if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& changed) { changed.joints = command.joints; });
+  }
+
+  Expected<EntityId> operator()(const SetConfiguration& command) {
+    const auto entity = movable(command.id);
+    if (!entity) return makeError(entity.error());
+    if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+    if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& changed) {
+      changed.X_WE = command.X_WE;
+      changed.joints = command.joints;
+    });
+  }
+
+  Expected<EntityId> operator()(const SetProperties& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    Entity changed = **entity;
+    if (command.color) changed.color = *command.color;
+    if (command.visible) changed.visible = *command.visible;
+    if (command.locked) changed.locked = *command.locked;
+    if (command.checked) changed.checked = *command.checked;
+    if (command.on_contact) changed.on_contact = *command.on_contact;
+    if (command.force_class) changed.force_class = *command.force_class;
+    if (command.material) changed.material = *command.material;
+    if (command.mass) changed.mass = *command.mass;
+    if (command.parent) changed.parent = *command.parent;
+    if (auto checked = checkProperties(changed); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const SetFrames& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    Entity changed = **entity;
+    changed.frames = command.frames;
+    if (auto checked = checkFrames(changed); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const SetTool& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    Entity changed = **entity;
+    changed.tip_link = command.tip_link;
+    changed.X_LT = command.X_LT;
+    if (!changed.robot) return makeError(refusal(inQuotes(changed.name), "a solid", "a robot, which can have a tool"));
+    if (auto checked = checkTool(changed); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const AddPairSet& command) {
+    if (auto checked = checkPairSet(command.set); !checked) return makeError(checked.error());
+    if (state_.findPairSet(command.set.name)) return makeError(taken(command.set.name));
+    state_.pair_sets.push_back(command.set);
+    return EntityId{0};
+  }
+
+  Expected<EntityId> operator()(const EditPairSet& command) {
+    const auto found = findSet(command.name);
+    if (found == state_.pair_sets.end()) return makeError(unknownSet(command.name));
+    if (auto checked = checkPairSet(command.set); !checked) return makeError(checked.error());
+    const PairSet* other = state_.findPairSet(command.set.name);
+    if (other && other != &*found) return makeError(taken(command.set.name));
+    *found = command.set;
+    return EntityId{0};
+  }
+
+  Expected<EntityId> operator()(const RemovePairSet& command) {
+    const auto found = findSet(command.name);
+    if (found == state_.pair_sets.end()) return makeError(unknownSet(command.name));
+    state_.pair_sets.erase(found);
+    return EntityId{0};
+  }
+
+  Expected<EntityId> operator()(const SetView& command) {
+    state_.view = command.view;
+    return EntityId{0};
+  }
+
+ private:
+  static Error taken(const std::string& name) {
+    return refusal("", "the name " + inQuotes(name) + " is taken", "a name of its own");
+  }
+  static Error unknownSet(const std::string& name) {
+    return refusal("", "no pair set " + inQuotes(name), "the name of one");
+  }
+
+  std::vector<PairSet>::iterator findSet(const std::string& name) {
+    return std::find_if(state_.pair_sets.begin(), state_.pair_sets.end(),
+                        [&](const PairSet& set) { return set.name == name; });
+  }
+
+  Expected<const Entity*> existing(EntityId id) const {
+    const Entity* entity = state_.find(id);
+    if (!entity) return makeError(refusal("", "no entity " + std::to_string(id), "one that is in the document"));
+    return entity;
+  }
+
+  Expected<const Entity*> movable(EntityId id) const {
+    const auto entity = existing(id);
+    if (entity && (*entity)->locked) {
+      return makeError(refusal(inQuotes((*entity)->name), "the entity is locked", "", "Unlock it first."));
+    }
+    return entity;
+  }
+
+  template <typename Edit>
+  EntityId change(EntityId id, const Edit& edit) {
+    for (auto& entity : state_.entities) {
+      if (entity->id != id) continue;
+      auto changed = std::make_shared<Entity>(*entity);
+      edit(*changed);
+      entity = std::move(changed);
+    }
+    return id;
+  }
+
+  /// A side that loses its last name would mean "everything": such a set is removed instead.
+  void dropFromPairSets(const std::string& name) {
+    std::erase_if(state_.pair_sets, [&](PairSet& set) {
+      const bool emptied = (std::erase(set.first, name) > 0 && set.first.empty()) |
+                           (std::erase(set.second, name) > 0 && set.second.empty());
+      return emptied;
+    });
+  }
+
+  Expected<void> checkNew(const Entity& entity) const {
+    if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
+    if (state_.findByName(entity.name)) return makeError(taken(entity.name));
+    const bool solid = entity.kind == EntityKind::kSolid;
+    if (solid ? !entity.mesh : !entity.robot) {
+      return makeError(refusal(inQuotes(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
+    }
+    if (auto checked = checkPose(inQuotes(entity.name), entity.X_WE); !checked) return checked;
+    if (!entity.joints.empty()) {
+      if (auto checked = checkJoints(entity, entity.joints); !checked) return checked;
+    }
+    if (auto checked = checkTool(entity); !checked) return checked;
+    if (auto checked = checkFrames(entity); !checked) return checked;
+    return checkProperties(entity);
+  }
+
+  static Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
+    const std::size_t wanted = entity.robot ? entity.robot->dof() : 0;
+    if (joints.size() != wanted) {
+      return makeError(refusal(inQuotes(entity.name), std::to_string(joints.size()) + " joint values",
+                               std::to_string(wanted) + ", one a moving joint"));
+    }
+    for (double value : joints) {
+      if (!std::isfinite(value)) {
+        return makeError(refusal(inQuotes(entity.name), "a joint value that is not finite", "a number"));
+      }
+    }
+    return {};
+  }
+
+  static Expected<void> checkTool(const Entity& entity) {
+    if (entity.robot && !entity.tip_link.empty() && entity.robot->findLink(entity.tip_link) < 0) {
+      return makeError(refusal(inQuotes(entity.name), "no link " + inQuotes(entity.tip_link),
+                               "a link of robot " + inQuotes(entity.robot->name)));
+    }
+    return checkPose("the tool of " + inQuotes(entity.name), entity.X_LT);
+  }
+
+  static Expected<void> checkFrames(const Entity& entity) {
+    std::vector<std::string> names;
+    for (const Frame& frame : entity.frames) {
+      const std::string place = inQuotes(entity.name) + ", frame " + inQuotes(frame.name);
+      if (auto checked = checkName("a frame of " + inQuotes(entity.name), frame.name); !checked) return checked;
+      if (auto checked = checkPose(place, frame.X_EF); !checked) return checked;
+      if (std::find(names.begin(), names.end(), frame.name) != names.end()) return makeError(taken(frame.name));
+      names.push_back(frame.name);
+    }
+    return {};
+  }
+
+  static Expected<void> checkProperties(const Entity& entity) {
+    const bool color =
+        std::all_of(entity.color.begin(), entity.color.end(), [](float part) { return part >= 0.0f && part <= 1.0f; });
+    if (!color) return makeError(refusal(inQuotes(entity.name), "a colour out of range", "parts from 0 to 1"));
+    if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
+      return makeError(refusal(inQuotes(entity.name), "a mass that is none", "kilograms above 0"));
+    }
+    return {};
+  }
+
+  static Expected<void> checkPairSet(const PairSet& set) {
+    if (auto checked = checkName("the pair set's name", set.name); !checked) return checked;
+    constexpr double kFarthest = 1.0;
+    for (double distance : {set.safety_distance, set.near_miss}) {
+      if (!(distance >= 0.0 && distance <= kFarthest)) {
+        return makeError(refusal("pair set " + inQuotes(set.name), "a distance out of range", "0 to 1 m"));
+      }
+    }
+    return {};
+  }
+
+  static std::vector<double> restingJoints(const kinematics::RobotModel& robot) {
+    std::vector<double> joints;
+    for (int index : robot.moving) {
+      const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
+      joints.push_back(std::clamp(0.0, std::min(joint.lower, joint.upper), std::max(joint.lower, joint.upper)));
+    }
+    return joints;
+  }
+
+  DocumentState& state_;
+  EntityId new_id_;
+};
+
+/// The verb of each command, and the entity or set it is about.
+class Describer {
+ public:
+  explicit Describer(const DocumentState& state) : state_(state) {}
+
+  std::string operator()(const AddEntity& c) const { return "Add " + c.entity.name; }
+  std::string operator()(const RemoveEntity& c) const { return "Remove " + name(c.id); }
+  std::string operator()(const RenameEntity& c) const { return "Rename " + name(c.id); }
+  std::string operator()(const SetPlacement& c) const { return "Move " + name(c.id); }
+  std::string operator()(const SetJoints& c) const { return "Move joints of " + name(c.id); }
+  std::string operator()(const SetConfiguration& c) const { return "Move " + name(c.id); }
+  std::string operator()(const SetFrames& c) const { return "Change frames of " + name(c.id); }
+  std::string operator()(const SetTool& c) const { return "Change tool of " + name(c.id); }
+  std::string operator()(const AddPairSet& c) const { return "Add pair set " + c.set.name; }
+  std::string operator()(const EditPairSet& c) const { return "Change pair set " + c.name; }
+  std::string operator()(const RemovePairSet& c) const { return "Remove pair set " + c.name; }
+  std::string operator()(const SetView&) const { return "Change view"; }
+  std::string operator()(const SetProperties& c) const {
+    if (c.visible) return (*c.visible ? "Show " : "Hide ") + name(c.id);
+    if (c.locked) return (*c.locked ? "Lock " : "Unlock ") + name(c.id);
+    return "Change " + name(c.id);
+  }
+
+ private:
+  std::string name(EntityId id) const {
+    const Entity* entity = state_.find(id);
+    return entity ? entity->name : "entity";
+  }
+
+  const DocumentState& state_;
+};
+
+}  // namespace
+
+Expected<EntityId> apply(const Command& command, DocumentState& state, EntityId new_id) {
+  return std::visit(Applier(state, new_id), command);
+}
+
+std::string commandText(const Command& command, const DocumentState& state) {
+  return std::visit(Describer(state), command);
+}
+
+const Entity* DocumentState::find(EntityId id) const {
+  for (const auto& entity : entities) {
+    if (entity->id == id) return entity.get();
+  }
+  return nullptr;
+}
+
+const Entity* DocumentState::findByName(std::string_view name) const {
+  for (const auto& entity : entities) {
+    if (entity->name == name) return entity.get();
+  }
+  return nullptr;
+}
+
+const PairSet* DocumentState::findPairSet(std::string_view name) const {
+  for (const PairSet& set : pair_sets) {
+    if (set.name == name) return &set;
+  }
+  return nullptr;
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/document.h"
+
+#include "geometry/assertion.h"
+
+namespace hapticell::workcell {
+
+Document::Document(DocumentState state) : state_(std::move(state)) {
+  for (auto& entity : state_.entities) {
+    auto numbered = std::make_shared<Entity>(*entity);
+    numbered->id = next_id_++;
+    entity = std::move(numbered);
+  }
+}
+
+std::vector<Entity> Document::snapshotEntities() const {
+  std::vector<Entity> entities;
+  entities.reserve(state_.entities.size());
+  for (const auto& entity : state_.entities) entities.push_back(*entity);
+  return entities;
+}
+
+std::string Document::uniqueName(std::string_view wanted) const {
+  std::string name(wanted);
+  for (int number = 2; findByName(name) != nullptr; ++number) name = std::string(wanted) + " " + std::to_string(number);
+  return name;
+}
+
+Expected<EntityId> Document::execute(const Command& command) {
+  Step before{commandText(command, state_), state_, state_id_};
+  Expected<EntityId> done = apply(command, state_, next_id_);
+  if (!done) return done;
+  if (std::holds_alternative<AddEntity>(command)) ++next_id_;
+  if (!inCompound()) {
+    undo_.push_back(std::move(before));
+    redo_.clear();
+  }
+  state_id_ = ++last_state_id_;
+  ++revision_;
+  return done;
+}
+
+void Document::beginCompound(std::string text) {
+  if (compound_depth_++ == 0) compound_ = {std::move(text), state_, state_id_};
+}
+
+void Document::endCompound() {
+  HAPTICELL_DEMAND(compound_depth_ > 0);
+  if (--compound_depth_ > 0) return;
+  if (compound_.state_id != state_id_) {
+    undo_.push_back(std::move(compound_));
+    redo_.clear();
+  }
+  compound_ = {};
+}
+
+void Document::cancelCompound() {
+  if (compound_depth_ == 0) return;
+  compound_depth_ = 0;
+  if (compound_.state_id != state_id_) {
+    state_ = std::move(compound_.state);
+    state_id_ = compound_.state_id;
+    ++revision_;
+  }
+  compound_ = {};
+}
+
+void Document::moveStep(std::vector<Step>& from, std::vector<Step>& to) {
+  Step step = std::move(from.back());
+  from.pop_back();
+  to.push_back({step.text, std::move(state_), state_id_});
+  state_ = std::move(step.state);
+  state_id_ = step.state_id;
+  ++revision_;
+}
+
+bool Document::undo() {
+  if (!canUndo()) return false;
+  moveStep(undo_, redo_);
+  return true;
+}
+
+bool Document::redo() {
+  if (!canRedo()) return false;
+  moveStep(redo_, undo_);
+  return true;
+}
+
+}  // namespace hapticell::workcell

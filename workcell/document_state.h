@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workcell/entity.h"
+
+namespace hapticell::workcell {
+
+/// How the user last looked at the cell.
+struct SavedView {
+  dvec3 p_WEye{2.0, -2.0, 1.5};
+  dvec3 p_WTarget{0.0};
+};
+
+/// A trajectory that belongs to the cell, in a file of its own (*.htraj).
+struct TrajectoryReference {
+  std::string name;
+  std::string path;  ///< Absolute while in memory; written relative to the document.
+};
+
+/// All that a document holds, as a value. Entities are shared between copies and never changed in place, so a copy
+/// costs one pointer an entity: undo keeps whole states, and another thread may be handed one.
+struct DocumentState {
+  std::vector<std::shared_ptr<const Entity>> entities;  ///< In the order of the tree; ids and names are unique.
+  std::vector<PairSet> pair_sets;                       ///< Names unique.
+  std::optional<SavedView> view;
+  std::vector<TrajectoryReference> trajectories;
+
+  /// Null when there is none.
+  const Entity* find(EntityId id) const;
+  const Entity* findByName(std::string_view name) const;
+  const PairSet* findPairSet(std::string_view name) const;
+};
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "workcell/entity.h"
+
+namespace hapticell::workcell {
+
+/// The distances that count where no pair set says otherwise, metres (hapticell.toml: manipulation.safety_distance,
+/// near_miss).
+struct PairDefaults {
+  double safety_distance = 0.001;
+  double near_miss = 0.010;
+};
+
+/// One entity that is checked against the moved one.
+struct EffectivePair {
+  EntityId moved = 0;
+  EntityId other = 0;
+  double safety_distance = 0.0;              ///< Metres; felt as the boundary.
+  double near_miss = 0.0;                    ///< Metres; shown and heard.
+  OnContact on_contact = OnContact::kSlide;  ///< The set's choice, else the moved entity's.
+};
+
+/// What is checked against the entity `moved`, in the order of `entities`. Without pair sets everything is checked
+/// against everything, with `defaults`; with sets only what the enabled ones name (either way round; an empty side
+/// means everything). Where several name a pair, its larger distances and the later set's choice on contact count.
+/// Entities that are not `checked` take no part; neither does the moved one against itself (the links of one robot are
+/// the manipulation loop's matter). Empty when there is no entity `moved`.
+std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
+                                          EntityId moved, const PairDefaults& defaults = {});
+
+}  // namespace hapticell::workcell
