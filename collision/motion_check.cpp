@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/motion_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/motion_bound.h"
+
+namespace hapticell::collision {
+
+namespace {
+
+constexpr int kMostQueries = 400;
+constexpr double kStepWhileColliding = 2e-3;
+/// Distances are compared to this (m): far above rounding, far below what a thousand steps a second could add up.
+constexpr double kRounding = 1e-11;
+/// The stop is found to this much motion (m).
+constexpr double kStopAccuracy = 1e-7;
+
+struct Sample {
+  double s = 0.0;
+  double distance = 0.0;
+};
+
+/// One motion of one pair.
+class Advancement {
+ public:
+  Advancement(ProximityQuery& query, const PartMotion& a, const PartMotion& b, const MotionDemand& demand)
+      : query_(query),
+        a_(a),
+        b_(b),
+        until_(std::min(demand.until, 1.0)),
+        clearance_(std::max(demand.clearance, kLeastClearance)),
+        rate_(a.path_bound + b.path_bound) {}
+
+  MotionStop run() {
+    MotionStop result;
+    result.s = until_;
+    Sample good;
+    DistanceResult here = at(0.0);
+    result.began_colliding = here.colliding;
+    while (here.colliding) {
+      if (good.s >= until_ || queries_ >= kMostQueries) return result;
+      good.s = std::min(until_, good.s + kStepWhileColliding / std::max(rate_, kStepWhileColliding));
+      here = at(good.s);
+    }
+    good.distance = here.distance;
+    clearance_ = std::min(clearance_, here.distance);
+    while (good.s < until_ && good.distance < clearance_ + rate_ * (until_ - good.s)) {
+      if (queries_ >= kMostQueries) return stoppedAt(good.s, at(good.s));
+      const double s = std::min(until_, good.s + (good.distance - 0.5 * clearance_) / rate_);
+      here = at(s);
+      if (violates(here)) return stopBetween(good, s, here);
+      good = {s, here.distance};
+    }
+    return result;
+  }
+
+ private:
+  /// Only as exact as the rest of the motion needs: farther than it can still go is far enough.
+  DistanceResult at(double s) {
+    ++queries_;
+    return query_.distance(a_.at(s), b_.at(s), clearance_ + rate_ * (until_ - s) + kRounding);
+  }
+
+  bool violates(const DistanceResult& here) const { return here.colliding || here.distance < clearance_ - kRounding; }
+
+  MotionStop stoppedAt(double s, const DistanceResult& nearest) const {
+    MotionStop result;
+    result.s = s;
+    result.stopped = true;
+    result.nearest = nearest;
+    return result;
+  }
+
+  /// The whole stretch is free; finds how far along it the clearance still holds (regula falsi with halving).
+  MotionStop stopBetween(Sample good, double bad, DistanceResult nearest) {
+    for (int i = 0; i < 40 && (bad - good.s) * rate_ > kStopAccuracy; ++i) {
+      const double above = good.distance - clearance_, below = clearance_ - nearest.distance;
+      const double share = i % 3 == 2 || above <= 0.0 ? 0.5 : std::clamp(above / (above + below), 0.05, 0.95);
+      const double s = good.s + share * (bad - good.s);
+      const DistanceResult here = at(s);
+      if (violates(here)) {
+        bad = s;
+        nearest = here;
+      } else {
+        good = {s, here.distance};
+      }
+    }
+    return stoppedAt(good.s, nearest);
+  }
+
+  ProximityQuery& query_;
+  const PartMotion& a_;
+  const PartMotion& b_;
+  double until_;
+  double clearance_;  ///< What is kept: what was asked or, if less, what it began with.
+  double rate_;
+  int queries_ = 0;
+};
+
+}  // namespace
+
+PartMotion straightMotion(const Pose& X_WStart, const Pose& X_WEnd, const MeshCollider& part) {
+  const double angle = glm::length(difference(X_WEnd, X_WStart).angular);
+  const double bend = angle * angle * (glm::length(part.center()) + part.radius());
+  return {X_WStart, X_WEnd, pathBound(X_WStart, X_WEnd, part.center(), part.radius()), bend, {}};
+}
+
+PartMotion standingStill(const Pose& X_WP) {
+  return {X_WP, X_WP, 0.0, 0.0, {}};
+}
+
+MotionStop advance(ProximityQuery& query, const PartMotion& a, const PartMotion& b, const MotionDemand& demand) {
+  return Advancement(query, a, b, demand).run();
+}
+
+}  // namespace hapticell::collision
