@@ -149,6 +149,7 @@ Expected<void> read(const wire::State& from, HapticState& to) {
   to.forces_on = from.forces_on();
   to.force_ramp = from.force_ramp();
   to.motor_temperature = from.motor_temperature();
+  to.device_fault = from.device_fault();
   if (!isWellFormed(to))
     return refuse("State", "a number that is not finite or out of its range", "valid poses, finite numbers");
   return {};

@@ -75,8 +75,8 @@ Offset<wire::State> write(FlatBufferBuilder& builder, const HapticState& state) 
   const wire::Pose stylus = toWire(state.X_DS), proxy = toWire(state.X_DP);
   const wire::Vector3 velocity = toWire(state.v_DS), force = toWire(state.force_D);
   return wire::CreateState(builder, state.tick, state.server_stamp_ns, &stylus, &proxy, &velocity, &force,
-                           state.buttons, state.adopted_set, state.forces_on, state.force_ramp,
-                           state.motor_temperature);
+                           state.buttons, state.adopted_set, state.forces_on, state.force_ramp, state.motor_temperature,
+                           state.device_fault);
 }
 
 Offset<wire::Statistics> write(FlatBufferBuilder& builder, const ServerStatistics& s) {

@@ -26,6 +26,7 @@ struct HapticState {
   bool forces_on = false;          ///< The engage gate is open.
   double force_ramp = 0.0;         ///< 0 .. 1 while it opens.
   double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit.
+  bool device_fault = false;       ///< The device cannot be read or commanded; the force is zero.
 };
 
 /// The server's figures, about ten times a second.

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/server/force_loop.h"
+
+#include <algorithm>
+
+#include "geometry/assertion.h"
+#include "haptic/devices/simulated_device.h"
+
+namespace hapticell::haptic {
+
+ForceLoopOptions optionsFor(const DeviceCapabilities& capabilities, double rate_hz) {
+  ForceLoopOptions options;
+  options.rate_hz = rate_hz;
+  options.renderer.stiffness = capabilities.stiffness;
+  options.renderer.damping = capabilities.damping;
+  options.renderer.peak_force = capabilities.peak_force;
+  options.safety.peak_force = capabilities.peak_force;
+  options.safety.continuous_force = capabilities.continuous_force;
+  return options;
+}
+
+DeviceDescription describe(const Device& device) {
+  const DeviceCapabilities& c = device.capabilities();
+  DeviceDescription description;
+  description.name = c.name;
+  description.simulated = dynamic_cast<const SimulatedDevice*>(&device) != nullptr;
+  description.workspace_min = c.workspace_min;
+  description.workspace_max = c.workspace_max;
+  description.resolution = c.resolution;
+  description.peak_force = c.peak_force;
+  description.continuous_force = c.continuous_force;
+  description.stiffness = c.stiffness;
+  description.damping = c.damping;
+  description.measured_axes = c.measured_axes;
+  description.driven_axes = c.driven_axes;
+  description.buttons = c.buttons;
+  return description;
+}
+
+ForceLoop::ForceLoop(Device& device, const Clock& clock, const ForceLoopOptions& options)
+    : device_(device),
+      simulated_(dynamic_cast<SimulatedDevice*>(&device)),
+      clock_(clock),
+      options_(options),
+      period_(1.0 / options.rate_hz),
+      renderer_(options.renderer),
+      safety_(options.safety),
+      statistics_(options.rate_hz),
+      log_(options.log_ticks) {
+  HAPTICELL_DEMAND(options.rate_hz >= 1.0 && options.rate_hz <= 1e5);
+  readDevice();
+  renderer_.reset(reading_.X_DS);
+}
+
+void ForceLoop::openLink() noexcept {
+  heard();
+  session_.store(++last_session_, std::memory_order_release);
+}
+
+void ForceLoop::closeLink() noexcept {
+  session_.store(0, std::memory_order_release);
+}
+
+template <typename T>
+void ForceLoop::put(Inbox<T>& inbox, const T& value) noexcept {
+  Incoming<T>& slot = inbox.buffer.writeSlot();
+  slot.session = last_session_;
+  slot.value = value;
+  inbox.buffer.publish();
+}
+
+void ForceLoop::submit(const ConstraintSet& set) noexcept {
+  put(sets_, set);
+}
+
+void ForceLoop::submit(const HapticControl& control) noexcept {
+  put(controls_, control);
+}
+
+void ForceLoop::submit(const HandTarget& target) noexcept {
+  put(targets_, target);
+}
+
+void ForceLoop::tick(const TickTiming& timing) noexcept {
+  if (!running_) return;
+  const std::int64_t now = clock_.now();
+  const double dt = period_ * (1.0 + timing.skipped);
+  tick_ += 1 + timing.skipped;
+  takeMessages(now);
+  if (simulated_ != nullptr) simulated_->advance(dt);
+  readDevice();
+  render_ = renderer_.tick(reading_.X_DS, dt);
+  guardAndWrite(now, dt);
+  publish(now, timing);
+}
+
+void ForceLoop::shutDown() noexcept {
+  running_ = false;
+  device_.write(dvec3(0.0), dvec3(0.0));
+  device_.close();
+}
+
+template <typename T>
+const T* ForceLoop::take(Inbox<T>& inbox) noexcept {
+  if (inbox.buffer.update()) inbox.waiting = true;
+  // One of a session that the loop has not seen yet waits for the next tick.
+  if (!inbox.waiting || inbox.buffer.value().session != rendered_session_) return nullptr;
+  inbox.waiting = false;
+  return &inbox.buffer.value().value;
+}
+
+bool ForceLoop::changeSession() noexcept {
+  const std::uint64_t session = session_.load(std::memory_order_acquire);
+  if (session == 0 && safety_result_.gate == GateState::kClosed && render_.adopted_set != 0) {
+    renderer_.reset(reading_.X_DS);  // The force has faded: nothing of the last client is left.
+  }
+  if (session == 0 || session == rendered_session_) return false;
+  rendered_session_ = session;
+  renderer_.setOptions(options_.renderer);
+  renderer_.reset(reading_.X_DS);
+  control_ = {};
+  return true;
+}
+
+void ForceLoop::takeMessages(std::int64_t now) noexcept {
+  // A new session's messages wait one tick: the safety chain must have seen its forces off once.
+  if (changeSession()) return;
+  if (const HapticControl* control = take(controls_)) {
+    control_ = *control;
+    RendererOptions wanted = options_.renderer;
+    if (control_.stiffness > 0.0) wanted.stiffness = control_.stiffness;
+    if (control_.damping > 0.0) wanted.damping = control_.damping;
+    renderer_.setOptions(wanted);
+  }
+  if (const ConstraintSet* set = take(sets_)) {
+    if (renderer_.adopt(*set) == Adoption::kAdopted && set->stamp_ns != 0) statistics_.addSetAge(now - set->stamp_ns);
+  }
+  takeHandTarget();
+}
+
+void ForceLoop::takeHandTarget() noexcept {
+  if (simulated_ == nullptr) return;
+  const bool open = session_.load(std::memory_order_acquire) != 0;
+  if (const HandTarget* target = open ? take(targets_) : nullptr) {
+    if (target->holding) {
+      simulated_->hand().hold(target->X_DH, target->buttons);
+    } else {
+      simulated_->hand().release();
+    }
+    hand_from_link_ = true;
+  } else if (hand_from_link_ && !open) {
+    simulated_->hand().release();  // Whoever moved it is gone.
+    hand_from_link_ = false;
+  }
+}
+
+void ForceLoop::readDevice() noexcept {
+  DeviceReading reading;
+  const bool fault = device_.read(reading) != DeviceStatus::kOk;
+  if (!fault) reading_ = reading;
+  if (fault && !device_fault_) safety_.trip();
+  device_fault_ = fault;
+}
+
+void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
+  SafetyInput input;
+  input.force_D = render_.force_D;
+  input.v_DS = render_.v_DS;
+  input.dt = dt;
+  input.enabled = control_.forces_enabled;
+  input.link_open = session_.load(std::memory_order_acquire) != 0;
+  const std::int64_t silence = now - last_heard_.load(std::memory_order_relaxed);
+  input.link_silence = input.link_open ? std::max(0.0, kSecondsPerNanosecond * static_cast<double>(silence)) : 0.0;
+  input.reported_temperature = reading_.motor_temperature;
+  safety_result_ = safety_.tick(input);
+  const dvec3 command_D = device_fault_ ? dvec3(0.0) : safety_result_.force_D;
+  if (device_.write(command_D, dvec3(0.0)) != DeviceStatus::kOk && !device_fault_) safety_.trip();
+  renderer_.noteApplied(command_D);
+  log_.add({tick_, now, command_D, input.link_open, input.link_silence, safety_result_.gate == GateState::kOpen});
+}
+
+void ForceLoop::publish(std::int64_t now, const TickTiming& timing) noexcept {
+  state_.tick = tick_;
+  state_.server_stamp_ns = now;
+  state_.X_DS = reading_.X_DS;
+  state_.X_DP = render_.X_DP;
+  state_.v_DS = render_.v_DS;
+  state_.force_D = device_fault_ ? dvec3(0.0) : safety_result_.force_D;
+  state_.buttons = reading_.buttons;
+  state_.adopted_set = render_.adopted_set;
+  state_.forces_on = safety_result_.gate == GateState::kOpen || safety_result_.gate == GateState::kRamping;
+  state_.force_ramp = safety_result_.ramp;
+  state_.motor_temperature = safety_result_.temperature;
+  state_.device_fault = device_fault_;
+  states_.write(state_);
+  statistics_.addTick(now, timing.late_ns, timing.skipped);
+  if (!statistics_.due()) return;
+  statistics_.collect(now, figures_.writeSlot());
+  figures_.publish();
+}
+
+}  // namespace hapticell::haptic

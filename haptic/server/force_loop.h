@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "haptic/devices/device.h"
+#include "haptic/protocol/messages.h"
+#include "haptic/rendering/force_renderer.h"
+#include "haptic/rendering/safety_chain.h"
+#include "haptic/rendering/triple_buffer.h"
+#include "haptic/server/clock.h"
+#include "haptic/server/loop_statistics.h"
+#include "haptic/server/tick_log.h"
+
+namespace hapticell::haptic {
+
+class SimulatedDevice;
+
+/// How a force loop runs.
+struct ForceLoopOptions {
+  double rate_hz = 1000.0;
+  RendererOptions renderer;  ///< Stiffness and damping of the device's own, and its delay.
+  SafetyOptions safety;
+  std::size_t log_ticks = 4096;  ///< How many ticks the log keeps.
+};
+
+/// The options that follow from what a device can do: its forces, stiffness and damping.
+ForceLoopOptions optionsFor(const DeviceCapabilities& capabilities, double rate_hz = 1000.0);
+
+/// What a client is told of a device at connection.
+DeviceDescription describe(const Device& device);
+
+/// What the caller of tick() knows about its moment.
+struct TickTiming {
+  std::int64_t late_ns = 0;   ///< How long past its deadline the tick begins.
+  std::uint32_t skipped = 0;  ///< Ticks that were due since the last one and are not replayed.
+};
+
+/// The 1 kHz loop: reads the device, takes the newest messages, renders, guards, commands the force, tells its state.
+///
+/// Three threads may hold an end of it, and none ever waits for another:
+///  - the *force thread* calls tick() (a RealTimeRunner in real time, anybody in virtual time) and shutDown();
+///  - the *link thread* (network thread, or InMemoryLink) calls openLink(), closeLink(), heard() and submit();
+///  - the same or another thread reads updateState()/state() and updateFigures()/figures().
+/// tick() neither allocates, locks, logs nor throws. A simulated device is also advanced by the time that passed.
+///
+/// A link is a controlling client's session. While it is open and heard the newest set is held, however old; closed,
+/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain), and forces must be
+/// enabled anew.
+class ForceLoop {
+ public:
+  /// `device` must be open; it and `clock` must outlive the loop.
+  ForceLoop(Device& device, const Clock& clock, const ForceLoopOptions& options = {});
+
+  // Force thread.
+  void tick(const TickTiming& timing = {}) noexcept;
+  /// Force zero, motors off. tick() does nothing afterwards.
+  void shutDown() noexcept;
+  const HapticState& current() const { return state_; }              ///< Of the last tick.
+  const RenderResult& lastRender() const { return render_; }         ///< Of the last tick.
+  const SafetyResult& lastSafety() const { return safety_result_; }  ///< Of the last tick.
+  const TickLog& log() const { return log_; }
+  double period() const { return period_; }  ///< Seconds; any thread.
+
+  // Link thread.
+  /// A controlling client is there: forgets what an earlier one wanted; forces are off until it enables them.
+  void openLink() noexcept;
+  void closeLink() noexcept;
+  /// The client was heard (any message, a heart-beat at least every kHeartbeatPeriod).
+  void heard() noexcept { last_heard_.store(clock_.now(), std::memory_order_relaxed); }
+  /// Newest wins. The set's stamp must be in this loop's clock (or 0: its age is then not counted).
+  void submit(const ConstraintSet& set) noexcept;
+  void submit(const HapticControl& control) noexcept;
+  void submit(const HandTarget& target) noexcept;
+
+  // Reader thread.
+  bool updateState() noexcept { return states_.update(); }  ///< True when there is a newer state.
+  const HapticState& state() const { return states_.value(); }
+  bool updateFigures() noexcept { return figures_.update(); }  ///< True about ten times a second.
+  const LoopFigures& figures() const { return figures_.value(); }
+
+ private:
+  /// A message with the session it came from, so that a late one of an earlier client is not taken.
+  template <typename T>
+  struct Incoming {
+    std::uint64_t session = 0;
+    T value;
+  };
+  template <typename T>
+  struct Inbox {
+    TripleBuffer<Incoming<T>> buffer;
+    bool waiting = false;  // Force thread's own: the newest value is not used yet.
+  };
+  template <typename T>
+  void put(Inbox<T>& inbox, const T& value) noexcept;
+  template <typename T>
+  const T* take(Inbox<T>& inbox) noexcept;
+
+  bool changeSession() noexcept;
+  void takeMessages(std::int64_t now) noexcept;
+  void takeHandTarget() noexcept;
+  void readDevice() noexcept;
+  void guardAndWrite(std::int64_t now, double dt) noexcept;
+  void publish(std::int64_t now, const TickTiming& timing) noexcept;
+
+  Device& device_;
+  SimulatedDevice* simulated_;  // The same device, when it is a simulated one.
+  const Clock& clock_;
+  const ForceLoopOptions options_;
+  const double period_;
+
+  std::atomic<std::uint64_t> session_{0};  // 0: closed; else counts the sessions.
+  std::atomic<std::int64_t> last_heard_{0};
+  std::uint64_t last_session_ = 0;  // Link thread's own.
+  Inbox<ConstraintSet> sets_;
+  Inbox<HapticControl> controls_;
+  Inbox<HandTarget> targets_;
+  TripleBuffer<HapticState> states_;
+  TripleBuffer<LoopFigures> figures_;
+
+  // Force thread's own.
+  ForceRenderer renderer_;
+  SafetyChain safety_;
+  LoopStatistics statistics_;
+  TickLog log_;
+  bool running_ = true;
+  std::uint64_t rendered_session_ = 0;
+  std::uint64_t tick_ = 0;
+  HapticControl control_;
+  bool hand_from_link_ = false;
+  DeviceReading reading_;
+  bool device_fault_ = false;
+  RenderResult render_;
+  SafetyResult safety_result_;
+  HapticState state_;
+};
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <random>
+#include <vector>
+
+#include "haptic/client/haptic_link.h"
+#include "haptic/protocol/codec.h"
+#include "haptic/server/force_loop.h"
+
+namespace hapticell::haptic {
+
+/// How bad the imagined network is. Like TCP it keeps the order of messages.
+struct InMemoryLinkOptions {
+  double latency = 0.0;    ///< One way, seconds; 0: heard at the next tick (server) or poll (client).
+  double jitter = 0.0;     ///< Up to so much more, evenly spread, seconds.
+  double loss = 0.0;       ///< Share of states, sets and hand targets that never arrive (0 to 1).
+  std::uint64_t seed = 1;  ///< Same seed, same jitter and loss.
+};
+
+/// Joins a manipulation loop and a force loop in virtual time, in one thread; every message is encoded, decoded and
+/// checked as on a socket.
+///
+/// step() lets one tick pass: whoever drives the session calls it 1000 times for a second and polls the client's side
+/// as often as the client's rate says. The link is connected from the start.
+class InMemoryLink final : public HapticLink {
+ public:
+  /// `clock` must be the one that `loop` was made with; both must outlive the link. `device` is what the client is
+  /// told.
+  InMemoryLink(ForceLoop& loop, VirtualClock& clock, const DeviceDescription& device,
+               const InMemoryLinkOptions& options = {});
+
+  /// One tick of virtual time: advances the clock, hands the server what has arrived, ticks the loop, sends its state.
+  /// `skipped` ticks before it are missed, as when a real force thread is held up.
+  void step(std::uint32_t skipped = 0);
+
+  /// The client's process stops (SIGSTOP) or goes on: nothing is sent meanwhile, heart-beats neither.
+  void setSilent(bool silent) { silent_ = silent; }
+  /// The socket closes (the client ends, or is killed); what is under way is lost.
+  void disconnect();
+  /// The client connects again, as a new session.
+  void connect();
+
+  LinkState linkState() const override;
+  std::string problem() const override;
+  std::optional<DeviceDescription> device() const override;
+  std::optional<HapticState> latestState() override;
+  std::optional<ServerStatistics> latestStatistics() override;
+  void sendSet(const ConstraintSet& set) override;
+  void sendControl(const HapticControl& control) override;
+  void sendHandTarget(const HandTarget& target) override;
+
+ private:
+  struct Parcel {
+    std::int64_t due = 0;
+    std::vector<std::uint8_t> frame;
+  };
+  /// One direction: parcels in the order they were sent.
+  struct Pipe {
+    std::deque<Parcel> parcels;
+    std::vector<std::vector<std::uint8_t>> spare;  // Memory of delivered frames, used again.
+    std::int64_t last_due = 0;
+  };
+
+  void send(Pipe& pipe, std::span<const std::uint8_t> frame, bool may_be_lost);
+  bool receive(Pipe& pipe, Message& message);
+  void sendToServer(std::span<const std::uint8_t> frame, bool may_be_lost);
+  void sendHeartbeat();
+  void deliverToServer();
+  void sendState();
+  void receiveAtClient();
+  double random() { return std::uniform_real_distribution<double>(0.0, 1.0)(generator_); }
+
+  ForceLoop& loop_;
+  VirtualClock& clock_;
+  DeviceDescription device_;
+  InMemoryLinkOptions options_;
+  std::mt19937_64 generator_;
+  Encoder encoder_;
+  Pipe to_server_, to_client_;
+  Message at_server_, at_client_;
+  std::optional<HapticState> newest_state_;
+  std::optional<ServerStatistics> newest_statistics_;
+  bool connected_ = false, silent_ = false;
+  std::int64_t next_heartbeat_ = 0;
+};
+
+}  // namespace hapticell::haptic
