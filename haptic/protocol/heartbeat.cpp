@@ -7,6 +7,7 @@ namespace {
 
 // Clocks of two machines drift by some 10 us in a second: an old exchange is not worth more than a new one for long.
 constexpr std::int64_t kTrustedFor = 10'000'000'000;
+constexpr std::int64_t kLatestStamp = std::int64_t{1} << 62;  // A century and a half after boot.
 constexpr std::int64_t kLongestRoundTrip = 60'000'000'000;
 
 }  // namespace
@@ -24,7 +25,7 @@ void HeartbeatExchange::heard(const Heartbeat& beat, std::int64_t now) {
   const std::int64_t round_trip = now - beat.echo_ns - beat.held_ns;
   round_trip_ = 1e-9 * static_cast<double>(round_trip);
   if (from_peer_ && round_trip > best_round_trip_ && now - best_heard_ < kTrustedFor) return;
-  if (beat.sent_ns < 0) return;
+  if (beat.sent_ns < 0 || beat.sent_ns > kLatestStamp) return;
   from_peer_ = now - round_trip / 2 - beat.sent_ns;
   best_round_trip_ = round_trip;
   best_heard_ = now;

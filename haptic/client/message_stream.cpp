@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/client/message_stream.h"
+
+#include <asio/buffer.hpp>
+#include <asio/write.hpp>
+#include <string>
+#include <utility>
+
+namespace hapticell::haptic {
+
+MessageStream::MessageStream(asio::ip::tcp::socket socket, Handlers handlers)
+    : socket_(std::move(socket)), handlers_(std::move(handlers)), incoming_(kMaxFrameBytes) {}
+
+void MessageStream::start() {
+  std::error_code ignored;
+  socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
+  // A small send buffer keeps stale states out of the kernel's queue when the peer is slow.
+  socket_.set_option(asio::socket_base::send_buffer_size(32 * 1024), ignored);
+  socket_.non_blocking(true, ignored);
+  read();
+}
+
+std::string MessageStream::peer() const {
+  std::error_code failed;
+  const auto endpoint = socket_.remote_endpoint(failed);
+  return failed ? std::string() : endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
+}
+
+void MessageStream::read() {
+  socket_.async_read_some(asio::buffer(incoming_),
+                          [self = shared_from_this()](std::error_code failed, std::size_t bytes) {
+                            if (self->closed_) return;
+                            if (failed) return self->lost();
+                            self->handle(bytes);
+                            if (!self->closed_) self->read();
+                          });
+}
+
+void MessageStream::handle(std::size_t bytes) {
+  if (finishing_ || garbage_) return;  // Read on only to notice the peer's end.
+  reader_.append(std::span<const std::uint8_t>(incoming_).first(bytes));
+  while (!closed_ && !finishing_) {
+    const auto frame = reader_.next();
+    if (frame && frame->empty()) return;
+    const auto decoded = frame ? decode(*frame, message_) : Expected<void>(tl::unexpected(frame.error()));
+    if (!decoded) {
+      garbage_ = true;
+      return handlers_.garbage(decoded.error());
+    }
+    handlers_.message(message_);
+  }
+}
+
+void MessageStream::send(std::span<const std::uint8_t> frame) {
+  if (closed_ || finishing_) return;
+  if (queue_.size() + frame.size() > kMaxQueuedBytes) return lost();
+  queue_.insert(queue_.end(), frame.begin(), frame.end());
+  write();
+}
+
+void MessageStream::sendNewest(Slot slot, std::span<const std::uint8_t> frame) {
+  if (closed_ || finishing_) return;
+  newest_[static_cast<std::size_t>(slot)].assign(frame.begin(), frame.end());
+  write();
+}
+
+void MessageStream::write() {
+  if (writing_ || closed_) return;
+  outgoing_.clear();
+  outgoing_.swap(queue_);
+  for (auto& newest : newest_) {
+    if (!finishing_) outgoing_.insert(outgoing_.end(), newest.begin(), newest.end());
+    newest.clear();
+  }
+  if (outgoing_.empty()) {
+    std::error_code ignored;
+    if (finishing_) socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    return;
+  }
+  writing_ = true;
+  asio::async_write(socket_, asio::buffer(outgoing_), [self = shared_from_this()](std::error_code failed, std::size_t) {
+    self->writing_ = false;
+    if (self->closed_) return;
+    if (failed) return self->lost();
+    self->write();
+  });
+}
+
+void MessageStream::finish() {
+  if (closed_ || finishing_) return;
+  finishing_ = true;
+  write();
+}
+
+void MessageStream::close() {
+  if (closed_) return;
+  closed_ = true;
+  std::error_code ignored;
+  socket_.close(ignored);
+}
+
+void MessageStream::lost() {
+  if (closed_) return;
+  close();
+  handlers_.closed();
+}
+
+}  // namespace hapticell::haptic

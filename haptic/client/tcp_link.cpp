@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/client/tcp_link.h"
+
+#include <pthread.h>
+
+#include <asio/connect.hpp>
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/post.hpp>
+#include <asio/steady_timer.hpp>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "haptic/client/message_stream.h"
+#include "haptic/protocol/heartbeat.h"
+#include "haptic/rendering/triple_buffer.h"
+
+namespace hapticell::haptic {
+
+using asio::ip::tcp;
+using std::chrono::steady_clock;
+
+namespace {
+
+std::int64_t nowNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+steady_clock::duration duration(double seconds) {
+  return std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+/// The network thread and what it shares with the caller's.
+class TcpLink::Connection {
+ public:
+  explicit Connection(const TcpLinkOptions& options)
+      : options_(options), resolver_(context_), retry_timer_(context_), heartbeat_timer_(context_), socket_(context_) {
+    problem_ = "Connecting to the haptic server at " + server() + ".";
+    connect();
+    beat();
+    thread_ = std::thread([this] { run(); });
+  }
+
+  ~Connection() {
+    asio::post(context_, [this] { context_.stop(); });
+    thread_.join();
+    if (stream_) stream_->close();
+  }
+
+  // Caller's side.
+
+  template <typename T>
+  void submit(TripleBuffer<T>& outbox, const T& value) {
+    if (state() != LinkState::kConnected) return;
+    outbox.write(value);
+    if (!wake_pending_.exchange(true)) asio::post(context_, [this] { sendNewest(); });
+  }
+
+  template <typename T>
+  static std::optional<T> newest(TripleBuffer<T>& inbox) {
+    return inbox.update() ? std::optional<T>(inbox.value()) : std::nullopt;
+  }
+
+  LinkState state() const { return state_.load(std::memory_order_acquire); }
+
+  std::string problem() const {
+    const std::scoped_lock lock(mutex_);
+    return state() == LinkState::kConnected ? std::string() : problem_;
+  }
+
+  std::optional<DeviceDescription> device() const {
+    const std::scoped_lock lock(mutex_);
+    return state() == LinkState::kConnected ? std::optional(welcome_.device) : std::nullopt;
+  }
+
+  ClientKind grantedKind() const {
+    const std::scoped_lock lock(mutex_);
+    return welcome_.kind;
+  }
+
+  TripleBuffer<HapticState> states;
+  TripleBuffer<ServerStatistics> statistics;
+  TripleBuffer<ConstraintSet> sets;
+  TripleBuffer<HapticControl> controls;
+  TripleBuffer<HandTarget> targets;
+  std::atomic<std::uint64_t> connections{0};
+
+ private:
+  std::string server() const { return options_.host + ":" + std::to_string(options_.port); }
+
+  void run() {
+    pthread_setname_np(pthread_self(), "haptic-link");
+    while (!context_.stopped()) {
+      try {
+        context_.run();
+      } catch (const std::exception& failure) {
+        lose(std::string("The link to the haptic server failed: ") + failure.what() + ".");
+      }
+    }
+  }
+
+  void become(LinkState state, std::string problem) {
+    const std::scoped_lock lock(mutex_);
+    problem_ = std::move(problem);
+    state_.store(state, std::memory_order_release);
+  }
+
+  void connect() {
+    if (state() == LinkState::kDisconnected) state_ = LinkState::kConnecting;
+    attempt_began_ = nowNanoseconds();
+    connecting_ = true;
+    resolver_.async_resolve(options_.host, std::to_string(options_.port),
+                            [this](std::error_code failed, const tcp::resolver::results_type& endpoints) {
+                              if (failed) return failAttempt();
+                              tryEndpoints(endpoints);
+                            });
+  }
+
+  void tryEndpoints(const tcp::resolver::results_type& endpoints) {
+    socket_ = tcp::socket(context_);
+    asio::async_connect(socket_, endpoints, [this](std::error_code failed, const tcp::endpoint&) {
+      if (failed) return failAttempt();
+      connecting_ = false;
+      open();
+    });
+  }
+
+  void failAttempt() {
+    connecting_ = false;
+    lose("No haptic server answers at " + server() + ". Start hapticell-haptic-server.");
+  }
+
+  void open() {
+    heard_ = nowNanoseconds();
+    heartbeat_ = {};
+    welcomed_ = false;
+    stream_ = std::make_shared<MessageStream>(
+        std::move(socket_),
+        MessageStream::Handlers{
+            [this](const Message& message) { hear(message); },
+            [this](const Error&) { lose("What answers at " + server() + " is not a haptic server of this release."); },
+            [this] { lose("The haptic server at " + server() + " closed the connection."); }});
+    stream_->start();
+    stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
+                                                .kind = options_.kind,
+                                                .accept_watching = options_.accept_watching,
+                                                .program = options_.program})));
+  }
+
+  void hear(const Message& message) {
+    heard_ = nowNanoseconds();
+    if (const auto* welcome = std::get_if<Welcome>(&message)) return hearWelcome(*welcome);
+    if (const auto* refusal = std::get_if<Refusal>(&message)) return lose(refusal->sentence, LinkState::kRefused);
+    if (!welcomed_) return;
+    if (const auto* state = std::get_if<HapticState>(&message)) states.write(*state);
+    if (const auto* figures = std::get_if<ServerStatistics>(&message)) statistics.write(*figures);
+    if (const auto* beat = std::get_if<Heartbeat>(&message)) heartbeat_.heard(*beat, heard_);
+  }
+
+  void hearWelcome(const Welcome& welcome) {
+    {
+      const std::scoped_lock lock(mutex_);
+      welcome_ = welcome;
+    }
+    // What an earlier connection left unsent is not for this one.
+    sets.update();
+    controls.update();
+    targets.update();
+    welcomed_ = true;
+    ++connections;
+    become(LinkState::kConnected, {});
+    sendHeartbeat();
+  }
+
+  void lose(std::string problem, LinkState state = LinkState::kDisconnected) {
+    if (stream_) stream_->close();
+    stream_.reset();
+    // A refusal stays to be read until an attempt has another outcome.
+    become(state, std::move(problem));
+    retry_timer_.expires_after(duration(options_.retry_time));
+    retry_timer_.async_wait([this](std::error_code cancelled) {
+      if (!cancelled) connect();
+    });
+  }
+
+  void sendNewest() {
+    wake_pending_ = false;
+    if (!stream_ || !welcomed_) return;
+    // Controls keep their order before sets: forces are enabled for what follows.
+    if (controls.update()) stream_->send(encoder_.encode(Message(controls.value())));
+    if (stream_ && targets.update()) {
+      stream_->sendNewest(MessageStream::Slot::kHandTarget, encoder_.encode(Message(targets.value())));
+    }
+    if (stream_ && sets.update()) stream_->sendNewest(MessageStream::Slot::kSet, encoder_.encode(sets.value()));
+  }
+
+  void sendHeartbeat() {
+    if (stream_) stream_->send(encoder_.encode(Message(heartbeat_.next(nowNanoseconds()))));
+  }
+
+  void beat() {
+    const double silence = 1e-9 * static_cast<double>(nowNanoseconds() - (connecting_ ? attempt_began_ : heard_));
+    if (stream_ && silence > options_.silence_time) {
+      lose("The haptic server at " + server() + " does not answer any more.");
+    } else if (stream_ && welcomed_) {
+      sendHeartbeat();
+    } else if (connecting_ && silence > 4.0 * options_.silence_time) {
+      std::error_code ignored;
+      socket_.close(ignored);  // Ends the attempt.
+    }
+    heartbeat_timer_.expires_after(duration(kHeartbeatPeriod));
+    heartbeat_timer_.async_wait([this](std::error_code cancelled) {
+      if (!cancelled) beat();
+    });
+  }
+
+  const TcpLinkOptions options_;
+  asio::io_context context_{1};
+  tcp::resolver resolver_;
+  asio::steady_timer retry_timer_, heartbeat_timer_;
+  tcp::socket socket_;
+  std::shared_ptr<MessageStream> stream_;
+  Encoder encoder_;
+  HeartbeatExchange heartbeat_;
+  std::int64_t heard_ = 0, attempt_began_ = 0;
+  bool connecting_ = false, welcomed_ = false;
+
+  std::atomic<LinkState> state_{LinkState::kConnecting};
+  std::atomic<bool> wake_pending_{false};
+  mutable std::mutex mutex_;
+  std::string problem_;
+  Welcome welcome_;
+  std::thread thread_;
+};
+
+TcpLink::TcpLink(const TcpLinkOptions& options) : connection_(std::make_unique<Connection>(options)) {}
+
+TcpLink::~TcpLink() = default;
+
+LinkState TcpLink::linkState() const {
+  return connection_->state();
+}
+
+std::string TcpLink::problem() const {
+  return connection_->problem();
+}
+
+std::optional<DeviceDescription> TcpLink::device() const {
+  return connection_->device();
+}
+
+ClientKind TcpLink::grantedKind() const {
+  return connection_->grantedKind();
+}
+
+std::uint64_t TcpLink::connections() const {
+  return connection_->connections;
+}
+
+std::optional<HapticState> TcpLink::latestState() {
+  return Connection::newest(connection_->states);
+}
+
+std::optional<ServerStatistics> TcpLink::latestStatistics() {
+  return Connection::newest(connection_->statistics);
+}
+
+void TcpLink::sendSet(const ConstraintSet& set) {
+  connection_->submit(connection_->sets, set);
+}
+
+void TcpLink::sendControl(const HapticControl& control) {
+  connection_->submit(connection_->controls, control);
+}
+
+void TcpLink::sendHandTarget(const HandTarget& target) {
+  connection_->submit(connection_->targets, target);
+}
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/server/client_table.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "haptic/server/clock.h"
+#include "haptic/server/force_loop.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr double kFarewellTime = 1.0;  // For a refused client to read why.
+
+double seconds(std::int64_t nanoseconds) {
+  return kSecondsPerNanosecond * static_cast<double>(nanoseconds);
+}
+
+}  // namespace
+
+ClientTable::ClientTable(ForceLoop& loop, const Clock& clock, const DeviceDescription& device,
+                         const NetworkOptions& options)
+    : loop_(loop), clock_(clock), device_(device), options_(options) {}
+
+ClientTable::~ClientTable() {
+  for (const auto& client : clients_) client->stream->close();
+  loop_.closeLink();
+}
+
+void ClientTable::report(const std::string& sentence) const {
+  if (options_.report) options_.report(sentence);
+}
+
+void ClientTable::add(asio::ip::tcp::socket socket) {
+  const auto refused_too = std::count_if(clients_.begin(), clients_.end(), [](const auto& c) { return !c->gone; });
+  if (static_cast<std::size_t>(refused_too) >= 2 * options_.max_clients) return;  // Closed by the socket's destructor.
+  Client& client = *clients_.emplace_back(std::make_unique<Client>());
+  client.since_ns = client.heard_ns = clock_.now();
+  client.stream = std::make_shared<MessageStream>(
+      std::move(socket), MessageStream::Handlers{[this, &client](const Message& message) { hear(client, message); },
+                                                 [this, &client](const Error& error) {
+                                                   refuse(client, "Not understood: " + error.message());
+                                                 },
+                                                 [this, &client] { drop(client, "is gone"); }});
+  client.name = "a program at " + client.stream->peer();
+  client.stream->start();
+  const auto serving = std::count_if(clients_.begin(), clients_.end(),
+                                     [](const auto& c) { return !c->gone && !c->stream->finishing(); });
+  if (static_cast<std::size_t>(serving) > options_.max_clients) {
+    refuse(client, "The haptic server has its " + std::to_string(options_.max_clients) + " connections already.");
+  }
+}
+
+void ClientTable::hear(Client& client, const Message& message) {
+  client.heard_ns = clock_.now();
+  if (&client == controller_) loop_.heard();
+  if (!client.kind) {
+    const auto* hello = std::get_if<Hello>(&message);
+    return hello != nullptr ? hearHello(client, *hello) : refuse(client, "The first message must be a Hello.");
+  }
+  if (const auto* beat = std::get_if<Heartbeat>(&message)) {
+    client.heartbeat.heard(*beat, client.heard_ns);
+    return client.stream->send(encoder_.encode(Message(client.heartbeat.next(clock_.now()))));
+  }
+  hearController(client, message);
+}
+
+void ClientTable::hearController(Client& client, const Message& message) {
+  const auto* set = std::get_if<ConstraintSet>(&message);
+  const auto* control = std::get_if<HapticControl>(&message);
+  const auto* target = std::get_if<HandTarget>(&message);
+  if (set == nullptr && control == nullptr && target == nullptr) {
+    return refuse(client,
+                  "After its Hello a client sends only constraint sets, controls, hand targets and heart-beats.");
+  }
+  if (&client != controller_) return refuse(client, "A watcher may send heart-beats only.");
+  if (set != nullptr) submitSet(client, *set);
+  if (control != nullptr) loop_.submit(*control);
+  if (target != nullptr) loop_.submit(*target);
+}
+
+void ClientTable::submitSet(const Client& client, const ConstraintSet& set) {
+  stamped_ = set;
+  const auto offset = client.heartbeat.fromPeerClock();
+  // A stamp from outside may be anything: one that is not of the last minute counts as none.
+  const std::int64_t earliest = clock_.now() - toNanoseconds(60.0);
+  const bool plausible =
+      offset && set.stamp_ns > earliest - *offset && set.stamp_ns <= clock_.now() - *offset + toNanoseconds(1.0);
+  stamped_.stamp_ns = plausible ? set.stamp_ns + *offset : 0;
+  loop_.submit(stamped_);
+}
+
+void ClientTable::hearHello(Client& client, const Hello& hello) {
+  if (!hello.program.empty()) client.name = hello.program + " at " + client.stream->peer();
+  if (hello.protocol_version != kProtocolVersion) {
+    return refuse(client, "This haptic server speaks version " + std::to_string(kProtocolVersion) +
+                              " of the protocol, the client version " + std::to_string(hello.protocol_version) +
+                              ". Install the same release of both.");
+  }
+  if (hello.kind == ClientKind::kWatcher) return welcome(client, ClientKind::kWatcher);
+  if (grantControl(client, hello)) return welcome(client, ClientKind::kController);
+  if (hello.accept_watching) return welcome(client, ClientKind::kWatcher);
+  refuse(client, "Another program (" + controller_->name + ") controls the stylus. Close it, or connect as a watcher.");
+}
+
+bool ClientTable::controllerIsSilent() const {
+  return seconds(clock_.now() - controller_->heard_ns) > options_.takeover_time;
+}
+
+bool ClientTable::grantControl(Client& client, const Hello&) {
+  if (controller_ != nullptr && controllerIsSilent()) {
+    Client& silent = *controller_;
+    refuse(silent, "Silent for too long: " + client.name + " controls the stylus now.");
+  }
+  return controller_ == nullptr;
+}
+
+void ClientTable::welcome(Client& client, ClientKind kind) {
+  client.kind = kind;
+  if (kind == ClientKind::kController) {
+    controller_ = &client;
+    loop_.openLink();
+  }
+  client.stream->send(encoder_.encode(Message(Welcome{
+      .protocol_version = kProtocolVersion, .kind = kind, .tick_rate_hz = 1.0 / loop_.period(), .device = device_})));
+  report(client.name + (kind == ClientKind::kController ? " controls the stylus." : " watches."));
+}
+
+void ClientTable::refuse(Client& client, const std::string& sentence) {
+  if (client.gone || client.stream->finishing()) return;
+  if (&client == controller_) {
+    controller_ = nullptr;
+    loop_.closeLink();
+  }
+  report("Refused " + client.name + ": " + sentence);
+  client.since_ns = clock_.now();
+  client.stream->send(encoder_.encode(Message(Refusal{sentence})));
+  client.stream->finish();
+}
+
+void ClientTable::drop(Client& client, const std::string& why) {
+  if (client.gone) return;
+  client.gone = true;
+  client.stream->close();
+  if (&client == controller_) {
+    controller_ = nullptr;
+    loop_.closeLink();
+  }
+  if (client.kind) report(client.name + " " + why + ".");
+}
+
+void ClientTable::broadcast() {
+  const auto sendToAll = [this](MessageStream::Slot slot, std::span<const std::uint8_t> frame) {
+    for (const auto& client : clients_) {
+      if (client->kind && !client->gone) client->stream->sendNewest(slot, frame);
+    }
+  };
+  if (loop_.updateState()) sendToAll(MessageStream::Slot::kState, encoder_.encode(loop_.state()));
+  if (!loop_.updateFigures()) return;
+  const double round_trip = controller_ != nullptr ? controller_->heartbeat.roundTrip() : 0.0;
+  sendToAll(MessageStream::Slot::kStatistics, encoder_.encode(Message(statisticsOf(loop_.figures(), round_trip))));
+}
+
+bool ClientTable::overdue(const Client& client, std::int64_t now) const {
+  if (client.stream->finishing()) return seconds(now - client.since_ns) > kFarewellTime;
+  if (!client.kind) return seconds(now - client.since_ns) > options_.hello_time;
+  return seconds(now - client.heard_ns) > options_.silence_time;
+}
+
+void ClientTable::sweep() {
+  const std::int64_t now = clock_.now();
+  for (const auto& client : clients_) {
+    if (client->gone || !overdue(*client, now)) continue;
+    if (!client->kind && !client->stream->finishing()) {
+      refuse(*client, "No Hello within " + std::to_string(static_cast<int>(options_.hello_time)) + " seconds.");
+    } else {
+      drop(*client, "was silent for too long");
+    }
+  }
+  std::erase_if(clients_, [](const auto& client) { return client->gone; });
+}
+
+}  // namespace hapticell::haptic

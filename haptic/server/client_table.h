@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptic/client/message_stream.h"
+#include "haptic/protocol/codec.h"
+#include "haptic/protocol/heartbeat.h"
+#include "haptic/server/network_server.h"
+
+namespace hapticell::haptic {
+
+/// The connections of a NetworkServer and the rules that they are held to: who may control, what each may send, how
+/// long it may be silent. Used by the network thread only.
+class ClientTable {
+ public:
+  /// All must outlive the table.
+  ClientTable(ForceLoop& loop, const Clock& clock, const DeviceDescription& device, const NetworkOptions& options);
+  ~ClientTable();  ///< Closes everything.
+
+  /// Takes a connection that has just been made.
+  void add(asio::ip::tcp::socket socket);
+
+  /// Sends the loop's newest state and, about ten times a second, its statistics to all who were welcomed.
+  void broadcast();
+
+  /// Ends what has been silent for too long and forgets what is closed.
+  void sweep();
+
+  bool empty() const { return clients_.empty(); }
+
+ private:
+  struct Client {
+    std::shared_ptr<MessageStream> stream;
+    std::string name;                ///< For messages: program and address.
+    std::optional<ClientKind> kind;  ///< Once welcomed.
+    std::int64_t since_ns = 0;       ///< Connected, or told to go.
+    std::int64_t heard_ns = 0;
+    HeartbeatExchange heartbeat;
+    bool gone = false;
+  };
+
+  void hear(Client& client, const Message& message);
+  void hearHello(Client& client, const Hello& hello);
+  bool grantControl(Client& client, const Hello& hello);
+  void hearController(Client& client, const Message& message);
+  void welcome(Client& client, ClientKind kind);
+  void submitSet(const Client& client, const ConstraintSet& set);
+  void refuse(Client& client, const std::string& sentence);
+  void drop(Client& client, const std::string& why);
+  void report(const std::string& sentence) const;
+  bool overdue(const Client& client, std::int64_t now) const;
+  bool controllerIsSilent() const;
+
+  ForceLoop& loop_;
+  const Clock& clock_;
+  const DeviceDescription& device_;
+  const NetworkOptions& options_;
+  Encoder encoder_;
+  ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
+  std::vector<std::unique_ptr<Client>> clients_;
+  Client* controller_ = nullptr;
+};
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <rapidcheck.h>
+#include <cmath>
+
+#include "haptic/protocol/codec.h"
+
+/// Generators of arbitrary well-formed messages, for property tests.
+namespace hapticell::haptic::any {
+
+inline double number() {
+  // Any finite bit pattern, tiny and huge ones included.
+  const double value = *rc::gen::arbitrary<double>();
+  return std::isfinite(value) ? value : 0.25;
+}
+
+inline double notNegative() {
+  return std::abs(number());
+}
+
+inline dvec3 vector() {
+  return {number(), number(), number()};
+}
+
+inline Pose pose() {
+  const auto part = [] { return *rc::gen::inRange(-1000, 1000) * 1e-3; };
+  dquat q(part(), part(), part(), part());
+  if (glm::dot(q, q) < 1e-6) q = dquat(1.0, 0.0, 0.0, 0.0);
+  return {vector(), glm::normalize(q)};
+}
+
+template <std::size_t N>
+std::array<double, N> numbers() {
+  std::array<double, N> values;
+  for (double& value : values) value = number();
+  return values;
+}
+
+inline std::string text() {
+  return *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
+}
+
+inline Constraint constraint() {
+  Constraint c;
+  c.group = *rc::gen::arbitrary<std::uint32_t>();
+  c.kind = *rc::gen::element(ConstraintKind::kInequality, ConstraintKind::kEquality);
+  c.gap = number();
+  c.gradient = numbers<6>();
+  if (*rc::gen::arbitrary<bool>()) c.curvature = numbers<21>();
+  c.has_trim = *rc::gen::arbitrary<bool>();
+  if (c.has_trim) {
+    c.trim_gap = number();
+    c.trim_gradient = numbers<6>();
+  }
+  c.stiffness = notNegative();
+  c.damping = notNegative();
+  c.friction = notNegative();
+  c.id = *rc::gen::arbitrary<std::uint64_t>();
+  return c;
+}
+
+inline ConstraintSet constraintSet() {
+  ConstraintSet set;
+  set.sequence = *rc::gen::arbitrary<std::uint64_t>();
+  set.stamp_ns = *rc::gen::arbitrary<std::int64_t>();
+  set.X_DR = pose();
+  set.zone_radius = notNegative() + 1e-3;
+  set.count = *rc::gen::element<std::size_t>(0, 1, 2, 5, kMaxConstraints);
+  for (std::size_t i = 0; i < set.count; ++i) set.constraints[i] = constraint();
+  return set;
+}
+
+inline HapticState state() {
+  HapticState s;
+  s.tick = *rc::gen::arbitrary<std::uint64_t>();
+  s.server_stamp_ns = *rc::gen::arbitrary<std::int64_t>();
+  s.X_DS = pose();
+  s.X_DP = pose();
+  s.v_DS = vector();
+  s.force_D = vector();
+  s.buttons = *rc::gen::arbitrary<std::uint32_t>();
+  s.adopted_set = *rc::gen::arbitrary<std::uint64_t>();
+  s.forces_on = *rc::gen::arbitrary<bool>();
+  s.force_ramp = *rc::gen::inRange(0, 1001) * 1e-3;
+  s.motor_temperature = notNegative();
+  s.device_fault = *rc::gen::arbitrary<bool>();
+  return s;
+}
+
+inline ServerStatistics statistics() {
+  ServerStatistics s;
+  s.rate_hz = notNegative();
+  s.late_p50_ms = notNegative();
+  s.late_p99_ms = notNegative();
+  s.late_max_ms = notNegative();
+  s.ticks = *rc::gen::arbitrary<std::uint64_t>();
+  s.missed_ticks = *rc::gen::arbitrary<std::uint64_t>();
+  s.round_trip_ms = number();
+  s.set_age_p50_ms = number();
+  s.set_age_p99_ms = number();
+  return s;
+}
+
+inline DeviceDescription device() {
+  DeviceDescription d;
+  d.name = text();
+  d.simulated = *rc::gen::arbitrary<bool>();
+  d.workspace_min = {-0.1 * *rc::gen::inRange(0, 10), -0.2, -0.3};
+  d.workspace_max = {0.1, 0.2 * *rc::gen::inRange(0, 10), 0.3};
+  d.resolution = notNegative();
+  d.peak_force = notNegative();
+  d.continuous_force = notNegative();
+  d.stiffness = notNegative();
+  d.damping = notNegative();
+  d.measured_axes = *rc::gen::inRange(0, 7);
+  d.driven_axes = *rc::gen::inRange(0, 7);
+  d.buttons = *rc::gen::inRange(0, 33);
+  return d;
+}
+
+inline ClientKind kind() {
+  return *rc::gen::element(ClientKind::kController, ClientKind::kWatcher);
+}
+
+/// A message of any type.
+inline Message message() {
+  switch (*rc::gen::inRange(0, 9)) {
+    case 0:
+      return Hello{*rc::gen::arbitrary<std::uint32_t>(), kind(), *rc::gen::arbitrary<bool>(), text()};
+    case 1:
+      return Welcome{*rc::gen::arbitrary<std::uint32_t>(), kind(), 1.0 * *rc::gen::inRange(1, 4000), device()};
+    case 2:
+      return Refusal{text()};
+    case 3:
+      return constraintSet();
+    case 4:
+      return state();
+    case 5:
+      return statistics();
+    case 6:
+      return HapticControl{*rc::gen::arbitrary<bool>(), notNegative(), notNegative()};
+    case 7:
+      return HandTarget{*rc::gen::arbitrary<bool>(), pose(), *rc::gen::arbitrary<std::uint32_t>()};
+    default:
+      return Heartbeat{*rc::gen::arbitrary<std::int64_t>(), *rc::gen::arbitrary<std::int64_t>(),
+                       *rc::gen::arbitrary<std::int64_t>()};
+  }
+}
+
+}  // namespace hapticell::haptic::any

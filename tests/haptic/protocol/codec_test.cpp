@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/protocol/codec.h"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck/gtest.h>
+#include <limits>
+
+#include "tests/haptic/protocol/any_message.h"
+#include "tests/haptic/protocol/same_message.h"
+
+namespace hapticell::haptic {
+namespace {
+
+std::vector<std::uint8_t> frameOf(const Message& message) {
+  Encoder encoder;
+  const auto frame = encoder.encode(message);
+  return {frame.begin(), frame.end()};
+}
+
+Expected<Message> decodeFrame(std::span<const std::uint8_t> frame) {
+  Message message;
+  const auto decoded = decode(frame.subspan(kFrameHeaderBytes), message);
+  if (!decoded) return tl::unexpected(decoded.error());
+  return message;
+}
+
+ConstraintSet fullSet() {
+  ConstraintSet set;
+  set.sequence = 7;
+  set.count = kMaxConstraints;
+  for (std::size_t i = 0; i < set.count; ++i) {
+    set.constraints[i].gradient[i % 6] = 1.0;
+    set.constraints[i].curvature[i % 21] = 2.0;
+    set.constraints[i].has_trim = true;
+  }
+  return set;
+}
+
+RC_GTEST_PROP(Codec, every_field_of_every_message_comes_back, ()) {
+  const Message sent = any::message();
+  const auto received = decodeFrame(frameOf(sent));
+  RC_ASSERT(received.has_value());
+  RC_ASSERT(same(*received, sent));
+}
+
+TEST(Codec, the_frame_begins_with_its_little_endian_length) {
+  const auto frame = frameOf(Refusal{"no"});
+  const std::size_t length = frame[0] | frame[1] << 8 | frame[2] << 16 | static_cast<std::size_t>(frame[3]) << 24;
+  EXPECT_EQ(length, frame.size() - kFrameHeaderBytes);
+  EXPECT_EQ(std::string(frame.begin() + 8, frame.begin() + 12), "HCEL");
+}
+
+TEST(Codec, a_full_set_fits_the_limit_and_a_state_is_small) {
+  EXPECT_LT(frameOf(fullSet()).size(), kMaxFrameBytes / 2);
+  EXPECT_LT(frameOf(HapticState{}).size(), 400u);
+}
+
+TEST(Codec, a_buffer_at_an_odd_address_reads_the_same) {
+  const auto frame = frameOf(fullSet());
+  for (std::size_t shift = 0; shift < 8; ++shift) {
+    std::vector<std::uint8_t> moved(shift);
+    moved.insert(moved.end(), frame.begin(), frame.end());
+    const auto received = decodeFrame(std::span<const std::uint8_t>(moved).subspan(shift));
+    ASSERT_TRUE(received.has_value()) << shift;
+    EXPECT_TRUE(same(*received, fullSet()));
+  }
+}
+
+TEST(Codec, a_long_text_is_cut) {
+  const auto received = decodeFrame(frameOf(Refusal{std::string(5000, 'x')}));
+  ASSERT_TRUE(received.has_value());
+  EXPECT_EQ(std::get<Refusal>(*received).sentence, std::string(kMaxTextBytes, 'x'));
+}
+
+TEST(Codec, decoding_a_set_after_a_larger_one_leaves_nothing_of_it) {
+  Message message;
+  const auto large = frameOf(fullSet());
+  ConstraintSet one = fullSet();
+  one.count = 1;
+  one.constraints[0].curvature = {};
+  one.constraints[0].has_trim = false;
+  const auto small = frameOf(one);
+  ASSERT_TRUE(decode(std::span(large).subspan(kFrameHeaderBytes), message));
+  ASSERT_TRUE(decode(std::span(small).subspan(kFrameHeaderBytes), message));
+  EXPECT_TRUE(same(message, one));
+}
+
+TEST(Codec, numbers_that_are_none_are_refused_in_words) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const auto refused = [](const Message& message) {
+    const auto received = decodeFrame(frameOf(message));
+    return !received.has_value() && !received.error().message().empty();
+  };
+  for (const double bad : {nan, infinite, -infinite}) {
+    ConstraintSet set = fullSet();
+    set.constraints[63].gap = bad;
+    EXPECT_TRUE(refused(set));
+    set = fullSet();
+    set.constraints[5].curvature[20] = bad;
+    EXPECT_TRUE(refused(set));
+    set = fullSet();
+    set.constraints[5].trim_gradient[5] = bad;
+    EXPECT_TRUE(refused(set));
+    set = fullSet();
+    set.zone_radius = bad;
+    EXPECT_TRUE(refused(set));
+    set = fullSet();
+    set.X_DR.p.y = bad;
+    EXPECT_TRUE(refused(set));
+    EXPECT_TRUE(refused(HapticControl{true, bad, 0.0}));
+    EXPECT_TRUE(refused(HapticControl{true, 0.0, bad}));
+    EXPECT_TRUE(refused(HandTarget{true, Pose::translation(dvec3(0.0, bad, 0.0)), 0}));
+    HapticState state;
+    state.force_D.z = bad;
+    EXPECT_TRUE(refused(state));
+    Welcome welcome;
+    welcome.device.peak_force = bad;
+    EXPECT_TRUE(refused(welcome));
+    welcome = {};
+    welcome.tick_rate_hz = bad;
+    EXPECT_TRUE(refused(welcome));
+  }
+  HandTarget not_a_rotation;
+  not_a_rotation.X_DH.q = dquat(0.0, 0.0, 0.0, 0.0);
+  EXPECT_TRUE(refused(not_a_rotation));
+  EXPECT_TRUE(refused(HapticControl{true, -1.0, 0.0}));
+  ConstraintSet no_zone;
+  no_zone.zone_radius = 0.0;
+  EXPECT_TRUE(refused(no_zone));
+}
+
+TEST(Codec, every_truncation_is_refused) {
+  for (const Message& message : {Message(fullSet()), Message(Hello{}), Message(Welcome{}), Message(HapticState{})}) {
+    const auto frame = frameOf(message);
+    for (std::size_t length = 0; length < frame.size() - kFrameHeaderBytes; length += 1 + length / 64) {
+      Message received;
+      EXPECT_FALSE(decode(std::span<const std::uint8_t>(frame).subspan(kFrameHeaderBytes, length), received)) << length;
+    }
+  }
+}
+
+/// Whatever the bytes, decode() returns; and what it accepts keeps the rules.
+void expectHarmless(std::span<const std::uint8_t> flatbuffer) {
+  Message message;
+  if (!decode(flatbuffer, message)) return;
+  if (const auto* set = std::get_if<ConstraintSet>(&message)) EXPECT_TRUE(isWellFormed(*set));
+  if (const auto* state = std::get_if<HapticState>(&message)) EXPECT_TRUE(isWellFormed(*state));
+  if (const auto* control = std::get_if<HapticControl>(&message)) EXPECT_TRUE(isWellFormed(*control));
+  if (const auto* target = std::get_if<HandTarget>(&message)) EXPECT_TRUE(isWellFormed(*target));
+}
+
+TEST(Codec, mutated_frames_do_no_harm) {
+  std::mt19937_64 random(20261121);
+  const std::vector<std::vector<std::uint8_t>> seeds = {frameOf(fullSet()),          frameOf(Hello{.program = "seed"}),
+                                                        frameOf(Welcome{}),          frameOf(HapticState{}),
+                                                        frameOf(ServerStatistics{}), frameOf(HandTarget{}),
+                                                        frameOf(Heartbeat{1, 2, 3})};
+  for (int round = 0; round < 40'000; ++round) {
+    auto bytes = seeds[random() % seeds.size()];
+    const std::size_t changes = 1 + random() % 8;
+    for (std::size_t i = 0; i < changes; ++i) {
+      const std::size_t place = kFrameHeaderBytes + random() % (bytes.size() - kFrameHeaderBytes);
+      // Offsets sit at the front of a FlatBuffer: change there more often than elsewhere.
+      const std::size_t front = kFrameHeaderBytes + random() % 64;
+      bytes[random() % 2 ? place : std::min(front, bytes.size() - 1)] = static_cast<std::uint8_t>(random());
+    }
+    if (random() % 4 == 0) bytes.resize(kFrameHeaderBytes + random() % (bytes.size() - kFrameHeaderBytes));
+    expectHarmless(std::span<const std::uint8_t>(bytes).subspan(kFrameHeaderBytes));
+  }
+}
+
+RC_GTEST_PROP(Codec, any_bytes_do_no_harm, (const std::vector<std::uint8_t>& bytes)) {
+  expectHarmless(bytes);
+}
+
+TEST(Codec, more_constraints_than_a_set_holds_are_refused) {
+  // The count of the constraints' vector, made larger in place: the verifier must see that the buffer ends before.
+  auto frame = frameOf(fullSet());
+  std::size_t changed = 0;
+  for (std::size_t i = kFrameHeaderBytes; i + 4 <= frame.size(); i += 4) {
+    if (frame[i] != kMaxConstraints || frame[i + 1] != 0 || frame[i + 2] != 0 || frame[i + 3] != 0) continue;
+    auto mutated = frame;
+    mutated[i] = kMaxConstraints + 1;
+    Message received;
+    if (!decode(std::span<const std::uint8_t>(mutated).subspan(kFrameHeaderBytes), received)) ++changed;
+  }
+  EXPECT_GE(changed, 1u);
+}
+
+TEST(FrameReader, cuts_a_stream_that_comes_in_any_pieces) {
+  std::vector<std::uint8_t> stream;
+  std::vector<std::vector<std::uint8_t>> frames;
+  for (int i = 0; i < 20; ++i) {
+    frames.push_back(frameOf(Refusal{std::string(static_cast<std::size_t>(i * 13), 'a')}));
+    stream.insert(stream.end(), frames.back().begin(), frames.back().end());
+  }
+  for (std::size_t piece : {1u, 2u, 3u, 7u, 64u, 1000u, 100000u}) {
+    FrameReader reader;
+    std::size_t seen = 0;
+    for (std::size_t begin = 0; begin < stream.size(); begin += piece) {
+      reader.append(std::span<const std::uint8_t>(stream).subspan(begin, std::min(piece, stream.size() - begin)));
+      for (auto frame = reader.next(); frame && !frame->empty(); frame = reader.next()) {
+        ASSERT_LT(seen, frames.size());
+        EXPECT_TRUE(
+            std::equal(frame->begin(), frame->end(), frames[seen].begin() + kFrameHeaderBytes, frames[seen].end()));
+        ++seen;
+      }
+    }
+    EXPECT_EQ(seen, frames.size()) << "pieces of " << piece;
+    EXPECT_EQ(reader.pending(), 0u);
+  }
+}
+
+TEST(FrameReader, a_length_that_cannot_be_is_an_error_and_stays_one) {
+  for (const std::uint32_t length : {std::uint32_t{0}, std::uint32_t{kMaxFrameBytes + 1}, 0xffffffffu, 0x20544547u}) {
+    FrameReader reader;
+    std::array<std::uint8_t, 4> header;
+    for (std::size_t i = 0; i < 4; ++i) header[i] = static_cast<std::uint8_t>(length >> (8 * i));
+    reader.append(header);
+    ASSERT_FALSE(reader.next()) << length;
+    EXPECT_NE(reader.next().error().message().find("frame length"), std::string::npos);
+    reader.append(header);
+    EXPECT_FALSE(reader.next());
+  }
+}
+
+}  // namespace
+}  // namespace hapticell::haptic
