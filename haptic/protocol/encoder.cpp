@@ -101,14 +101,20 @@ Offset<wire::Heartbeat> write(FlatBufferBuilder& builder, const Heartbeat& beat)
 
 struct Encoder::Implementation {
   FlatBufferBuilder builder{1024};
+  std::vector<std::uint8_t> frame;
 
   template <typename T>
   std::span<const std::uint8_t> encode(const T& value) {
     builder.Clear();
     const auto body = write(builder, value);
     const auto envelope = wire::CreateEnvelope(builder, wire::BodyTraits<wireType<T>>::enum_value, body.Union());
-    builder.FinishSizePrefixed(envelope, wire::EnvelopeIdentifier());
-    return {builder.GetBufferPointer(), builder.GetSize()};
+    // Not FinishSizePrefixed(): that aligns numbers to the prefix, so the FlatBuffer alone would not be a valid one.
+    builder.Finish(envelope, wire::EnvelopeIdentifier());
+    const std::uint32_t length = builder.GetSize();
+    frame.resize(kFrameHeaderBytes + length);
+    for (std::size_t i = 0; i < kFrameHeaderBytes; ++i) frame[i] = static_cast<std::uint8_t>(length >> (8 * i));
+    std::copy_n(builder.GetBufferPointer(), length, frame.data() + kFrameHeaderBytes);
+    return frame;
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include <rapidcheck/gtest.h>
 #include <limits>
+#include <random>
 
 #include "tests/haptic/protocol/any_message.h"
 #include "tests/haptic/protocol/same_message.h"
@@ -133,9 +134,13 @@ TEST(Codec, numbers_that_are_none_are_refused_in_words) {
 TEST(Codec, every_truncation_is_refused) {
   for (const Message& message : {Message(fullSet()), Message(Hello{}), Message(Welcome{}), Message(HapticState{})}) {
     const auto frame = frameOf(message);
-    for (std::size_t length = 0; length < frame.size() - kFrameHeaderBytes; length += 1 + length / 64) {
+    const std::size_t whole = frame.size() - kFrameHeaderBytes;
+    for (std::size_t length = 0; length < whole; length += 1 + length / 64) {
       Message received;
-      EXPECT_FALSE(decode(std::span<const std::uint8_t>(frame).subspan(kFrameHeaderBytes, length), received)) << length;
+      const bool read =
+          decode(std::span<const std::uint8_t>(frame).subspan(kFrameHeaderBytes, length), received).has_value();
+      // A FlatBuffer may end in padding, of which nothing is read.
+      EXPECT_TRUE(!read || (whole - length < 8 && same(received, message))) << length << " of " << whole;
     }
   }
 }
@@ -144,10 +149,13 @@ TEST(Codec, every_truncation_is_refused) {
 void expectHarmless(std::span<const std::uint8_t> flatbuffer) {
   Message message;
   if (!decode(flatbuffer, message)) return;
-  if (const auto* set = std::get_if<ConstraintSet>(&message)) EXPECT_TRUE(isWellFormed(*set));
-  if (const auto* state = std::get_if<HapticState>(&message)) EXPECT_TRUE(isWellFormed(*state));
-  if (const auto* control = std::get_if<HapticControl>(&message)) EXPECT_TRUE(isWellFormed(*control));
-  if (const auto* target = std::get_if<HandTarget>(&message)) EXPECT_TRUE(isWellFormed(*target));
+  const bool well_formed = std::visit(
+      [](const auto& value) {
+        if constexpr (requires { isWellFormed(value); }) return isWellFormed(value);
+        return true;
+      },
+      message);
+  EXPECT_TRUE(well_formed);
 }
 
 TEST(Codec, mutated_frames_do_no_harm) {
