@@ -30,6 +30,12 @@ class DurationHistogram {
   /// The duration that the share `p` in [0, 1] of all stays below, seconds (upper edge of its bucket); 0 when empty.
   double percentile(double p) const;
 
+  /// How many durations lie in buckets that end at or below `seconds`.
+  std::uint64_t countBelow(double seconds) const;
+
+  /// How many durations lie in buckets that end at or below `seconds`.
+  std::uint64_t countBelow(double seconds) const;
+
   void merge(const DurationHistogram& other) noexcept;
   void clear() noexcept { *this = {}; }
 

@@ -8,7 +8,8 @@
 
 namespace hapticell::haptic {
 
-ForceLoopOptions optionsFor(const DeviceCapabilities& capabilities, double rate_hz) {
+ForceLoopOptions optionsFor(const Device& device, double rate_hz) {
+  const DeviceCapabilities& capabilities = device.capabilities();
   ForceLoopOptions options;
   options.rate_hz = rate_hz;
   options.renderer.stiffness = capabilities.stiffness;
@@ -16,6 +17,12 @@ ForceLoopOptions optionsFor(const DeviceCapabilities& capabilities, double rate_
   options.renderer.peak_force = capabilities.peak_force;
   options.safety.peak_force = capabilities.peak_force;
   options.safety.continuous_force = capabilities.continuous_force;
+  // A killed client's socket is closed some milliseconds late, and 50 ms are promised from the kill.
+  options.safety.close_decay = 0.02;
+  if (const auto* simulated = dynamic_cast<const SimulatedDevice*>(&device)) {
+    options.renderer.delay = simulated->profile().delay_ticks / rate_hz;
+    options.safety.thermal_time = simulated->profile().thermal_time;
+  }
   return options;
 }
 
@@ -95,7 +102,9 @@ void ForceLoop::tick(const TickTiming& timing) noexcept {
 }
 
 void ForceLoop::shutDown() noexcept {
+  if (!running_) return;
   running_ = false;
+  publishFigures(clock_.now());
   device_.write(dvec3(0.0), dvec3(0.0));
   device_.close();
 }
@@ -194,8 +203,13 @@ void ForceLoop::publish(std::int64_t now, const TickTiming& timing) noexcept {
   state_.device_fault = device_fault_;
   states_.write(state_);
   statistics_.addTick(now, timing.late_ns, timing.skipped);
-  if (!statistics_.due()) return;
-  statistics_.collect(now, figures_.writeSlot());
+  if (statistics_.due()) publishFigures(now);
+}
+
+void ForceLoop::publishFigures(std::int64_t now) noexcept {
+  LoopFigures& figures = figures_.writeSlot();
+  statistics_.collect(now, figures);
+  report_.write(figures);
   figures_.publish();
 }
 

@@ -25,8 +25,8 @@ struct ForceLoopOptions {
   std::size_t log_ticks = 4096;  ///< How many ticks the log keeps.
 };
 
-/// The options that follow from what a device can do: its forces, stiffness and damping.
-ForceLoopOptions optionsFor(const DeviceCapabilities& capabilities, double rate_hz = 1000.0);
+/// The options that follow from what a device can do: its forces, stiffness, damping and delay.
+ForceLoopOptions optionsFor(const Device& device, double rate_hz = 1000.0);
 
 /// What a client is told of a device at connection.
 DeviceDescription describe(const Device& device);
@@ -46,8 +46,8 @@ struct TickTiming {
 /// tick() neither allocates, locks, logs nor throws. A simulated device is also advanced by the time that passed.
 ///
 /// A link is a controlling client's session. While it is open and heard the newest set is held, however old; closed,
-/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain), and forces must be
-/// enabled anew.
+/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain); heard
+/// again, it comes back through the engage gate.
 class ForceLoop {
  public:
   /// `device` must be open; it and `clock` must outlive the loop.
@@ -80,6 +80,10 @@ class ForceLoop {
   bool updateFigures() noexcept { return figures_.update(); }  ///< True about ten times a second.
   const LoopFigures& figures() const { return figures_.value(); }
 
+  // Any one other thread: the same figures once more, for a report.
+  bool updateReport() noexcept { return report_.update(); }
+  const LoopFigures& report() const { return report_.value(); }
+
  private:
   /// A message with the session it came from, so that a late one of an earlier client is not taken.
   template <typename T>
@@ -103,6 +107,7 @@ class ForceLoop {
   void readDevice() noexcept;
   void guardAndWrite(std::int64_t now, double dt) noexcept;
   void publish(std::int64_t now, const TickTiming& timing) noexcept;
+  void publishFigures(std::int64_t now) noexcept;
 
   Device& device_;
   SimulatedDevice* simulated_;  // The same device, when it is a simulated one.
@@ -117,7 +122,7 @@ class ForceLoop {
   Inbox<HapticControl> controls_;
   Inbox<HandTarget> targets_;
   TripleBuffer<HapticState> states_;
-  TripleBuffer<LoopFigures> figures_;
+  TripleBuffer<LoopFigures> figures_, report_;
 
   // Force thread's own.
   ForceRenderer renderer_;

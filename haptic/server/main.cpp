@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticell-haptic-server: a force loop, its device and its network thread. docs/protocol.md tells what it speaks.
+#include <signal.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <time.h>
+
+#include <cstdio>
+#include <vector>
+
+#include "config/configuration.h"
+#include "config/device_profile.h"
+#include "haptic/devices/simulated_device.h"
+#include "haptic/server/force_loop.h"
+#include "haptic/server/loop_report.h"
+#include "haptic/server/network_server.h"
+#include "haptic/server/real_time_runner.h"
+#include "haptic/server/server_options.h"
+
+namespace hapticell::haptic {
+namespace {
+
+Expected<config::DeviceProfile> findProfile(const std::string& name) {
+  const auto file = config::findShippedFile("devices/" + name + ".toml");
+  if (!file) return tl::unexpected(file.error());
+  return config::readDeviceProfile(*file);
+}
+
+ForceLoopOptions loopOptions(const Device& device, const config::Configuration& configuration) {
+  ForceLoopOptions options = optionsFor(device, configuration.haptic.rate_hz);
+  if (configuration.haptic.stiffness > 0.0) options.renderer.stiffness = configuration.haptic.stiffness;
+  if (configuration.haptic.damping > 0.0) options.renderer.damping = configuration.haptic.damping;
+  options.safety.ramp_time = configuration.haptic.force_ramp_s;
+  return options;
+}
+
+HandOptions handOptions(const config::Configuration::Hand& hand) {
+  HandOptions options;
+  options.mass = hand.mass;
+  options.stiffness = hand.stiffness;
+  options.damping = hand.damping;
+  return options;
+}
+
+NetworkOptions networkOptions(const ServerOptions& asked, const config::Configuration& configuration) {
+  NetworkOptions options;
+  options.address = asked.listen;
+  options.port = asked.port.value_or(static_cast<std::uint16_t>(configuration.server.port));
+  options.allow_unprotected_network = asked.allow_unprotected_network;
+  options.state_rate_hz = asked.state_rate_hz;
+  options.report = [](const std::string& sentence) { spdlog::info("{}", sentence); };
+  return options;
+}
+
+/// Waits for a signal to end, or for the time to be over; prints the figures at SIGUSR1.
+void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds) {
+  const RealClock clock;
+  const std::int64_t end = clock.now() + toNanoseconds(seconds);
+  while (true) {
+    const std::int64_t left = seconds > 0.0 ? end - clock.now() : toNanoseconds(3600.0);
+    if (left <= 0) return;
+    const timespec wait{static_cast<time_t>(left / 1'000'000'000), static_cast<long>(left % 1'000'000'000)};
+    const int signal = sigtimedwait(&signals, nullptr, &wait);
+    if (signal == SIGINT || signal == SIGTERM) return;
+    if (signal != SIGUSR1) continue;
+    loop.updateReport();
+    std::fputs(loopReport(loop.report()).c_str(), stderr);
+  }
+}
+
+sigset_t blockSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // Inherited by every thread that is started later.
+  signal(SIGPIPE, SIG_IGN);
+  return signals;
+}
+
+Expected<void> serve(const ServerOptions& asked) {
+  const auto configuration = config::loadConfiguration(asked.config);
+  if (!configuration) return tl::unexpected(configuration.error());
+  const auto profile = findProfile(asked.device.value_or(configuration->haptic.device));
+  if (!profile) return tl::unexpected(profile.error());
+  SimulatedDevice device(*profile);
+  device.hand().setOptions(handOptions(configuration->hand));
+  if (const auto opened = device.open(); !opened) return tl::unexpected(opened.error());
+
+  const sigset_t signals = blockSignals();
+  const RealClock clock;
+  ForceLoop loop(device, clock, loopOptions(device, *configuration));
+  RealTimeRunner runner(loop, {.fifo = asked.real_time, .lock_memory = asked.real_time});
+  auto network = NetworkServer::start(loop, clock, describe(device), networkOptions(asked, *configuration));
+  if (!network) return tl::unexpected(network.error());
+  if (asked.allow_unprotected_network) spdlog::warn("The link is not protected: who reaches it can take the stylus.");
+  runner.start();
+  for (const std::string& warning : runner.warnings()) spdlog::warn("{}", warning);
+  std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
+              static_cast<unsigned>((*network)->port()), profile->name.c_str(), configuration->haptic.rate_hz);
+  std::fflush(stdout);
+  waitForTheEnd(loop, signals, asked.seconds);
+
+  runner.stop();  // Force zero before anything else ends.
+  network->reset();
+  loop.updateReport();
+  std::fputs(loopReport(loop.report()).c_str(), stderr);
+  return {};
+}
+
+int run(int count, char** words) {
+  const std::vector<std::string_view> given(words + 1, words + count);
+  const auto options = parseServerOptions(given);
+  if (options && options->help) {
+    std::fputs(std::string(serverUsage()).c_str(), stdout);
+    return 0;
+  }
+  if (options && options->version) {
+    std::puts("hapticell-haptic-server " HAPTICELL_VERSION);
+    return 0;
+  }
+  const auto served = options ? serve(*options) : Expected<void>(tl::unexpected(options.error()));
+  if (served) return 0;
+  std::fprintf(stderr, "hapticell-haptic-server: %s\n", served.error().message().c_str());
+  return 2;
+}
+
+}  // namespace
+}  // namespace hapticell::haptic
+
+int main(int count, char** words) {
+  try {
+    spdlog::set_default_logger(spdlog::stderr_logger_mt("server"));
+    spdlog::set_pattern("%H:%M:%S.%e %l: %v");
+    return hapticell::haptic::run(count, words);
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "hapticell-haptic-server: %s\n", failure.what());
+    return 2;
+  }
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/server/server_options.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace hapticell::haptic {
+
+namespace {
+
+tl::unexpected<Error> refuse(std::string_view option, std::string found, std::string expected) {
+  return makeError({.file = "command line",
+                    .place = std::string(option),
+                    .found = std::move(found),
+                    .expected = std::move(expected),
+                    .fix = "hapticell-haptic-server --help lists the options."});
+}
+
+/// A number written as in C, whatever the locale; nothing when `text` is not one, or out of range.
+template <typename T>
+std::optional<T> number(std::string_view text, T least, T most) {
+  T value{};
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || end != text.data() + text.size() || !(value >= least && value <= most)) return {};
+  return value;
+}
+
+bool setSwitch(ServerOptions& options, std::string_view option) {
+  if (option == "--help" || option == "-h") return options.help = true;
+  if (option == "--version") return options.version = true;
+  if (option == "--allow-unprotected-network") return options.allow_unprotected_network = true;
+  if (option == "--no-real-time") {
+    options.real_time = false;
+    return true;
+  }
+  return false;
+}
+
+Expected<void> setValue(ServerOptions& options, std::string_view option, std::string_view value) {
+  const std::string found = "\"" + std::string(value) + "\"";
+  if (option == "--device") options.device = value;
+  if (option == "--listen") options.listen = value;
+  if (option == "--config") options.config = value;
+  if (option == "--port") {
+    options.port = number<std::uint16_t>(value, 0, 65535);
+    if (!options.port) return refuse(option, found, "a port from 0 (any) to 65535");
+  }
+  if (option == "--seconds") {
+    const auto seconds = number(value, 0.0, 1e9);
+    if (!seconds) return refuse(option, found, "seconds from 0 (for ever) up");
+    options.seconds = *seconds;
+  }
+  if (option == "--state-rate") {
+    const auto rate = number(value, 1.0, 10000.0);
+    if (!rate) return refuse(option, found, "1 to 10000 per second");
+    options.state_rate_hz = *rate;
+  }
+  return {};
+}
+
+bool takesValue(std::string_view option) {
+  for (const std::string_view known : {"--device", "--listen", "--config", "--port", "--seconds", "--state-rate"}) {
+    if (option == known) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Expected<ServerOptions> parseServerOptions(std::span<const std::string_view> words) {
+  ServerOptions options;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    const std::string_view option = words[i].substr(0, equals);
+    if (setSwitch(options, words[i])) continue;
+    if (!takesValue(option)) return refuse(words[i], "not an option", "one of those that --help lists");
+    const bool joined = equals != std::string_view::npos;
+    if (!joined && i + 1 == words.size()) return refuse(option, "nothing", "a value after it");
+    const std::string_view value = joined ? words[i].substr(equals + 1) : words[++i];
+    if (const auto set = setValue(options, option, value); !set) return tl::unexpected(set.error());
+  }
+  return options;
+}
+
+std::string_view serverUsage() {
+  return R"(usage: hapticell-haptic-server [OPTION]...
+
+Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (docs/protocol.md).
+
+  --device NAME      profile of the stylus, as in config/devices/ (default: as configured)
+  --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only)
+  --port N           TCP port (default: as configured, 4747; 0: any that is free)
+  --config FILE      a hapticell.toml to read besides the usual ones
+  --state-rate HZ    how often the stylus's state is sent at most (default: 1000)
+  --seconds N        end by itself after so long
+  --no-real-time     do not ask for real-time priority and locked memory
+  --allow-unprotected-network
+                     let ADDRESS be one that other machines can reach: anybody there can take the stylus
+  --help, --version
+
+Prints one line when it listens. SIGUSR1 prints the force loop's figures; SIGINT and SIGTERM end it, force zero first.
+)";
+}
+
+}  // namespace hapticell::haptic
