@@ -37,14 +37,6 @@ std::uint64_t DurationHistogram::countBelow(double seconds) const {
   return below;
 }
 
-std::uint64_t DurationHistogram::countBelow(double seconds) const {
-  std::uint64_t below = 0;
-  for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
-    if (1e-6 * static_cast<double>(upperEdge(bucket)) <= seconds * (1.0 + 1e-9)) below += buckets_[bucket];
-  }
-  return below;
-}
-
 void DurationHistogram::merge(const DurationHistogram& other) noexcept {
   for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) buckets_[bucket] += other.buckets_[bucket];
   count_ += other.count_;

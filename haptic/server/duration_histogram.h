@@ -33,9 +33,6 @@ class DurationHistogram {
   /// How many durations lie in buckets that end at or below `seconds`.
   std::uint64_t countBelow(double seconds) const;
 
-  /// How many durations lie in buckets that end at or below `seconds`.
-  std::uint64_t countBelow(double seconds) const;
-
   void merge(const DurationHistogram& other) noexcept;
   void clear() noexcept { *this = {}; }
 

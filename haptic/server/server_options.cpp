@@ -37,7 +37,7 @@ bool setSwitch(ServerOptions& options, std::string_view option) {
 }
 
 Expected<void> setValue(ServerOptions& options, std::string_view option, std::string_view value) {
-  const std::string found = "\"" + std::string(value) + "\"";
+  const std::string found = std::string("\"").append(value).append("\"");
   if (option == "--device") options.device = value;
   if (option == "--listen") options.listen = value;
   if (option == "--config") options.config = value;
