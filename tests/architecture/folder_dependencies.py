@@ -30,7 +30,7 @@ ALLOWED = {
 # Foreign headers that only some folders may see.
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
-    r"^urdf_": {"workcell"},
+    r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
     r"^toml\+\+": {"config"},
     r"^asio": {"haptic/server", "haptic/client"},
     r"^CLI/": {"cli"},

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace hapticell::workcell {
+
+/// Finds the file that a robot description names: "package://NAME/rest" or "model://NAME/rest", "file://path", an
+/// absolute path, or one relative to the description's folder.
+///
+/// A package is looked for beside the description and in each folder above it: a folder called NAME, or one whose
+/// package.xml says so; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Empty when
+/// there is no such file.
+std::optional<std::filesystem::path> resolveMeshPath(const std::string& uri,
+                                                     const std::filesystem::path& description_folder);
+
+}  // namespace hapticell::workcell
