@@ -65,7 +65,8 @@ Expected<urdf::ModelInterfaceSharedPtr> parse(const std::string& content, const 
     thrown = exception.what();
   }
   console_bridge::restorePreviousOutputHandler();
-  if (model) return model;
+  // It goes on after some faults with half a link, so any complaint counts.
+  if (model && complaint.text().empty()) return model;
   const std::string reason = !complaint.text().empty() ? complaint.text() : thrown;
   return makeError({file, "", reason.empty() ? "it is not accepted as URDF" : reason, "valid URDF", ""});
 }
@@ -155,7 +156,13 @@ Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& di
     if (!joint.X_PJ.isValid())
       return makeError({path.string(), "joint '" + joint.name + "'", "an origin that is not a pose", "", ""});
   }
-  UrdfShapes shapes(path, diagnostics);
+  std::set<std::string> undefined;
+  for (const UrdfElement& material : structure->undefined_materials) {
+    diagnostics.warn("line " + std::to_string(material.line) + ": the material '" + material.name +
+                     "' is defined nowhere; its links are shown grey");
+    undefined.insert(material.name);
+  }
+  UrdfShapes shapes(path, undefined, diagnostics);
   for (kinematics::Link& link : model.links) {
     if (auto filled = shapes.fill(*(*source)->getLink(link.name), link); !filled) return makeError(filled.error());
   }

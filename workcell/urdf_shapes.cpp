@@ -26,11 +26,11 @@ bool readable(const std::string& extension) {
   return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".off";
 }
 
-std::array<float, 4> colorOf(const urdf::Visual& visual) {
-  if (!visual.material) return LinkShape{}.color;
+std::optional<std::array<float, 4>> colorOf(const urdf::Visual& visual, const std::set<std::string>& undefined) {
+  if (!visual.material || undefined.count(visual.material->name)) return std::nullopt;
   const urdf::Color& c = visual.material->color;
   const auto channel = [](float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.7f; };
-  return {channel(c.r), channel(c.g), channel(c.b), channel(c.a)};
+  return std::array<float, 4>{channel(c.r), channel(c.g), channel(c.b), channel(c.a)};
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -144,10 +144,11 @@ Expected<void> UrdfShapes::fill(const urdf::Link& source, kinematics::Link& link
   for (const urdf::VisualSharedPtr& visual : source.visual_array) {
     auto shape = shapeOf(link.name, visual->geometry, visual->origin);
     if (!shape) return makeError(shape.error());
-    if (!color && visual->material) color = colorOf(*visual);
+    const auto own_color = colorOf(*visual, undefined_materials_);
+    if (!color) color = own_color;
     lost_visual = lost_visual || !shape->has_value();
     if (!shape->has_value()) continue;
-    (*shape)->color = colorOf(*visual);
+    if (own_color) (*shape)->color = *own_color;
     link.visuals.push_back(std::move(**shape));
   }
   for (const urdf::CollisionSharedPtr& collision : source.collision_array) {

@@ -36,6 +36,7 @@ class UrdfShapes {
   using MeshKey = std::tuple<std::string, double, double, double>;
 
   std::filesystem::path file_;
+  std::set<std::string> undefined_materials_;
   Diagnostics& diagnostics_;
   std::map<MeshKey, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
   std::set<std::string> unreadable_formats_;

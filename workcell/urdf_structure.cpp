@@ -81,11 +81,15 @@ class Checker {
   std::map<std::string, int> link_lines_, joint_lines_;
   std::vector<UrdfJointElement> joints_;
   std::map<std::string, MimicOf> mimics_;
+  std::map<std::string, int> used_materials_;
+  std::set<std::string> defined_materials_;
 
   Expected<void> readLink(const TiXmlElement& element);
   Expected<void> readJoint(const TiXmlElement& element);
   Expected<void> checkLimit(const TiXmlElement& element, const UrdfJointElement& joint) const;
   Expected<void> checkNumbers(const TiXmlElement& element) const;
+  void noteMaterials(const TiXmlElement& element);
+  std::vector<UrdfElement> undefinedMaterials() const;
   Expected<void> checkEnds() const;
   Expected<void> checkMimics() const;
   Expected<std::string> findRoot() const;
@@ -125,6 +129,27 @@ Expected<void> Checker::checkNumbers(const TiXmlElement& element) const {
     if (auto checked = checkNumbers(*child); !checked) return checked;
   }
   return {};
+}
+
+// A material with a color or texture defines its name, there or at the top of the file; one without refers to it.
+void Checker::noteMaterials(const TiXmlElement& element) {
+  if (element.ValueStr() == "material") {
+    const std::string name = attribute(element, "name");
+    const bool defines = element.FirstChildElement("color") || element.FirstChildElement("texture");
+    if (defines) defined_materials_.insert(name);
+    if (!defines) used_materials_.emplace(name, element.Row());
+  }
+  for (const TiXmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    noteMaterials(*child);
+  }
+}
+
+std::vector<UrdfElement> Checker::undefinedMaterials() const {
+  std::vector<UrdfElement> undefined;
+  for (const auto& [name, line] : used_materials_) {
+    if (!defined_materials_.count(name)) undefined.push_back({name, line});
+  }
+  return undefined;
 }
 
 Expected<void> Checker::readLink(const TiXmlElement& element) {
@@ -300,12 +325,14 @@ Expected<UrdfStructure> Checker::check(const TiXmlElement& robot) {
                     "Expand the file first: xacro FILE > robot.urdf.");
     }
     Expected<void> read;
+    if (child->ValueStr() == "link" || child->ValueStr() == "material") noteMaterials(*child);
     if (child->ValueStr() == "link") read = readLink(*child);
     if (child->ValueStr() == "joint") read = readJoint(*child);
     if (child->ValueStr() == "material") read = checkNumbers(*child);
     if (!read) return makeError(read.error());
   }
-  if (links_.size() > kMostLinks) return refuse(robot.Row(), std::to_string(links_.size()) + " links", "at most 5000", "");
+  if (links_.size() > kMostLinks)
+    return refuse(robot.Row(), std::to_string(links_.size()) + " links", "at most 5000", "");
   if (links_.empty()) return refuse(robot.Row(), "<robot> has no links", "at least one <link>", "");
   if (auto checked = checkEnds(); !checked) return makeError(checked.error());
   if (auto checked = checkMimics(); !checked) return makeError(checked.error());
@@ -315,6 +342,7 @@ Expected<UrdfStructure> Checker::check(const TiXmlElement& robot) {
   if (!sorted) return makeError(sorted.error());
   structure.root_link = *root;
   structure.joints = std::move(*sorted);
+  structure.undefined_materials = undefinedMaterials();
   return structure;
 }
 
@@ -328,8 +356,9 @@ Expected<UrdfStructure> checkUrdfStructure(const std::string& content, const std
   TiXmlDocument document;
   document.Parse(content.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
-    return checker.refuse(document.ErrorRow(), std::string("XML that does not parse (") + document.ErrorDesc() + ")",
-                          "well-formed XML", "");
+    const auto last_line = static_cast<int>(1 + std::count(content.begin(), content.end(), '\n'));
+    return checker.refuse(document.ErrorRow() > 0 ? document.ErrorRow() : last_line,
+                          std::string("XML that does not parse (") + document.ErrorDesc() + ")", "well-formed XML", "");
   }
   const TiXmlElement* robot = document.RootElement();
   if (!robot || robot->ValueStr() != "robot") {

@@ -23,7 +23,8 @@ struct UrdfJointElement : UrdfElement {
 struct UrdfStructure {
   std::string robot_name;
   std::string root_link;
-  std::vector<UrdfJointElement> joints;  ///< Depth first from the root, in the order of the file.
+  std::vector<UrdfElement> undefined_materials;  ///< Named by a visual, defined nowhere.
+  std::vector<UrdfJointElement> joints;          ///< Depth first from the root, in the order of the file.
 };
 
 /// Checks the XML of a URDF file and the tree that its links and joints form, before any library sees it.
