@@ -23,8 +23,9 @@ Pose toPose(const urdf::Pose& origin);
 /// Turns the shapes of URDF links into meshes; reads each mesh file once.
 class UrdfShapes {
  public:
-  UrdfShapes(std::filesystem::path file, Diagnostics& diagnostics)
-      : file_(std::move(file)), diagnostics_(diagnostics) {}
+  /// Materials named in `undefined_materials` have no color of their own.
+  UrdfShapes(std::filesystem::path file, std::set<std::string> undefined_materials, Diagnostics& diagnostics)
+      : file_(std::move(file)), undefined_materials_(std::move(undefined_materials)), diagnostics_(diagnostics) {}
 
   /// Fills the link's visuals and collisions; see readUrdf() for what replaces what.
   Expected<void> fill(const urdf::Link& source, kinematics::Link& link);
