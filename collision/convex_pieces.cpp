@@ -4,24 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/patch_merger.h"
 #include "collision/surface_patches.h"
 
 namespace hapticell::collision {
 namespace {
-
-constexpr double kShellThickness = 1e-5;  // given to flat patches, metres; less on small meshes
-
-std::optional<ConvexHull> hullOfPatch(const SurfaceGraph& graph, const Patch& patch, double tolerance) {
-  std::vector<dvec3> points;
-  for (const auto vertex : patch.vertices) points.push_back(graph.mesh().vertices[vertex]);
-  const double fine = 0.01 * tolerance;
-  if (auto hull = convexHull(points, fine); hull && !graph.isFlat(patch)) return hull;
-  const std::size_t count = points.size();
-  const double thickness = std::min(kShellThickness, 0.01 * graph.size());
-  const dvec3 inward = -thickness * graph.normal(patch.triangles.front());
-  for (std::size_t i = 0; i < count; ++i) points.push_back(points[i] + inward);
-  return convexHull(points, std::min(fine, 1e-4 * thickness));
-}
 
 std::vector<std::uint8_t> realPlanes(const SurfaceGraph& graph, const Patch& patch, const ConvexHull& hull,
                                      double tolerance) {
@@ -48,7 +35,7 @@ std::shared_ptr<const ConvexPieces> ConvexPieces::build(const geometry::Triangle
   result->tolerance_ = tolerance > 0.0 ? tolerance : std::max(1e-6, 1e-5 * size);
   const SurfaceGraph graph(mesh, result->tolerance_);
   for (const Patch& patch : convexPatches(graph)) {
-    auto hull = hullOfPatch(graph, patch, result->tolerance_);
+    auto hull = hullOfPatch(graph, patch);
     if (!hull) continue;
     ConvexPiece piece;
     piece.hull = std::move(*hull);

@@ -1,11 +1,188 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/patch_merger.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "collision/convex_hull.h"
+#include "collision/mesh_search.h"
 
 namespace hapticell::collision {
+namespace {
+
+constexpr std::size_t kMostVertices = 400;  // of one merged patch
+constexpr int kPasses = 3;
+
+struct MergeEdge {
+  std::uint32_t triangle_a = 0, triangle_b = 0;
+  bool flat = false;
+  double cosine = 1.0;
+  double length = 0.0;
+};
+
+/// What is known of a growing patch.
+struct Growing {
+  Patch patch;
+  std::vector<HullPlane> faces;  ///< Planes of its triangles, equal ones once.
+  geometry::Bounds bounds;
+};
+
+/// What of a triangle lies behind all planes, each moved inwards by `depth`, is more than nothing.
+bool reachesInside(const ConvexHull& hull, const std::array<dvec3, 3>& corners, double depth) {
+  std::vector<dvec3> polygon(corners.begin(), corners.end());
+  std::vector<dvec3> kept;
+  for (const HullPlane& plane : hull.planes) {
+    kept.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const dvec3& p = polygon[i];
+      const dvec3& q = polygon[(i + 1) % polygon.size()];
+      const double above_p = glm::dot(plane.nhat, p) - plane.offset + depth;
+      const double above_q = glm::dot(plane.nhat, q) - plane.offset + depth;
+      if (above_p < 0.0) kept.push_back(p);
+      if ((above_p < 0.0) != (above_q < 0.0)) kept.push_back(p + above_p / (above_p - above_q) * (q - p));
+    }
+    std::swap(polygon, kept);
+    if (polygon.empty()) return false;
+  }
+  return true;
+}
+
+class PatchMerger {
+ public:
+  PatchMerger(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider);
+  std::vector<Patch> run();
+
+ private:
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<MergeEdge> edges() const;
+  bool isBehind(const Growing& faces, const Growing& points) const;
+  bool isHollow(const ConvexHull& hull, std::uint32_t a, std::uint32_t b);
+  bool merge(std::uint32_t a, std::uint32_t b);
+
+  const SurfaceGraph& graph_;
+  const MeshCollider& collider_;
+  std::vector<std::uint32_t> component_;
+  std::vector<std::uint32_t> parent_;  // by triangle of the graph
+  std::vector<Growing> growing_;
+  std::vector<std::uint32_t> near_;
+};
+
+PatchMerger::PatchMerger(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider)
+    : graph_(graph), collider_(collider), component_(component.triangles) {
+  parent_.resize(graph.mesh().triangles.size());
+  std::iota(parent_.begin(), parent_.end(), 0u);
+  growing_.resize(parent_.size());
+  for (const auto triangle : component_) {
+    Growing& growing = growing_[triangle];
+    growing.patch = graph.patchOf({triangle});
+    growing.faces = {{graph.normal(triangle), glm::dot(graph.normal(triangle), graph.mesh().corner(triangle, 0))}};
+    for (int k = 0; k < 3; ++k) growing.bounds.add(graph.mesh().corner(triangle, k));
+  }
+}
+
+std::vector<MergeEdge> PatchMerger::edges() const {
+  std::vector<MergeEdge> result;
+  for (const auto triangle : component_) {
+    for (int k = 0; k < 3; ++k) {
+      const auto other = graph_.neighbour(triangle, k);
+      if (other == SurfaceGraph::kNone || other < triangle || !graph_.isConvexAcross(triangle, k)) continue;
+      MergeEdge edge{triangle, other, false, glm::dot(graph_.normal(triangle), graph_.normal(other)), 0.0};
+      edge.flat = graph_.isFlat(graph_.patchOf({triangle, other}));
+      edge.length = glm::length(graph_.mesh().corner(triangle, k) - graph_.mesh().corner(triangle, (k + 1) % 3));
+      result.push_back(edge);
+    }
+  }
+  std::stable_sort(result.begin(), result.end(), [](const MergeEdge& a, const MergeEdge& b) {
+    if (a.flat != b.flat) return a.flat;
+    if (!a.flat && std::abs(a.cosine - b.cosine) > 1e-3) return a.cosine < b.cosine;
+    return a.length > b.length;
+  });
+  return result;
+}
+
+bool PatchMerger::isBehind(const Growing& faces, const Growing& points) const {
+  return std::all_of(faces.faces.begin(), faces.faces.end(), [&](const HullPlane& plane) {
+    return std::all_of(points.patch.vertices.begin(), points.patch.vertices.end(), [&](auto vertex) {
+      return glm::dot(plane.nhat, graph_.mesh().vertices[vertex]) <= plane.offset + graph_.tolerance();
+    });
+  });
+}
+
+bool PatchMerger::isHollow(const ConvexHull& hull, std::uint32_t a, std::uint32_t b) {
+  near_.clear();
+  trianglesWithin(collider_, geometry::boundsOf(hull.vertices), 0.0, near_);
+  return std::none_of(near_.begin(), near_.end(), [&](auto triangle) {
+    const auto owner = root(triangle);
+    if (owner == a || owner == b) return false;
+    const auto& mesh = graph_.mesh();
+    return reachesInside(hull, {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)},
+                         graph_.tolerance());
+  });
+}
+
+bool PatchMerger::merge(std::uint32_t a, std::uint32_t b) {
+  Growing& first = growing_[a];
+  Growing& second = growing_[b];
+  if (first.patch.vertices.size() + second.patch.vertices.size() > kMostVertices) return false;
+  if (!isBehind(first, second) || !isBehind(second, first)) return false;
+  Patch both;
+  both.triangles = first.patch.triangles;
+  both.triangles.insert(both.triangles.end(), second.patch.triangles.begin(), second.patch.triangles.end());
+  std::set_union(first.patch.vertices.begin(), first.patch.vertices.end(), second.patch.vertices.begin(),
+                 second.patch.vertices.end(), std::back_inserter(both.vertices));
+  const auto hull = hullOfPatch(graph_, both);
+  if (!hull || !isHollow(*hull, a, b)) return false;
+  first.patch = std::move(both);
+  first.bounds.add(second.bounds);
+  for (const HullPlane& plane : second.faces) {
+    const bool known = std::any_of(first.faces.begin(), first.faces.end(), [&](const HullPlane& other) {
+      return glm::dot(other.nhat, plane.nhat) > 1.0 - 1e-12 && std::abs(other.offset - plane.offset) < 1e-9;
+    });
+    if (!known) first.faces.push_back(plane);
+  }
+  second = {};
+  parent_[b] = a;
+  return true;
+}
+
+std::vector<Patch> PatchMerger::run() {
+  const std::vector<MergeEdge> all = edges();
+  std::set<std::array<std::size_t, 4>> failed;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    bool changed = false;
+    for (const MergeEdge& edge : all) {
+      auto a = root(edge.triangle_a);
+      auto b = root(edge.triangle_b);
+      if (a == b) continue;
+      if (growing_[a].patch.triangles.size() < growing_[b].patch.triangles.size()) std::swap(a, b);
+      const std::array<std::size_t, 4> attempt{a, growing_[a].patch.triangles.size(), b,
+                                               growing_[b].patch.triangles.size()};
+      if (failed.count(attempt) != 0) continue;
+      if (merge(a, b)) {
+        changed = true;
+      } else {
+        failed.insert(attempt);
+      }
+    }
+    if (!changed) break;
+  }
+  std::vector<Patch> patches;
+  for (const auto triangle : component_) {
+    if (root(triangle) == triangle) patches.push_back(std::move(growing_[triangle].patch));
+  }
+  return patches;
+}
+
+}  // namespace
 
 bool isConvexSurface(const SurfaceGraph& graph, const Patch& patch) {
   const double tolerance = graph.tolerance();
@@ -24,10 +201,22 @@ bool isConvexSurface(const SurfaceGraph& graph, const Patch& patch) {
   return true;
 }
 
-std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component) {
-  std::vector<Patch> patches;
-  for (const auto triangle : component.triangles) patches.push_back(graph.patchOf({triangle}));
-  return patches;
+std::optional<ConvexHull> hullOfPatch(const SurfaceGraph& graph, const Patch& patch) {
+  std::vector<dvec3> points;
+  for (const auto vertex : patch.vertices) points.push_back(graph.mesh().vertices[vertex]);
+  const double fine = 0.01 * graph.tolerance();
+  if (!graph.isFlat(patch)) {
+    if (auto hull = convexHull(points, fine)) return hull;
+  }
+  // A flat patch becomes a thin shell inside the material.
+  const std::size_t count = points.size();
+  const dvec3 inward = -4.0 * graph.tolerance() * graph.normal(patch.triangles.front());
+  for (std::size_t i = 0; i < count; ++i) points.push_back(points[i] + inward);
+  return convexHull(points, fine);
+}
+
+std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider) {
+  return PatchMerger(graph, component, collider).run();
 }
 
 }  // namespace hapticell::collision

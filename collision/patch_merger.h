@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "collision/convex_hull.h"
+#include "collision/mesh_collider.h"
 #include "collision/surface_patches.h"
 
 namespace hapticell::collision {
@@ -10,9 +13,13 @@ namespace hapticell::collision {
 /// Every triangle of the patch lies on the convex hull of the patch, facing outward.
 bool isConvexSurface(const SurfaceGraph& graph, const Patch& patch);
 
+/// The hull of a patch; a flat one gets a thickness of four tolerances behind its surface. Nothing for slivers.
+std::optional<ConvexHull> hullOfPatch(const SurfaceGraph& graph, const Patch& patch);
+
 /// Cuts one connected component that is not convex: starts from single triangles and joins neighbours across edges that
-/// are not concave, flat ones first, then by length of the shared border, as long as the hull of the union holds
-/// no other surface deeper than the tolerance and all joined triangles stay on the hull.
-std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component);
+/// are not concave (flat ones first, then the sharpest, then the longest) as long as all joined triangles stay on the
+/// hull of the union and that hull holds no other surface deeper than the tolerance. `collider` is that of
+/// graph.mesh().
+std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider);
 
 }  // namespace hapticell::collision

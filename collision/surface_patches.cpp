@@ -157,13 +157,15 @@ std::vector<std::vector<std::uint32_t>> SurfaceGraph::components() const {
 
 std::vector<Patch> convexPatches(const SurfaceGraph& graph) {
   std::vector<Patch> patches;
+  std::shared_ptr<const MeshCollider> collider;
   for (auto& component : graph.components()) {
     Patch whole = graph.patchOf(std::move(component));
     if (isConvexSurface(graph, whole)) {
       patches.push_back(std::move(whole));
       continue;
     }
-    for (Patch& patch : mergedPatches(graph, whole)) patches.push_back(std::move(patch));
+    if (!collider) collider = MeshCollider::build(graph.mesh());
+    for (Patch& patch : mergedPatches(graph, whole, *collider)) patches.push_back(std::move(patch));
   }
   return patches;
 }
