@@ -98,34 +98,6 @@ bool isCovered(const PieceGroup& group, const dvec3& d, double tolerance) {
   });
 }
 
-/// Wherever `strong` is free `weak` is free too, also after the rotations within the limits.
-bool implies(const PieceGroup& strong, const PieceGroup& weak, double max_rotation) {
-  return std::all_of(strong.chosen.begin(), strong.chosen.end(), [&](auto i) {
-    const SeparatingDirection& a = strong.directions[i];
-    return std::any_of(weak.chosen.begin(), weak.chosen.end(), [&](auto j) {
-      const SeparatingDirection& b = weak.directions[j];
-      const double turn = max_rotation * glm::length(a.supports.front().p_W - b.supports.front().p_W);
-      return b.gap + kTouch >= a.gap + turn && glm::dot(a.nhat_W, b.nhat_W) > 1.0 - 1e-10;
-    });
-  });
-}
-
-void dropImplied(std::vector<PieceGroup>& groups, double max_rotation) {
-  std::vector<bool> dropped(groups.size(), false);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = 0; j < groups.size() && !dropped[i]; ++j) {
-      dropped[i] = i != j && !dropped[j] && implies(groups[j], groups[i], max_rotation);
-    }
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (dropped[i]) continue;
-    if (kept != i) groups[kept] = std::move(groups[i]);
-    ++kept;
-  }
-  groups.resize(kept);
-}
-
 }  // namespace
 
 double separationAt(const PieceGroup& group, const dvec3& d_W) {
@@ -147,7 +119,6 @@ void chooseDirections(std::vector<PieceGroup>& groups, const DirectionLimits& li
       if (!isCovered(group, d, tolerance)) group.chosen.push_back(bestAt(group, d, kTouch));
     }
   }
-  dropImplied(groups, limits.max_rotation);
 }
 
 }  // namespace hapticell::collision

@@ -23,7 +23,7 @@ double separationAt(const PieceGroup& group, const dvec3& d_W);
 
 /// Chooses for each group of one moving part the directions that free places within `reach` (m) need: the best where
 /// the body stands, then for every place tried that is free of all groups one that says so, faces of the mesh first.
-/// Fewer directions than all of them only ever take room away. Groups that another one implies are removed.
+/// Fewer directions than all of them only ever take room away.
 void chooseDirections(std::vector<PieceGroup>& groups, const DirectionLimits& limits);
 
 }  // namespace hapticell::collision

@@ -4,32 +4,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace hapticell::collision {
 namespace {
 
 constexpr std::uint32_t kObstacleFeature = 0x80000000u;
 constexpr std::uint32_t kEdgeFeature = 0x40000000u;
+constexpr std::uint32_t kVertexMask = 0x0FFFFFFFu;
+constexpr double kEqualHeight = 1e-9;  // metres
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Extreme {
   double value = 0.0;
   std::uint32_t vertex = 0;
 };
-
-Extreme lowest(const std::vector<dvec3>& points, const dvec3& nhat) {
-  Extreme best{kInfinity, 0};
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (const double value = glm::dot(nhat, points[i]); value < best.value) best = {value, i};
-  }
-  return best;
-}
-
-Extreme highest(const std::vector<dvec3>& points, const dvec3& nhat) {
-  const Extreme mirrored = lowest(points, -nhat);
-  return {-mirrored.value, mirrored.vertex};
-}
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -46,22 +37,42 @@ bool meets(const geometry::Bounds& box, const dvec3& a, const dvec3& b) {
          glm::all(glm::lessThanEqual(glm::min(a, b), box.max));
 }
 
-/// Keeps the first and of the others those farthest apart, nearest to the face first among equals.
-void thinOut(std::vector<SupportPoint>& supports, std::size_t count) {
-  if (supports.size() <= count) return;
-  std::vector<double> apart(supports.size(), kInfinity);
-  std::size_t newest = 0;
-  for (std::size_t kept = 1; kept < count; ++kept) {
-    std::size_t best = kept;
-    for (std::size_t i = kept; i < supports.size(); ++i) {
-      apart[i] = std::min(apart[i], glm::length(supports[i].p_W - supports[newest].p_W));
-      if (apart[i] > apart[best] * (1.0 + 1e-9)) best = i;
-    }
-    std::swap(supports[kept], supports[best]);
-    std::swap(apart[kept], apart[best]);
-    newest = kept;
+/// The lowest of the points along nhat; of equal ones the first that lies in `near`.
+Extreme lowest(const std::vector<dvec3>& points, const dvec3& nhat, const geometry::Bounds& near) {
+  Extreme best{kInfinity, 0};
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (const double value = glm::dot(nhat, points[i]); value < best.value) best = {value, i};
   }
-  supports.resize(count);
+  if (contains(near, points[best.vertex])) return best;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (glm::dot(nhat, points[i]) <= best.value + kEqualHeight && contains(near, points[i])) return {best.value, i};
+  }
+  return best;
+}
+
+double highest(const std::vector<dvec3>& points, const dvec3& nhat) {
+  double best = -kInfinity;
+  for (const dvec3& p : points) best = std::max(best, glm::dot(nhat, p));
+  return best;
+}
+
+/// The part of the segment from p to q that lies in the box, as fractions; empty where the first is not below the
+/// second.
+std::pair<double, double> clipped(const geometry::Bounds& box, const dvec3& p, const dvec3& q) {
+  double enter = 0.0;
+  double leave = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const double along = q[k] - p[k];
+    const double low = box.min[k] - p[k];
+    const double high = box.max[k] - p[k];
+    if (along == 0.0) {
+      if (low > 0.0 || high < 0.0) return {1.0, 0.0};
+      continue;
+    }
+    enter = std::max(enter, std::min(low / along, high / along));
+    leave = std::min(leave, std::max(low / along, high / along));
+  }
+  return {enter, leave};
 }
 
 class DirectionFinder {
@@ -80,8 +91,7 @@ class DirectionFinder {
                       i);
     }
     for (std::uint32_t i = 0; i < b_.beyond_W.size(); ++i) {
-      addObstacleFace(b_.beyond_W[i], highest(b_.vertices_W, b_.beyond_W[i]).value, DirectionRank::kBeyond,
-                      0x10000000u + i);
+      addObstacleFace(b_.beyond_W[i], highest(b_.vertices_W, b_.beyond_W[i]), DirectionRank::kBeyond, 0x10000000u + i);
     }
     for (std::uint32_t i = 0; i < a_.planes_W.size(); ++i) {
       const bool real = a_.piece->real_plane[i] != 0;
@@ -89,8 +99,7 @@ class DirectionFinder {
                     i);
     }
     for (std::uint32_t i = 0; i < a_.beyond_W.size(); ++i) {
-      addMovingFace(a_.beyond_W[i], highest(a_.vertices_W, a_.beyond_W[i]).value, DirectionRank::kBeyond,
-                    0x10000000u + i);
+      addMovingFace(a_.beyond_W[i], highest(a_.vertices_W, a_.beyond_W[i]), DirectionRank::kBeyond, 0x10000000u + i);
     }
     addEdgePairs();
     return std::move(found_);
@@ -99,6 +108,10 @@ class DirectionFinder {
  private:
   void addObstacleFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature);
   void addMovingFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature);
+  /// Corners, and ends of edges at the rim of `near`, that turning could bring up before the first support.
+  void addFurtherSupports(const PlacedPiece& piece, const geometry::Bounds& near,
+                          const std::function<SupportPoint(const dvec3&, std::uint32_t)>& point,
+                          std::vector<SupportPoint>& supports) const;
   void addEdgePairs();
   void addEdgePair(const HullEdge& edge_a, const HullEdge& edge_b, std::uint32_t index_a, std::uint32_t index_b);
   /// Adds it, or joins it with an equal one found before.
@@ -121,44 +134,58 @@ void DirectionFinder::add(SeparatingDirection direction) {
   found_.push_back(std::move(direction));
 }
 
-void DirectionFinder::addObstacleFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature) {
-  const Extreme support = lowest(a_.vertices_W, nhat);
-  SeparatingDirection direction{nhat, support.value - offset, rank, support.vertex, feature, {}};
-  if (direction.gap < -limits_.reach) return;
-  const auto point = [&](std::uint32_t vertex) {
-    const dvec3& p = a_.vertices_W[vertex];
-    const double gap = glm::dot(nhat, p) - offset;
-    return SupportPoint{p, p - gap * nhat, gap, false, vertex};
+void DirectionFinder::addFurtherSupports(const PlacedPiece& piece, const geometry::Bounds& near,
+                                         const std::function<SupportPoint(const dvec3&, std::uint32_t)>& point,
+                                         std::vector<SupportPoint>& supports) const {
+  const SupportPoint first = supports.front();
+  const auto consider = [&](const dvec3& p, std::uint32_t feature) {
+    const SupportPoint other = point(p, feature);
+    if (other.feature == first.feature) return;
+    if (other.gap - first.gap <=
+        limits_.max_rotation * glm::length(p - piece.vertices_W[first.feature & kVertexMask]) + 1e-9) {
+      supports.push_back(other);
+    }
   };
-  direction.supports.push_back(point(support.vertex));
-  for (std::uint32_t i = 0; i < a_.vertices_W.size(); ++i) {
-    if (i == support.vertex || !contains(near_b_, a_.vertices_W[i])) continue;
-    const SupportPoint other = point(i);
-    const double lever = glm::length(other.p_W - direction.supports.front().p_W);
-    if (other.gap - direction.gap <= limits_.max_rotation * lever + 1e-9) direction.supports.push_back(other);
+  for (std::uint32_t i = 0; i < piece.vertices_W.size(); ++i) {
+    if (contains(near, piece.vertices_W[i])) consider(piece.vertices_W[i], i);
   }
-  thinOut(direction.supports, limits_.max_supports);
+  // Where an edge leaves the neighbourhood its end stands for the corner that is too far away to be met.
+  for (std::uint32_t i = 0; i < piece.piece->hull.edges.size(); ++i) {
+    const auto& v = piece.piece->hull.edges[i].vertices;
+    const dvec3& p = piece.vertices_W[v[0]];
+    const dvec3& q = piece.vertices_W[v[1]];
+    const auto [enter, leave] = clipped(near, p, q);
+    if (enter >= leave) continue;
+    if (enter > 0.0) consider(p + enter * (q - p), kEdgeFeature + 2 * i);
+    if (leave < 1.0) consider(p + leave * (q - p), kEdgeFeature + 2 * i + 1);
+  }
+  thinOut(supports, limits_.max_supports);
+}
+
+void DirectionFinder::addObstacleFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature) {
+  const Extreme support = lowest(a_.vertices_W, nhat, near_b_);
+  SeparatingDirection direction{nhat, support.value - offset, rank, support.vertex, feature, 0.0, {}};
+  if (direction.gap < -limits_.reach) return;
+  const auto point = [&](const dvec3& p, std::uint32_t of) {
+    const double gap = glm::dot(nhat, p) - offset;
+    return SupportPoint{p, p - gap * nhat, gap, false, of};
+  };
+  direction.supports.push_back(point(a_.vertices_W[support.vertex], support.vertex));
+  addFurtherSupports(a_, near_b_, point, direction.supports);
   add(std::move(direction));
 }
 
 void DirectionFinder::addMovingFace(const dvec3& outward, double offset, DirectionRank rank, std::uint32_t feature) {
-  const Extreme support = highest(b_.vertices_W, -outward);
+  const Extreme support = lowest(b_.vertices_W, outward, near_a_);
   const dvec3 nhat = -outward;
-  SeparatingDirection direction{nhat, -offset - support.value, rank, feature, support.vertex, {}};
+  SeparatingDirection direction{nhat, support.value - offset, rank, feature, support.vertex, 0.0, {}};
   if (direction.gap < -limits_.reach) return;
-  const auto point = [&](std::uint32_t vertex) {
-    const dvec3& p = b_.vertices_W[vertex];
-    const double gap = -offset - glm::dot(nhat, p);
-    return SupportPoint{p, p + gap * nhat, gap, true, kObstacleFeature + vertex};
+  const auto point = [&](const dvec3& p, std::uint32_t of) {
+    const double gap = glm::dot(outward, p) - offset;
+    return SupportPoint{p, p + gap * nhat, gap, true, kObstacleFeature + of};
   };
-  direction.supports.push_back(point(support.vertex));
-  for (std::uint32_t i = 0; i < b_.vertices_W.size(); ++i) {
-    if (i == support.vertex || !contains(near_a_, b_.vertices_W[i])) continue;
-    const SupportPoint other = point(i);
-    const double lever = glm::length(other.p_W - direction.supports.front().p_W);
-    if (other.gap - direction.gap <= limits_.max_rotation * lever + 1e-9) direction.supports.push_back(other);
-  }
-  thinOut(direction.supports, limits_.max_supports);
+  direction.supports.push_back(point(b_.vertices_W[support.vertex], support.vertex));
+  addFurtherSupports(b_, near_a_, point, direction.supports);
   add(std::move(direction));
 }
 
@@ -211,10 +238,28 @@ void DirectionFinder::addEdgePair(const HullEdge& edge_a, const HullEdge& edge_b
        rank,
        kEdgeFeature + index_a,
        kEdgeFeature + index_b,
+       0.0,
        {SupportPoint{p, p - gap * nhat, gap, false, kEdgeFeature + index_a}}});
 }
 
 }  // namespace
+
+void thinOut(std::vector<SupportPoint>& supports, std::size_t count) {
+  if (supports.size() <= count) return;
+  std::vector<double> apart(supports.size(), kInfinity);
+  std::size_t newest = 0;
+  for (std::size_t kept = 1; kept < count; ++kept) {
+    std::size_t best = kept;
+    for (std::size_t i = kept; i < supports.size(); ++i) {
+      apart[i] = std::min(apart[i], glm::length(supports[i].p_W - supports[newest].p_W));
+      if (apart[i] > apart[best] * (1.0 + 1e-9)) best = i;
+    }
+    std::swap(supports[kept], supports[best]);
+    std::swap(apart[kept], apart[best]);
+    newest = kept;
+  }
+  supports.resize(count);
+}
 
 PlacedPiece placed(const ConvexPiece& piece, const Pose& X_W) {
   PlacedPiece result;

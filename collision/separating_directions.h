@@ -27,7 +27,8 @@ struct SupportPoint {
   dvec3 q_W{0.0};    ///< Of the obstacle, or of the body's face where the normal moves.
   double gap = 0.0;  ///< Metres.
   bool normal_moves = false;
-  std::uint32_t feature = 0;  ///< Vertex of the moving piece, or 2^31 + vertex of the obstacle's piece.
+  std::uint32_t feature =
+      0;  ///< Vertex of the moving piece (from 2^30 on: end of an edge), 2^31 more for the obstacle's.
 };
 
 enum class DirectionRank : std::uint8_t {
@@ -43,6 +44,7 @@ struct SeparatingDirection {
   DirectionRank rank = DirectionRank::kFace;
   std::uint32_t feature_A = 0;  ///< For ids: plane, edge or vertex number.
   std::uint32_t feature_B = 0;
+  double tightened = 0.0;  ///< To be taken off the gaps: the direction stands for others that were left out, metres.
   std::vector<SupportPoint> supports;  ///< The first holds the gap; others could come to hold it by turning.
 };
 
@@ -58,5 +60,8 @@ struct DirectionLimits {
 /// gap + nhat . d > 0; every direction found is sound whether or not all are found.
 std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,
                                                       const DirectionLimits& limits);
+
+/// Keeps the first support and, of the others, those farthest apart.
+void thinOut(std::vector<SupportPoint>& supports, std::size_t count);
 
 }  // namespace hapticell::collision

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision/direction_choice.h"
+#include "collision/group_reduction.h"
 #include "collision/separating_directions.h"
 #include "geometry/assertion.h"
 
@@ -15,6 +16,16 @@ namespace {
 
 constexpr double kShrink = 0.65;
 constexpr std::size_t kMostPairs = 600;
+
+/// How closely a zone is described; coarser ones are tried before it shrinks.
+struct Effort {
+  std::size_t supports;  // corners of one face that turning could bring up
+  ReductionTolerance tolerance;
+};
+constexpr Effort kEfforts[] = {{8, {1e-6, 0.0, 1.0}}, {4, {3e-6, 0.02, 1.0}}, {2, {1e-5, 0.08, 1.0}}};
+constexpr Effort kCrowded = {2, {1e-5, 0.08, 0.0}};  // turning is left out of what implies what
+constexpr double kLeastShare = 0.05;                 // of the wanted radius, before kCrowded is tried
+constexpr double kCrowdedShare = 0.25;
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -75,13 +86,16 @@ class ZoneQuery {
   ZoneContacts run();
 
  private:
-  DirectionLimits limits(std::size_t moving_part, double radius, std::size_t supports) const;
+  DirectionLimits limits(std::size_t moving_part, double radius) const;
   bool counts(std::size_t moving_part, std::size_t environment_part) const;
   /// False: more pairs than can be looked at; the zone must shrink.
   bool collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups);
   bool collectPair(std::size_t moving_part, std::size_t environment_part, const DirectionLimits& limits,
                    std::vector<PieceGroup>& groups);
-  std::optional<ZoneContacts> attempt(double radius, std::size_t supports);
+  /// One after the other until the entries fit.
+  std::optional<ZoneContacts> attempt(double radius, std::span<const Effort> efforts);
+  std::optional<ZoneContacts> written(const std::vector<std::vector<PieceGroup>>& groups, double radius,
+                                      const Effort& effort) const;
   ZoneContacts nearestOnly(double radius);
   void write(std::size_t moving_part, const PieceGroup& group, ZoneContacts& result) const;
   ZoneContact entry(std::size_t moving_part, const PieceGroup& group, const SeparatingDirection& direction,
@@ -92,11 +106,11 @@ class ZoneQuery {
   std::vector<PlacedPart> environment_;
 };
 
-DirectionLimits ZoneQuery::limits(std::size_t moving_part, double radius, std::size_t supports) const {
+DirectionLimits ZoneQuery::limits(std::size_t moving_part, double radius) const {
   const double scale = radius / options_.radius;
   const double own = moving_[moving_part].part().reach;
   return {(own > 0.0 ? own : options_.radius) * scale + options_.safety_distance, options_.max_rotation * scale,
-          supports};
+          kEfforts[0].supports};
 }
 
 bool ZoneQuery::counts(std::size_t moving_part, std::size_t environment_part) const {
@@ -145,7 +159,7 @@ ZoneContact ZoneQuery::entry(std::size_t moving_part, const PieceGroup& group, c
   contact.p_W = support.p_W;
   contact.q_W = support.q_W;
   contact.nhat_W = direction.nhat_W;
-  contact.gap = support.gap;
+  contact.gap = support.gap - direction.tightened;
   contact.normal_moves = support.normal_moves;
   contact.t1_W = glm::normalize(
       glm::cross(direction.nhat_W, std::abs(direction.nhat_W.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
@@ -181,18 +195,32 @@ void ZoneQuery::write(std::size_t moving_part, const PieceGroup& group, ZoneCont
   }
 }
 
-std::optional<ZoneContacts> ZoneQuery::attempt(double radius, std::size_t supports) {
+std::optional<ZoneContacts> ZoneQuery::written(const std::vector<std::vector<PieceGroup>>& groups, double radius,
+                                               const Effort& effort) const {
   ZoneContacts result;
   result.radius = radius;
   for (std::size_t m = 0; m < moving_.size(); ++m) {
-    std::vector<PieceGroup> groups;
-    const DirectionLimits part_limits = limits(m, radius, supports);
-    if (!collect(m, part_limits, groups)) return std::nullopt;
-    chooseDirections(groups, part_limits);
-    for (const PieceGroup& group : groups) write(m, group, result);
+    std::vector<PieceGroup> reduced = groups[m];
+    for (PieceGroup& group : reduced) {
+      for (SeparatingDirection& direction : group.directions) thinOut(direction.supports, effort.supports);
+    }
+    reduceGroups(reduced, limits(m, radius), moving_[m].bounds().center(), effort.tolerance);
+    for (const PieceGroup& group : reduced) write(m, group, result);
     if (result.contacts.size() > options_.max_entries) return std::nullopt;
   }
   return result;
+}
+
+std::optional<ZoneContacts> ZoneQuery::attempt(double radius, std::span<const Effort> efforts) {
+  std::vector<std::vector<PieceGroup>> groups(moving_.size());
+  for (std::size_t m = 0; m < moving_.size(); ++m) {
+    if (!collect(m, limits(m, radius), groups[m])) return std::nullopt;
+  }
+  for (std::size_t m = 0; m < moving_.size(); ++m) chooseDirections(groups[m], limits(m, radius));
+  for (const Effort& effort : efforts) {
+    if (auto result = written(groups, radius, effort)) return result;
+  }
+  return std::nullopt;
 }
 
 ZoneContacts ZoneQuery::nearestOnly(double radius) {
@@ -201,7 +229,7 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
   result.complete = false;
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     std::vector<PieceGroup> groups;
-    collect(m, limits(m, radius, 1), groups);
+    collect(m, limits(m, radius), groups);
     for (PieceGroup& group : groups) {
       group.chosen = {0};
       for (std::uint32_t i = 1; i < group.directions.size(); ++i) {
@@ -219,11 +247,12 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
 }
 
 ZoneContacts ZoneQuery::run() {
-  double radius = options_.radius;
-  for (; radius >= options_.min_radius; radius *= kShrink) {
-    for (const std::size_t supports : {8u, 4u}) {
-      if (auto result = attempt(radius, supports)) return std::move(*result);
-    }
+  const double least = std::max(options_.min_radius, kLeastShare * options_.radius);
+  for (double radius = options_.radius; radius >= least; radius *= kShrink) {
+    if (auto result = attempt(radius, kEfforts)) return std::move(*result);
+  }
+  for (double radius = kCrowdedShare * options_.radius; radius >= options_.min_radius; radius *= kShrink) {
+    if (auto result = attempt(radius, {&kCrowded, 1})) return std::move(*result);
   }
   return nearestOnly(options_.min_radius);
 }

@@ -145,6 +145,10 @@ ZoneReport ZoneBench::compare(int count, double rotation) {
     const auto start = std::chrono::steady_clock::now();
     const auto set = query(X_WM);
     times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    char place[80];
+    std::snprintf(place, sizeof place, " %zu/%u/%.1f/%.1f", set.contacts.size(), set.groups, 1e3 * set.radius,
+                  times.back());
+    report.places += place;
     report.entries = std::max(report.entries, set.contacts.size());
     report.groups = std::max(report.groups, set.groups);
     report.least_radius = std::min(report.least_radius, set.radius);
@@ -194,7 +198,7 @@ std::string line(const ZoneReport& r) {
       r.name.c_str(), r.pieces_moving, r.pieces_environment, r.entries, r.groups, 1e3 * r.least_radius,
       r.complete ? "" : " INCOMPLETE", r.median_ms, r.cold_ms, r.free, r.blocked, r.holes, 1e3 * r.hole_depth,
       r.false_walls, 1e3 * r.wall_depth, r.turned, r.turned_holes, 1e3 * r.turned_hole_depth, r.turned_walls);
-  return text;
+  return text + (" | places" + r.places);
 }
 
 }  // namespace hapticell::test

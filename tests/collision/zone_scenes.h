@@ -33,6 +33,7 @@ struct ZoneReport {
   double median_ms = 0.0;
   std::size_t pieces_moving = 0, pieces_environment = 0;
   bool complete = true;
+  std::string places;         ///< Per place: entries/groups/radius in mm/ms.
   int free = 0, blocked = 0;  ///< Sampled places by exact geometry.
   int holes = 0;              ///< Translations: colliding but called free.
   double hole_depth = 0.0;    ///< Largest clearance claimed there, metres.
