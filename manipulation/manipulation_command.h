@@ -76,6 +76,7 @@ struct SetScale {
 struct SetCamera {
   Pose X_WCamera;  ///< Looks along its -z, x to the right, y up.
   double visible_width = 1.0;
+  dvec3 p_WFocus{0.0};  ///< Middle of the view: there the stylus stands that holds nothing.
 };
 /// Overrides the entity's own choice until the next document; for the held or chosen entity.
 struct SetOnContact {

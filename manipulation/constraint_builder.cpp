@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/constraint_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr double kTurnAhead = 0.3;  ///< rad that the entity is expected to turn at most before the next set.
+
+/// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
+double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W) {
+  double gain = 0.0, turn_gain = 0.0, swing = 0.0, turn_swing = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const dvec3 v = pointVelocity(part, p_WS, i), w = part.velocity[i].angular;
+    const dvec3 v_turn = pointVelocity(part, p_WS, i + 3), w_turn = part.velocity[i + 3].angular;
+    gain = std::max(gain, glm::length(v));
+    turn_gain += glm::dot(w, w);
+    swing += glm::dot(v_turn, v_turn);
+    turn_swing = std::max(turn_swing, glm::length(w_turn));
+  }
+  const double moved = zone_W * (gain + radius * std::sqrt(turn_gain));
+  return moved + kTurnAhead * (std::sqrt(swing) + radius * turn_swing);
+}
+
+dmat3 outer(const dvec3& a, const dvec3& b) {
+  return glm::outerProduct(a, b);
+}
+
+PointCondition conditionOf(const collision::ZoneContact& contact) {
+  PointCondition condition;
+  condition.p_WQ = contact.p_W;
+  condition.nhat_W = contact.nhat_W;
+  condition.gap = contact.gap;
+  condition.normal_moves = contact.normal_moves;
+  const double k_normal = std::abs(contact.k1) > std::abs(contact.k2) ? contact.k1 : contact.k2;
+  const dvec3 t2 = glm::cross(contact.nhat_W, contact.t1_W);
+  condition.M = contact.k1 * outer(contact.t1_W, contact.t1_W) + contact.k2 * outer(t2, t2) +
+                k_normal * outer(contact.nhat_W, contact.nhat_W);
+  return condition;
+}
+
+struct Assembly {
+  const ConstraintInputs& inputs;
+  std::vector<PartDifferential> differentials;
+  std::vector<int> pair_of;  ///< part * obstacles + obstacle -> pair, -1 where unchecked.
+  BuiltConstraints& built;
+};
+
+void append(BuiltConstraints& built, const haptic::Constraint& constraint, const ConstraintOrigin& origin) {
+  if (built.set.count >= haptic::kMaxConstraints) return;
+  built.set.constraints[built.set.count++] = constraint;
+  built.origins.push_back(origin);
+}
+
+void appendContact(Assembly& assembly, const collision::ZoneContact& contact) {
+  const ConstraintInputs& in = assembly.inputs;
+  const int pair = assembly.pair_of[contact.moving_part * in.obstacles.size() + contact.environment_part];
+  if (pair < 0) return;
+  const PairFeel& feel = in.feel[static_cast<std::size_t>(pair)];
+  const PartDifferential& part = assembly.differentials[contact.moving_part];
+  haptic::Constraint constraint;
+  constraint.group = contact.group;
+  constraint.id = contact.id;
+  PointCondition condition = conditionOf(contact);
+  condition.gap -= feel.boundary;
+  applyCondition(part, condition, constraint);
+  if (contact.has_trim) {
+    PointCondition trim;
+    trim.p_WQ = contact.p_W;
+    trim.nhat_W = contact.trim_nhat_W;
+    trim.gap = contact.trim_gap - feel.boundary;
+    applyTrim(part, trim, constraint);
+  }
+  constraint.stiffness = feel.stiffness;
+  constraint.damping = feel.damping;
+  constraint.friction = feel.friction;
+  in.mapping.toDevice(constraint);
+  append(assembly.built, constraint, {pair, -1});
+}
+
+std::vector<collision::ZonePart> movingParts(const Assembly& assembly, double zone_W) {
+  const ConstraintInputs& in = assembly.inputs;
+  std::vector<Pose> X_WP(in.parts.size());
+  in.manipulator.partPoses(in.configuration, X_WP);
+  std::vector<collision::ZonePart> moving(in.parts.size());
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    const geometry::Bounds& bounds = in.parts[k]->bounds();
+    moving[k].pieces = in.parts[k];
+    moving[k].X_W = X_WP[k];
+    moving[k].key = k + 1;
+    moving[k].reach = reachOf(assembly.differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W);
+  }
+  return moving;
+}
+
+}  // namespace
+
+BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
+  BuiltConstraints built;
+  const double scale = inputs.mapping.scale();
+  const double zone_W = inputs.zone_radius * scale;
+  built.limits = inputs.manipulator.limits(inputs.configuration, zone_W, haptic::kRotationLever * scale);
+
+  Assembly assembly{inputs, inputs.manipulator.differentiate(inputs.configuration), {}, built};
+  assembly.pair_of.assign(inputs.parts.size() * inputs.obstacles.size(), -1);
+  std::vector<std::uint8_t> mask(assembly.pair_of.size(), 0);
+  collision::ZoneOptions options;
+  for (std::size_t i = 0; i < inputs.pairs.size(); ++i) {
+    if (!inputs.feel[i].felt) continue;
+    const std::size_t at = inputs.pairs[i].part * inputs.obstacles.size() + inputs.pairs[i].obstacle;
+    assembly.pair_of[at] = static_cast<int>(i);
+    mask[at] = 1;
+    options.safety_distance = std::max(options.safety_distance, inputs.feel[i].boundary);
+  }
+  options.radius = zone_W;
+  options.max_rotation = kTurnAhead;
+  // Room for the limits and one for whoever adds a row of its own.
+  options.max_entries = haptic::kMaxConstraints - 1 - std::min<std::size_t>(built.limits.size(), 16);
+  options.pair_mask = mask;
+  const collision::ZoneContacts found =
+      collision::zoneContacts(movingParts(assembly, zone_W), inputs.obstacles, options);
+
+  built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);
+  built.set.zone_radius = std::max(1e-4, std::min(found.radius, zone_W) / scale);
+  built.complete = found.complete;
+  for (const collision::ZoneContact& contact : found.contacts) appendContact(assembly, contact);
+  for (std::size_t i = 0; i < built.limits.size(); ++i) {
+    haptic::Constraint constraint = built.limits[i].constraint_W;
+    constraint.group = found.groups + static_cast<std::uint32_t>(i);
+    constraint.id |= std::uint64_t{1} << 63;
+    inputs.mapping.toDevice(constraint);
+    append(built, constraint, {-1, static_cast<int>(i)});
+  }
+  return built;
+}
+
+void pairGaps(const BuiltConstraints& built, const Pose& X_DP, std::span<double> gaps) {
+  std::fill(gaps.begin(), gaps.end(), std::numeric_limits<double>::infinity());
+  const Twist t = difference(X_DP, built.set.X_DR);
+  const haptic::Vector6 xi{t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z};
+  for (std::size_t first = 0; first < built.set.count;) {
+    double best = -std::numeric_limits<double>::infinity();
+    std::size_t last = first;
+    for (; last < built.set.count && built.set.constraints[last].group == built.set.constraints[first].group; ++last) {
+      const haptic::Constraint& entry = built.set.constraints[last];
+      double value = haptic::evaluate(entry, xi);
+      if (entry.has_trim) {
+        double trim = entry.trim_gap;
+        for (std::size_t i = 0; i < 6; ++i) trim += entry.trim_gradient[i] * xi[i];
+        value = std::min(value, trim);
+      }
+      best = std::max(best, value);
+    }
+    const int pair = built.origins[first].pair;
+    if (pair >= 0) {
+      double& gap = gaps[static_cast<std::size_t>(pair)];
+      gap = std::min(gap, best);
+    }
+    first = last;
+  }
+}
+
+}  // namespace hapticell::manipulation

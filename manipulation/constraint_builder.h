@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/zone_contacts.h"
+#include "manipulation/free_motion.h"
+#include "manipulation/manipulator.h"
+#include "manipulation/motion_mapping.h"
+
+namespace hapticell::manipulation {
+
+/// How one pair (moved part against obstacle) is felt.
+struct PairFeel {
+  bool felt = true;        ///< False: not in the set (`pass`).
+  double boundary = 0.0;   ///< m: the distance that is felt as contact.
+  double stiffness = 0.0;  ///< N/m; 0: the device's own.
+  double damping = 0.0;
+  double friction = 0.0;
+};
+
+/// What a constraint set is made of. Parts and obstacles are those of the motion check, `feel` is in the order of
+/// `pairs`. All spans outlive the call.
+struct ConstraintInputs {
+  const Manipulator& manipulator;
+  const EntityConfiguration& configuration;  ///< Accepted: the reference of the set.
+  const MotionMapping& mapping;
+  Pose X_DNear;  ///< The proxy: supplies what the mapping's filters hide of the reference.
+  double zone_radius = haptic::kWantedZoneRadius;         ///< Hand space, m.
+  std::span<const collision::ConvexPieces* const> parts;  ///< One a part.
+  std::span<const collision::ZonePart> obstacles;
+  std::span<const MotionPair> pairs;
+  std::span<const PairFeel> feel;
+};
+
+/// One entry's origin, in the order of ConstraintSet::constraints.
+struct ConstraintOrigin {
+  int pair = -1;   ///< Index of the pair; -1 for a limit of the entity itself.
+  int limit = -1;  ///< Index into BuiltConstraints::limits.
+};
+
+struct BuiltConstraints {
+  haptic::ConstraintSet set;
+  std::vector<ConstraintOrigin> origins;
+  std::vector<MotionLimit> limits;  ///< The entity's own limits within the zone.
+  bool complete = true;             ///< False: see collision::ZoneContacts::complete.
+};
+
+/// Everything that the hand can feel from this configuration: contacts with their curvature, the entity's own limits,
+/// all mapped to the hand's space about the device pose that means this configuration (gap less the pair's boundary).
+BuiltConstraints buildConstraints(const ConstraintInputs& inputs);
+
+/// Smallest value (hand space, m) of any of a pair's groups for the stylus (or proxy) at X_DP: the entry with the
+/// largest value counts for its group. Infinite for pairs that are not in the set. One entry for each pair.
+void pairGaps(const BuiltConstraints& built, const Pose& X_DP, std::span<double> gaps);
+
+}  // namespace hapticell::manipulation

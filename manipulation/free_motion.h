@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "collision/proximity_query.h"
+#include "manipulation/manipulator.h"
+
+namespace hapticell::manipulation {
+
+/// A moved part against an obstacle at rest.
+struct MotionPair {
+  std::uint32_t part = 0;
+  std::uint32_t obstacle = 0;
+  bool blocks = true;  ///< False: distances are told, motion is not stopped.
+};
+
+/// Something at rest that the moved parts must not enter.
+struct Obstacle {
+  std::shared_ptr<const collision::MeshCollider> collider;
+  Pose X_WO;
+};
+
+/// How far a motion is free.
+struct MotionAnswer {
+  double s = 1.0;                     ///< Free from 0 to here, nothing is tunnelled through.
+  bool blocked = false;               ///< Something stands in the way at `s`.
+  std::uint32_t pair = 0;             ///< Index of the pair that blocks.
+  collision::DistanceResult contact;  ///< Its nearest points there, A on the moved part.
+};
+
+/// The exact check of the motion from one accepted configuration to the next, by conservative advancement (Mirtich
+/// 1996; Zhang, Lee, Kim 2006): a step never exceeds the distance that was measured over the speed bound of the part.
+///
+/// Keeps for every pair a lower bound of its distance, used up by motion, so that a pair is measured again only when it
+/// could have come near. Pairs that touch or intersect at reset() are `soft`: they do not block (nothing could ever
+/// move) until they have come apart once; who moves them sees to it that they get no deeper. One thread.
+class FreeMotion {
+ public:
+  /// Distance (m) that is left between surfaces when a motion is blocked.
+  static constexpr double kStandOff = 2e-6;
+
+  FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider>> parts, std::vector<Obstacle> obstacles,
+             std::vector<MotionPair> pairs);
+
+  /// Starts anew at this configuration.
+  void reset(const Manipulator& manipulator, const EntityConfiguration& at);
+
+  /// Goes along manipulator.between(from, to, .) as far as it is free; `from` must be where the last call ended.
+  MotionAnswer advance(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to);
+
+  /// Exact distances of all pairs nearer than `limit` where the parts stand now, in the order of the pairs.
+  struct PairDistance {
+    std::uint32_t pair = 0;
+    collision::DistanceResult result;
+  };
+  void distances(double limit, std::vector<PairDistance>& near);
+
+  const std::vector<MotionPair>& pairs() const { return pairs_; }
+  bool isSoft(std::uint32_t pair) const { return states_[pair].soft; }
+  bool anySoft() const;
+  const std::vector<Pose>& partPoses() const { return X_WP_; }
+  const std::vector<PartSphere>& spheres() const { return spheres_; }
+
+ private:
+  struct PairState {
+    collision::ProximityQuery query;
+    double clearance = 0.0;  ///< Lower bound of the distance now, m.
+    bool soft = false;
+  };
+  struct Motion {
+    const Manipulator& manipulator;
+    const EntityConfiguration& from;
+    const EntityConfiguration& to;
+  };
+
+  collision::DistanceResult measure(std::uint32_t pair, const Pose& X_WP, double limit);
+  bool advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
+  const Pose& partPoseAt(const Motion& motion, std::uint32_t part, double s);
+
+  std::vector<std::shared_ptr<const collision::MeshCollider>> parts_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<MotionPair> pairs_;
+  std::vector<PairState> states_;
+  std::vector<PartSphere> spheres_;
+  std::vector<Pose> X_WP_;       ///< At the accepted configuration.
+  std::vector<Pose> X_WP_at_s_;  ///< Scratch: at the last s asked for.
+  std::vector<double> bounds_;
+  std::vector<double> reached_;  ///< Scratch per pair: s where its clearance was last measured.
+  double scratch_s_ = -1.0;
+};
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/held_entity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptic/rendering/active_set_solver.h"
+#include "kinematics/numeric_inverse.h"
+#include "manipulation/robot_manipulator.h"
+#include "manipulation/solid_manipulator.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using workcell::Entity;
+using workcell::EntityKind;
+using workcell::ForceClass;
+using workcell::OnContact;
+
+constexpr double kSkin = 5e-6;             ///< m: least boundary, so that the exact check has room to work in.
+constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
+constexpr int kSlides = 6;
+constexpr double kArrived = 1e-9;  ///< m: less is not worth another slide.
+
+Error refusal(const Entity& entity, std::string found, std::string expected) {
+  return {.file = {},
+          .place = "entity '" + entity.name + "'",
+          .found = std::move(found),
+          .expected = std::move(expected),
+          .fix = {}};
+}
+
+Pose placementOf(const Entity& entity, const Placements& placements, std::vector<double>& joints) {
+  const auto moved = placements.find(entity.id);
+  joints = moved == placements.end() ? entity.joints : moved->second.joints;
+  return moved == placements.end() ? entity.X_WE : moved->second.X_WE;
+}
+
+/// Two touching materials: the softer, the better damped, the mean of friction.
+void blend(const config::Configuration& configuration, const Entity& a, const Entity& b, PairFeel& feel) {
+  const auto first = configuration.materials.find(a.material), second = configuration.materials.find(b.material);
+  const config::Material none;
+  const config::Material& m1 = first == configuration.materials.end() ? none : first->second;
+  const config::Material& m2 = second == configuration.materials.end() ? none : second->second;
+  feel.stiffness = std::min(m1.stiffness, m2.stiffness);
+  feel.damping = std::max(m1.damping, m2.damping);
+  feel.friction = std::sqrt(m1.friction * m2.friction);
+}
+
+haptic::Vector6 inMetric(const Twist& t) {
+  const dvec3 turned = haptic::kRotationLever * t.angular;
+  return {t.linear.x, t.linear.y, t.linear.z, turned.x, turned.y, turned.z};
+}
+
+Twist outOfMetric(const haptic::Vector6& d) {
+  return {{d[0], d[1], d[2]}, dvec3(d[3], d[4], d[5]) / haptic::kRotationLever};
+}
+
+/// A gradient over (dx, dtheta) with its value, as a half-space of the metric.
+haptic::SolverRow rowOf(const haptic::Vector6& gradient, double slack) {
+  haptic::SolverRow row;
+  double length = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    row.normal[i] = i < 3 ? gradient[i] : gradient[i] / haptic::kRotationLever;
+    length += row.normal[i] * row.normal[i];
+  }
+  length = std::sqrt(std::max(length, 1e-24));
+  for (double& n : row.normal) n /= length;
+  row.slack = slack / length;
+  return row;
+}
+
+std::string choicesOf(const Entity& entity) {
+  return entity.kind == EntityKind::kRobot ? "tcp, base or frame:NAME of one of its links"
+                                           : "self_origin, geometric_center or frame:NAME of an entity";
+}
+
+}  // namespace
+
+struct HeldEntity::Rows {
+  std::array<haptic::SolverRow, haptic::kMaxRows> rows{};
+  std::size_t count = 0;
+  void add(const haptic::SolverRow& row) {
+    if (count < rows.size()) rows[count++] = row;
+  }
+  std::span<const haptic::SolverRow> all() const { return {rows.data(), count}; }
+  void moveBy(const haptic::Vector6& d) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < 6; ++k) rows[i].slack += rows[i].normal[k] * d[k];
+    }
+  }
+};
+
+Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const PreparedScene> scene,
+                                                       workcell::EntityId entity, const Placements& placements,
+                                                       const HoldOptions& options,
+                                                       const config::Configuration& configuration) {
+  const Entity* found = scene->find(entity);
+  if (found == nullptr)
+    return makeError(
+        {.file = {}, .place = {}, .found = "there is no such entity", .expected = "one of the document", .fix = {}});
+  if (found->locked) return makeError(refusal(*found, "it is locked", "an entity that may be moved"));
+  std::unique_ptr<HeldEntity> held(new HeldEntity);
+  held->scene_ = std::move(scene);
+  held->id_ = entity;
+  held->accepted_.X_WE = placementOf(*found, placements, held->accepted_.joints);
+  if (auto made = held->makeManipulator(*found, options); !made) return makeError(made.error());
+  held->gatherPairs(*found, placements, options, configuration);
+  held->startBoundaries();
+  return held;
+}
+
+Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options) {
+  std::vector<Pose> X_EP;
+  for (const ScenePart& part : scene_->parts()) {
+    if (part.entity != id_) continue;
+    links_.push_back(part.link);
+    parts_.push_back(part.mesh.pieces.get());
+    X_EP.push_back(PreparedScene::partPose(entity, Pose::identity(), accepted_.joints, part.link));
+  }
+  MovedBy::Kind kind = options.moved_by.kind;
+  const bool robot = entity.kind == EntityKind::kRobot && entity.robot != nullptr;
+  if (kind == MovedBy::Kind::kDefault) kind = robot ? MovedBy::Kind::kTcp : MovedBy::Kind::kSelfOrigin;
+  const int named_link = robot && kind == MovedBy::Kind::kFrame ? entity.robot->findLink(options.moved_by.frame) : -1;
+  if (robot && (kind == MovedBy::Kind::kTcp || named_link >= 0)) {
+    int tip = named_link >= 0 ? named_link : entity.robot->findLink(entity.tip_link);
+    if (tip < 0) tip = entity.robot->defaultTip();
+    const Pose X_LT = named_link >= 0 ? Pose::identity() : entity.X_LT;
+    if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
+    auto inverse = kinematics::NumericInverse::create(*entity.robot, tip, X_LT);
+    if (!inverse) return makeError(inverse.error());
+    manipulator_ = std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, X_LT},
+                                                      std::move(*inverse), links_);
+    return {};
+  }
+  Pose X_EM;
+  if (kind == MovedBy::Kind::kFrame) {
+    const Entity* frame = scene_->find(options.moved_by.frame);
+    if (frame == nullptr) {
+      return makeError(
+          refusal(entity, "there is no frame '" + options.moved_by.frame + "' to move it by", choicesOf(entity)));
+    }
+    X_EM = entity.X_WE.inverse() * frame->X_WE;
+  } else if (kind == MovedBy::Kind::kGeometricCenter && entity.mesh) {
+    X_EM = Pose::translation(entity.mesh->bounds().center());
+  } else if (kind == MovedBy::Kind::kTcp || (kind == MovedBy::Kind::kBase) != robot) {
+    return makeError(refusal(entity, "it cannot be moved by that", choicesOf(entity)));
+  }
+  manipulator_ = std::make_unique<SolidManipulator>(X_EM, std::move(X_EP));
+  return {};
+}
+
+void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements, const HoldOptions& options,
+                             const config::Configuration& configuration) {
+  std::vector<std::shared_ptr<const collision::MeshCollider>> colliders;
+  std::vector<std::string> names;
+  for (const ScenePart& part : scene_->parts()) {
+    if (part.entity != id_) continue;
+    colliders.push_back(part.mesh.collider);
+    names.push_back(part.name);
+  }
+  std::vector<Obstacle> obstacles;
+  for (const ScenePart& part : scene_->parts()) {
+    if (part.entity == id_) continue;
+    const Entity& other = *scene_->find(part.entity);
+    const std::optional<PairRule> rule = scene_->rule(entity, other);
+    if (!rule) continue;
+    std::vector<double> joints;
+    const Pose X_WE = placementOf(other, placements, joints);
+    const Pose X_WO = PreparedScene::partPose(other, X_WE, joints, part.link);
+    HeldPair pair{other.id, {}, part.name, *rule, options.on_contact, {}};
+    pair.feel.felt = pair.on_contact != OnContact::kPass;
+    if (options.force_class != ForceClass::kConstant) blend(configuration, entity, other, pair.feel);
+    if (pair.on_contact == OnContact::kStop) pair.feel.friction = kStickingFriction;
+    for (std::uint32_t k = 0; k < colliders.size(); ++k) {
+      motion_pairs_.push_back({k, static_cast<std::uint32_t>(obstacles.size()), pair.feel.felt});
+      pair.moved_part = names[k];
+      pairs_.push_back(pair);
+      feel_.push_back(pair.feel);
+    }
+    obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0});
+    obstacles.push_back({part.mesh.collider, X_WO});
+  }
+  gaps_.resize(pairs_.size());
+  motion_ = std::make_unique<FreeMotion>(std::move(colliders), std::move(obstacles), motion_pairs_);
+  motion_->reset(*manipulator_, accepted_);
+}
+
+void HeldEntity::startBoundaries() {
+  double widest = kSkin;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    feel_[i].boundary = std::max(kSkin, pairs_[i].rule.safety_distance);
+    widest = std::max(widest, feel_[i].boundary);
+  }
+  // Nearer than its boundary already: it must not be thrown out, only get no nearer.
+  motion_->distances(widest * (1.0 + 1e-9), near_);
+  for (const auto& [pair, found] : near_) {
+    feel_[pair].boundary = std::min(feel_[pair].boundary, found.distance);
+  }
+  if (!motion_->anySoft()) return;
+  MotionMapping here;
+  here.anchor(movedFrame(), movedFrame());
+  const BuiltConstraints built =
+      buildConstraints({*manipulator_, accepted_, here, movedFrame(), 0.01, parts_, obstacles_, motion_pairs_, feel_});
+  pairGaps(built, built.set.X_DR, gaps_);
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (motion_->isSoft(i) && gaps_[i] < 0.0) feel_[i].boundary += gaps_[i];
+  }
+}
+
+void HeldEntity::raiseBoundaries() {
+  bool any = false;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const double wanted = std::max(kSkin, pairs_[i].rule.safety_distance);
+    widest = std::max(widest, wanted);
+    any = any || feel_[i].boundary < wanted;
+  }
+  if (!any) return;
+  motion_->distances(widest, near_);
+  std::fill(gaps_.begin(), gaps_.end(), widest);
+  for (const auto& [pair, found] : near_) gaps_[pair] = found.distance;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (motion_->isSoft(i)) continue;
+    const double wanted = std::max(kSkin, pairs_[i].rule.safety_distance);
+    feel_[i].boundary = std::min(wanted, std::max(feel_[i].boundary, gaps_[i]));
+  }
+}
+
+BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius) {
+  raiseBoundaries();
+  return buildConstraints(
+      {*manipulator_, accepted_, mapping, X_DProxy, zone_radius, parts_, obstacles_, motion_pairs_, feel_});
+}
+
+void HeldEntity::distances(double limit, std::vector<FreeMotion::PairDistance>& near) {
+  motion_->distances(limit, near);
+}
+
+void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const {
+  if (built == nullptr || !motion_->anySoft()) return;
+  const Twist t = difference(mapping.toDevice(movedFrame(), built->set.X_DR), built->set.X_DR);
+  const haptic::Vector6 xi{t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z};
+  const haptic::ConstraintSet& set = built->set;
+  for (std::size_t i = 0; i < set.count;) {
+    std::size_t best = i, last = i;
+    for (; last < set.count && set.constraints[last].group == set.constraints[i].group; ++last) {
+      if (haptic::evaluate(set.constraints[last], xi) > haptic::evaluate(set.constraints[best], xi)) best = last;
+    }
+    const int pair = built->origins[i].pair;
+    if (pair >= 0 && motion_->isSoft(static_cast<std::uint32_t>(pair))) {
+      const haptic::Constraint& entry = set.constraints[best];
+      rows.add(rowOf(haptic::gradientAt(entry, xi), std::max(0.0, haptic::evaluate(entry, xi))));
+    }
+    i = last;
+  }
+}
+
+void HeldEntity::addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, Rows& rows) const {
+  const std::vector<PartDifferential> parts = manipulator_->differentiate(accepted_);
+  PointCondition condition;
+  condition.p_WQ = answer.contact.p_WA;
+  condition.nhat_W = answer.contact.nhat_BA_W;
+  haptic::Constraint constraint;
+  applyCondition(parts[motion_pairs_[answer.pair].part], condition, constraint);
+  constraint.gap = answer.contact.distance - kSkin;
+  mapping.toDevice(constraint);
+  rows.add(rowOf(constraint.gradient, constraint.gap));
+}
+
+HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,
+                                            const BuiltConstraints* built) {
+  FollowResult result;
+  Rows rows;
+  addSoftRows(built, mapping, rows);
+  const Pose X_WWanted = mapping.toCell(X_DP);
+  Pose X_WTarget = X_WWanted;
+  for (int slide = 0; slide < kSlides; ++slide) {
+    const Pose X_WM = movedFrame();
+    if (rows.count > 0) {
+      const haptic::Vector6 d0 = inMetric(mapping.toDevice(difference(X_WWanted, X_WM)));
+      const haptic::SolverResult solved = haptic::nearestFeasible(rows.all(), d0);
+      if (solved.status == haptic::SolverStatus::kInfeasible) break;
+      double length = 0.0;
+      for (const double d : solved.d) length += d * d;
+      if (std::sqrt(length) < kArrived) break;
+      X_WTarget = displaced(X_WM, mapping.toCell(outOfMetric(solved.d)));
+    }
+    const EntityConfiguration target = manipulator_->propose(accepted_, X_WTarget);
+    const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, target);
+    accepted_ = answer.s >= 1.0 ? target : manipulator_->between(accepted_, target, answer.s);
+    rows.moveBy(inMetric(mapping.toDevice(difference(movedFrame(), X_WM))));
+    if (!answer.blocked) break;
+    result.blocked = true;
+    result.stopped = pairs_[answer.pair].on_contact == OnContact::kStop;
+    if (result.stopped) break;
+    addContactRow(answer, mapping, rows);
+  }
+  return result;
+}
+
+}  // namespace hapticell::manipulation

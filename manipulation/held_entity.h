@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "geometry/error.h"
+#include "manipulation/constraint_builder.h"
+#include "manipulation/free_motion.h"
+#include "manipulation/manipulation_command.h"
+#include "manipulation/manipulator.h"
+#include "manipulation/prepared_scene.h"
+
+namespace hapticell::manipulation {
+
+/// Where every entity stands that does not stand as in the document.
+using Placements = std::map<workcell::EntityId, EntityConfiguration>;
+
+/// Choices of the user that override the entity's own.
+struct HoldOptions {
+  MovedBy moved_by;
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+  workcell::ForceClass force_class = workcell::ForceClass::kContact;
+};
+
+/// A pair of the held entity with something at rest, as users know it.
+struct HeldPair {
+  workcell::EntityId other = 0;
+  std::string moved_part;  ///< Link names; empty for solids.
+  std::string other_part;
+  PairRule rule;
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+  PairFeel feel;
+};
+
+/// The entity in the user's hand: where it was accepted last, what it may meet and how it follows.
+///
+/// The accepted configuration never enters anything that the entity did not already touch or intersect when it was
+/// taken. Manipulation thread only.
+class HeldEntity {
+ public:
+  /// Takes an entity as it stands. Errors: it is locked, has no such frame, cannot be moved in this way.
+  static Expected<std::unique_ptr<HeldEntity>> take(std::shared_ptr<const PreparedScene> scene,
+                                                    workcell::EntityId entity, const Placements& placements,
+                                                    const HoldOptions& options,
+                                                    const config::Configuration& configuration);
+
+  workcell::EntityId id() const { return id_; }
+  const Manipulator& manipulator() const { return *manipulator_; }
+  const EntityConfiguration& accepted() const { return accepted_; }
+  Pose movedFrame() const { return manipulator_->movedFrame(accepted_); }
+  const std::vector<HeldPair>& pairs() const { return pairs_; }
+
+  /// Goes towards what the stylus (or proxy) at X_DP means, as far as it is free, and along what stands in the way
+  /// where that pair slides. `built` is the newest set, or null.
+  struct FollowResult {
+    bool blocked = false;  ///< Something stood in the way of the straight motion.
+    bool stopped = false;  ///< By a pair that stops.
+  };
+  FollowResult follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built);
+
+  /// The constraint set about the accepted configuration.
+  BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius);
+
+  /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
+  void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
+
+ private:
+  HeldEntity() = default;
+  Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
+  void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
+                   const config::Configuration& configuration);
+  void startBoundaries();
+  void raiseBoundaries();
+  struct Rows;
+  void addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const;
+  void addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, Rows& rows) const;
+
+  std::shared_ptr<const PreparedScene> scene_;
+  workcell::EntityId id_ = 0;
+  EntityConfiguration accepted_;
+  std::unique_ptr<Manipulator> manipulator_;
+  std::unique_ptr<FreeMotion> motion_;
+  std::vector<int> links_;  ///< Of the moved parts.
+  std::vector<const collision::ConvexPieces*> parts_;
+  std::vector<collision::ZonePart> obstacles_;
+  std::vector<HeldPair> pairs_;
+  std::vector<PairFeel> feel_;
+  std::vector<MotionPair> motion_pairs_;
+  std::vector<double> gaps_;
+  std::vector<FreeMotion::PairDistance> near_;
+};
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/manipulation_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "haptic/rendering/triple_buffer.h"
+#include "manipulation/manipulation_step.h"
+#include "manipulation/prepared_scene.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLeastRate = 10.0;
+constexpr double kMostRate = 1000.0;
+constexpr std::size_t kTimesKept = 500;  ///< Steps that the shown figures are about.
+constexpr std::chrono::milliseconds kPictureEvery{8};
+
+std::int64_t nanoseconds(Clock::time_point t) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
+}
+
+/// The rate and the slow steps of the last half thousand.
+class StepTimes {
+ public:
+  void add(Clock::time_point begin, Clock::time_point end) {
+    if (last_ != Clock::time_point{}) periods_.push_back(std::chrono::duration<double>(begin - last_).count());
+    last_ = begin;
+    durations_.push_back(std::chrono::duration<double>(end - begin).count());
+    if (periods_.size() > kTimesKept) periods_.pop_front();
+    if (durations_.size() > kTimesKept) durations_.pop_front();
+  }
+  double rate() const {
+    double sum = 0.0;
+    for (const double period : periods_) sum += period;
+    return sum > 0.0 ? static_cast<double>(periods_.size()) / sum : 0.0;
+  }
+  double p99() const {
+    if (durations_.empty()) return 0.0;
+    std::vector<double> sorted(durations_.begin(), durations_.end());
+    const auto at = static_cast<std::ptrdiff_t>(sorted.size() * 99 / 100);
+    std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
+    return sorted[static_cast<std::size_t>(at)];
+  }
+
+ private:
+  Clock::time_point last_;
+  std::deque<double> periods_, durations_;
+};
+
+}  // namespace
+
+struct ManipulationLoop::Worker {
+  Worker(std::unique_ptr<haptic::HapticLink> the_link, const config::Configuration& the_configuration)
+      : link(std::move(the_link)), configuration(the_configuration) {
+    preparer = std::thread([this] { prepareScenes(); });
+    stepper = std::thread([this] { run(); });
+  }
+  ~Worker() {
+    {
+      const std::lock_guard lock(mutex);
+      stopping = true;
+    }
+    documents_wait.notify_all();
+    steps_wait.notify_all();
+    stepper.join();
+    preparer.join();
+  }
+
+  /// The preparing thread: meshes of the newest document, older ones that wait are dropped.
+  void prepareScenes() {
+    std::shared_ptr<const PreparedScene> previous;
+    const PairRule rule{configuration.manipulation.safety_distance, configuration.manipulation.near_miss};
+    for (;;) {
+      command::SetDocument document;
+      {
+        std::unique_lock lock(mutex);
+        documents_wait.wait(lock, [this] { return stopping || document_waits; });
+        if (stopping) return;
+        document = std::move(newest_document);
+        document_waits = false;
+      }
+      previous =
+          PreparedScene::prepare(std::move(document.entities), std::move(document.pair_sets), rule, previous.get());
+      const std::lock_guard lock(mutex);
+      ready_scene = previous;
+    }
+  }
+
+  void takeCommands(ManipulationEngine& engine) {
+    std::vector<Command> taken;
+    std::shared_ptr<const PreparedScene> scene;
+    {
+      const std::lock_guard lock(mutex);
+      taken.swap(commands);
+      scene.swap(ready_scene);
+    }
+    if (scene) engine.setScene(std::move(scene));
+    for (const Command& one : taken) engine.apply(one);
+  }
+
+  void showStep(ManipulationEngine& engine, const StepTimes& times) {
+    SceneSnapshot& snapshot = snapshots.writeSlot();
+    engine.fillSnapshot(snapshot);
+    snapshot.rate_manipulation_hz = times.rate();
+    snapshot.step_p99_ms = 1e3 * times.p99();
+    snapshots.publish();
+    std::vector<Result> happened = engine.takeResults();
+    if (happened.empty()) return;
+    const std::lock_guard lock(mutex);
+    results.insert(results.end(), happened.begin(), happened.end());
+  }
+
+  void run() {
+    ManipulationEngine engine(*link, configuration);
+    StepTimes times;
+    const double rate = std::clamp(configuration.manipulation.rate_hz, kLeastRate, kMostRate);
+    const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
+    Clock::time_point due = Clock::now(), shown{};
+    for (;;) {
+      const Clock::time_point begin = Clock::now();
+      takeCommands(engine);
+      engine.step(nanoseconds(begin));
+      if (begin - shown >= kPictureEvery) {
+        shown = begin;
+        showStep(engine, times);
+      }
+      times.add(begin, Clock::now());
+      // A step that took longer than its period shifts the following ones: no burst to catch up.
+      due = std::max(due + period, Clock::now());
+      std::unique_lock lock(mutex);
+      steps_wait.wait_until(lock, due, [this] { return stopping; });
+      if (stopping) break;
+    }
+    engine.apply(command::Release{});
+    engine.apply(command::SetForces{false});
+    engine.step(nanoseconds(Clock::now()));
+  }
+
+  std::unique_ptr<haptic::HapticLink> link;
+  const config::Configuration configuration;
+  haptic::TripleBuffer<SceneSnapshot> snapshots;
+
+  std::mutex mutex;  // Guards what follows; held only while pointers are moved.
+  std::condition_variable documents_wait, steps_wait;
+  std::vector<Command> commands;
+  std::vector<Result> results;
+  command::SetDocument newest_document;
+  bool document_waits = false;
+  std::shared_ptr<const PreparedScene> ready_scene;
+  bool stopping = false;
+
+  std::thread preparer, stepper;
+};
+
+ManipulationLoop::ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration)
+    : worker_(std::make_unique<Worker>(std::move(link), configuration)) {}
+
+ManipulationLoop::~ManipulationLoop() = default;
+
+void ManipulationLoop::post(Command command) {
+  const std::lock_guard lock(worker_->mutex);
+  if (auto* document = std::get_if<command::SetDocument>(&command)) {
+    worker_->newest_document = std::move(*document);
+    worker_->document_waits = true;
+    worker_->documents_wait.notify_one();
+    return;
+  }
+  worker_->commands.push_back(std::move(command));
+}
+
+bool ManipulationLoop::latest(SceneSnapshot& snapshot) {
+  if (!worker_->snapshots.update()) return false;
+  snapshot = worker_->snapshots.value();
+  return true;
+}
+
+std::vector<Result> ManipulationLoop::takeResults() {
+  std::vector<Result> taken;
+  const std::lock_guard lock(worker_->mutex);
+  taken.swap(worker_->results);
+  return taken;
+}
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/manipulation_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/assertion.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr std::uint32_t kGrabButton = 1, kClutchButton = 2;
+constexpr double kFreeZone = 10.0;                       ///< m: nothing held, nothing to be met.
+constexpr double kRefreshMoved = 0.3e-3;                 ///< m in hand space: worth a new set ...
+constexpr double kRefreshAge = 8e-3;                     ///< ... after so many seconds,
+constexpr double kOldestSet = 50e-3;                     ///< and in any case after so many.
+constexpr double kZoneShare = 0.3;                       ///< At once when so much of the zone is used up.
+constexpr double kContactIn = 5e-5, kContactOut = 2e-4;  ///< m of gap.
+constexpr double kLag = 0.5e-3;                          ///< m the accepted pose may stay behind before that is felt.
+constexpr double kTipReach = 0.010;                      ///< m of hand space within which the tip touches something.
+
+double metric(const Pose& a, const Pose& b) {
+  const Twist t = difference(a, b);
+  return std::sqrt(glm::dot(t.linear, t.linear) +
+                   haptic::kRotationLever * haptic::kRotationLever * glm::dot(t.angular, t.angular));
+}
+
+double seconds(std::int64_t nanoseconds) {
+  return 1e-9 * static_cast<double>(nanoseconds);
+}
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <typename... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+}  // namespace
+
+ManipulationEngine::ManipulationEngine(haptic::HapticLink& link, const config::Configuration& configuration)
+    : link_(link), configuration_(configuration) {
+  control_.stiffness = configuration.haptic.stiffness;
+  control_.damping = configuration.haptic.damping;
+  // A camera in front of the cell: screen axes are then the cell's own.
+  camera_.X_WCamera = {dvec3(0.0, -1.0, 0.0), quaternionFromRotationVector(dvec3(0.5 * M_PI, 0.0, 0.0))};
+  updateMapping();
+}
+
+void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
+  Placements kept;
+  if (held_) kept[held_->id()] = held_->accepted();
+  scene_ = std::move(scene);
+  placements_ = std::move(kept);
+  if (scene_->find(chosen_) == nullptr) chosen_ = 0;
+  if (held_) retake();
+}
+
+void ManipulationEngine::apply(const Command& command) {
+  std::visit(
+      Overloaded{
+          [&](const command::SetDocument& c) {
+            const PairRule rule{configuration_.manipulation.safety_distance, configuration_.manipulation.near_miss};
+            setScene(PreparedScene::prepare(c.entities, c.pair_sets, rule, scene_.get()));
+          },
+          [&](const command::ChooseEntity& c) {
+            chosen_ = c.entity;
+            on_contact_.reset();
+            force_class_.reset();
+          },
+          [&](const command::SetMovedBy& c) {
+            moved_by_ = c.moved_by;
+            retake();
+          },
+          [&](const command::SetAxes& c) {
+            axes_ = c.axes;
+            updateMapping();
+          },
+          [&](const command::SetScale& c) {
+            scale_ = c.scale;
+            updateMapping();
+          },
+          [&](const command::SetCamera& c) {
+            camera_ = c;
+            updateMapping();
+          },
+          [&](const command::SetOnContact& c) {
+            on_contact_ = c.on_contact;
+            retake();
+          },
+          [&](const command::SetForceClass& c) {
+            force_class_ = c.force_class;
+            retake();
+          },
+          [&](const command::SetForces& c) {
+            control_.forces_enabled = c.on;
+            link_.sendControl(control_);
+          },
+          [&](const command::SetFilter& c) {
+            mapping_.setFilter(c.translates, c.rotates);
+            anchorMapping();
+          },
+          [&](const command::SetClutch& c) { clutch_command_ = c.on; },
+          [&](const command::SetHandTarget& c) { link_.sendHandTarget(c.target); },
+          [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); }},
+      command);
+}
+
+std::vector<Result> ManipulationEngine::takeResults() {
+  std::vector<Result> taken;
+  taken.swap(results_);
+  return taken;
+}
+
+EntityConfiguration ManipulationEngine::placement(workcell::EntityId entity) const {
+  if (held_ && held_->id() == entity) return held_->accepted();
+  if (const auto moved = placements_.find(entity); moved != placements_.end()) return moved->second;
+  const workcell::Entity* found = scene_ ? scene_->find(entity) : nullptr;
+  HAPTICELL_DEMAND(found != nullptr);
+  return {found->X_WE, found->joints};
+}
+
+double ManipulationEngine::scaleInForce() const {
+  const config::Configuration::Scale& levels = configuration_.scale;
+  switch (scale_.level) {
+    case ScaleLevel::kRough:
+      return levels.rough;
+    case ScaleLevel::kMedium:
+      return levels.medium;
+    case ScaleLevel::kFine:
+      return levels.fine;
+    case ScaleLevel::kNumber:
+      return scale_.number;
+    case ScaleLevel::kScreen:
+      break;
+  }
+  const std::optional<haptic::DeviceDescription> device = link_.device();
+  const double width = device ? device->workspace_max.x - device->workspace_min.x : 0.16;
+  return levels.screen * screenScale(camera_.visible_width, width);
+}
+
+void ManipulationEngine::updateMapping() {
+  Pose X_WF;
+  if (axes_.mode == AxesMode::kFrame && scene_) {
+    if (const workcell::Entity* frame = scene_->find(axes_.frame)) {
+      X_WF = placement(frame->id).X_WE;
+    } else {
+      notice("There is no frame '" + axes_.frame + "' to move along; the cell's axes are used");
+    }
+  }
+  const dquat q_WD = deviceAxes(axes_.mode, camera_.X_WCamera, X_WF);
+  const double scale = scaleInForce();
+  // Turning the view a little all the time must not make sets anew all the time.
+  const bool same = std::abs(glm::dot(q_WD, mapping_.axes())) > 1.0 - 1e-12 && scale == mapping_.scale();
+  mapping_.setAxes(q_WD);
+  mapping_.setScale(scale);
+  if (!same || !held_) anchorMapping();
+}
+
+void ManipulationEngine::anchorMapping() {
+  set_wanted_ = true;
+  if (held_) {
+    mapping_.anchor(state_ ? state_->X_DP : Pose::identity(), held_->movedFrame());
+  } else {
+    mapping_.anchor(Pose::identity(), Pose::translation(camera_.p_WFocus));
+  }
+}
+
+void ManipulationEngine::hold(workcell::EntityId entity) {
+  const workcell::Entity* found = scene_ ? scene_->find(entity) : nullptr;
+  if (found == nullptr) return;
+  const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact),
+                            force_class_.value_or(found->force_class)};
+  auto taken = HeldEntity::take(scene_, entity, placements_, options, configuration_);
+  if (!taken) {
+    notice(taken.error().message());
+    return;
+  }
+  held_ = std::move(*taken);
+  gaps_.assign(held_->pairs().size(), std::numeric_limits<double>::infinity());
+}
+
+void ManipulationEngine::retake() {
+  if (!held_) return;
+  const workcell::EntityId id = held_->id();
+  placements_[id] = held_->accepted();
+  held_.reset();
+  contacts_.clear();
+  near_.clear();
+  built_ = {};
+  hold(id);
+  updateMapping();
+  anchorMapping();
+}
+
+void ManipulationEngine::grab(workcell::EntityId wanted) {
+  if (held_ || !scene_) return;
+  workcell::EntityId entity = wanted != 0 ? wanted : chosen_;
+  if (entity == 0) entity = entityAtTip();
+  if (entity == 0) return;
+  hold(entity);
+  if (!held_) return;
+  stopped_ = false;
+  updateMapping();
+  anchorMapping();
+  results_.push_back(result::Grabbed{entity});
+}
+
+void ManipulationEngine::release() {
+  if (!held_) return;
+  placements_[held_->id()] = held_->accepted();
+  results_.push_back(result::Moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints});
+  held_.reset();
+  built_ = {};
+  contacts_.clear();
+  near_.clear();
+  stopped_ = false;
+  set_wanted_ = true;
+}
+
+workcell::EntityId ManipulationEngine::entityAtTip() const {
+  if (!state_) return 0;
+  geometry::TriangleMesh point;
+  point.vertices = {dvec3(0.0)};
+  point.triangles = {{0, 0, 0}};
+  const auto tip = collision::MeshCollider::build(point);
+  const Pose X_WTip = mapping_.toCell(state_->X_DS);
+  double nearest = kTipReach * mapping_.scale();
+  workcell::EntityId found = 0;
+  for (const ScenePart& part : scene_->parts()) {
+    const workcell::Entity& entity = *scene_->find(part.entity);
+    if (entity.locked || !entity.visible) continue;
+    const EntityConfiguration at = placement(part.entity);
+    const Pose X_WP = PreparedScene::partPose(entity, at.X_WE, at.joints, part.link);
+    const collision::DistanceResult result = collision::distance(tip, X_WTip, part.mesh.collider, X_WP, nearest);
+    if (result.beyond_limit || result.distance >= nearest) continue;
+    nearest = result.distance;
+    found = part.entity;
+  }
+  return found;
+}
+
+void ManipulationEngine::takeState() {
+  const haptic::LinkState now = link_.linkState();
+  if (now != link_state_ && now == haptic::LinkState::kConnected) {
+    link_.sendControl(control_);
+    set_wanted_ = true;
+    updateMapping();
+  }
+  link_state_ = now;
+  if (std::optional<haptic::HapticState> newest = link_.latestState()) state_ = *newest;
+  if (std::optional<haptic::ServerStatistics> newest = link_.latestStatistics()) statistics_ = *newest;
+}
+
+void ManipulationEngine::watchButtons() {
+  const std::uint32_t pressed = state_->buttons & ~last_buttons_;
+  const std::uint32_t let_go = last_buttons_ & ~state_->buttons;
+  last_buttons_ = state_->buttons;
+  if ((pressed & kGrabButton) != 0) held_ ? release() : grab(0);
+  if ((let_go & kGrabButton) != 0 && configuration_.manipulation.hold_to_move) release();
+  setClutched(clutch_command_ || (state_->buttons & kClutchButton) != 0);
+}
+
+void ManipulationEngine::setClutched(bool clutched) {
+  if (clutched == clutched_) return;
+  clutched_ = clutched;
+  set_wanted_ = true;
+  contacts_.clear();
+  if (!clutched && held_) anchorMapping();
+}
+
+bool ManipulationEngine::needsSet() const {
+  const double age = seconds(now_ns_ - set_ns_);
+  if (set_wanted_ || age >= kOldestSet) return true;
+  if (!held_ || clutched_) return false;
+  const double moved = metric(mapping_.toDevice(held_->movedFrame(), state_->X_DP), built_.set.X_DR);
+  return moved > kZoneShare * built_.set.zone_radius || (moved > kRefreshMoved && age >= kRefreshAge);
+}
+
+void ManipulationEngine::addLagRow() {
+  haptic::ConstraintSet& set = built_.set;
+  const Twist lag = difference(state_->X_DP, set.X_DR);
+  const double length = metric(state_->X_DP, set.X_DR);
+  if (length < kLag || set.count >= haptic::kMaxConstraints) return;
+  // Only where nothing in the set says why the entity stays behind: the inverse model's branch, a motion that the exact
+  // check refuses.
+  pairGaps(built_, state_->X_DP, gaps_);
+  for (const double gap : gaps_) {
+    if (gap < -0.2 * kLag) return;
+  }
+  const haptic::Vector6 xi{lag.linear.x, lag.linear.y, lag.linear.z, lag.angular.x, lag.angular.y, lag.angular.z};
+  for (std::size_t i = 0; i < set.count; ++i) {
+    if (built_.origins[i].limit >= 0 && haptic::evaluate(set.constraints[i], xi) < -0.2 * kLag) return;
+  }
+  haptic::Constraint row;
+  row.group = set.count == 0 ? 0 : set.constraints[set.count - 1].group + 1;
+  row.gap = 0.4 * kLag;
+  row.id = ~std::uint64_t{0};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double weight = i < 3 ? 1.0 : haptic::kRotationLever * haptic::kRotationLever;
+    row.gradient[i] = -weight * xi[i] / length;
+  }
+  set.constraints[set.count++] = row;
+  built_.origins.push_back({});
+}
+
+void ManipulationEngine::updateSet() {
+  if (!needsSet()) return;
+  set_wanted_ = false;
+  set_ns_ = now_ns_;
+  if (held_ && !clutched_) {
+    built_ = held_->constraints(mapping_, state_->X_DP, configuration_.manipulation.zone_radius);
+    addLagRow();
+  } else {
+    built_ = {};
+    built_.set.X_DR = state_->X_DP;
+    built_.set.zone_radius = kFreeZone;
+  }
+  built_.set.sequence = ++sequence_;
+  built_.set.stamp_ns = now_ns_;
+  link_.sendSet(built_.set);
+}
+
+void ManipulationEngine::findContacts() {
+  if (!held_ || clutched_) return;
+  pairGaps(built_, state_->X_DP, gaps_);
+  std::vector<std::size_t> now;
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    const bool was = std::find(contacts_.begin(), contacts_.end(), i) != contacts_.end();
+    if (gaps_[i] < (was ? kContactOut : kContactIn)) now.push_back(i);
+  }
+  contacts_.swap(now);
+}
+
+void ManipulationEngine::step(std::int64_t now_ns) {
+  now_ns_ = now_ns;
+  if (start_ns_ < 0) start_ns_ = now_ns;
+  ++step_;
+  takeState();
+  if (!state_) return;
+  watchButtons();
+  if (held_ && !clutched_) {
+    const HeldEntity::FollowResult followed = held_->follow(state_->X_DP, mapping_, &built_);
+    stopped_ = followed.stopped;
+  }
+  updateSet();
+  findContacts();
+  for (const std::size_t i : contacts_) {
+    stopped_ = stopped_ || held_->pairs()[i].on_contact == workcell::OnContact::kStop;
+  }
+}
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "haptic/client/haptic_link.h"
+#include "manipulation/held_entity.h"
+#include "manipulation/manipulation_command.h"
+#include "manipulation/motion_mapping.h"
+#include "manipulation/prepared_scene.h"
+#include "manipulation/scene_snapshot.h"
+
+namespace hapticell::manipulation {
+
+/// One step of the manipulation loop, without a thread or a clock of its own.
+///
+/// Newest stylus and proxy -> mapping -> manipulator -> exact motion check -> accept, stop or slide -> constraint set
+/// about the accepted pose -> server. Driven by ManipulationLoop in real time and by a session in virtual time. One
+/// thread.
+class ManipulationEngine {
+ public:
+  /// `link` must outlive the engine.
+  ManipulationEngine(haptic::HapticLink& link, const config::Configuration& configuration);
+
+  /// The scene that counts from now on. What is held goes on being held if it still exists.
+  void setScene(std::shared_ptr<const PreparedScene> scene);
+  /// Takes a command; SetDocument prepares its meshes at once (ManipulationLoop does that beforehand).
+  void apply(const Command& command);
+  /// One step at `now_ns` of a steady clock that never goes back.
+  void step(std::int64_t now_ns);
+
+  /// What happened since the last call, in order.
+  std::vector<Result> takeResults();
+
+  const PreparedScene* scene() const { return scene_.get(); }
+  const HeldEntity* held() const { return held_.get(); }
+  /// Where an entity stands now, moved or not. It exists (contract).
+  EntityConfiguration placement(workcell::EntityId entity) const;
+  const std::optional<haptic::HapticState>& hapticState() const { return state_; }
+
+  /// Pairs of what is held that are at their boundary now: indices into held()->pairs().
+  const std::vector<std::size_t>& contacts() const { return contacts_; }
+
+  /// The picture of the newest step, made here (distances are measured for it at most 30 times a second).
+  void fillSnapshot(SceneSnapshot& snapshot);
+
+ private:
+  void takeState();
+  void watchButtons();
+  void grab(workcell::EntityId wanted);
+  void release();
+  void hold(workcell::EntityId entity);
+  void retake();
+  void anchorMapping();
+  void updateMapping();
+  void setClutched(bool clutched);
+  double scaleInForce() const;
+  workcell::EntityId entityAtTip() const;
+  void updateSet();
+  bool needsSet() const;
+  void addLagRow();
+  void findContacts();
+  void measureForDisplay(SceneSnapshot& snapshot);
+  void describe(SceneSnapshot& snapshot) const;
+  void notice(const std::string& sentence) { results_.push_back(result::Notice{sentence}); }
+
+  haptic::HapticLink& link_;
+  config::Configuration configuration_;
+  std::shared_ptr<const PreparedScene> scene_;  // Shared with the thread that prepares the next one.
+  Placements placements_;
+  std::unique_ptr<HeldEntity> held_;
+
+  std::optional<haptic::HapticState> state_;
+  haptic::ServerStatistics statistics_;
+  haptic::LinkState link_state_ = haptic::LinkState::kDisconnected;
+  haptic::HapticControl control_;
+
+  workcell::EntityId chosen_ = 0;
+  MovedBy moved_by_;
+  AxesChoice axes_;
+  ScaleChoice scale_;
+  command::SetCamera camera_;
+  std::optional<workcell::OnContact> on_contact_;
+  std::optional<workcell::ForceClass> force_class_;
+  MotionMapping mapping_;
+  bool clutched_ = false;
+  bool clutch_command_ = false;
+  bool stopped_ = false;
+  std::uint32_t last_buttons_ = 0;
+
+  std::int64_t now_ns_ = 0;
+  std::int64_t start_ns_ = -1;
+  std::uint64_t step_ = 0;
+  std::uint64_t sequence_ = 0;
+  std::int64_t set_ns_ = 0;
+  bool set_wanted_ = true;
+  BuiltConstraints built_;
+  std::vector<double> gaps_;
+  std::vector<std::size_t> contacts_;
+  std::vector<Result> results_;
+
+  std::int64_t measured_ns_ = -1;
+  std::vector<FreeMotion::PairDistance> near_;
+};
+
+}  // namespace hapticell::manipulation

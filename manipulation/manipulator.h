@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "manipulation/part_differential.h"
+#include "workcell/entity.h"
+
+namespace hapticell::manipulation {
+
+/// Where an entity stands: its placement, and a robot's joints.
+struct EntityConfiguration {
+  Pose X_WE;
+  std::vector<double> joints;
+};
+
+/// A part of the moved entity as the motion bounds need it: a sphere about it, in the part's own frame P.
+struct PartSphere {
+  dvec3 p_PS{0.0};
+  double radius = 0.0;
+};
+
+/// A limit of the entity's own motion (a joint's end, the edge of the workspace), felt like a contact.
+struct MotionLimit {
+  haptic::Constraint constraint_W;  ///< Over the moved frame's xi in the cell; gap in metres of its motion.
+  std::string text;                 ///< "A5 is 1.2 deg from its upper limit"
+  int joint = -1;                   ///< Index among the robot's joints; -1 for the edge of the workspace.
+};
+
+/// How an entity follows the hand: which frame M the hand moves, and what the entity's parts do then.
+///
+/// A model of the entity only; it knows nothing of obstacles, of the device or of scale. Its parts are those of the
+/// prepared scene (see ScenePart), in their order. Used by the manipulation thread.
+class Manipulator {
+ public:
+  virtual ~Manipulator() = default;
+
+  /// Pose X_WM of the moved frame.
+  virtual Pose movedFrame(const EntityConfiguration& configuration) const = 0;
+
+  /// The configuration near `from` whose moved frame is at X_WM, or as near to it as the entity's own limits allow.
+  virtual EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const = 0;
+
+  /// The configuration at `s` in [0, 1] of the motion that leads from one to the other.
+  virtual EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to,
+                                      double s) const = 0;
+
+  /// Poses X_WP of all parts, one for each entry of `X_WP`.
+  virtual void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const = 0;
+
+  /// For each part an upper bound (m) of the length of the path of any of its points along between(from, to, 0..1).
+  virtual void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
+                          std::span<const PartSphere> spheres, std::span<double> bounds) const = 0;
+
+  /// How every part follows a small motion of the moved frame, to second order.
+  virtual std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const = 0;
+
+  /// The entity's own limits nearer than `zone` (m of the moved frame's motion, rotation with the lever `lever`).
+  virtual std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone,
+                                          double lever) const = 0;
+};
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision/convex_pieces.h"
+#include "collision/mesh_collider.h"
+#include "workcell/entity.h"
+
+namespace hapticell::manipulation {
+
+/// A mesh made ready for both kinds of query.
+struct PreparedMesh {
+  std::shared_ptr<const collision::MeshCollider> collider;
+  std::shared_ptr<const collision::ConvexPieces> pieces;
+};
+
+/// One rigid body of the scene: a solid, or a link of a robot with all its collision shapes. Its frame P is the
+/// entity's own or the link's.
+struct ScenePart {
+  workcell::EntityId entity = 0;
+  int link = -1;     ///< Robots: index of the link; -1 for a solid.
+  std::string name;  ///< Robots: the link's name; empty for a solid.
+  PreparedMesh mesh;
+};
+
+/// How a pair of entities is checked.
+struct PairRule {
+  double safety_distance = 0.0;  ///< m, felt as the boundary.
+  double near_miss = 0.0;        ///< m, shown.
+};
+
+/// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked
+/// against what. Immutable; any thread.
+class PreparedScene {
+ public:
+  /// Takes as long as the meshes need (about a second for a million triangles); meshes that `previous` has prepared are
+  /// taken over from it. Entities without a mesh have no parts.
+  static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
+                                                      std::vector<workcell::PairSet> pair_sets,
+                                                      const PairRule& default_rule,
+                                                      const PreparedScene* previous = nullptr);
+
+  const std::vector<workcell::Entity>& entities() const { return entities_; }
+  const workcell::Entity* find(workcell::EntityId id) const;
+  const workcell::Entity* find(const std::string& name) const;
+  const std::vector<ScenePart>& parts() const { return parts_; }
+
+  /// Poses X_WP of an entity's part when the entity stands so.
+  static Pose partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints, int link);
+
+  /// The rule of this pair, empty when it is not checked: the strictest of the enabled sets that name it, or the
+  /// default rule where the document has no sets at all.
+  std::optional<PairRule> rule(const workcell::Entity& a, const workcell::Entity& b) const;
+
+ private:
+  using MeshKey = std::pair<const void*, int>;  ///< Mesh, or robot model and link.
+  PreparedScene() = default;
+  void addParts(const workcell::Entity& entity, const PreparedScene* previous);
+  PreparedMesh prepared(const MeshKey& key, const geometry::TriangleMesh& mesh, const PreparedScene* previous);
+
+  std::vector<workcell::Entity> entities_;
+  std::vector<workcell::PairSet> pair_sets_;
+  PairRule default_rule_;
+  std::vector<ScenePart> parts_;
+  std::map<MeshKey, PreparedMesh> meshes_;
+};
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/robot_manipulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/assertion.h"
+#include "manipulation/robot_differential.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using kinematics::Joint;
+using kinematics::JointType;
+
+/// Length of a gradient, rotation weighed with the lever: how fast the constraint closes for a metre of motion.
+double slopeOf(const haptic::Vector6& gradient, double lever) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double part = i < 3 ? gradient[i] : gradient[i] / lever;
+    sum += part * part;
+  }
+  return std::sqrt(sum);
+}
+
+void normalise(haptic::Constraint& constraint, double slope) {
+  constraint.gap /= slope;
+  for (double& a : constraint.gradient) a /= slope;
+  for (double& b : constraint.curvature) b /= slope;
+}
+
+std::string limitText(const Joint& joint, double left, bool upper) {
+  const bool turns = joint.type != JointType::kPrismatic;
+  char text[160];
+  std::snprintf(text, sizeof text, "%.60s is %.1f %s from its %s limit", joint.name.c_str(),
+                std::max(0.0, turns ? left * 180.0 / M_PI : left * 1000.0), turns ? "deg" : "mm",
+                upper ? "upper" : "lower");
+  return text;
+}
+
+}  // namespace
+
+RobotManipulator::RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
+                                   std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<int> part_links)
+    : model_(std::move(model)), tool_(tool), inverse_(std::move(inverse)), part_links_(std::move(part_links)) {
+  HAPTICELL_DEMAND(model_ && inverse_);
+  HAPTICELL_DEMAND(tool_.tip_link >= 0 && static_cast<std::size_t>(tool_.tip_link) < model_->links.size());
+}
+
+std::vector<Pose> RobotManipulator::linkPoses(const EntityConfiguration& configuration) const {
+  std::vector<Pose> X_WL;
+  kinematics::forwardKinematics(*model_, configuration.joints, X_WL);
+  for (Pose& pose : X_WL) pose = configuration.X_WE * pose;
+  return X_WL;
+}
+
+Pose RobotManipulator::movedFrame(const EntityConfiguration& configuration) const {
+  return linkPoses(configuration)[static_cast<std::size_t>(tool_.tip_link)] * tool_.X_LT;
+}
+
+EntityConfiguration RobotManipulator::propose(const EntityConfiguration& from, const Pose& X_WM) const {
+  kinematics::InverseSolution solution;
+  inverse_->solveNearest(from.X_WE.inverse() * X_WM, from.joints, kinematics::kUnboundedDuration, solution);
+  const bool finite = std::all_of(solution.q.begin(), solution.q.end(), [](double q) { return std::isfinite(q); });
+  if (!finite || solution.q.size() != from.joints.size()) return from;
+  return {from.X_WE, std::move(solution.q)};
+}
+
+EntityConfiguration RobotManipulator::between(const EntityConfiguration& from, const EntityConfiguration& to,
+                                              double s) const {
+  EntityConfiguration result = from;
+  for (std::size_t i = 0; i < result.joints.size(); ++i) result.joints[i] += s * (to.joints[i] - from.joints[i]);
+  return result;
+}
+
+void RobotManipulator::partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const {
+  HAPTICELL_DEMAND(X_WP.size() == part_links_.size());
+  const std::vector<Pose> X_WL = linkPoses(configuration);
+  for (std::size_t k = 0; k < X_WP.size(); ++k) X_WP[k] = X_WL[static_cast<std::size_t>(part_links_[k])];
+}
+
+void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
+                                  std::span<const PartSphere> spheres, std::span<double> bounds) const {
+  HAPTICELL_DEMAND(spheres.size() == part_links_.size() && bounds.size() == part_links_.size());
+  const std::vector<Pose> X_WL = linkPoses(from);
+  // Any point on a link moves at most |dq| times its distance from the axis. The distance at the start may grow by what
+  // both move meanwhile; `farthest` bounds that by the whole robot's size.
+  double farthest = 0.0, turned = 0.0, slid = 0.0;
+  for (const Pose& pose : X_WL) farthest = std::max(farthest, glm::length(pose.p - X_WL.front().p));
+  double offset = 0.0;
+  for (const PartSphere& sphere : spheres) offset = std::max(offset, glm::length(sphere.p_PS) + sphere.radius);
+  farthest += offset;
+  std::vector<double> steps(model_->joints.size(), 0.0);
+  for (std::size_t j = 0; j < model_->joints.size(); ++j) {
+    const Joint& joint = model_->joints[j];
+    steps[j] = std::abs(kinematics::jointPosition(*model_, to.joints, joint) -
+                        kinematics::jointPosition(*model_, from.joints, joint));
+    (joint.type == JointType::kPrismatic ? slid : turned) += steps[j];
+  }
+  const double loose = 2.0 * (slid + turned * 2.0 * (farthest + slid));
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    const dvec3 center = X_WL[static_cast<std::size_t>(part_links_[k])] * spheres[k].p_PS;
+    bounds[k] = 0.0;
+    for (int at = model_->links[static_cast<std::size_t>(part_links_[k])].parent_joint; at >= 0;) {
+      const Joint& joint = model_->joints[static_cast<std::size_t>(at)];
+      const Pose& X_WJ = X_WL[static_cast<std::size_t>(joint.child_link)];
+      const dvec3 axis = X_WJ.rotate(joint.axis_J);
+      const double lever = glm::length(glm::cross(axis, center - X_WJ.p)) + spheres[k].radius + loose;
+      bounds[k] += steps[static_cast<std::size_t>(at)] * (joint.type == JointType::kPrismatic ? 1.0 : lever);
+      at = model_->links[static_cast<std::size_t>(joint.parent_link)].parent_joint;
+    }
+  }
+}
+
+std::vector<PartDifferential> RobotManipulator::differentiate(const EntityConfiguration& configuration) const {
+  const RobotDifferential robot =
+      differentiateRobot(*model_, configuration.joints, configuration.X_WE, tool_.tip_link, tool_.X_LT);
+  std::vector<PartDifferential> parts;
+  parts.reserve(part_links_.size());
+  for (const int link : part_links_) parts.push_back(robot.links[static_cast<std::size_t>(link)]);
+  return parts;
+}
+
+std::vector<MotionLimit> RobotManipulator::limits(const EntityConfiguration& configuration, double zone,
+                                                  double lever) const {
+  const RobotDifferential robot =
+      differentiateRobot(*model_, configuration.joints, configuration.X_WE, tool_.tip_link, tool_.X_LT);
+  std::vector<MotionLimit> limits;
+  const auto keep = [&](MotionLimit limit) {
+    const double slope = slopeOf(limit.constraint_W.gradient, lever);
+    if (slope < 1e-9) return;
+    normalise(limit.constraint_W, slope);
+    if (limit.constraint_W.gap < zone) limits.push_back(std::move(limit));
+  };
+  for (std::size_t v = 0; v < model_->moving.size(); ++v) {
+    const Joint& joint = model_->joints[static_cast<std::size_t>(model_->moving[v])];
+    for (const bool upper : {false, true}) {
+      const double end = upper ? joint.upper : joint.lower;
+      if (!std::isfinite(end)) continue;
+      const double sign = upper ? -1.0 : 1.0;
+      MotionLimit limit;
+      limit.joint = model_->moving[v];
+      limit.constraint_W.gap = sign * (configuration.joints[v] - end);
+      limit.constraint_W.id = 2 * v + (upper ? 1 : 0);
+      for (std::size_t i = 0; i < 6; ++i) limit.constraint_W.gradient[i] = sign * robot.joint_velocity[v][i];
+      for (std::size_t i = 0; i < 21; ++i) limit.constraint_W.curvature[i] = sign * robot.joint_acceleration[v][i];
+      limit.text = limitText(joint, limit.constraint_W.gap, upper);
+      keep(std::move(limit));
+    }
+  }
+  if (robot.has_edge) keep({robot.edge, "The arm is at the edge of its reach", -1});
+  return limits;
+}
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinematics/inverse_model.h"
+#include "kinematics/robot_model.h"
+#include "manipulation/manipulator.h"
+
+namespace hapticell::manipulation {
+
+/// A robot that is dragged by its tool centre point: the inverse model nearest to the previous joints moves the arm,
+/// and its joint limits and the edge of its workspace are felt.
+class RobotManipulator final : public Manipulator {
+ public:
+  struct Tool {
+    int tip_link = 0;
+    Pose X_LT;  ///< Tool centre point in the tip link.
+  };
+  /// `part_links[k]` is the link that part k is fixed to (its frame is the link's). `inverse` is for the same tool.
+  RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
+                   std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<int> part_links);
+
+  Pose movedFrame(const EntityConfiguration& configuration) const override;
+  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const override;
+  EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
+  void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
+  void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
+                  std::span<double> bounds) const override;
+  std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
+  std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
+
+ private:
+  std::vector<Pose> linkPoses(const EntityConfiguration& configuration) const;
+
+  std::shared_ptr<const kinematics::RobotModel> model_;  // Shared: documents and snapshots hold the same one.
+  Tool tool_;
+  std::unique_ptr<const kinematics::InverseModel> inverse_;
+  std::vector<int> part_links_;
+};
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the engine shows: the part of ManipulationEngine that only the window needs.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "manipulation/manipulation_step.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr std::int64_t kMeasurePeriod = 33'000'000;  ///< ns.
+constexpr double kShownAtLeast = 0.05;               ///< m: the nearest pair is shown from here on.
+
+double edgeOf(const haptic::DeviceDescription& device, const dvec3& p_DS) {
+  const dvec3 low = p_DS - device.workspace_min, high = device.workspace_max - p_DS;
+  return std::max(0.0, std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
+}
+
+}  // namespace
+
+void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
+  if (measured_ns_ < 0 || now_ns_ - measured_ns_ >= kMeasurePeriod || now_ns_ < measured_ns_) {
+    measured_ns_ = now_ns_;
+    double limit = kShownAtLeast;
+    for (const HeldPair& pair : held_->pairs()) limit = std::max(limit, pair.rule.near_miss);
+    held_->distances(limit, near_);
+    std::sort(near_.begin(), near_.end(),
+              [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
+  }
+  for (const FreeMotion::PairDistance& near : near_) {
+    const HeldPair& pair = held_->pairs()[near.pair];
+    PairState shown;
+    shown.moved = held_->id();
+    shown.other = pair.other;
+    shown.moved_part = pair.moved_part;
+    shown.other_part = pair.other_part;
+    shown.distance = near.result.distance;
+    shown.p_WA = near.result.p_WA;
+    shown.p_WB = near.result.p_WB;
+    shown.contact =
+        std::find(contacts_.begin(), contacts_.end(), near.pair) != contacts_.end() || near.result.colliding;
+    shown.near_miss = near.result.distance < pair.rule.near_miss;
+    if (snapshot.pairs.empty()) snapshot.free_gap_m = shown.distance;
+    if (snapshot.pairs.empty() || shown.contact || shown.near_miss) snapshot.pairs.push_back(shown);
+  }
+}
+
+void ManipulationEngine::describe(SceneSnapshot& snapshot) const {
+  if (link_state_ != haptic::LinkState::kConnected) {
+    snapshot.status = link_.problem();
+    return;
+  }
+  if (!held_) return;
+  const workcell::Entity* moved = scene_->find(held_->id());
+  char text[256];
+  if (snapshot.pairs.empty()) {
+    std::snprintf(text, sizeof text, "%.80s is free", moved->name.c_str());
+  } else {
+    const PairState& pair = snapshot.pairs.front();
+    const workcell::Entity* other = scene_->find(pair.other);
+    if (pair.contact) {
+      std::snprintf(text, sizeof text, "%.80s touches %.80s", moved->name.c_str(), other->name.c_str());
+    } else {
+      std::snprintf(text, sizeof text, "%.80s is %.1f mm from %.80s", moved->name.c_str(), 1e3 * pair.distance,
+                    other->name.c_str());
+    }
+  }
+  snapshot.status = text;
+}
+
+void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
+  snapshot = {};
+  snapshot.step = step_;
+  snapshot.time_s = start_ns_ < 0 ? 0.0 : 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  for (const auto& [id, at] : placements_) {
+    if (!held_ || id != held_->id()) snapshot.entities.push_back({id, at.X_WE, at.joints, false, false});
+  }
+  if (held_) {
+    measureForDisplay(snapshot);
+    EntityState moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints, !contacts_.empty(), false};
+    for (const PairState& pair : snapshot.pairs) {
+      moved.in_contact = moved.in_contact || pair.contact;
+      moved.near_miss = moved.near_miss || pair.near_miss;
+    }
+    snapshot.entities.push_back(moved);
+    for (const MotionLimit& limit : built_.limits) {
+      if (limit.constraint_W.gap < 0.005 * mapping_.scale()) snapshot.limits.push_back({limit.text, limit.joint});
+    }
+    snapshot.held = held_->id();
+  }
+  snapshot.clutched = clutched_;
+  snapshot.stopped = stopped_;
+  snapshot.connected = link_state_ == haptic::LinkState::kConnected;
+  snapshot.motion_scale = mapping_.scale();
+  if (state_) {
+    snapshot.forces_on = state_->forces_on;
+    snapshot.force_ramp = state_->force_ramp;
+    snapshot.X_DS = state_->X_DS;
+    snapshot.X_WStylus = mapping_.toCell(state_->X_DS);
+    snapshot.force_W = mapping_.axes() * state_->force_D;
+    snapshot.force_n = glm::length(state_->force_D);
+    if (const auto device = link_.device()) snapshot.device_edge_m = edgeOf(*device, state_->X_DS.p);
+  }
+  snapshot.rate_haptic_hz = statistics_.rate_hz;
+  snapshot.late_p99_ms = statistics_.late_p99_ms;
+  snapshot.round_trip_ms = statistics_.round_trip_ms;
+  describe(snapshot);
+}
+
+}  // namespace hapticell::manipulation
