@@ -10,9 +10,7 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kLeastLook = 0.05;      ///< Metres that a query looks ahead at least, so that far pairs rest for long.
-constexpr double kLeastProgress = 2e-7;  ///< Metres: less room than this is a contact.
-constexpr int kMaxSteps = 60;
+constexpr double kLeastLook = 0.05;  ///< Metres that a query looks ahead at least, so that far pairs rest for long.
 
 }  // namespace
 
@@ -40,7 +38,7 @@ void FreeMotion::reset(const Manipulator& manipulator, const EntityConfiguration
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], kLeastLook);
     states_[i].clearance = found.distance;
-    states_[i].soft = found.distance <= kStandOff + kLeastProgress;
+    states_[i].soft = found.distance <= collision::kLeastClearance;
   }
 }
 
@@ -56,36 +54,36 @@ const Pose& FreeMotion::partPoseAt(const Motion& motion, std::uint32_t part, dou
   return X_WP_at_s_[part];
 }
 
-bool FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer) {
-  const double bound = bounds_[pairs_[pair].part];
+void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer) {
+  const std::uint32_t part = pairs_[pair].part;
+  const double bound = bounds_[part];
   PairState& state = states_[pair];
-  double s = 0.0;
   reached_[pair] = 0.0;
-  for (int step = 0; step < kMaxSteps; ++step) {
-    if (state.clearance - kStandOff > (answer.s - s) * bound) return true;
-    const double look = std::max(kLeastLook, 2.0 * bound);
-    const collision::DistanceResult found = measure(pair, partPoseAt(motion, pairs_[pair].part, s), look);
-    state.clearance = found.distance;
-    reached_[pair] = s;
-    const double room = found.distance - kStandOff;
-    if (room > (answer.s - s) * bound) return true;
-    if (room < kLeastProgress || step + 1 == kMaxSteps) {
-      answer.s = s;
-      answer.blocked = true;
-      answer.pair = pair;
-      answer.contact = found;
-      return false;
-    }
-    s += room / bound;
-    state.clearance = kStandOff;
-    reached_[pair] = s;
-  }
-  return true;
+  if (state.clearance - kStandOff > answer.s * bound) return;
+  const Pose& X_WO = obstacles_[pairs_[pair].obstacle].X_WO;
+  state.clearance = measure(pair, X_WP_[part], std::max(kLeastLook, 2.0 * bound)).distance;
+  if (state.clearance - kStandOff > answer.s * bound) return;
+
+  collision::PartMotion moved;
+  moved.X_WStart = X_WP_[part];
+  moved.path_bound = bound;
+  moved.bend_bound = 2.0 * motion.turned * bound;
+  moved.along = [&](double s) { return partPoseAt(motion, part, s); };
+  const collision::MotionStop stop =
+      collision::advance(state.query, moved, collision::standingStill(X_WO), {kStandOff, answer.s});
+  reached_[pair] = stop.s;
+  state.clearance = stop.stopped ? stop.nearest.distance : 0.0;
+  if (!stop.stopped) return;
+  answer.s = stop.s;
+  answer.blocked = true;
+  answer.pair = pair;
+  // Its nearest points may lie just beyond the stop.
+  answer.contact = measure(pair, partPoseAt(motion, part, stop.s), kLeastLook);
 }
 
 MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityConfiguration& from,
                                  const EntityConfiguration& to) {
-  const Motion motion{manipulator, from, to};
+  const Motion motion{manipulator, from, to, manipulator.turnBound(from, to)};
   MotionAnswer answer;
   scratch_s_ = -1.0;
   manipulator.pathBounds(from, to, spheres_, bounds_);
@@ -100,7 +98,7 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
     if (!state.soft || !pairs_[i].blocks) continue;
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], kLeastLook);
     state.clearance = found.distance;
-    state.soft = found.distance <= kStandOff + kLeastProgress;
+    state.soft = found.distance <= collision::kLeastClearance;
   }
   return answer;
 }

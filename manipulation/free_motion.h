@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision/motion_check.h"
 #include "collision/proximity_query.h"
 #include "manipulation/manipulator.h"
 
@@ -40,7 +41,7 @@ struct MotionAnswer {
 class FreeMotion {
  public:
   /// Distance (m) that is left between surfaces when a motion is blocked.
-  static constexpr double kStandOff = 2e-6;
+  static constexpr double kStandOff = 5e-6;
 
   FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider>> parts, std::vector<Obstacle> obstacles,
              std::vector<MotionPair> pairs);
@@ -74,10 +75,11 @@ class FreeMotion {
     const Manipulator& manipulator;
     const EntityConfiguration& from;
     const EntityConfiguration& to;
+    double turned;
   };
 
   collision::DistanceResult measure(std::uint32_t pair, const Pose& X_WP, double limit);
-  bool advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
+  void advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
   const Pose& partPoseAt(const Motion& motion, std::uint32_t part, double s);
 
   std::vector<std::shared_ptr<const collision::MeshCollider>> parts_;

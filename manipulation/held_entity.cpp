@@ -18,7 +18,7 @@ using workcell::EntityKind;
 using workcell::ForceClass;
 using workcell::OnContact;
 
-constexpr double kSkin = 5e-6;             ///< m: least boundary, so that the exact check has room to work in.
+constexpr double kSkin = 20e-6;            ///< m: least boundary, so that the exact check has room to work in.
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
 constexpr int kSlides = 6;
 constexpr double kArrived = 1e-9;  ///< m: less is not worth another slide.
@@ -136,12 +136,12 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
   }
   Pose X_EM;
   if (kind == MovedBy::Kind::kFrame) {
-    const Entity* frame = scene_->find(options.moved_by.frame);
-    if (frame == nullptr) {
+    const PreparedScene::FoundFrame frame = scene_->findFrame(options.moved_by.frame);
+    if (frame.entity == nullptr) {
       return makeError(
           refusal(entity, "there is no frame '" + options.moved_by.frame + "' to move it by", choicesOf(entity)));
     }
-    X_EM = entity.X_WE.inverse() * frame->X_WE;
+    X_EM = entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
   } else if (kind == MovedBy::Kind::kGeometricCenter && entity.mesh) {
     X_EM = Pose::translation(entity.mesh->bounds().center());
   } else if (kind == MovedBy::Kind::kTcp || (kind == MovedBy::Kind::kBase) != robot) {
@@ -161,15 +161,16 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
     names.push_back(part.name);
   }
   std::vector<Obstacle> obstacles;
+  const std::vector<workcell::EffectivePair> rules = scene_->pairsOf(id_, options.on_contact);
   for (const ScenePart& part : scene_->parts()) {
     if (part.entity == id_) continue;
     const Entity& other = *scene_->find(part.entity);
-    const std::optional<PairRule> rule = scene_->rule(entity, other);
-    if (!rule) continue;
+    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.other == other.id; });
+    if (rule == rules.end()) continue;
     std::vector<double> joints;
     const Pose X_WE = placementOf(other, placements, joints);
     const Pose X_WO = PreparedScene::partPose(other, X_WE, joints, part.link);
-    HeldPair pair{other.id, {}, part.name, *rule, options.on_contact, {}};
+    HeldPair pair{other.id, {}, part.name, rule->safety_distance, rule->near_miss, rule->on_contact, {}};
     pair.feel.felt = pair.on_contact != OnContact::kPass;
     if (options.force_class != ForceClass::kConstant) blend(configuration, entity, other, pair.feel);
     if (pair.on_contact == OnContact::kStop) pair.feel.friction = kStickingFriction;
@@ -190,7 +191,7 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
 void HeldEntity::startBoundaries() {
   double widest = kSkin;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    feel_[i].boundary = std::max(kSkin, pairs_[i].rule.safety_distance);
+    feel_[i].boundary = std::max(kSkin, pairs_[i].safety_distance);
     widest = std::max(widest, feel_[i].boundary);
   }
   // Nearer than its boundary already: it must not be thrown out, only get no nearer.
@@ -213,7 +214,7 @@ void HeldEntity::raiseBoundaries() {
   bool any = false;
   double widest = 0.0;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const double wanted = std::max(kSkin, pairs_[i].rule.safety_distance);
+    const double wanted = std::max(kSkin, pairs_[i].safety_distance);
     widest = std::max(widest, wanted);
     any = any || feel_[i].boundary < wanted;
   }
@@ -223,7 +224,7 @@ void HeldEntity::raiseBoundaries() {
   for (const auto& [pair, found] : near_) gaps_[pair] = found.distance;
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     if (motion_->isSoft(i)) continue;
-    const double wanted = std::max(kSkin, pairs_[i].rule.safety_distance);
+    const double wanted = std::max(kSkin, pairs_[i].safety_distance);
     feel_[i].boundary = std::min(wanted, std::max(feel_[i].boundary, gaps_[i]));
   }
 }

@@ -31,7 +31,8 @@ struct HeldPair {
   workcell::EntityId other = 0;
   std::string moved_part;  ///< Link names; empty for solids.
   std::string other_part;
-  PairRule rule;
+  double safety_distance = 0.0;  ///< m, felt as the boundary.
+  double near_miss = 0.0;        ///< m, shown.
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   PairFeel feel;
 };

@@ -77,7 +77,7 @@ struct ManipulationLoop::Worker {
   /// The preparing thread: meshes of the newest document, older ones that wait are dropped.
   void prepareScenes() {
     std::shared_ptr<const PreparedScene> previous;
-    const PairRule rule{configuration.manipulation.safety_distance, configuration.manipulation.near_miss};
+    const workcell::PairDefaults rule{configuration.manipulation.safety_distance, configuration.manipulation.near_miss};
     for (;;) {
       command::SetDocument document;
       {

@@ -59,53 +59,52 @@ void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
 }
 
 void ManipulationEngine::apply(const Command& command) {
-  std::visit(
-      Overloaded{
-          [&](const command::SetDocument& c) {
-            const PairRule rule{configuration_.manipulation.safety_distance, configuration_.manipulation.near_miss};
-            setScene(PreparedScene::prepare(c.entities, c.pair_sets, rule, scene_.get()));
-          },
-          [&](const command::ChooseEntity& c) {
-            chosen_ = c.entity;
-            on_contact_.reset();
-            force_class_.reset();
-          },
-          [&](const command::SetMovedBy& c) {
-            moved_by_ = c.moved_by;
-            retake();
-          },
-          [&](const command::SetAxes& c) {
-            axes_ = c.axes;
-            updateMapping();
-          },
-          [&](const command::SetScale& c) {
-            scale_ = c.scale;
-            updateMapping();
-          },
-          [&](const command::SetCamera& c) {
-            camera_ = c;
-            updateMapping();
-          },
-          [&](const command::SetOnContact& c) {
-            on_contact_ = c.on_contact;
-            retake();
-          },
-          [&](const command::SetForceClass& c) {
-            force_class_ = c.force_class;
-            retake();
-          },
-          [&](const command::SetForces& c) {
-            control_.forces_enabled = c.on;
-            link_.sendControl(control_);
-          },
-          [&](const command::SetFilter& c) {
-            mapping_.setFilter(c.translates, c.rotates);
-            anchorMapping();
-          },
-          [&](const command::SetClutch& c) { clutch_command_ = c.on; },
-          [&](const command::SetHandTarget& c) { link_.sendHandTarget(c.target); },
-          [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); }},
-      command);
+  std::visit(Overloaded{[&](const command::SetDocument& c) {
+                          const workcell::PairDefaults rule{configuration_.manipulation.safety_distance,
+                                                            configuration_.manipulation.near_miss};
+                          setScene(PreparedScene::prepare(c.entities, c.pair_sets, rule, scene_.get()));
+                        },
+                        [&](const command::ChooseEntity& c) {
+                          chosen_ = c.entity;
+                          on_contact_.reset();
+                          force_class_.reset();
+                        },
+                        [&](const command::SetMovedBy& c) {
+                          moved_by_ = c.moved_by;
+                          retake();
+                        },
+                        [&](const command::SetAxes& c) {
+                          axes_ = c.axes;
+                          updateMapping();
+                        },
+                        [&](const command::SetScale& c) {
+                          scale_ = c.scale;
+                          updateMapping();
+                        },
+                        [&](const command::SetCamera& c) {
+                          camera_ = c;
+                          updateMapping();
+                        },
+                        [&](const command::SetOnContact& c) {
+                          on_contact_ = c.on_contact;
+                          retake();
+                        },
+                        [&](const command::SetForceClass& c) {
+                          force_class_ = c.force_class;
+                          retake();
+                        },
+                        [&](const command::SetForces& c) {
+                          control_.forces_enabled = c.on;
+                          link_.sendControl(control_);
+                        },
+                        [&](const command::SetFilter& c) {
+                          mapping_.setFilter(c.translates, c.rotates);
+                          anchorMapping();
+                        },
+                        [&](const command::SetClutch& c) { clutch_command_ = c.on; },
+                        [&](const command::SetHandTarget& c) { link_.sendHandTarget(c.target); },
+                        [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); }},
+             command);
 }
 
 std::vector<Result> ManipulationEngine::takeResults() {
@@ -144,8 +143,8 @@ double ManipulationEngine::scaleInForce() const {
 void ManipulationEngine::updateMapping() {
   Pose X_WF;
   if (axes_.mode == AxesMode::kFrame && scene_) {
-    if (const workcell::Entity* frame = scene_->find(axes_.frame)) {
-      X_WF = placement(frame->id).X_WE;
+    if (const PreparedScene::FoundFrame frame = scene_->findFrame(axes_.frame); frame.entity != nullptr) {
+      X_WF = placement(frame.entity->id).X_WE * frame.X_EF;
     } else {
       notice("There is no frame '" + axes_.frame + "' to move along; the cell's axes are used");
     }

@@ -55,6 +55,9 @@ class Manipulator {
   virtual void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                           std::span<const PartSphere> spheres, std::span<double> bounds) const = 0;
 
+  /// Upper bound (rad) of how much all joints, or the body, turn in all on that motion.
+  virtual double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const = 0;
+
   /// How every part follows a small motion of the moved frame, to second order.
   virtual std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const = 0;
 

@@ -5,22 +5,14 @@
 
 namespace hapticell::manipulation {
 
-namespace {
-
-bool names(const std::vector<std::string>& column, const std::string& entity) {
-  return column.empty() || std::find(column.begin(), column.end(), entity) != column.end();
-}
-
-}  // namespace
-
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
                                                             std::vector<workcell::PairSet> pair_sets,
-                                                            const PairRule& default_rule,
+                                                            const workcell::PairDefaults& defaults,
                                                             const PreparedScene* previous) {
   std::shared_ptr<PreparedScene> scene(new PreparedScene);
   scene->entities_ = std::move(entities);
   scene->pair_sets_ = std::move(pair_sets);
-  scene->default_rule_ = default_rule;
+  scene->defaults_ = defaults;
   for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, previous);
   return scene;
 }
@@ -75,19 +67,23 @@ Pose PreparedScene::partPose(const workcell::Entity& entity, const Pose& X_WE, c
   return X_WE * X_EL[static_cast<std::size_t>(link)];
 }
 
-std::optional<PairRule> PreparedScene::rule(const workcell::Entity& a, const workcell::Entity& b) const {
-  if (!a.checked || !b.checked || a.id == b.id) return std::nullopt;
-  if (pair_sets_.empty()) return default_rule_;
-  std::optional<PairRule> strictest;
-  for (const workcell::PairSet& set : pair_sets_) {
-    const bool meant = (names(set.first, a.name) && names(set.second, b.name)) ||
-                       (names(set.first, b.name) && names(set.second, a.name));
-    if (!set.enabled || !meant) continue;
-    if (!strictest) strictest.emplace();
-    strictest->safety_distance = std::max(strictest->safety_distance, set.safety_distance);
-    strictest->near_miss = std::max(strictest->near_miss, set.near_miss);
+std::vector<workcell::EffectivePair> PreparedScene::pairsOf(workcell::EntityId moved,
+                                                            workcell::OnContact on_contact) const {
+  std::vector<workcell::Entity> entities = entities_;
+  for (workcell::Entity& entity : entities) {
+    if (entity.id == moved) entity.on_contact = on_contact;
   }
-  return strictest;
+  return workcell::effectivePairs(entities, pair_sets_, moved, defaults_);
+}
+
+PreparedScene::FoundFrame PreparedScene::findFrame(const std::string& name) const {
+  for (const workcell::Entity& entity : entities_) {
+    if (entity.name == name) return {&entity, Pose::identity()};
+    for (const workcell::Frame& frame : entity.frames) {
+      if (frame.name == name) return {&entity, frame.X_EF};
+    }
+  }
+  return {};
 }
 
 }  // namespace hapticell::manipulation

@@ -10,6 +10,7 @@
 #include "collision/convex_pieces.h"
 #include "collision/mesh_collider.h"
 #include "workcell/entity.h"
+#include "workcell/pair_policy.h"
 
 namespace hapticell::manipulation {
 
@@ -28,12 +29,6 @@ struct ScenePart {
   PreparedMesh mesh;
 };
 
-/// How a pair of entities is checked.
-struct PairRule {
-  double safety_distance = 0.0;  ///< m, felt as the boundary.
-  double near_miss = 0.0;        ///< m, shown.
-};
-
 /// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked
 /// against what. Immutable; any thread.
 class PreparedScene {
@@ -42,7 +37,7 @@ class PreparedScene {
   /// taken over from it. Entities without a mesh have no parts.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       std::vector<workcell::PairSet> pair_sets,
-                                                      const PairRule& default_rule,
+                                                      const workcell::PairDefaults& defaults,
                                                       const PreparedScene* previous = nullptr);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
@@ -53,9 +48,15 @@ class PreparedScene {
   /// Poses X_WP of an entity's part when the entity stands so.
   static Pose partPose(const workcell::Entity& entity, const Pose& X_WE, const std::vector<double>& joints, int link);
 
-  /// The rule of this pair, empty when it is not checked: the strictest of the enabled sets that name it, or the
-  /// default rule where the document has no sets at all.
-  std::optional<PairRule> rule(const workcell::Entity& a, const workcell::Entity& b) const;
+  /// What is checked against the entity, its own choice on contact being `on_contact`.
+  std::vector<workcell::EffectivePair> pairsOf(workcell::EntityId moved, workcell::OnContact on_contact) const;
+
+  /// A frame by its name: a frame of an entity, or an entity's own. Null entity when there is none.
+  struct FoundFrame {
+    const workcell::Entity* entity = nullptr;
+    Pose X_EF;
+  };
+  FoundFrame findFrame(const std::string& name) const;
 
  private:
   using MeshKey = std::pair<const void*, int>;  ///< Mesh, or robot model and link.
@@ -65,7 +66,7 @@ class PreparedScene {
 
   std::vector<workcell::Entity> entities_;
   std::vector<workcell::PairSet> pair_sets_;
-  PairRule default_rule_;
+  workcell::PairDefaults defaults_;
   std::vector<ScenePart> parts_;
   std::map<MeshKey, PreparedMesh> meshes_;
 };

@@ -114,6 +114,16 @@ void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityC
   }
 }
 
+double RobotManipulator::turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const {
+  double turned = 0.0;
+  for (const Joint& joint : model_->joints) {
+    if (joint.type == JointType::kPrismatic || joint.type == JointType::kFixed) continue;
+    turned += std::abs(kinematics::jointPosition(*model_, to.joints, joint) -
+                       kinematics::jointPosition(*model_, from.joints, joint));
+  }
+  return turned;
+}
+
 std::vector<PartDifferential> RobotManipulator::differentiate(const EntityConfiguration& configuration) const {
   const RobotDifferential robot =
       differentiateRobot(*model_, configuration.joints, configuration.X_WE, tool_.tip_link, tool_.X_LT);

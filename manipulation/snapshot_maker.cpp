@@ -24,7 +24,7 @@ void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
   if (measured_ns_ < 0 || now_ns_ - measured_ns_ >= kMeasurePeriod || now_ns_ < measured_ns_) {
     measured_ns_ = now_ns_;
     double limit = kShownAtLeast;
-    for (const HeldPair& pair : held_->pairs()) limit = std::max(limit, pair.rule.near_miss);
+    for (const HeldPair& pair : held_->pairs()) limit = std::max(limit, pair.near_miss);
     held_->distances(limit, near_);
     std::sort(near_.begin(), near_.end(),
               [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
@@ -41,7 +41,7 @@ void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
     shown.p_WB = near.result.p_WB;
     shown.contact =
         std::find(contacts_.begin(), contacts_.end(), near.pair) != contacts_.end() || near.result.colliding;
-    shown.near_miss = near.result.distance < pair.rule.near_miss;
+    shown.near_miss = near.result.distance < pair.near_miss;
     if (snapshot.pairs.empty()) snapshot.free_gap_m = shown.distance;
     if (snapshot.pairs.empty() || shown.contact || shown.near_miss) snapshot.pairs.push_back(shown);
   }

@@ -38,6 +38,10 @@ void SolidManipulator::pathBounds(const EntityConfiguration& from, const EntityC
   }
 }
 
+double SolidManipulator::turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const {
+  return glm::length(difference(to.X_WE, from.X_WE).angular);
+}
+
 std::vector<PartDifferential> SolidManipulator::differentiate(const EntityConfiguration& configuration) const {
   std::vector<PartDifferential> parts;
   parts.reserve(X_EP_.size());

@@ -17,6 +17,7 @@ class SolidManipulator final : public Manipulator {
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
                   std::span<double> bounds) const override;
+  double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;
   std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
