@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "tests/support/test_data.h"
+
+namespace hapticell::cli {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kUnitCube =
+    "v -0.5 -0.5 -0.5\nv 0.5 -0.5 -0.5\nv 0.5 0.5 -0.5\nv -0.5 0.5 -0.5\nv -0.5 -0.5 0.5\nv 0.5 -0.5 0.5\nv 0.5 0.5 "
+    "0.5\n"
+    "v -0.5 0.5 0.5\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+class DistanceCommand : public testing::Test {
+ protected:
+  int run(std::vector<std::string> words) {
+    words.insert(words.begin(), {"hapticell-cli", "distance"});
+    words.insert(words.end(), {"--json", result_file_.string()});
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    return runCommandLine(static_cast<int>(argv.size()), argv.data());
+  }
+  int runOn(const std::string& rows, std::vector<std::string> more = {}) {
+    const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n" + rows);
+    std::vector<std::string> words{"--moving", cube_, "--environment", cube_, "--poses", poses.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  json result() const { return json::parse(std::ifstream(result_file_)); }
+
+  test::TemporaryFolder folder_;
+  std::string cube_ = folder_.write("cube.obj", kUnitCube).string();
+  std::filesystem::path result_file_ = folder_.path() / "result.json";
+};
+
+TEST_F(DistanceCommand, answersEveryPoseInOrder) {
+  ASSERT_EQ(runOn("1.5,0,0,1,0,0,0\n1,0,0,1,0,0,0\n0,0,2,1,0,0,0\n0.1,0,0,1,0,0,0\n"), 0);
+  const json results = result()["results"];
+  ASSERT_EQ(results.size(), 4u);
+  EXPECT_NEAR(results[0]["distance"], 0.5, 1e-12);
+  EXPECT_EQ(results[0]["normal"], json::parse("[1.0,0.0,0.0]"));
+  EXPECT_EQ(results[0]["point_on_moving"][0], 1.0);
+  EXPECT_EQ(results[0]["point_on_environment"][0], 0.5);
+  EXPECT_EQ(results[1]["distance"], 0.0);
+  EXPECT_EQ(results[1]["colliding"], true);
+  EXPECT_NEAR(results[2]["distance"], 1.0, 1e-12);
+  EXPECT_EQ(results[3]["colliding"], true);
+  for (const char* field : {"median_us", "p99_us", "max_us", "build_ms"}) EXPECT_GE(result()["timing"][field], 0.0);
+}
+
+TEST_F(DistanceCommand, zonesLeaveFarPosesOutAndCountContacts) {
+  ASSERT_EQ(runOn("1.5,0,0,1,0,0,0\n1.005,0,0,1,0,0,0\n", {"--safety-zone", "0.01"}), 0);
+  const json results = result()["results"];
+  EXPECT_TRUE(results[0]["distance"].is_null());
+  EXPECT_EQ(results[0]["distance_at_least"], 0.01);
+  EXPECT_EQ(results[0]["contacts"], 0);
+  EXPECT_NEAR(results[1]["distance"], 0.005, 1e-12);
+  EXPECT_EQ(results[1]["contacts"], 1);
+}
+
+TEST_F(DistanceCommand, unitsScaleTheMeshesAndNotThePoses) {
+  ASSERT_EQ(runOn("0.1,0,0,1,0,0,0\n", {"--unit", "in"}), 0);
+  EXPECT_NEAR(result()["results"][0]["distance"], 0.1 - 0.0254, 1e-12);
+}
+
+TEST_F(DistanceCommand, severalEnvironmentsAnswerTogether) {
+  const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n3,0,0,1,0,0,0\n");
+  const auto other = folder_.write("far.obj", "v 4 -1 -1\nv 4 1 -1\nv 4 0 1\nf 1 2 3\n");
+  ASSERT_EQ(run({"--moving", cube_, "--environment", cube_, other.string(), "--poses", poses.string()}), 0);
+  EXPECT_NEAR(result()["results"][0]["distance"], 0.5, 1e-12);
+  EXPECT_EQ(result()["results"][0]["environment"], 1);
+}
+
+TEST_F(DistanceCommand, exitStatusTellsWhatHappened) {
+  EXPECT_EQ(runOn("0.1,0,0,1,0,0,0\n", {"--fail-on-contact"}), 1);
+  EXPECT_EQ(runOn("3,0,0,1,0,0,0\n", {"--fail-on-contact"}), 0);
+  std::filesystem::remove(result_file_);
+  EXPECT_EQ(runOn("3,0,0,2,0,0,0\n"), 2);
+  EXPECT_EQ(runOn("3,0,0,1,0,0,0\n", {"--unit", "ell"}), 2);
+  EXPECT_EQ(runOn("3,0,0,1,0,0,0\n", {"--safety-zone", "-1"}), 2);
+  EXPECT_EQ(run({"--moving", "none.stl", "--environment", cube_, "--poses", "none.csv"}), 2);
+  EXPECT_EQ(run({"--moving", cube_}), 2);
+  EXPECT_FALSE(std::filesystem::exists(result_file_)) << "no half result is left";
+}
+
+}  // namespace
+}  // namespace hapticell::cli
