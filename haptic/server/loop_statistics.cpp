@@ -31,7 +31,7 @@ LoopStatistics::LoopStatistics(double rate_hz) noexcept
 void LoopStatistics::addTick(std::int64_t now, std::int64_t late_ns, std::uint32_t skipped) noexcept {
   if (ticks_ == 0) {
     window_start_ = now;
-    marks_.fill({now, 0});
+    marks_.fill({now, 1});
   }
   ++ticks_;
   ++ticks_since_figures_;

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+#include "haptic/devices/simulated_device.h"
+#include "haptic/server/in_memory_link.h"
+
+namespace hapticell::haptic {
+
+/// A horizontal floor at `height` (D, metres), as a set that is complete around `p_DR`.
+inline ConstraintSet floorSet(std::uint64_t sequence, double height = 0.0, const dvec3& p_DR = dvec3(0.0)) {
+  ConstraintSet set;
+  set.sequence = sequence;
+  set.X_DR = Pose::translation(p_DR);
+  set.count = 1;
+  set.constraints[0].gap = p_DR.z - height;
+  set.constraints[0].gradient = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+  set.constraints[0].id = 1;
+  return set;
+}
+
+/// Simulated device, hand, force loop and link in virtual time; a client in the test's hands.
+struct VirtualSession {
+  explicit VirtualSession(const InMemoryLinkOptions& network = {}, double rate_hz = 1000.0) : network_(network) {
+    static_cast<void>(device.open());
+    device.place(Pose::translation(dvec3(0.0, 0.0, 0.005)));
+    loop_.emplace(device, clock, optionsFor(device, rate_hz));
+    link_.emplace(*loop_, clock, describe(device), network_);
+  }
+
+  ForceLoop& loop() { return *loop_; }
+  InMemoryLink& link() { return *link_; }
+  const HapticState& state() const { return loop_->current(); }
+  double force() const { return glm::length(state().force_D); }
+
+  /// So many ticks, each noted for `max_force`, `max_step` and `free_force`.
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      const dvec3 before = state().force_D;
+      link_->step();
+      max_force = std::max(max_force, force());
+      max_step = std::max(max_step, glm::length(state().force_D - before));
+    }
+  }
+
+  void holdAt(double height) { link_->sendHandTarget({true, Pose::translation(dvec3(0.0, 0.0, height)), 0}); }
+
+  /// Forces on, gate and ramp run through, in free air 5 mm above the floor.
+  void engage() {
+    holdAt(0.005);
+    link_->sendControl({.forces_enabled = true});
+    link_->sendSet(floorSet(1));
+    run(1500);
+  }
+
+  /// engage(), then the hand presses until everything rests: about 2.3 N on the floor.
+  void press() {
+    engage();
+    holdAt(-0.010);
+    run(1500);
+  }
+
+  VirtualClock clock;
+  SimulatedDevice device;
+  double max_force = 0.0, max_step = 0.0;
+
+ private:
+  InMemoryLinkOptions network_;
+  std::optional<ForceLoop> loop_;
+  std::optional<InMemoryLink> link_;
+};
+
+}  // namespace hapticell::haptic
