@@ -36,6 +36,8 @@ int runCommandLine(int argc, char** argv) {
   Action chosen;
   // One line a command; each comes with the file that defines it.
   addDistanceCommand(app, chosen);
+  addForwardKinematicsCommand(app, chosen);
+  addInverseKinematicsCommand(app, chosen);
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/robot_options.h"
+#include "cli/timing.h"
+#include "kinematics/numeric_inverse.h"
+#include "trajectory/csv_table.h"
+#include "trajectory/pose_csv.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct InverseOptions {
+  std::string robot;
+  std::string poses;
+  std::string tip;
+  std::string start;
+  bool all = false;
+  bool fail_on_limit = false;
+};
+
+/// Zero, or the limit nearest to it: where a search begins when the user names no start.
+std::vector<double> restPositions(const kinematics::RobotModel& model) {
+  std::vector<double> q;
+  for (const int index : model.moving) {
+    const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(index)];
+    q.push_back(std::clamp(0.0, joint.lower, joint.upper));
+  }
+  return q;
+}
+
+Expected<std::vector<double>> readStart(const InverseOptions& options, const RobotWithTip& robot) {
+  std::vector<double> q = restPositions(robot.model);
+  if (options.start.empty()) return q;
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= options.start.size();) {
+    const std::size_t end = std::min(options.start.find(',', begin), options.start.size());
+    const auto number = trajectory::parseNumber(std::string_view(options.start).substr(begin, end - begin));
+    if (!number) return makeError({"", "--start", "'" + options.start + "'", "finite numbers between commas", ""});
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  if (numbers.size() != robot.variables.size()) {
+    return makeError({"", "--start", std::to_string(numbers.size()) + " numbers",
+                      std::to_string(robot.variables.size()) + ", one for each joint that moves the tip, base first",
+                      ""});
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) q[static_cast<std::size_t>(robot.variables[i])] = numbers[i];
+  return q;
+}
+
+ordered_json chainPositions(const RobotWithTip& robot, const std::vector<double>& q) {
+  ordered_json joints = ordered_json::array();
+  for (const int variable : robot.variables) joints.push_back(q[static_cast<std::size_t>(variable)]);
+  return joints;
+}
+
+ordered_json alternatives(const kinematics::InverseModel& inverse, const RobotWithTip& robot, const Pose& X_BT,
+                          const std::vector<double>& q) {
+  ordered_json solutions = ordered_json::array();
+  for (const kinematics::AlternativeSolution& one : inverse.solveAll(X_BT, q)) {
+    const std::string unnamed = "solution " + std::to_string(solutions.size() + 1);
+    solutions.push_back({{"joints", chainPositions(robot, one.q)},
+                         {"configuration", one.configuration.empty() ? unnamed : one.configuration},
+                         {"within_limits", one.within_limits}});
+  }
+  return solutions;
+}
+
+struct Answer {
+  ordered_json document;
+  bool all_solved = true;
+};
+
+Expected<Answer> solve(const InverseOptions& options) {
+  const auto robot = readRobotWithTip(options.robot, options.tip);
+  if (!robot) return makeError(robot.error());
+  const auto poses = trajectory::readPoseCsv(options.poses);
+  if (!poses) return makeError(poses.error());
+  const auto start = readStart(options, *robot);
+  if (!start) return makeError(start.error());
+  const auto inverse = kinematics::NumericInverse::create(robot->model, robot->tip);
+  if (!inverse) return makeError(inverse.error());
+
+  Answer answer;
+  ordered_json results = ordered_json::array();
+  Timing timing;
+  timing.reserve(poses->size());
+  std::vector<double> previous = *start;
+  for (const Pose& X_BT : *poses) {
+    const auto begin = Timing::Clock::now();
+    const kinematics::InverseSolution solution = (*inverse)->solve(X_BT, previous);
+    timing.add(begin);
+    ordered_json result{{"status", toString(solution.status)},
+                        {"singular", solution.singular},
+                        {"joints", chainPositions(*robot, solution.q)},
+                        {"position_error", solution.position_error},
+                        {"orientation_error", solution.orientation_error}};
+    if (options.all) result["solutions"] = alternatives(**inverse, *robot, X_BT, previous);
+    results.push_back(std::move(result));
+    answer.all_solved = answer.all_solved && solution.status == kinematics::InverseStatus::kSolved;
+    previous = solution.q;
+  }
+  answer.document = {
+      {"root", robot->model.links[0].name}, {"tip", robot->model.links[static_cast<std::size_t>(robot->tip)].name},
+      {"joint_names", robot->jointNames()}, {"inverse_model", (*inverse)->name()},
+      {"results", std::move(results)},      {"timing", timing.toJson()}};
+  return answer;
+}
+
+ExitStatus run(const InverseOptions& options, const ResultWriter& writer) {
+  const auto answer = solve(options);
+  const auto written = answer ? writer.write(answer->document) : Expected<void>(tl::unexpected<Error>(answer.error()));
+  if (!written) {
+    report(written.error());
+    return ExitStatus::kBadInput;
+  }
+  return options.fail_on_limit && !answer->all_solved ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addInverseKinematicsCommand(CLI::App& app, Action& chosen) {
+  CLI::App* command =
+      app.add_subcommand("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
+  const auto options = std::make_shared<InverseOptions>();
+  command->add_option("--robot", options->robot, "The robot: URDF")->required();
+  command->add_option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
+      ->required();
+  command->add_option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
+  command->add_option(
+      "--start", options->start,
+      "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
+  command->add_flag("--all", options->all, "List all solutions of each pose");
+  command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit status 1 when a pose is not solved");
+  command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli
