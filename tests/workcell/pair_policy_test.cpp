@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/pair_policy.h"
+
+#include <gtest/gtest.h>
+
+namespace hapticell::workcell {
+namespace {
+
+std::vector<Entity> named(const std::vector<std::string>& names) {
+  std::vector<Entity> entities;
+  for (const std::string& name : names) {
+    Entity entity;
+    entity.id = entities.size() + 1;
+    entity.name = name;
+    entities.push_back(entity);
+  }
+  return entities;
+}
+
+TEST(PairPolicy, withoutSetsEverythingIsCheckedAgainstTheMovedOne) {
+  const auto entities = named({"part", "table", "robot"});
+  const auto pairs = effectivePairs(entities, {}, 1, {0.002, 0.03});
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].moved, 1u);
+  EXPECT_EQ(pairs[0].other, 2u);
+  EXPECT_EQ(pairs[1].other, 3u);
+  EXPECT_EQ(pairs[0].safety_distance, 0.002);
+  EXPECT_EQ(pairs[1].near_miss, 0.03);
+}
+
+TEST(PairPolicy, withSetsOnlyTheirPairsCountEitherWayRound) {
+  const auto entities = named({"part", "table", "robot", "fence"});
+  const std::vector<PairSet> sets = {{.name = "a", .first = {"part"}, .second = {"table"}, .safety_distance = 0.004},
+                                     {.name = "b", .first = {"robot"}, .second = {"part", "fence"}, .near_miss = 0.05}};
+  const auto of_part = effectivePairs(entities, sets, 1);
+  ASSERT_EQ(of_part.size(), 2u);
+  EXPECT_EQ(of_part[0].other, 2u);
+  EXPECT_EQ(of_part[0].safety_distance, 0.004);
+  EXPECT_EQ(of_part[1].other, 3u);
+  EXPECT_EQ(of_part[1].near_miss, 0.05);
+  EXPECT_EQ(effectivePairs(entities, sets, 2).size(), 1u);
+  EXPECT_EQ(effectivePairs(entities, sets, 4)[0].other, 3u);
+}
+
+TEST(PairPolicy, anEmptySideMeansEverything) {
+  const auto entities = named({"part", "table", "robot"});
+  const std::vector<PairSet> sets = {{.name = "a", .first = {"part"}}};
+  EXPECT_EQ(effectivePairs(entities, sets, 1).size(), 2u);
+  EXPECT_EQ(effectivePairs(entities, sets, 2).size(), 1u);
+}
+
+TEST(PairPolicy, severalSetsForOnePairGiveTheLargerDistances) {
+  const auto entities = named({"part", "table"});
+  const std::vector<PairSet> sets = {
+      {.name = "a", .first = {"part"}, .safety_distance = 0.004, .near_miss = 0.02, .on_contact = OnContact::kStop},
+      {.name = "b", .second = {"table"}, .safety_distance = 0.001, .near_miss = 0.05}};
+  const auto pairs = effectivePairs(entities, sets, 1);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].safety_distance, 0.004);
+  EXPECT_EQ(pairs[0].near_miss, 0.05);
+  EXPECT_EQ(pairs[0].on_contact, OnContact::kStop);
+}
+
+TEST(PairPolicy, leavesOutWhatIsNotChecked) {
+  auto entities = named({"part", "table", "robot"});
+  entities[1].checked = false;
+  EXPECT_EQ(effectivePairs(entities, {}, 1).size(), 1u);
+  EXPECT_TRUE(effectivePairs(entities, {}, 2).empty());
+  EXPECT_TRUE(effectivePairs(entities, {}, 7).empty());
+  const std::vector<PairSet> off = {{.name = "a", .enabled = false}};
+  EXPECT_TRUE(effectivePairs(entities, off, 1).empty());
+}
+
+}  // namespace
+}  // namespace hapticell::workcell

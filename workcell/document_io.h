@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geometry/error.h"
+#include "workcell/document.h"
+
+namespace hapticell::workcell {
+
+/// Reads a workcell document (*.hcell, docs/formats.md) with the meshes and robots that it names. On error there is no
+/// document at all; the message names file and entity. A newer version than ours is refused. What is not known but
+/// harmless (a key, a name in a pair set) is told in `diagnostics`. The document is not dirty and knows its path.
+Expected<Document> loadDocument(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+/// The same from text; files are looked for relative to `folder`, `name` stands in the messages.
+Expected<Document> parseDocument(std::string_view text, const std::filesystem::path& folder, const std::string& name,
+                                 Diagnostics& diagnostics);
+
+/// The text that stands for a state in a file in `folder` (absolute): the same state gives the same bytes, and
+/// reading it gives that state again.
+std::string documentText(const DocumentState& state, const std::filesystem::path& folder);
+
+/// Writes the document aside and moves it into place, so that a failure leaves the old file. On success the document is
+/// no longer dirty and has this path.
+Expected<void> saveDocument(Document& document, const std::filesystem::path& path);
+
+/// "stop", "slide", "pass" and "constant", "contact", "dynamics".
+const char* wordOf(OnContact on_contact);
+const char* wordOf(ForceClass force_class);
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/entity_source.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "config/configuration.h"
+#include "geometry/shapes.h"
+#include "workcell/mesh_reader.h"
+#include "workcell/text_cursor.h"
+#include "workcell/urdf_reader.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string schemeOf(const std::string& what) {
+  for (const char* scheme : {"library", "box", "cylinder", "sphere", "mannequin"}) {
+    if (what.starts_with(std::string(scheme) + ":")) return scheme;
+  }
+  return {};
+}
+
+/// Positive sizes behind the scheme, in metres; empty where they are not `count` believable numbers.
+std::vector<double> sizesOf(const std::string& what, std::size_t count, double scale) {
+  std::vector<double> sizes;
+  std::string_view rest = std::string_view(what).substr(what.find(':') + 1);
+  while (!rest.empty() || sizes.size() < count) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    const std::optional<double> value = parseNumber(word);
+    if (!value || !(*value * scale > 0.0) || !(*value * scale <= 1e6) || sizes.size() == count) return {};
+    sizes.push_back(*value * scale);
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+  }
+  return sizes;
+}
+
+}  // namespace
+
+bool isBuiltIn(const std::string& what) {
+  return !schemeOf(what).empty();
+}
+
+bool looksLikeUrdf(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(65536, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (begin == std::string::npos || head[begin] != '<') return false;
+  if (head.find("<robot") != std::string::npos) return true;
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".urdf";
+}
+
+Expected<Entity> EntityLoader::load(const std::string& what, double scale, Diagnostics& diagnostics) {
+  const std::string scheme = schemeOf(what);
+  if (scheme == "mannequin") {
+    return makeError({what, "", "mannequins are not in this version", "a solid or a robot",
+                      "They come in a later version of HaptiCell."});
+  }
+  if (scheme == "library") return loadLibraryRobot(what, diagnostics);
+  if (!scheme.empty()) return loadShape(what, scale);
+  const fs::path file = (folder_ / what).lexically_normal();
+  if (!looksLikeUrdf(file)) return loadMesh(file, scale, diagnostics);
+  if (scale != 1.0) {
+    return makeError(
+        {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
+  }
+  return loadRobot(file, diagnostics);
+}
+
+Expected<Entity> EntityLoader::loadShape(const std::string& what, double scale) const {
+  const std::string scheme = schemeOf(what);
+  geometry::TriangleMesh mesh;
+  if (scheme == "box") {
+    if (const auto s = sizesOf(what, 3, scale); !s.empty()) mesh = geometry::makeBox({s[0], s[1], s[2]});
+  } else if (scheme == "cylinder") {
+    if (const auto s = sizesOf(what, 2, scale); !s.empty()) mesh = geometry::makeCylinder(s[0], s[1]);
+  } else {
+    if (const auto s = sizesOf(what, 1, scale); !s.empty()) mesh = geometry::makeSphere(s[0]);
+  }
+  if (mesh.triangles.empty()) {
+    return makeError(
+        {what, "", "sizes that are none", "box:X,Y,Z or cylinder:RADIUS,HEIGHT or sphere:RADIUS, above 0", ""});
+  }
+  Entity entity;
+  entity.name = scheme;
+  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+  entity.source = {what, scale};
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnostics& diagnostics) {
+  const std::string name = what.substr(what.find(':') + 1);
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+  });
+  const Expected<std::string> file =
+      plain ? config::findShippedFile("robots/" + name + "/robot.urdf") : Expected<std::string>(makeError({}));
+  if (!file) {
+    return makeError(
+        {what, "", "no robot of that name is built in", "a folder of the shipped robots/, such as hc6", ""});
+  }
+  Expected<Entity> entity = loadRobot(*file, diagnostics);
+  if (!entity) return entity;
+  entity->source = {what, 1.0};
+  entity->name = name;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diagnostics) {
+  auto& known = robots_[file.string()];
+  if (!known) {
+    Expected<kinematics::RobotModel> robot = readUrdf(file, diagnostics);
+    if (!robot) return makeError(robot.error());
+    known = std::make_shared<const kinematics::RobotModel>(std::move(*robot));
+  }
+  Entity entity;
+  entity.kind = EntityKind::kRobot;
+  entity.robot = known;
+  entity.name = file.stem().string();
+  entity.source = {file.string(), 1.0};
+  const int tip = known->defaultTip();
+  if (tip >= 0) entity.tip_link = known->links[static_cast<std::size_t>(tip)].name;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadMesh(const fs::path& file, double scale, Diagnostics& diagnostics) {
+  auto& known = meshes_[{file.string(), scale}];
+  if (!known) {
+    Diagnostics notes;
+    Expected<geometry::TriangleMesh> mesh = readMesh(file, {.scale = scale}, notes);
+    if (!mesh) return makeError(mesh.error());
+    known = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
+    for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
+  }
+  Entity entity;
+  entity.mesh = known;
+  entity.name = file.stem().string();
+  entity.source = {file.string(), scale};
+  return entity;
+}
+
+}  // namespace hapticell::workcell

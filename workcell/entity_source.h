@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "geometry/error.h"
+#include "workcell/entity.h"
+
+namespace hapticell::workcell {
+
+/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a robot file (URDF), "library:NAME" (a built-in
+/// robot: a folder under the shipped robots/), or a built-in solid, "box:X,Y,Z", "cylinder:RADIUS,HEIGHT",
+/// "sphere:RADIUS" (sizes in the given unit). Files that are named twice are read once. One thread.
+class EntityLoader {
+ public:
+  /// Files are looked for relative to `folder`.
+  explicit EntityLoader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// An entity with shape, source and a name that suggests itself (the file's stem); the rest as by default, joints
+  /// empty. `scale` is metres per unit of the file; a robot's file is always in metres, another scale for it is an
+  /// error. What is missing, broken or not known is an error that names it. Mannequins come in a later version and are
+  /// refused.
+  Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
+
+ private:
+  Expected<Entity> loadShape(const std::string& what, double scale) const;
+  Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
+  Expected<Entity> loadRobot(const std::filesystem::path& file, Diagnostics& diagnostics);
+  Expected<Entity> loadMesh(const std::filesystem::path& file, double scale, Diagnostics& diagnostics);
+
+  std::filesystem::path folder_;
+  std::map<std::pair<std::string, double>, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
+  std::map<std::string, std::shared_ptr<const kinematics::RobotModel>> robots_;
+};
+
+/// True for a source that is no file: "library:", "box:", "cylinder:", "sphere:", "mannequin:".
+bool isBuiltIn(const std::string& what);
+
+/// True when the file begins like a URDF: an XML document whose first element is "robot".
+bool looksLikeUrdf(const std::filesystem::path& file);
+
+}  // namespace hapticell::workcell
