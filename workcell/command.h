@@ -52,15 +52,15 @@ struct SetConfiguration {
 /// Changes what is given and leaves the rest.
 struct SetProperties {
   EntityId id = 0;
-  std::optional<std::array<float, 3>> color;  ///< 0 .. 1 each.
-  std::optional<bool> visible;
-  std::optional<bool> locked;
-  std::optional<bool> checked;
-  std::optional<OnContact> on_contact;
-  std::optional<ForceClass> force_class;
-  std::optional<std::string> material;
-  std::optional<double> mass;  ///< kg, above 0.
-  std::optional<std::string> parent;
+  std::optional<std::array<float, 3>> color = {};  ///< 0 .. 1 each.
+  std::optional<bool> visible = {};
+  std::optional<bool> locked = {};
+  std::optional<bool> checked = {};
+  std::optional<OnContact> on_contact = {};
+  std::optional<ForceClass> force_class = {};
+  std::optional<std::string> material = {};
+  std::optional<double> mass = {};  ///< kg, above 0.
+  std::optional<std::string> parent = {};
 };
 
 struct SetFrames {

@@ -66,11 +66,11 @@ struct Entity {
 struct PairSet {
   std::string name;
   bool enabled = true;
-  std::vector<std::string> first;  ///< Entity names; empty means everything.
-  std::vector<std::string> second;
-  double safety_distance = 0.001;       ///< Metres; felt as the boundary (the paper's safety zone).
-  double near_miss = 0.010;             ///< Metres; shown and heard, not felt.
-  std::optional<OnContact> on_contact;  ///< Goes over the entity's own choice.
+  std::vector<std::string> first = {};  ///< Entity names; empty means everything.
+  std::vector<std::string> second = {};
+  double safety_distance = 0.001;            ///< Metres; felt as the boundary (the paper's safety zone).
+  double near_miss = 0.010;                  ///< Metres; shown and heard, not felt.
+  std::optional<OnContact> on_contact = {};  ///< Goes over the entity's own choice.
 };
 
 }  // namespace hapticell::workcell

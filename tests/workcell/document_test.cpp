@@ -117,7 +117,7 @@ TEST(Document, refusedCommandsChangeNothing) {
       SetProperties{.id = part, .color = std::array<float, 3>{2.0f, 0.0f, 0.0f}},
       SetFrames{part, {{"a", {}}, {"a", {}}}},
       SetTool{part, "base", {}},
-      AddEntity{Entity{}},
+      AddEntity{},
       AddPairSet{{.name = "s", .safety_distance = -0.1}},
       AddPairSet{{.name = ""}},
       EditPairSet{"none", {.name = "s"}},
