@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collision/motion_bound.h"
+#include "collision/swept_check.h"
 
 namespace hapticell::collision {
 
@@ -16,6 +17,10 @@ constexpr double kStepWhileColliding = 2e-3;
 constexpr double kRounding = 1e-11;
 /// The stop is found to this much motion (m).
 constexpr double kStopAccuracy = 1e-7;
+
+constexpr double kLeastStride = 2.0;
+constexpr double kStrideFactor = 4.0;
+constexpr double kStrideRecovery = 1.2;
 
 struct Sample {
   double s = 0.0;
@@ -48,7 +53,7 @@ class Advancement {
     clearance_ = std::min(clearance_, here.distance);
     while (good.s < until_ && good.distance < clearance_ + rate_ * (until_ - good.s)) {
       if (queries_ >= kMostQueries) return stoppedAt(good.s, at(good.s));
-      const double s = std::min(until_, good.s + (good.distance - 0.5 * clearance_) / rate_);
+      const double s = std::min(until_, good.s + safeStep(good));
       here = at(s);
       if (violates(here)) return stopBetween(good, s, here);
       good = {s, here.distance};
@@ -61,6 +66,24 @@ class Advancement {
   DistanceResult at(double s) {
     ++queries_;
     return query_.distance(a_.at(s), b_.at(s), clearance_ + rate_ * (until_ - s) + kRounding);
+  }
+
+  /// What distance and speed allow in any direction; along a surface, where that is little, as far as can be proven.
+  double safeStep(const Sample& good) {
+    const double plain = (good.distance - 0.5 * clearance_) / rate_;
+    const double rest = until_ - good.s;
+    if (plain >= rest || stride_ < kLeastStride) {
+      stride_ *= kStrideRecovery;
+      return plain;
+    }
+    const double longer = std::min(rest, stride_ * plain);
+    ++queries_;
+    const SweptPair sweep{a_.at(good.s),  a_.at(good.s + longer),
+                          b_.at(good.s),  b_.at(good.s + longer),
+                          rate_ * longer, (a_.bend_bound + b_.bend_bound) * longer * longer / 8.0};
+    const bool proven = staysApart(query_.a(), query_.b(), sweep, 0.5 * clearance_);
+    stride_ *= proven ? kStrideFactor : 1.0 / kStrideFactor;
+    return proven ? longer : plain;
   }
 
   bool violates(const DistanceResult& here) const { return here.colliding || here.distance < clearance_ - kRounding; }
@@ -96,6 +119,7 @@ class Advancement {
   double until_;
   double clearance_;  ///< What is kept: what was asked or, if less, what it began with.
   double rate_;
+  double stride_ = 2.0 * kStrideFactor;  ///< In plain steps, what is tried next.
   int queries_ = 0;
 };
 

@@ -43,6 +43,7 @@ inline constexpr double kLeastClearance = 1e-6;
 
 /// The largest s up to which A and B surely stay apart, by conservative advancement (Mirtich, "Impulse-based dynamic
 /// simulation", 1996): the distance at s, divided by the speed bound, is a safe step; nothing thin is jumped over.
+/// Along a surface longer steps are proven triangle by triangle (staysApart), where the motions' bend is known.
 ///
 /// At the returned s the parts are at least `clearance` apart; before it they may come nearer for a moment, but never
 /// nearer than half of that. Parts that begin nearer than `clearance` need only keep the distance they began with, so

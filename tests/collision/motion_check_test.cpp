@@ -90,7 +90,8 @@ TEST(Advance, slidesAlongAndLeavesFromNearerThanTheClearance) {
     return advance(query, straightMotion(X_WStart, Pose::translation(X_WStart.p + by), query.a()), standingStill({}),
                    {0.001});
   };
-  EXPECT_FALSE(to({0.02, 0, 0}).stopped);
+  EXPECT_FALSE(to({0.05, 0, 0}).stopped);
+  EXPECT_FALSE(to({2, 0, 0}).stopped) << "over the edge and on";
   EXPECT_FALSE(to({0, 0.01, 0.05}).stopped);
   EXPECT_FALSE(to({0, 0, 1}).stopped);
   const MotionStop down = to({0, 0, -0.01});
@@ -108,6 +109,28 @@ TEST(Advance, slidingForLongDoesNotWearTheClearanceAway) {
     X_WT = interpolate(X_WT, X_WNext, stop.s);
   }
   EXPECT_GE(query.distance(X_WT, {}).distance, 0.001 - 1e-7);
+}
+
+TEST(Advance, slidesFarOverAFinelyCutPlane) {
+  ProximityQuery query(MeshCollider::build(test::sphereMesh(0.05, 16, 24)),
+                       MeshCollider::build(test::sheetMesh(1.0, 60, 0.0)));
+  const Pose X_WStart = Pose::translation({-0.3, 0.01, 0.0502});
+  const MotionStop slid = advance(query, straightMotion(X_WStart, Pose::translation({0.3, 0.02, 0.0502}), query.a()),
+                                  standingStill({}), {0.001});
+  EXPECT_FALSE(slid.stopped);
+  const Pose X_WTurned{{-0.28, 0.01, 0.0502}, quaternionFromRotationVector({0, 0, 0.4})};
+  EXPECT_FALSE(advance(query, straightMotion(X_WStart, X_WTurned, query.a()), standingStill({}), {0.001}).stopped);
+}
+
+TEST(Advance, aLongSlideStopsAtAStep) {
+  geometry::TriangleMesh floor = boxMesh({1, 1, 0.2});
+  geometry::append(floor, boxMesh({0.001, 1, 0.02}), Pose::translation({0.3, 0, 0.11}));
+  ProximityQuery query(MeshCollider::build(boxMesh({0.1, 0.1, 0.1})), MeshCollider::build(floor));
+  const Pose X_WStart = Pose::translation({-0.3, 0, 0.1505});
+  const MotionStop stop = advance(query, straightMotion(X_WStart, Pose::translation({0.7, 0, 0.1505}), query.a()),
+                                  standingStill({}), {0.0005});
+  EXPECT_TRUE(stop.stopped);
+  EXPECT_NEAR(stop.s, 0.6 - 0.0005 - 0.05 - 0.0005, 1e-6);
 }
 
 TEST(Advance, partsThatBeginCollidingMayLeave) {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/swept_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::collision {
+
+namespace {
+
+constexpr int kMostPairs = 3000;
+
+/// The least gap along an axis, from B's triangle up to A's.
+double gapAlong(const dvec3& axis, const Corners& a, const Corners& b) {
+  const double low = std::min({glm::dot(axis, a[0]), glm::dot(axis, a[1]), glm::dot(axis, a[2])});
+  const double high = std::max({glm::dot(axis, b[0]), glm::dot(axis, b[1]), glm::dot(axis, b[2])});
+  return low - high;
+}
+
+Corners placed(const dmat3& R, const dvec3& p, const Corners& c) {
+  return {p + R * c[0], p + R * c[1], p + R * c[2]};
+}
+
+/// All in A's frame at the beginning.
+struct SweptSearch {
+  const BoxTree& tree_a;
+  const BoxTree& tree_b;
+  Pose X_B0, X_B1, X_A1;
+  dmat3 R_B0, R_B1, R_A1;
+  double within_squared;
+  double needed;
+  int pairs_left = kMostPairs;
+
+  bool apartOn(const dvec3& direction, const Corners& a0, const Corners& b0, const Corners& a1,
+               const Corners& b1) const {
+    const double length = glm::length(direction);
+    if (!(length > 0.0)) return false;
+    const dvec3 axis = direction / length;
+    return gapAlong(axis, a0, b0) >= needed && gapAlong(axis, a1, b1) >= needed;
+  }
+
+  bool leafPair(const Corners& a0, const Corners& b) {
+    if (--pairs_left < 0) return false;
+    const Corners b0 = placed(R_B0, X_B0.p, b), b1 = placed(R_B1, X_B1.p, b), a1 = placed(R_A1, X_A1.p, a0);
+    for (const Corners* face : {&b0, &a0}) {
+      const dvec3 normal = glm::cross((*face)[1] - (*face)[0], (*face)[2] - (*face)[0]);
+      if (apartOn(normal, a0, b0, a1, b1) || apartOn(-normal, a0, b0, a1, b1)) return true;
+    }
+    const NearestPair begin = triangleDistance(a0, b0);
+    if (begin.squared > within_squared) return true;
+    if (apartOn(begin.p - begin.q, a0, b0, a1, b1)) return true;
+    const NearestPair end = triangleDistance(a1, b1);
+    return apartOn(end.p - end.q, a0, b0, a1, b1);
+  }
+
+  bool visit(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b) {
+    if (lowerBoundSquared(a.box, box_b) > within_squared) return true;
+    if (a.isLeaf() && b.isLeaf()) {
+      for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
+        for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
+          if (!leafPair(tree_a.corners(i), tree_b.corners(j))) return false;
+        }
+      }
+      return true;
+    }
+    if (b.isLeaf() || (!a.isLeaf() && a.size >= b.size)) {
+      return visit(tree_a.node(a.first), b, box_b) && visit(tree_a.node(a.first + 1), b, box_b);
+    }
+    const BoxTree::Node &left = tree_b.node(b.first), &right = tree_b.node(b.first + 1);
+    return visit(a, left, moved(R_B0, X_B0.p, left.box)) && visit(a, right, moved(R_B0, X_B0.p, right.box));
+  }
+};
+
+}  // namespace
+
+bool staysApart(const MeshCollider& a, const MeshCollider& b, const SweptPair& motion, double least) {
+  if (a.isEmpty() || b.isEmpty()) return true;
+  if (!std::isfinite(motion.bend)) return false;
+  const Pose X_A0W = motion.X_WA0.inverse();
+  const Pose X_B0 = X_A0W * motion.X_WB0, X_B1 = X_A0W * motion.X_WB1, X_A1 = X_A0W * motion.X_WA1;
+  const double within = motion.reach + least;
+  SweptSearch search{a.tree(),        b.tree(),           X_B0, X_B1, X_A1, X_B0.R(), X_B1.R(), X_A1.R(),
+                     within * within, least + motion.bend};
+  return search.visit(a.tree().root(), b.tree().root(), moved(search.R_B0, X_B0.p, b.tree().root().box));
+}
+
+}  // namespace hapticell::collision
