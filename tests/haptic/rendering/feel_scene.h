@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptic/rendering/constraint_set.h"
+
+namespace hapticell::haptic::test {
+
+/// What a point stylus feels, known exactly. Device frame, metres.
+class FeelScene {
+ public:
+  virtual ~FeelScene() = default;
+  virtual std::string name() const = 0;
+  /// The exact set about a proxy: everything within the zone.
+  virtual ConstraintSet setAt(const Pose& X_DP) const = 0;
+  /// How deep a point lies inside the obstacle (or off the guide), 0 outside; the second method for the proxy.
+  virtual double penetration(const dvec3& p_D) const = 0;
+  /// Where the hand goes `t` seconds into the sliding, and for how long; `press` is the depth of the intended pose.
+  virtual dvec3 handAt(double t, double press) const = 0;
+  virtual double duration() const { return 4.0; }
+  /// A free place near the path's beginning, with no force.
+  virtual dvec3 start() const { return handAt(0.0, -0.004); }
+  /// A place on the surface where a stylus of some weight stays.
+  virtual dvec3 rest() const { return dvec3(0.0); }
+  /// Where the hand presses at rest().
+  virtual dvec3 pressDirection() const { return {0.0, 0.0, -1.0}; }
+  double friction = 0.0;
+};
+
+std::unique_ptr<FeelScene> planeScene();
+/// A cylinder along y whose top is the origin.
+std::unique_ptr<FeelScene> cylinderScene(double radius);
+/// A bore along y about the origin.
+std::unique_ptr<FeelScene> boreScene(double radius);
+/// The convex edge of a block (x < 0 and z < 0), along y.
+std::unique_ptr<FeelScene> edgeScene();
+/// Three planes, concave: the corner of a box at the origin.
+std::unique_ptr<FeelScene> cornerScene();
+/// A circle of 40 mm about the y axis that cannot be left, with a stop.
+std::unique_ptr<FeelScene> hingeScene();
+
+/// A 1 mm plate of 100 x 100 mm about the origin, normal z: six faces, one group.
+std::unique_ptr<FeelScene> plateScene();
+
+/// A plane patch through `point` with the normal, as seen from X_DR: exact for a point stylus.
+Constraint planeConstraint(const dvec3& point, const dvec3& normal, const Pose& X_DR, std::uint32_t group);
+
+/// f(w) = n.e + 1/2 e' M e with e = w - point, re-expanded about X_DR for a point stylus.
+Constraint quadricConstraint(const dvec3& point, const dvec3& normal, const dmat3& M, const Pose& X_DR);
+
+}  // namespace hapticell::haptic::test

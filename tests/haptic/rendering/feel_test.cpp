@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// The feel of docs/feel.md in virtual time: what the hand meets must not depend on the client's rate.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+
+#include "tests/haptic/rendering/feel_session.h"
+
+namespace hapticell::haptic::test {
+namespace {
+
+// The hand's spring and the coupling in series: the intended pose so deep that 2 N are felt.
+constexpr double kPress = 2.0 / 300.0 + 2.0 / 1000.0;
+// One step of a joint's encoder is this far at the tip where the arm is most stretched.
+constexpr double kCount = 0.03e-3;
+
+using SceneMaker = std::unique_ptr<FeelScene> (*)();
+
+struct Case {
+  const char* name;
+  SceneMaker make;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Case& c) {
+  return stream << c.name;
+}
+
+const Case kCases[] = {{"plane", [] { return planeScene(); }},
+                       {"cylinder_R50", [] { return cylinderScene(0.05); }},
+                       {"cylinder_R10", [] { return cylinderScene(0.01); }},
+                       {"bore_R10", [] { return boreScene(0.01); }},
+                       {"edge", [] { return edgeScene(); }},
+                       {"corner", [] { return cornerScene(); }},
+                       {"hinge", [] { return hingeScene(); }}};
+
+void report(const std::string& name, ClientRate rate, const FeelFigures& f) {
+  std::printf(
+      "%-13s %5.0f Hz: step %.3f N/ms, penetration %.4f mm, depth %.1f %% / %.3f mm, direction %.2f deg, "
+      "energy %.3f mJ, largest %.2f N\n",
+      name.c_str(), rate.rate_hz, f.step_n, f.penetration * 1e3, f.depth_error_p95 * 100, f.depth_error_max * 1e3,
+      f.direction_p95_deg, f.energy_min * 1e3, f.force_max);
+}
+
+void touchAndSlide(FeelSession& session, const FeelScene& scene, double duration) {
+  const dvec3 outside = scene.start();
+  const dvec3 touch = scene.handAt(0.0, kPress);
+  session.begin(outside);
+  session.follow([&](double t) { return glm::mix(outside, touch, std::min(1.0, t / 0.3)); }, 0.5);
+  session.follow([&](double t) { return scene.handAt(t, kPress); }, duration);
+}
+
+void pressAtRest(FeelSession& session, const FeelScene& scene) {
+  const dvec3 outside = scene.start();
+  const dvec3 goal = scene.rest() + kPress * scene.pressDirection();
+  session.begin(outside);
+  session.follow([&](double t) { return glm::mix(outside, goal, std::min(1.0, t / 0.3)); }, 2.0);
+}
+
+class FeelOf : public ::testing::TestWithParam<Case> {};
+
+TEST_P(FeelOf, slidesAlikeAtEveryRate) {
+  for (const ClientRate rate : kRates) {
+    const auto scene = GetParam().make();
+    FeelSession session(*scene, rate);
+    touchAndSlide(session, *scene, 4.0);
+    const FeelFigures figures = session.figures();
+    report(GetParam().name, rate, figures);
+    SCOPED_TRACE(rate.rate_hz);
+    EXPECT_GT(figures.contact_ticks, 3000) << "the scene must be felt";
+    EXPECT_GT(figures.force_max, 1.9);
+    EXPECT_LT(figures.force_max, 6.4);
+    EXPECT_LE(figures.step_n, 0.12);
+    EXPECT_LE(figures.penetration, 0.05e-3);
+    EXPECT_LE(figures.depth_error_p95, 0.03);
+    EXPECT_LE(figures.depth_error_max, 0.15e-3);
+    EXPECT_LE(figures.direction_p95_deg, 3.0);
+    EXPECT_GE(figures.energy_min, -0.5e-3);
+    EXPECT_EQ(figures.free_force_max, 0.0);
+  }
+}
+
+TEST_P(FeelOf, comesToRestUnderFirmAndLooseHands) {
+  for (const ClientRate rate : kRates) {
+    for (const HandOptions& hand : {HandOptions::firm(), HandOptions::loose()}) {
+      const auto scene = GetParam().make();
+      FeelSession session(*scene, rate, hand);
+      pressAtRest(session, *scene);
+      EXPECT_GT(glm::length(session.safety().force_D), 1.0);
+      EXPECT_LE(session.wobble(0.5), kCount) << rate.rate_hz << " Hz, b " << hand.damping;
+    }
+  }
+}
+
+TEST_P(FeelOf, comesToRestWhenLetGo) {
+  for (const ClientRate rate : kRates) {
+    const auto scene = GetParam().make();
+    config::DeviceProfile profile;
+    profile.weight = 0.44;  // All of the apparent mass: the worst case of the trial.
+    FeelSession session(*scene, rate, {}, profile);
+    pressAtRest(session, *scene);
+    session.letGo(3.0);
+    EXPECT_LE(session.wobble(0.5), kCount) << rate.rate_hz;
+  }
+}
+
+TEST_P(FeelOf, ridesOutAStallOfTheClient) {
+  for (const ClientRate rate : kRates) {
+    const auto scene = GetParam().make();
+    FeelSession session(*scene, rate);
+    session.client().stall(2.0, 2.5);
+    touchAndSlide(session, *scene, 2.5);
+    const FeelFigures figures = session.figures();
+    SCOPED_TRACE(rate.rate_hz);
+    EXPECT_LE(figures.step_n, 0.12);
+    EXPECT_LE(figures.penetration, 0.05e-3);
+    EXPECT_GE(figures.energy_min, -0.5e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, FeelOf, ::testing::ValuesIn(kCases),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Feel, freeMotionCostsExactlyNothing) {
+  int ticks = 0;
+  for (const ClientRate rate : kRates) {
+    for (const Case& c : {kCases[2], kCases[5]}) {
+      const auto scene = c.make();
+      // A hand so stiff that the stylus goes where the path goes, without overshoot into the obstacle.
+      HandOptions stiff;
+      stiff.stiffness = 20000.0;
+      stiff.damping = 60.0;
+      FeelSession session(*scene, rate, stiff);
+      const dvec3 middle = scene->start() + dvec3(0.012, 0.012, 0.020);
+      session.begin(middle);
+      double largest = 0.0;
+      int contacts = 0;
+      for (int i = 0; i < 10000; ++i) {
+        // Up to 1 m/s; 25 mm to and fro beside the obstacle.
+        const double t = i * 1e-3, w = 40.0 * std::min(1.0, t / 5.0);
+        const dvec3 swing(0.010 * std::sin(w * t), 0.010 * std::sin(0.7 * w * t), 0.012 * std::sin(1.3 * w * t));
+        session.follow([&](double) { return middle + swing; }, 1e-3);
+        contacts += session.last().contact ? 1 : 0;
+        largest = std::max(largest, glm::length(session.last().force_D));
+        ++ticks;
+      }
+      EXPECT_EQ(contacts, 0) << c.name;
+      EXPECT_EQ(largest, 0.0) << c.name;
+      EXPECT_EQ(session.safety().gate, GateState::kOpen);
+    }
+  }
+  EXPECT_EQ(ticks, 60000);
+}
+
+TEST(Feel, offsetIsGoneSoonAfterRelease) {
+  const auto scene = cylinderScene(0.01);
+  FeelSession session(*scene, kRates[0]);
+  touchAndSlide(session, *scene, 1.0);
+  const dvec3 from = session.device().truePose().p;
+  session.follow([&](double t) { return from + dvec3(0, 0, std::min(0.02, 0.4 * t)); }, 0.2);
+  ASSERT_FALSE(session.last().contact);
+  EXPECT_EQ(glm::length(session.last().force_D), 0.0);
+  EXPECT_EQ(glm::length(session.last().offset_D), 0.0);
+}
+
+TEST(Feel, tapsMakeNoEnergy) {
+  // 3 Hz taps of up to 0.25 m/s with a loose hand.
+  for (const ClientRate rate : kRates) {
+    const auto scene = planeScene();
+    FeelSession session(*scene, rate, HandOptions::loose());
+    session.begin(dvec3(0, 0, 0.01));
+    session.follow([&](double t) { return dvec3(0, 0, 0.008 * std::cos(6.0 * M_PI * t) + 0.002); }, 3.0);
+    EXPECT_GE(session.figures().energy_min, -1e-3) << rate.rate_hz;
+    EXPECT_GT(session.figures().force_max, 0.5);
+  }
+}
+
+TEST(Feel, frictionSlidesAtItsCoefficient) {
+  for (const ClientRate rate : kRates) {
+    const auto scene = planeScene();
+    scene->friction = 0.4;
+    FeelSession session(*scene, rate);
+    session.begin(dvec3(-0.03, 0, 0.004));
+    session.follow([&](double t) { return dvec3(-0.03, 0, 0.004 - (0.004 + kPress) * std::min(1.0, t / 0.3)); }, 0.5);
+    double ratio_sum = 0.0;
+    for (int i = 0; i < 400; ++i) {
+      session.follow([&](double) { return dvec3(-0.03 + 1e-4 * i, 0, -kPress); }, 1e-3);
+      const dvec3 spring = session.last().spring_D;
+      if (i >= 200) ratio_sum += std::hypot(spring.x, spring.y) / spring.z / 200.0;
+    }
+    EXPECT_NEAR(ratio_sum, 0.4, 0.004) << rate.rate_hz;
+    EXPECT_LE(session.figures().step_n, 0.13) << rate.rate_hz;
+  }
+}
+
+/// A plane whose every set has a normal that is off by up to 0.6 degrees, as from a scanned mesh.
+class NoisyPlane final : public FeelScene {
+ public:
+  std::string name() const override { return "noisy plane"; }
+  ConstraintSet setAt(const Pose& X_DP) const override {
+    std::uniform_real_distribution<double> noise(-0.0105, 0.0105);
+    ConstraintSet set;
+    set.X_DR = X_DP;
+    set.count = 1;
+    const dvec3 normal = glm::normalize(dvec3(noise(random_), noise(random_), 1.0));
+    set.constraints[0] = planeConstraint(dvec3(X_DP.p.x, X_DP.p.y, 0.0), normal, X_DP, 0);
+    set.constraints[0].friction = friction;
+    return set;
+  }
+  double penetration(const dvec3& p) const override { return std::max(0.0, -p.z); }
+  dvec3 handAt(double t, double press) const override { return {0.1 * t - 0.04, 0.0, -press}; }
+
+ private:
+  mutable std::mt19937 random_{7};
+};
+
+TEST(Feel, frictionSticksWithoutDrift) {
+  for (const ClientRate rate : kRates) {
+    NoisyPlane scene;
+    scene.friction = 0.3;
+    FeelSession session(scene, rate);
+    session.begin(dvec3(0, 0, 0.004));
+    // A pull to the side of half the friction.
+    const dvec3 goal(0.5 * 0.3 * kPress, 0, -kPress);
+    session.follow([&](double t) { return glm::mix(dvec3(0, 0, 0.004), goal, std::min(1.0, t / 0.3)); }, 1.0);
+    const dvec3 before = session.last().X_DP.p;
+    session.follow([&](double) { return goal; }, 5.0);
+    const dvec3 moved = session.last().X_DP.p - before;
+    EXPECT_LT(std::hypot(moved.x, moved.y), 0.02e-3) << rate.rate_hz;
+  }
+}
+
+TEST(Feel, noisyNormalsAreNotFeltAsSteps) {
+  for (const ClientRate rate : kRates) {
+    NoisyPlane scene;
+    FeelSession session(scene, rate);
+    session.begin(dvec3(-0.04, 0, 0.004));
+    session.follow([&](double t) { return dvec3(-0.04, 0, 0.004 - (0.004 + kPress) * std::min(1.0, t / 0.3)); }, 0.5);
+    session.follow([&](double t) { return scene.handAt(t, kPress); }, 0.8);
+    EXPECT_LE(session.figures().step_n, 0.13) << rate.rate_hz;
+  }
+}
+
+}  // namespace
+}  // namespace hapticell::haptic::test
