@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFont>
+
+namespace hapticell::app {
+
+/// The text sizes of the program. Sizes are pixels at 100 %.
+enum class TextRole { kText, kSecond, kKeyCap, kDockTitle, kSection, kNumberOverScene, kPanelState, kPanelNumber, kScore };
+
+/// Roboto where it is installed (its digits are equally wide, so numbers do not dance), else Noto Sans or DejaVu Sans.
+QFont font(TextRole role);
+
+}  // namespace hapticell::app

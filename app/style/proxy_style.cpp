@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/style/proxy_style.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScrollBar>
+#include <QStyleFactory>
+#include <QStyleOption>
+#include <QTabBar>
+
+#include "app/style/style_painting.h"
+#include "app/style/theme.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kSwitchWidth = 30;
+constexpr int kSwitchHeight = 16;
+
+bool isSwitch(const QWidget* widget) { return widget && widget->property("switch").toBool(); }
+
+bool isLargeSwitch(const QWidget* widget) { return widget && widget->property("switch").toString() == "large"; }
+
+QColor fieldFrame(const QStyleOption* option) {
+  const Theme& theme = themeOf(option->palette);
+  return option->state.testFlag(QStyle::State_HasFocus) ? theme.selection : theme.line;
+}
+
+}  // namespace
+
+ProxyStyle::ProxyStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+void ProxyStyle::polish(QWidget* widget) {
+  QProxyStyle::polish(widget);
+  if (qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) || qobject_cast<QScrollBar*>(widget) ||
+      qobject_cast<QTabBar*>(widget))
+    widget->setAttribute(Qt::WA_Hover);
+}
+
+int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+  switch (metric) {
+    case PM_SmallIconSize: return 16;
+    case PM_ToolBarIconSize: return 20;
+    case PM_IndicatorWidth: return isLargeSwitch(widget) ? 54 : isSwitch(widget) ? kSwitchWidth : 16;
+    case PM_IndicatorHeight: return isLargeSwitch(widget) ? 28 : kSwitchHeight;
+    case PM_CheckBoxLabelSpacing: return 8;
+    case PM_DockWidgetSeparatorExtent: return 1;
+    case PM_SplitterWidth: return 1;
+    case PM_ScrollBarExtent: return 12;
+    case PM_ScrollBarSliderMin: return 28;
+    case PM_DockWidgetFrameWidth:
+    case PM_ToolBarFrameWidth:
+    case PM_TabBarTabShiftVertical:
+    case PM_TabBarTabShiftHorizontal:
+    case PM_TabBarTabOverlap:
+    case PM_TabBarBaseHeight:
+    case PM_TabBarBaseOverlap: return 0;
+    case PM_ToolBarItemSpacing: return 2;
+    case PM_ToolBarItemMargin: return 4;
+    case PM_TabBarTabHSpace: return 28;
+    case PM_TabBarTabVSpace: return 12;
+    case PM_DefaultFrameWidth: return qobject_cast<const QAbstractItemView*>(widget) ? 0 : 1;
+    case PM_ButtonShiftHorizontal:
+    case PM_ButtonShiftVertical: return 0;
+    case PM_TreeViewIndentation: return 18;
+    default: return QProxyStyle::pixelMetric(metric, option, widget);
+  }
+}
+
+int ProxyStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                          QStyleHintReturn* data) const {
+  switch (hint) {
+    case SH_UnderlineShortcut: return 0;
+    case SH_ToolTip_WakeUpDelay: return 500;
+    case SH_ComboBox_Popup: return 0;
+    case SH_TabBar_Alignment: return Qt::AlignLeft;
+    case SH_DialogButtonBox_ButtonsHaveIcons: return 0;
+    case SH_EtchDisabledText:
+    case SH_DitherDisabledText: return 0;
+    default: return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+}
+
+QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                   const QWidget* widget) const {
+  QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
+  switch (type) {
+    case CT_PushButton:
+    case CT_ComboBox:
+    case CT_LineEdit:
+    case CT_SpinBox: result.setHeight(kFieldHeight); break;
+    case CT_MenuBarItem: result = QSize(size.width() + 16, 28); break;
+    case CT_MenuItem: {
+      const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+      if (item && item->menuItemType != QStyleOptionMenuItem::Separator) result.setHeight(qMax(result.height(), 26));
+      break;
+    }
+    case CT_ItemViewItem: result.setHeight(qMax(result.height(), kRowHeight)); break;
+    case CT_HeaderSection: result.setHeight(kFieldHeight); break;
+    case CT_ToolButton: {
+      const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+      if (button && button->toolButtonStyle == Qt::ToolButtonTextUnderIcon)
+        result = QSize(qMax(size.width() + 12, 52), 48);
+      break;
+    }
+    default: break;
+  }
+  return result;
+}
+
+QRect ProxyStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const {
+  if (element == SE_ItemViewItemText || element == SE_LineEditContents)
+    return QProxyStyle::subElementRect(element, option, widget);
+  return QProxyStyle::subElementRect(element, option, widget);
+}
+
+QRect ProxyStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                                 const QWidget* widget) const {
+  if (control == CC_ComboBox) {
+    const QRect r = option->rect;
+    if (part == SC_ComboBoxEditField) return r.adjusted(8, 1, -24, -1);
+    if (part == SC_ComboBoxArrow) return QRect(r.right() - 23, r.top(), 22, r.height());
+  }
+  if (control == CC_ScrollBar) {
+    if (part == SC_ScrollBarAddLine || part == SC_ScrollBarSubLine) return {};
+    const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
+    if (!bar) return {};
+    const bool vertical = bar->orientation == Qt::Vertical;
+    const QRect groove = bar->rect;
+    const int length = vertical ? groove.height() : groove.width();
+    const int range = qMax(1, bar->maximum - bar->minimum);
+    const int handle = bar->maximum > bar->minimum
+                           ? qBound(28, static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep)), length)
+                           : length;
+    const int start = sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - handle, bar->upsideDown);
+    switch (part) {
+      case SC_ScrollBarGroove: return groove;
+      case SC_ScrollBarSlider: return vertical ? QRect(groove.left(), start, groove.width(), handle) : QRect(start, groove.top(), handle, groove.height());
+      case SC_ScrollBarSubPage: return vertical ? QRect(groove.left(), 0, groove.width(), start) : QRect(0, groove.top(), start, groove.height());
+      case SC_ScrollBarAddPage: return vertical ? QRect(groove.left(), start + handle, groove.width(), length - start - handle) : QRect(start + handle, groove.top(), length - start - handle, groove.height());
+      default: return {};
+    }
+  }
+  return QProxyStyle::subControlRect(control, option, part, widget);
+}
+
+void ProxyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                               const QWidget* widget) const {
+  const Theme& theme = themeOf(option->palette);
+  switch (element) {
+    case PE_PanelButtonCommand:
+    case PE_PanelButtonTool: drawButtonPanel(painter, option, widget); return;
+    case PE_FrameDefaultButton: return;
+    case PE_IndicatorCheckBox:
+      if (isSwitch(widget))
+        drawSwitch(painter, option);
+      else
+        drawIndicator(painter, option, false);
+      return;
+    case PE_IndicatorItemViewItemCheck: drawIndicator(painter, option, false); return;
+    case PE_IndicatorRadioButton: drawIndicator(painter, option, true); return;
+    case PE_PanelLineEdit:
+      if (const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option); frame && frame->lineWidth > 0)
+        drawBox(painter, option->rect, theme.field, fieldFrame(option));
+      return;
+    case PE_FrameFocusRect:
+      painter->save();
+      painter->setRenderHint(QPainter::Antialiasing);
+      painter->setPen(QPen(theme.selection, 2.0));
+      painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 1, -1, -1), kRadius, kRadius);
+      painter->restore();
+      return;
+    case PE_PanelItemViewRow: return;
+    case PE_PanelItemViewItem: {
+      const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+      const bool selected = option->state.testFlag(State_Selected);
+      const bool hover = option->state.testFlag(State_MouseOver);
+      if (selected) painter->fillRect(option->rect, theme.selected_row);
+      else if (hover) painter->fillRect(option->rect, theme.header);
+      else if (item && item->backgroundBrush.style() != Qt::NoBrush) painter->fillRect(option->rect, item->backgroundBrush);
+      return;
+    }
+    case PE_IndicatorDockWidgetResizeHandle: painter->fillRect(option->rect, theme.line); return;
+    case PE_IndicatorTabClose:
+    case PE_FrameStatusBarItem:
+    case PE_FrameDockWidget:
+    case PE_FrameTabBarBase: return;
+    case PE_PanelMenu: drawBox(painter, option->rect, theme.header, theme.line, 0.0); return;
+    case PE_FrameMenu: return;
+    case PE_PanelStatusBar:
+    case PE_PanelMenuBar: painter->fillRect(option->rect, theme.window); return;
+    case PE_IndicatorBranch: {
+      if (!option->state.testFlag(State_Children)) return;
+      painter->save();
+      painter->translate(QRectF(option->rect).center());
+      if (!option->state.testFlag(State_Open)) painter->rotate(-90);
+      drawChevron(painter, QRect(-8, -8, 16, 16), theme.text2);
+      painter->restore();
+      return;
+    }
+    default: QProxyStyle::drawPrimitive(element, option, painter, widget);
+  }
+}
+
+void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const {
+  const Theme& theme = themeOf(option->palette);
+  switch (element) {
+    case CE_TabBarTabShape:
+      if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) drawTabShape(painter, tab);
+      return;
+    case CE_TabBarTabLabel: {
+      const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+      if (!tab) return;
+      painter->setPen(tab->state.testFlag(State_Selected) ? theme.text1 : theme.text2);
+      painter->drawText(tab->rect.adjusted(0, 1, 0, 0), Qt::AlignCenter, tab->text);
+      return;
+    }
+    case CE_MenuBarEmptyArea: painter->fillRect(option->rect, theme.window); return;
+    case CE_MenuBarItem: {
+      const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+      const bool active = option->state.testFlag(State_Selected) || option->state.testFlag(State_Sunken);
+      painter->fillRect(option->rect, active ? theme.selected_row : theme.window);
+      painter->setPen(option->state.testFlag(State_Enabled) ? theme.text1 : theme.text3);
+      painter->drawText(option->rect, Qt::AlignCenter | Qt::TextShowMnemonic | Qt::TextHideMnemonic, item ? item->text : QString());
+      return;
+    }
+    case CE_ToolBar: {
+      painter->fillRect(option->rect, theme.window);
+      painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1), theme.line);
+      return;
+    }
+    case CE_Splitter: painter->fillRect(option->rect, theme.line); return;
+    case CE_PushButtonLabel: {
+      const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+      if (!button) break;
+      QStyleOptionButton copy = *button;
+      const bool on = copy.state.testFlag(State_On) || (widget && widget->property("main").toBool());
+      if (on && copy.state.testFlag(State_Enabled)) copy.palette.setColor(QPalette::ButtonText, theme.on_text);
+      QProxyStyle::drawControl(element, &copy, painter, widget);
+      return;
+    }
+    case CE_HeaderSection: {
+      painter->fillRect(option->rect, theme.header);
+      painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1), theme.line);
+      return;
+    }
+    case CE_ProgressBarGroove: drawBox(painter, option->rect, theme.field, theme.line, 2.0); return;
+    default: break;
+  }
+  QProxyStyle::drawControl(element, option, painter, widget);
+}
+
+void ProxyStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                    const QWidget* widget) const {
+  const Theme& theme = themeOf(option->palette);
+  if (control == CC_ComboBox) {
+    const bool enabled = option->state.testFlag(State_Enabled);
+    const bool hover = option->state.testFlag(State_MouseOver) && enabled;
+    QColor fill = enabled ? theme.button : theme.dock;
+    if (hover) fill = theme.dark ? fill.lighter(112) : fill.darker(104);
+    drawBox(painter, option->rect, fill, fieldFrame(option));
+    drawChevron(painter, subControlRect(control, option, SC_ComboBoxArrow, widget), enabled ? theme.text1 : theme.text3);
+    return;
+  }
+  if (control == CC_SpinBox) {
+    const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+    if (box && box->buttonSymbols == QAbstractSpinBox::NoButtons) {
+      drawBox(painter, option->rect, option->state.testFlag(State_Enabled) ? theme.field : theme.dock, fieldFrame(option));
+      return;
+    }
+  }
+  if (control == CC_ScrollBar) {
+    if (const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option))
+      drawScrollBar(painter, bar, subControlRect(control, option, SC_ScrollBarSlider, widget));
+    return;
+  }
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QProxyStyle>
+
+namespace hapticell::app {
+
+/// Fusion with the program's measures: fields of 26 px, corners of 4 px, flat buttons, underlined tabs, a 2 px bar on
+/// the selected row, a focus frame in the selection colour, and a switch for every check box whose property `switch` is
+/// true. A button whose property `main` is true is the one main button of its panel; `quiet` draws no frame until hovered.
+class ProxyStyle : public QProxyStyle {
+ public:
+  ProxyStyle();
+
+  void polish(QWidget* widget) override;
+  using QProxyStyle::polish;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override;
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override;
+  QRect subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const override;
+  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                       const QWidget* widget) const override;
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                          const QWidget* widget) const override;
+};
+
+}  // namespace hapticell::app

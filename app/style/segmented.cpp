@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/style/segmented.h"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include "app/style/fonts.h"
+#include "app/style/style_painting.h"
+#include "app/style/theme.h"
+
+namespace hapticell::app {
+namespace {
+
+class Segment final : public QAbstractButton {
+ public:
+  explicit Segment(const QString& text, QWidget* parent) : QAbstractButton(parent) {
+    setText(text);
+    setCheckable(true);
+    setAutoExclusive(true);
+    setFocusPolicy(Qt::TabFocus);
+    setAttribute(Qt::WA_Hover);
+    setAccessibleName(text);
+  }
+  QSize sizeHint() const override { return {fontMetrics().horizontalAdvance(text()) + 14, kFieldHeight}; }
+  QSize minimumSizeHint() const override { return {fontMetrics().horizontalAdvance(text()) + 6, kFieldHeight}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& theme = themeOf(palette());
+    QPainter painter(this);
+    if (isChecked())
+      drawBox(&painter, rect().adjusted(1, 1, -1, -1), isEnabled() ? theme.on : theme.line, QColor(), 3.0);
+    else if (underMouse() && isEnabled())
+      drawBox(&painter, rect().adjusted(1, 1, -1, -1), theme.header, QColor(), 3.0);
+    painter.setPen(!isEnabled() ? theme.text3 : isChecked() ? theme.on_text : theme.text1);
+    QFont text_font = font();
+    if (isChecked()) text_font.setWeight(QFont::Medium);
+    painter.setFont(text_font);
+    painter.drawText(rect(), Qt::AlignCenter, text());
+    if (hasFocus()) {
+      painter.setRenderHint(QPainter::Antialiasing);
+      painter.setPen(QPen(theme.selection, 2.0));
+      painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), kRadius, kRadius);
+    }
+  }
+};
+
+}  // namespace
+
+Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  for (const QString& choice : choices) {
+    auto* segment = new Segment(choice, this);
+    group_->addButton(segment, static_cast<int>(group_->buttons().size()));
+    row->addWidget(segment, 1);
+  }
+  setFixedHeight(kFieldHeight);
+  connect(group_, &QButtonGroup::idClicked, this, &Segmented::chosen);
+}
+
+int Segmented::current() const { return group_->checkedId(); }
+
+void Segmented::setCurrent(int index) {
+  if (QAbstractButton* wanted = button(index)) {
+    wanted->setChecked(true);
+    return;
+  }
+  group_->setExclusive(false);
+  for (QAbstractButton* other : group_->buttons()) other->setChecked(false);
+  group_->setExclusive(true);
+}
+
+void Segmented::setChoiceEnabled(int index, bool on, const QString& why) {
+  if (QAbstractButton* wanted = button(index)) {
+    wanted->setEnabled(on);
+    wanted->setToolTip(on ? QString() : why);
+  }
+}
+
+QAbstractButton* Segmented::button(int index) const { return group_->button(index); }
+
+QSize Segmented::sizeHint() const {
+  int width = 0;
+  for (const QAbstractButton* segment : group_->buttons()) width += segment->sizeHint().width();
+  return {width, kFieldHeight};
+}
+
+void Segmented::paintEvent(QPaintEvent*) {
+  const Theme& theme = themeOf(palette());
+  QPainter painter(this);
+  drawBox(&painter, rect(), theme.button, theme.line);
+  painter.setPen(theme.line);
+  for (int i = 1; i < group_->buttons().size(); ++i) {
+    if (i == current() || i - 1 == current()) continue;
+    const int x = group_->button(i)->geometry().left();
+    painter.drawLine(x, 1, x, height() - 2);
+  }
+}
+
+void Segmented::keyPressEvent(QKeyEvent* event) {
+  const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
+                   : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
+                                                                                   : 0;
+  if (step == 0) {
+    QWidget::keyPressEvent(event);
+    return;
+  }
+  for (int i = current() + step; i >= 0 && i < group_->buttons().size(); i += step) {
+    if (!button(i)->isEnabled()) continue;
+    button(i)->setFocus();
+    button(i)->click();
+    return;
+  }
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/style/style_painting.h"
+
+#include <QPainterPath>
+#include <QWidget>
+#include <algorithm>
+
+#include "app/style/fonts.h"
+#include "app/style/theme.h"
+
+namespace hapticell::app {
+namespace {
+
+bool has(const QStyleOption* option, QStyle::StateFlag flag) { return option->state.testFlag(flag); }
+
+QColor blended(const QColor& a, const QColor& b, double share) {
+  return QColor::fromRgbF(static_cast<float>(a.redF() + (b.redF() - a.redF()) * share),
+                          static_cast<float>(a.greenF() + (b.greenF() - a.greenF()) * share),
+                          static_cast<float>(a.blueF() + (b.blueF() - a.blueF()) * share));
+}
+
+}  // namespace
+
+void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius) {
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(frame.isValid() ? QPen(frame, 1.0) : QPen(Qt::NoPen));
+  painter->setBrush(fill.isValid() ? QBrush(fill) : QBrush(Qt::NoBrush));
+  const double inset = frame.isValid() ? 0.5 : 0.0;
+  painter->drawRoundedRect(QRectF(rect).adjusted(inset, inset, -inset, -inset), radius, radius);
+  painter->restore();
+}
+
+void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidget* widget) {
+  const Theme& theme = themeOf(option->palette);
+  const bool main = widget && widget->property("main").toBool();
+  const bool quiet = widget && widget->property("quiet").toBool();
+  const bool enabled = has(option, QStyle::State_Enabled);
+  const bool down = has(option, QStyle::State_Sunken);
+  const bool on = has(option, QStyle::State_On);
+  const bool hover = has(option, QStyle::State_MouseOver) && enabled;
+  if (quiet && !down && !on && !hover) return;
+  QColor fill = theme.button;
+  QColor frame = theme.line;
+  if (main && enabled) {
+    fill = theme.on;
+    frame = theme.on;
+  }
+  if (on) {
+    fill = quiet ? theme.selected_row : theme.on;
+    frame = quiet ? theme.selection : theme.on;
+  }
+  if (hover) fill = blended(fill, theme.text1, 0.08);
+  if (down) fill = blended(fill, theme.window, 0.35);
+  if (!enabled && !main) fill = theme.dock;
+  if (!enabled && main) fill = blended(theme.dock, theme.on, 0.35), frame = fill;
+  drawBox(painter, option->rect, fill, frame);
+}
+
+void drawSwitch(QPainter* painter, const QStyleOption* option) {
+  const Theme& theme = themeOf(option->palette);
+  const bool on = has(option, QStyle::State_On);
+  const bool enabled = has(option, QStyle::State_Enabled);
+  QColor track = on ? theme.on : theme.button;
+  QColor frame = on ? theme.on : theme.text3;
+  QColor knob = on ? theme.on_text : theme.text2;
+  if (!enabled) track = theme.dock, frame = theme.line, knob = theme.text3;
+  const QRectF rect = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(QPen(frame, 1.0));
+  painter->setBrush(track);
+  painter->drawRoundedRect(rect, rect.height() / 2, rect.height() / 2);
+  const double radius = rect.height() / 2 - 2.5;
+  const double x = on ? rect.right() - radius - 2.5 : rect.left() + radius + 2.5;
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(knob);
+  painter->drawEllipse(QPointF(x, rect.center().y()), radius, radius);
+  const double cue_x = on ? rect.left() + rect.height() * 0.5 : rect.right() - rect.height() * 0.5;
+  painter->setPen(QPen(on ? theme.on_text : theme.text3, 1.5, Qt::SolidLine, Qt::RoundCap));
+  painter->setBrush(Qt::NoBrush);
+  const double cue = rect.height() * 0.17;
+  if (on) painter->drawLine(QPointF(cue_x, rect.center().y() - cue), QPointF(cue_x, rect.center().y() + cue));
+  if (!on) painter->drawEllipse(QPointF(cue_x, rect.center().y()), cue, cue);
+  painter->restore();
+}
+
+void drawIndicator(QPainter* painter, const QStyleOption* option, bool round) {
+  const Theme& theme = themeOf(option->palette);
+  const bool on = has(option, QStyle::State_On);
+  const bool enabled = has(option, QStyle::State_Enabled);
+  const QColor fill = on && enabled ? theme.on : theme.field;
+  const QColor frame = on && enabled ? theme.on : enabled ? theme.text3 : theme.line;
+  const QRect rect = option->rect;
+  drawBox(painter, rect, fill, frame, round ? rect.height() / 2.0 : 3.0);
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  const QColor mark = enabled ? theme.on_text : theme.text3;
+  const QRectF r(rect);
+  if (on && round) {
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(mark);
+    painter->drawEllipse(r.center(), r.width() * 0.2, r.width() * 0.2);
+  } else if (on) {
+    painter->setPen(QPen(mark, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter->drawPolyline(QPolygonF({QPointF(r.left() + 0.24 * r.width(), r.top() + 0.52 * r.height()),
+                                     QPointF(r.left() + 0.43 * r.width(), r.top() + 0.70 * r.height()),
+                                     QPointF(r.left() + 0.77 * r.width(), r.top() + 0.32 * r.height())}));
+  }
+  painter->restore();
+}
+
+void drawTabShape(QPainter* painter, const QStyleOptionTab* option) {
+  const Theme& theme = themeOf(option->palette);
+  const bool selected = has(option, QStyle::State_Selected);
+  const bool hover = has(option, QStyle::State_MouseOver);
+  painter->fillRect(option->rect, selected ? theme.dock : hover ? blended(theme.header, theme.text1, 0.05) : theme.header);
+  if (selected) painter->fillRect(QRect(option->rect.left(), option->rect.top(), option->rect.width(), 2), theme.selection);
+}
+
+void drawChevron(QPainter* painter, const QRect& rect, const QColor& color) {
+  const QPointF c = QRectF(rect).center();
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter->drawPolyline(QPolygonF({c + QPointF(-3.5, -1.7), c + QPointF(0, 1.8), c + QPointF(3.5, -1.7)}));
+  painter->restore();
+}
+
+void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QRect& handle) {
+  const Theme& theme = themeOf(option->palette);
+  if (option->maximum <= option->minimum) return;
+  const bool hover = has(option, QStyle::State_MouseOver) || has(option, QStyle::State_Sunken);
+  const QRect bar = option->orientation == Qt::Vertical ? handle.adjusted(3, 1, -3, -1) : handle.adjusted(1, 3, -1, -3);
+  const double radius = std::min(bar.width(), bar.height()) / 2.0;
+  drawBox(painter, bar, hover ? theme.text3 : theme.line, QColor(), radius);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QRect>
+#include <QStyleOption>
+
+namespace hapticell::app {
+
+constexpr int kFieldHeight = 26;
+constexpr int kRowHeight = 24;
+constexpr double kRadius = 4.0;
+
+/// A box with one-pixel frame whose lines lie on whole pixels.
+void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius = kRadius);
+
+/// Push buttons and tool buttons: flat, framed, filled while down or on.
+void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidget* widget);
+
+/// The switch: knob position and I / O are its second cue.
+void drawSwitch(QPainter* painter, const QStyleOption* option);
+
+/// A check box or radio button.
+void drawIndicator(QPainter* painter, const QStyleOption* option, bool round);
+
+/// A tab with a line on top while it is the current one.
+void drawTabShape(QPainter* painter, const QStyleOptionTab* option);
+
+/// The little triangle of combo boxes and menus, pointing down.
+void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);
+
+/// A narrow scroll bar without buttons.
+void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QRect& handle);
+
+}  // namespace hapticell::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <array>
+
+namespace hapticell::app {
+
+/// Every colour of the program, by role. A value; docs/visual.md's table is the source of the two sets.
+struct Theme {
+  bool dark = true;
+  QColor window, dock, header, field;
+  QColor line, button, selected_row;
+  QColor text1, text2, text3;            ///< Text, second lines, disabled.
+  QColor on, on_text;                    ///< Switched on and main buttons.
+  QColor contact, near_miss, limit, selection, guide, force;
+  QColor contact_text, near_miss_text, limit_text;  ///< State words: coloured in the dark theme, text colour in the light one.
+  QColor axis_x, axis_y, axis_z;
+  std::array<QColor, 4> score;           ///< 1-2, 3-4, 5-6, 7.
+  QColor background_top, background_bottom;
+  QColor grid, crease;                   ///< Lines of the floor and of parts.
+  QColor halo;                           ///< Behind everything that is drawn over the scene.
+  QColor label_box;                      ///< Boxes over the scene, 12 % transparent.
+};
+
+const Theme& darkTheme();
+const Theme& lightTheme();
+
+/// The theme that a palette belongs to: by the lightness of its window colour, so no global state is needed.
+const Theme& themeOf(const QPalette& palette);
+
+/// The Qt palette of a theme, all three colour groups.
+QPalette paletteOf(const Theme& theme);
+
+}  // namespace hapticell::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/detail_level.h"
+
+#include <algorithm>
+
+namespace hapticell::app {
+
+void DetailGovernor::frameTook(double seconds) {
+  const int level = static_cast<int>(level_);
+  const int last = static_cast<int>(DetailLevel::kBoxes);
+  if (seconds > budget_s_) {
+    // A step that was just given back was one too many: wait longer before the next try.
+    if (just_raised_) patience_ = std::min(patience_ * 2, 600);
+    const int steps = seconds > 2.5 * budget_s_ ? 2 : 1;
+    level_ = static_cast<DetailLevel>(std::min(level + steps, last));
+    good_frames_ = 0;
+    just_raised_ = false;
+    return;
+  }
+  good_frames_ = seconds < 0.5 * budget_s_ ? good_frames_ + 1 : 0;
+  if (good_frames_ > 5) just_raised_ = false;
+  if (good_frames_ < patience_ || level == 0) return;
+  level_ = static_cast<DetailLevel>(level - 1);
+  good_frames_ = 0;
+  just_raised_ = true;
+}
+
+void FrameMeter::frame(double now_s, double took_s) {
+  start_[count_ % kCapacity] = now_s;
+  took_[count_ % kCapacity] = took_s;
+  ++count_;
+  last_took_ = took_s;
+}
+
+double FrameMeter::rate(double now_s) const {
+  const std::size_t kept = std::min(count_, kCapacity);
+  std::size_t recent = 0;
+  double oldest = now_s;
+  for (std::size_t i = 0; i < kept; ++i) {
+    if (now_s - start_[i] > 1.0) continue;
+    ++recent;
+    oldest = std::min(oldest, start_[i]);
+  }
+  if (recent < 2 || now_s <= oldest) return static_cast<double>(recent);
+  return static_cast<double>(recent) / std::max(now_s - oldest, 1e-6);
+}
+
+double FrameMeter::worstSeconds() const {
+  const std::size_t kept = std::min(count_, kCapacity);
+  return kept == 0 ? 0.0 : *std::max_element(took_, took_ + kept);
+}
+
+}  // namespace hapticell::app

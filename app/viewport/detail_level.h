@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace hapticell::app {
+
+/// How much of the picture is drawn. Each step drops what is missed least; the last one draws boxes for heavy parts.
+enum class DetailLevel {
+  kFull,          ///< Occlusion, shadows, all edges, outlines.
+  kNoOcclusion,   ///< Without ambient occlusion; shadows of what stood still.
+  kPlain,         ///< Without shadows.
+  kNoEdges,       ///< Faces only; states stay marked.
+  kHalfSize,      ///< The same at half the resolution.
+  kBoxes          ///< Heavy parts as boxes.
+};
+
+/// Chooses the detail while things move, from the time that frames take, so that the window keeps its rate.
+///
+/// Sheds at once, restores slowly: a frame slower than the budget drops a step, a long run of frames that would also fit
+/// with more detail takes one back.
+class DetailGovernor {
+ public:
+  /// `budget_s`: what one frame may take while moving; 10 Hz guaranteed leaves 0.1 s for everything in the GUI thread.
+  explicit DetailGovernor(double budget_s = 0.055) : budget_s_(budget_s) {}
+
+  DetailLevel level() const { return level_; }
+  /// Tells how long a frame at level() took, in seconds.
+  void frameTook(double seconds);
+  double budget() const { return budget_s_; }
+
+ private:
+  double budget_s_;
+  DetailLevel level_ = DetailLevel::kFull;
+  int good_frames_ = 0;
+  int patience_ = 20;
+  bool just_raised_ = false;
+};
+
+/// The rate and duration of recent frames. Times in seconds of any steady clock.
+class FrameMeter {
+ public:
+  void frame(double now_s, double took_s);
+  /// Frames a second over the last second of drawing.
+  double rate(double now_s) const;
+  double lastSeconds() const { return last_took_; }
+  double worstSeconds() const;
+
+ private:
+  static constexpr std::size_t kCapacity = 128;
+  double start_[kCapacity]{};
+  double took_[kCapacity]{};
+  std::size_t count_ = 0;
+  double last_took_ = 0.0;
+};
+
+}  // namespace hapticell::app

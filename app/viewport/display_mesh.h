@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+
+namespace hapticell::app {
+
+/// A vertex as the graphics card gets it: position relative to the mesh's centre, unit normal.
+struct DisplayVertex {
+  fvec3 position;
+  fvec3 normal;
+};
+
+/// An edge as it gets it: ends relative to the centre, and the unit normals of its two faces. A crease is always drawn;
+/// any other only while one face is turned to the eye and the other away. A border has two opposite normals.
+struct DisplayEdge {
+  fvec3 from;
+  fvec3 to;
+  fvec3 normal_a;
+  fvec3 normal_b;
+};
+
+/// A mesh made ready for drawing. No OpenGL in here.
+struct DisplayMesh {
+  dvec3 center{0.0};                  ///< p_MC; positions are relative to it, so that large coordinates keep their digits.
+  geometry::Bounds bounds;            ///< In M.
+  std::vector<DisplayVertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< Three a triangle.
+  std::vector<DisplayEdge> edges;     ///< Creases and borders first, then the smooth ones.
+  std::size_t creases = 0;            ///< How many of `edges` are creases or borders.
+};
+
+/// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.
+DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle = 0.48869219);  // 28 degrees
+
+}  // namespace hapticell::app

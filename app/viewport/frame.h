@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "app/viewport/camera.h"
+#include "app/viewport/detail_level.h"
+#include "app/viewport/render_item.h"
+
+namespace hapticell::app {
+
+/// Colours of the picture, sRGB 0 .. 1.
+struct FrameColors {
+  fvec3 background_top{0.2f}, background_bottom{0.1f};
+  glm::vec4 grid{0.5f}, crease{0.0f};
+  fvec3 selected{0.2f, 0.6f, 1.0f}, hovered{0.7f}, near_miss{1.0f, 0.87f, 0.4f}, contact{1.0f, 0.42f, 0.27f};
+  float floor_shadow = 0.4f;
+};
+
+/// All that one picture of the scene depends on.
+struct Frame {
+  Camera camera;
+  int width = 1, height = 1;          ///< Device pixels.
+  double pixel_ratio = 1.0;
+  FrameColors colors;
+  std::vector<RenderItem> items;
+  geometry::Bounds bounds_W;          ///< Of the whole scene.
+  DetailLevel detail = DetailLevel::kFull;
+  bool edges = true;
+  bool shaded = true;                 ///< False: faces hidden, edges only.
+  int sample = 0;                     ///< 0: a new picture; n: one more sample of the same one, averaged into it.
+};
+
+/// Device pixels of the picture's large floor cells, metres: 0.5, or a decade more where the eye is far away.
+double floorCell(const Camera& camera);
+
+/// A unit direction in W towards the key light: above, from the front and the left.
+dvec3 keyLightDirection_W();
+
+/// X_WM with the item's scale and the mesh's centre as a matrix: what turns display vertices into W.
+glm::dmat4 worldFromDisplay(const RenderItem& item, const dvec3& center_M);
+
+/// The i-th sample place within a pixel, -0.5 .. 0.5 (Halton, bases 2 and 3); the first is the middle.
+glm::dvec2 samplePlace(int sample);
+
+}  // namespace hapticell::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+namespace hapticell::app {
+
+/// OpenGL 3.3 core. All classes that take it are used on one thread with one current context, and are destroyed with it.
+using Gl = QOpenGLFunctions_3_3_Core;
+
+/// Compiles shaders/NAME.vert and shaders/NAME.frag from the resources. A fault of theirs is a fault of the program: it
+/// is written to the log and gives null.
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertex, const char* fragment);
+
+void setMatrix(Gl& gl, QOpenGLShaderProgram& program, const char* name, const glm::dmat4& value);
+
+/// A frame buffer with textures.
+class RenderTarget {
+ public:
+  struct Format {
+    std::vector<GLenum> colors;  ///< Internal formats of the colour attachments.
+    bool depth = false;
+    bool depth_compare = false;  ///< For sampler2DShadow.
+    bool linear = false;
+  };
+  RenderTarget(Gl& gl, Format format) : gl_(gl), format_(std::move(format)) {}
+  ~RenderTarget();
+  RenderTarget(const RenderTarget&) = delete;
+  RenderTarget& operator=(const RenderTarget&) = delete;
+
+  /// Makes the textures anew when the size differs. True when they are new.
+  bool resize(int width, int height);
+  void bind();                          ///< For drawing, viewport set to its size.
+  GLuint color(std::size_t index) const { return colors_[index]; }
+  GLuint depth() const { return depth_; }
+  GLuint framebuffer() const { return framebuffer_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  void release();
+  Gl& gl_;
+  Format format_;
+  GLuint framebuffer_ = 0, depth_ = 0;
+  std::vector<GLuint> colors_;
+  int width_ = 0, height_ = 0;
+};
+
+/// A triangle that covers the screen, for passes over pixels.
+class ScreenTriangle {
+ public:
+  explicit ScreenTriangle(Gl& gl);
+  ~ScreenTriangle();
+  void draw();
+
+ private:
+  Gl& gl_;
+  GLuint vertex_array_ = 0;
+};
+
+void bindTexture(Gl& gl, QOpenGLShaderProgram& program, const char* name, int unit, GLuint texture);
+
+}  // namespace hapticell::app

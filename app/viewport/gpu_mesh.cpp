@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/gpu_mesh.h"
+
+namespace hapticell::app {
+namespace {
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+}  // namespace
+
+GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh) : gl_(gl), center_(mesh.center), bounds_(mesh.bounds) {
+  index_count_ = static_cast<GLsizei>(mesh.indices.size());
+  edge_count_ = static_cast<GLsizei>(mesh.edges.size());
+  crease_count_ = static_cast<GLsizei>(mesh.creases);
+  gl_.glGenBuffers(3, buffers_);
+  gl_.glGenVertexArrays(1, &face_array_);
+  gl_.glBindVertexArray(face_array_);
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
+  gl_.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(DisplayVertex)),
+                   mesh.vertices.data(), GL_STATIC_DRAW);
+  gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
+  gl_.glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
+                   mesh.indices.data(), GL_STATIC_DRAW);
+  for (GLuint i = 0; i < 2; ++i) {
+    gl_.glEnableVertexAttribArray(i);
+    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), offset(i * sizeof(fvec3)));
+  }
+  gl_.glGenVertexArrays(1, &edge_array_);
+  gl_.glBindVertexArray(edge_array_);
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+  gl_.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.edges.size() * sizeof(DisplayEdge)), mesh.edges.data(),
+                   GL_STATIC_DRAW);
+  for (GLuint i = 0; i < 4; ++i) {
+    gl_.glEnableVertexAttribArray(i);
+    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayEdge), offset(i * sizeof(fvec3)));
+    gl_.glVertexAttribDivisor(i, 1);
+  }
+  gl_.glBindVertexArray(0);
+}
+
+GpuMesh::~GpuMesh() {
+  gl_.glDeleteVertexArrays(1, &face_array_);
+  gl_.glDeleteVertexArrays(1, &edge_array_);
+  gl_.glDeleteBuffers(3, buffers_);
+}
+
+void GpuMesh::drawFaces() {
+  gl_.glBindVertexArray(face_array_);
+  gl_.glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+void GpuMesh::drawEdges(GLsizei count) {
+  if (count == 0) return;
+  gl_.glBindVertexArray(edge_array_);
+  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+}
+
+void GpuMesh::drawCreases() { drawEdges(crease_count_); }
+void GpuMesh::drawAllEdges() { drawEdges(edge_count_); }
+
+GpuMesh& GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
+  Entry& entry = entries_[mesh.get()];
+  entry.used = true;
+  // An address that was reused by another mesh must not show the old one.
+  if (!entry.mesh || entry.source.lock() != mesh) {
+    entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh));
+    entry.source = mesh;
+  }
+  return *entry.mesh;
+}
+
+void GpuMeshCache::collect() {
+  std::erase_if(entries_, [](const auto& entry) { return !entry.second.used || entry.second.source.expired(); });
+  for (auto& entry : entries_) entry.second.used = false;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+#include "workcell/entity.h"
+
+namespace hapticell::app {
+
+/// How an item is marked; bits of RenderItem::state and of the id buffer.
+enum ItemState : std::uint32_t {
+  kPlain = 0,
+  kSelected = 1,
+  kHovered = 2,
+  kNearMiss = 4,
+  kContact = 8,
+};
+
+/// One mesh to draw: a solid, or a shape of a robot's link.
+struct RenderItem {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  Pose X_WM;
+  double scale = 1.0;                          ///< Only the drawn stylus is scaled.
+  std::array<float, 3> color{0.7f, 0.7f, 0.7f};  ///< sRGB, already quietened.
+  workcell::EntityId entity = 0;               ///< 0: not of the document (the stylus), cannot be picked.
+  int link = -1;                               ///< Robots: index of the link.
+  std::uint32_t state = kPlain;
+  bool casts_shadow = true;
+};
+
+/// The colour with its saturation (HSV) at most `limit`: parts are quiet so that states are loud.
+std::array<float, 3> quietened(const std::array<float, 3>& color, float limit = 0.25f);
+
+}  // namespace hapticell::app

@@ -1,0 +1,60 @@
+#version 330 core
+// SPDX-License-Identifier: Apache-2.0
+// Puts the picture together: faces and lines, occlusion, silhouettes, and the outlines of states.
+in vec2 place;
+uniform sampler2D color_map;
+uniform usampler2D id_map;
+uniform sampler2D openness_map;
+uniform bool occluded;
+uniform bool silhouettes;
+uniform bool states;            // Anything marked at all.
+uniform vec3 silhouette_color;
+uniform vec3 selected_color, hovered_color, near_color, contact_color;
+uniform float pixel_ratio;
+uniform float share;            // Of this sample in the mean.
+layout(location = 0) out vec4 color;
+
+const uint kSelected = 1u, kHovered = 2u, kNearMiss = 4u, kContact = 8u;
+uint stateOf(uint id) { return id >> 24; }
+uint itemOf(uint id) { return id & 0xffffffu; }
+
+void main() {
+  ivec2 here = ivec2(place * vec2(textureSize(id_map, 0)));
+  ivec2 last = textureSize(id_map, 0) - 1;
+  vec3 shown = texelFetch(color_map, here, 0).rgb;
+  uint own = texelFetch(id_map, here, 0).r;
+  if (occluded && own != 0u) {
+    float open = texture(openness_map, place).r;
+    shown *= mix(0.30, 1.0, open);
+  }
+  if (silhouettes) {
+    uint right = itemOf(texelFetch(id_map, min(here + ivec2(1, 0), last), 0).r);
+    uint above = itemOf(texelFetch(id_map, min(here + ivec2(0, 1), last), 0).r);
+    uint item = itemOf(own);
+    if (item != right || item != above) shown = mix(shown, silhouette_color, 0.72);
+  }
+  if (states) {
+    int r = int(2.0 * pixel_ratio + 0.5);
+    int d = max(1, int(1.5 * pixel_ratio));
+    uint east = stateOf(texelFetch(id_map, clamp(here + ivec2(r, 0), ivec2(0), last), 0).r);
+    uint west = stateOf(texelFetch(id_map, clamp(here - ivec2(r, 0), ivec2(0), last), 0).r);
+    uint north = stateOf(texelFetch(id_map, clamp(here + ivec2(0, r), ivec2(0), last), 0).r);
+    uint south = stateOf(texelFetch(id_map, clamp(here - ivec2(0, r), ivec2(0), last), 0).r);
+    uint ne = stateOf(texelFetch(id_map, clamp(here + ivec2(d, d), ivec2(0), last), 0).r);
+    uint nw = stateOf(texelFetch(id_map, clamp(here + ivec2(-d, d), ivec2(0), last), 0).r);
+    uint se = stateOf(texelFetch(id_map, clamp(here + ivec2(d, -d), ivec2(0), last), 0).r);
+    uint sw = stateOf(texelFetch(id_map, clamp(here + ivec2(-d, -d), ivec2(0), last), 0).r);
+    uint near_by = (east | west | north | south | ne | nw | se | sw) & ~stateOf(own);
+    if ((near_by & kHovered) != 0u) shown = mix(shown, hovered_color, 0.8);
+    if ((near_by & kSelected) != 0u) shown = selected_color;
+    if ((near_by & kNearMiss) != 0u) {
+      // Dashes run along the border: along y where it stands upright, else along x.
+      float gx = float((east >> 2) & 1u) - float((west >> 2) & 1u);
+      float gy = float((north >> 2) & 1u) - float((south >> 2) & 1u);
+      float along = abs(gx) > abs(gy) ? gl_FragCoord.y : gl_FragCoord.x;
+      shown = mod(along, 9.0 * pixel_ratio) < 5.5 * pixel_ratio ? near_color : mix(shown, vec3(0.06), 0.55);
+    }
+    if ((near_by & kContact) != 0u) shown = contact_color;
+  }
+  color = vec4(shown, share);
+}

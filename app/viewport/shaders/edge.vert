@@ -1,0 +1,42 @@
+#version 330 core
+// SPDX-License-Identifier: Apache-2.0
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in vec3 normal_a;
+layout(location = 3) in vec3 normal_b;
+uniform mat4 clip_from_model;
+uniform vec3 eye_in_model;       // Of the eye, or the direction to it in the orthographic view.
+uniform bool perspective;
+uniform float crease_cosine;
+uniform vec2 pixels;             // Size of the picture.
+uniform float width;             // Pixels.
+uniform float nearer;            // How far the line is drawn in front of its face, in parts of depth.
+out float across;
+const float kNear = 1e-5;
+void main() {
+  vec3 to_eye = perspective ? eye_in_model - from : eye_in_model;
+  float side_a = dot(normal_a, to_eye);
+  float side_b = dot(normal_b, to_eye);
+  bool crease = dot(normal_a, normal_b) < crease_cosine;
+  bool outline = side_a * side_b < 0.0;
+  vec4 p = clip_from_model * vec4(from, 1.0);
+  vec4 q = clip_from_model * vec4(to, 1.0);
+  if (!(crease || outline) || (p.w < kNear && q.w < kNear)) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    across = 0.0;
+    return;
+  }
+  // Cut off what lies behind the eye before dividing.
+  if (p.w < kNear) p = mix(q, p, (q.w - kNear) / (q.w - p.w));
+  if (q.w < kNear) q = mix(p, q, (p.w - kNear) / (p.w - q.w));
+  vec2 direction = (q.xy / q.w - p.xy / p.w) * pixels;
+  float length = length(direction);
+  direction = length > 1e-4 ? direction / length : vec2(1.0, 0.0);
+  float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+  vec4 corner = gl_VertexID < 2 ? p : q;
+  float half_width = 0.5 * width + 0.5;
+  corner.xy += side * vec2(-direction.y, direction.x) * half_width * 2.0 / pixels * corner.w;
+  corner.z -= nearer * corner.w;
+  across = side * half_width;
+  gl_Position = corner;
+}

@@ -1,0 +1,48 @@
+#version 330 core
+// SPDX-License-Identifier: Apache-2.0
+in vec2 floor_place;
+in vec4 light_position;
+uniform vec2 origin;       // Of the world, in the floor's frame, less whole cells.
+uniform float cell;        // Metres of a large cell; the small ones are a fifth.
+uniform float fade_small;
+uniform float fade_large;
+uniform vec4 line_color;
+uniform bool shadowed;
+uniform float shadow_strength;
+uniform sampler2DShadow shadow_map;
+layout(location = 0) out vec4 color;
+layout(location = 1) out uint identity;
+
+float lines(float size, float width) {
+  vec2 place = (floor_place - origin) / size;
+  vec2 rate = max(fwidth(place), vec2(1e-7));
+  vec2 apart = abs(fract(place - 0.5) - 0.5) / rate;
+  vec2 cover = clamp(0.5 * width + 0.5 - apart, 0.0, 1.0);
+  // Lines closer than three pixels melt into grey, so fade them.
+  cover *= clamp((0.33 - rate) / 0.2, 0.0, 1.0);
+  return max(cover.x, cover.y);
+}
+
+void main() {
+  float away = length(floor_place);
+  float large = lines(cell, 1.0) * (1.0 - smoothstep(0.35 * fade_large, fade_large, away));
+  float small = lines(0.2 * cell, 1.0) * 0.4 * (1.0 - smoothstep(0.35 * fade_small, fade_small, away));
+  float alpha = line_color.a * max(large, small);
+  vec3 shown = line_color.rgb;
+  if (shadowed) {
+    vec3 p = light_position.xyz / light_position.w * 0.5 + 0.5;
+    bool inside = all(greaterThan(p, vec3(0.0))) && all(lessThan(p, vec3(1.0)));
+    vec2 texel = 0.75 / vec2(textureSize(shadow_map, 0));
+    float sum = texture(shadow_map, vec3(p.xy + vec2(-texel.x, -texel.y), p.z)) +
+                texture(shadow_map, vec3(p.xy + vec2(texel.x, -texel.y), p.z)) +
+                texture(shadow_map, vec3(p.xy + vec2(-texel.x, texel.y), p.z)) +
+                texture(shadow_map, vec3(p.xy + vec2(texel.x, texel.y), p.z));
+    float shade = inside ? shadow_strength * (1.0 - 0.25 * sum) * (1.0 - smoothstep(0.8 * fade_large, fade_large, away)) : 0.0;
+    // Shadow below, line above it.
+    float both = alpha + shade * (1.0 - alpha);
+    shown = both > 0.0 ? shown * alpha / both : shown;
+    alpha = both;
+  }
+  color = vec4(shown, alpha);
+  identity = 0u;
+}

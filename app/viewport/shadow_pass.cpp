@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/shadow_pass.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kMapSize = 2048;
+constexpr double kLightRadius = 0.035;  // Of the light as seen from the scene, rad.
+
+dvec3 lightDirection(int sample) {
+  const dvec3 middle = keyLightDirection_W();
+  if (sample == 0) return middle;
+  const dvec3 x = glm::normalize(glm::cross(middle, dvec3(0, 0, 1)));
+  const dvec3 y = glm::cross(middle, x);
+  const double radius = kLightRadius * std::sqrt(samplePlace(sample).x + 0.5);
+  const double angle = 6.283185307 * samplePlace(sample).y;
+  return glm::normalize(middle + radius * (std::cos(angle) * x + std::sin(angle) * y));
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass(Gl& gl)
+    : gl_(gl), program_(loadProgram("depth", "depth")), target_(gl, {{}, true, true, false}) {}
+
+void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
+  ready_ = false;
+  if (!program_ || frame.bounds_W.isEmpty()) return;
+  target_.resize(kMapSize, kMapSize);
+  // What is shadowed is what is looked at: a huge cell must not make the map coarse.
+  const double scene = frame.bounds_W.radius();
+  const double radius = std::min(scene, std::max(4.0, 2.5 * frame.camera.distance)) * 1.02 + 0.01;
+  const dvec3 middle = radius < scene ? frame.camera.target_W : frame.bounds_W.center();
+  const dvec3 light = lightDirection(frame.sample);
+  const glm::dmat4 view = glm::lookAt(middle + light, middle, dvec3(0, 1, 0));
+  light_from_world_ = glm::ortho(-radius, radius, -radius, radius, -scene - radius, scene + radius) * view;
+  target_.bind();
+  gl_.glClear(GL_DEPTH_BUFFER_BIT);
+  gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glEnable(GL_POLYGON_OFFSET_FILL);
+  gl_.glPolygonOffset(2.5f, 6.0f);
+  program_->bind();
+  for (const RenderItem& item : frame.items) {
+    if (!item.casts_shadow || !item.mesh) continue;
+    GpuMesh& mesh = meshes.of(item.mesh);
+    setMatrix(gl_, *program_, "clip_from_model", light_from_world_ * worldFromDisplay(item, mesh.center()));
+    mesh.drawFaces();
+  }
+  gl_.glDisable(GL_POLYGON_OFFSET_FILL);
+  ready_ = true;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/strip_text.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace hapticell::app {
+namespace {
+
+std::string fixed(double value, int decimals) {
+  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  for (char* c = text; *c; ++c)
+    if (*c == ',') *c = '.';  // Whatever the process's locale says.
+  return text;
+}
+
+std::string shortNumber(double value) { return fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1); }
+
+}  // namespace
+
+std::string millimetres(double metres) {
+  if (!std::isfinite(metres)) return "none";
+  if (std::abs(metres) >= 10.0) return fixed(metres, 2) + " m";
+  return fixed(metres * 1000.0, 1) + " mm";
+}
+
+std::string newtons(double value) { return fixed(value, 1) + " N"; }
+
+std::string scaleText(double motion_scale) {
+  if (!(motion_scale > 0.0)) return "none";
+  if (motion_scale >= 1.0) return shortNumber(motion_scale) + " : 1";
+  return "1 : " + shortNumber(1.0 / motion_scale);
+}
+
+std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context) {
+  const bool contact = !snapshot.pairs.empty() && snapshot.pairs.front().contact;
+  const bool gap_known = std::isfinite(snapshot.free_gap_m) && (snapshot.free_gap_m > 0.0 || contact || !snapshot.pairs.empty());
+  std::vector<StripCell> cells;
+  StripCell gap{Mark::kNone, gap_known ? millimetres(snapshot.free_gap_m) : "none near", "free gap"};
+  if (gap_known && snapshot.free_gap_m <= context.near_miss_distance) gap.mark = Mark::kNearMiss;
+  cells.push_back(gap);
+  const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : "off";
+  cells.push_back({contact ? Mark::kContact : Mark::kNone, force, "force"});
+  const std::string name = context.scale_name.empty() ? "" : context.scale_name + " ";
+  cells.push_back({Mark::kNone, name + scaleText(snapshot.motion_scale), "scale"});
+  const char* on_contact = context.on_contact == workcell::OnContact::kStop    ? "Stop"
+                           : context.on_contact == workcell::OnContact::kSlide ? "Slide"
+                                                                               : "Pass";
+  cells.push_back({Mark::kNone, snapshot.stopped ? "Stopped" : on_contact, "on contact"});
+  cells.push_back({Mark::kNone, snapshot.clutched ? "Clutch" : context.free_axes, "free to move"});
+  StripCell edge{Mark::kNone, fixed(snapshot.device_edge_m * 1000.0, 0) + " mm", "to device edge"};
+  if (snapshot.device_edge_m < 0.005) edge.mark = Mark::kLimit;
+  cells.push_back(edge);
+  return cells;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/surface_pass.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace hapticell::app {
+namespace {
+
+constexpr std::size_t kHeavyTriangles = 4000;  // From here on a part becomes a box at the last level of detail.
+
+std::shared_ptr<const geometry::TriangleMesh> unitBox() {
+  auto box = std::make_shared<geometry::TriangleMesh>();
+  for (int i = 0; i < 8; ++i)
+    box->vertices.emplace_back((i & 1) ? 0.5 : -0.5, (i & 2) ? 0.5 : -0.5, (i & 4) ? 0.5 : -0.5);
+  box->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return box;
+}
+
+fvec3 linear(const std::array<float, 3>& srgb) {
+  return {std::pow(srgb[0], 2.2f), std::pow(srgb[1], 2.2f), std::pow(srgb[2], 2.2f)};
+}
+
+}  // namespace
+
+FrameView viewOf(const Frame& frame) {
+  FrameView view;
+  const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
+  const glm::dvec2 place = samplePlace(frame.sample);
+  const glm::dmat4 shift = glm::translate(
+      glm::dmat4(1.0), dvec3(2.0 * place.x / frame.width, 2.0 * place.y / frame.height, 0.0));
+  geometry::Bounds reach = frame.bounds_W;
+  // The floor belongs to what must be seen.
+  const double floor = 13.0 * floorCell(frame.camera);
+  reach.add(dvec3(frame.camera.target_W.x - floor, frame.camera.target_W.y - floor, 0.0));
+  reach.add(dvec3(frame.camera.target_W.x + floor, frame.camera.target_W.y + floor, 0.0));
+  view.clip_from_view = shift * frame.camera.projectionMatrix(size, reach);
+  view.view_from_world = frame.camera.viewMatrix();
+  view.clip_from_world = view.clip_from_view * view.view_from_world;
+  return view;
+}
+
+SurfacePass::SurfacePass(Gl& gl) : gl_(gl), program_(loadProgram("surface", "surface")), box_(unitBox()) {}
+
+void SurfacePass::drawItem(const RenderItem& item, std::uint32_t id, const Frame& frame, const FrameView& view,
+                           GpuMeshCache& meshes) {
+  GpuMesh* mesh = &meshes.of(item.mesh);
+  glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
+  if (frame.detail == DetailLevel::kBoxes && mesh->triangles() > kHeavyTriangles) {
+    world_from_model = glm::scale(world_from_model, mesh->bounds().size());
+    mesh = &meshes.of(box_);
+  }
+  const glm::mat3 rotation = glm::mat3(glm::mat3_cast(item.X_WM.q));
+  setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
+  setMatrix(gl_, *program_, "view_from_model", view.view_from_world * world_from_model);
+  setMatrix(gl_, *program_, "light_from_model", light_from_world_ * world_from_model);
+  gl_.glUniformMatrix3fv(program_->uniformLocation("world_from_model"), 1, GL_FALSE, glm::value_ptr(rotation));
+  const fvec3 albedo = linear(item.color);
+  program_->setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
+  gl_.glUniform1ui(program_->uniformLocation("id"), id | item.state << 24);
+  program_->setUniformValue("hatched", (item.state & kContact) != 0);
+  mesh->drawFaces();
+}
+
+void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes) {
+  if (!program_) return;
+  program_->bind();
+  const dvec3 key = keyLightDirection_W();
+  const dvec3 eye = -frame.camera.forward_W();
+  const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.view_from_world));
+  program_->setUniformValue("key_direction", static_cast<float>(key.x), static_cast<float>(key.y), static_cast<float>(key.z));
+  program_->setUniformValue("eye_direction", static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
+  program_->setUniformValue("perspective", frame.camera.perspective);
+  program_->setUniformValue("pixel_ratio", static_cast<float>(frame.pixel_ratio));
+  gl_.glUniformMatrix3fv(program_->uniformLocation("world_from_view"), 1, GL_FALSE, glm::value_ptr(world_from_view));
+  const fvec3& hatch = frame.colors.contact;
+  program_->setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
+  const bool shadowed = shadow && shadow->ready();
+  program_->setUniformValue("shadowed", shadowed);
+  program_->setUniformValue("shadow_map", 0);
+  if (shadowed) {
+    bindTexture(gl_, *program_, "shadow_map", 0, shadow->map());
+    light_from_world_ = shadow->lightFromWorld();
+  }
+  gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glDepthMask(GL_TRUE);
+  gl_.glDisable(GL_BLEND);
+  std::uint32_t id = 0;
+  for (const RenderItem& item : frame.items) {
+    ++id;
+    if (item.mesh) drawItem(item, id, frame, view, meshes);
+  }
+}
+
+EdgePass::EdgePass(Gl& gl) : gl_(gl), program_(loadProgram("edge", "edge")) {}
+
+void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only, GpuMeshCache& meshes) {
+  if (!program_) return;
+  program_->bind();
+  const glm::vec4& color = frame.colors.crease;
+  program_->setUniformValue("line_color", color.x, color.y, color.z, color.w);
+  program_->setUniformValue("pixels", static_cast<float>(frame.width), static_cast<float>(frame.height));
+  program_->setUniformValue("width", static_cast<float>(1.1 * frame.pixel_ratio));
+  program_->setUniformValue("perspective", frame.camera.perspective);
+  program_->setUniformValue("crease_cosine", 0.8829f);  // 28 degrees.
+  // A fixed step in front of the faces, in metres of the cell turned into depth at the target.
+  program_->setUniformValue("nearer", 2.0e-4f);
+  gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glDepthMask(GL_FALSE);
+  gl_.glEnablei(GL_BLEND, 0);
+  gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const RenderItem& item : frame.items) {
+    if (!item.mesh || (item.state & kContact)) continue;
+    GpuMesh& mesh = meshes.of(item.mesh);
+    const glm::dmat4 world_from_model = worldFromDisplay(item, mesh.center());
+    setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
+    const glm::dmat4 model_from_world = glm::inverse(world_from_model);
+    const glm::dvec4 eye = frame.camera.perspective ? model_from_world * glm::dvec4(frame.camera.eye_W(), 1.0)
+                                                    : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
+    program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
+    if (creases_only)
+      mesh.drawCreases();
+    else
+      mesh.drawAllEdges();
+  }
+  gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.glDisablei(GL_BLEND, 0);
+  gl_.glDepthMask(GL_TRUE);
+}
+
+FloorPass::FloorPass(Gl& gl) : gl_(gl), program_(loadProgram("grid", "grid")) { gl_.glGenVertexArrays(1, &vertex_array_); }
+FloorPass::~FloorPass() { gl_.glDeleteVertexArrays(1, &vertex_array_); }
+
+void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow) {
+  if (!program_) return;
+  const double cell = floorCell(frame.camera);
+  const dvec3 target = frame.camera.target_W;
+  const glm::dmat4 world_from_floor = glm::translate(glm::dmat4(1.0), dvec3(target.x, target.y, 0.0));
+  program_->bind();
+  setMatrix(gl_, *program_, "clip_from_floor", view.clip_from_world * world_from_floor);
+  const bool shadowed = shadow && shadow->ready() && frame.camera.elevation > 0.0;
+  setMatrix(gl_, *program_, "light_from_floor", (shadow ? shadow->lightFromWorld() : glm::dmat4(1.0)) * world_from_floor);
+  program_->setUniformValue("reach", static_cast<float>(13.0 * cell));
+  program_->setUniformValue("origin", static_cast<float>(-std::fmod(target.x, cell)), static_cast<float>(-std::fmod(target.y, cell)));
+  program_->setUniformValue("cell", static_cast<float>(cell));
+  program_->setUniformValue("fade_small", static_cast<float>(7.2 * cell));
+  program_->setUniformValue("fade_large", static_cast<float>(13.0 * cell));
+  const glm::vec4& color = frame.colors.grid;
+  program_->setUniformValue("line_color", color.x, color.y, color.z, color.w);
+  program_->setUniformValue("shadowed", shadowed);
+  program_->setUniformValue("shadow_strength", frame.colors.floor_shadow);
+  program_->setUniformValue("shadow_map", 0);
+  if (shadowed) bindTexture(gl_, *program_, "shadow_map", 0, shadow->map());
+  gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glDepthMask(GL_FALSE);
+  gl_.glEnablei(GL_BLEND, 0);
+  gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl_.glBindVertexArray(vertex_array_);
+  gl_.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.glDisablei(GL_BLEND, 0);
+  gl_.glDepthMask(GL_TRUE);
+}
+
+}  // namespace hapticell::app
