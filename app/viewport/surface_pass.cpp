@@ -104,8 +104,8 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   program_->setUniformValue("width", static_cast<float>(1.1 * frame.pixel_ratio));
   program_->setUniformValue("perspective", frame.camera.perspective);
   program_->setUniformValue("crease_cosine", 0.8829f);  // 28 degrees.
-  // A fixed step in front of the faces, in metres of the cell turned into depth at the target.
-  program_->setUniformValue("nearer", 2.0e-4f);
+  program_->setUniformValue("nearer", 8.0e-4f);
+  program_->setUniformValue("depth_offset", static_cast<float>(view.clip_from_view[3][2]));
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_FALSE);
   gl_.glEnablei(GL_BLEND, 0);

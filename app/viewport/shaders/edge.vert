@@ -10,7 +10,8 @@ uniform bool perspective;
 uniform float crease_cosine;
 uniform vec2 pixels;             // Size of the picture.
 uniform float width;             // Pixels.
-uniform float nearer;            // How far the line is drawn in front of its face, in parts of depth.
+uniform float nearer;            // How far the line stands in front of its face, in parts of its distance (or of NDC depth).
+uniform float depth_offset;      // clip_from_view[3][2].
 out float across;
 const float kNear = 1e-5;
 void main() {
@@ -36,7 +37,13 @@ void main() {
   vec4 corner = gl_VertexID < 2 ? p : q;
   float half_width = 0.5 * width + 0.5;
   corner.xy += side * vec2(-direction.y, direction.x) * half_width * 2.0 / pixels * corner.w;
-  corner.z -= nearer * corner.w;
+  if (perspective) {
+    // The same place in the picture, a little nearer to the eye.
+    float s = 1.0 - nearer;
+    corner = vec4(s * corner.xy, s * (corner.z - depth_offset) + depth_offset, s * corner.w);
+  } else {
+    corner.z -= nearer;
+  }
   across = side * half_width;
   gl_Position = corner;
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/overlay_labels.h"
+
+#include <algorithm>
+
+namespace hapticell::app {
+namespace {
+
+constexpr std::uint64_t kContactKey = 1, kNearMissKey = 2, kLimitKey = 3;
+
+std::string pairNames(const SceneModel& scene, const manipulation::PairState& pair) {
+  return scene.nameOf(pair.moved, pair.moved_part) + " – " + scene.nameOf(pair.other, pair.other_part);
+}
+
+}  // namespace
+
+std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
+  std::vector<OverlayLabel> labels;
+  if (!scene.snapshot()) return labels;
+  const manipulation::SceneSnapshot& snapshot = *scene.snapshot();
+  const auto contact = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
+  if (contact != snapshot.pairs.end())
+    labels.push_back({kContactKey, Mark::kContact, "Contact", pairNames(scene, *contact), contact->p_WB});
+  const auto near = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.near_miss && !p.contact; });
+  if (near != snapshot.pairs.end())
+    labels.push_back({kNearMissKey, Mark::kNearMiss, millimetres(near->distance), pairNames(scene, *near),
+                      0.5 * (near->p_WA + near->p_WB)});
+  if (!snapshot.limits.empty())
+    labels.push_back({kLimitKey, Mark::kLimit, "Limit", snapshot.limits.front().text, snapshot.X_WStylus.p});
+  return labels;
+}
+
+double forceArrowLength(double newtons) { return std::clamp(40.0 + 80.0 * newtons, 0.0, 200.0); }
+
+double forceArrowOpacity(double newtons) { return std::clamp((newtons - 0.02) / 0.03, 0.0, 1.0); }
+
+dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot) {
+  const auto contact = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
+  return contact != snapshot.pairs.end() ? contact->p_WB : snapshot.X_WStylus.p;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/viewport/scene_model.h"
+#include "app/viewport/strip_text.h"
+
+namespace hapticell::app {
+
+/// What is said at a place in the scene: a mark and a number first, then who it is about.
+struct OverlayLabel {
+  std::uint64_t key = 0;
+  Mark mark = Mark::kNone;
+  std::string number;       ///< "6.4 mm", "Contact"
+  std::string names;        ///< "Gripper G2 – Clamp tower B"
+  dvec3 p_WQ{0.0};          ///< What the leader points at.
+};
+
+/// At most three: the contact, the nearest free pair, the limit.
+std::vector<OverlayLabel> overlayLabels(const SceneModel& scene);
+
+/// Length of the force arrow in pixels at 100 %: 40 and 80 a newton, at most 200; 0 below 0.05 N faded out by
+/// forceArrowOpacity().
+double forceArrowLength(double newtons);
+double forceArrowOpacity(double newtons);
+
+/// Where the force arrow starts: the nearest contact, or the stylus's tip while nothing touches.
+dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot);
+
+}  // namespace hapticell::app

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/overlay_painter.h"
+
+#include <QPainterPath>
+#include <cmath>
+
+#include "app/style/fonts.h"
+#include "app/viewport/frame.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kStripHeight = 42.0;
+constexpr double kCellPadding = 14.0;
+
+QPointF point(const glm::dvec2& p) { return {p.x, p.y}; }
+
+QFont bold15() { return font(TextRole::kNumberOverScene); }
+
+double textWidth(const QFont& text_font, const QString& text) { return QFontMetricsF(text_font).horizontalAdvance(text); }
+
+/// A line with its halo below it.
+void haloLine(QPainter& painter, const QPolygonF& line, const QColor& color, double width, const QColor& halo) {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(halo, width + 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(line);
+  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(line);
+}
+
+void paintBox(QPainter& painter, const QRectF& box, const Theme& theme) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.label_box);
+  painter.drawRoundedRect(box, 4, 4);
+}
+
+void paintCubeFace(QPainter& painter, const ViewCubeFace& face, const Theme& theme, bool lit) {
+  QPolygonF outline;
+  for (const auto& corner : face.corners) outline << point(corner);
+  const double light = 0.62 + 0.38 * face.facing;
+  const QColor base = lit ? theme.on : theme.dark ? QColor("#8A949E") : QColor("#FFFFFF");
+  QColor fill = QColor::fromRgbF(static_cast<float>(base.redF() * light), static_cast<float>(base.greenF() * light),
+                                 static_cast<float>(base.blueF() * light));
+  fill.setAlpha(235);
+  painter.setPen(QPen(theme.dark ? QColor("#20262D") : QColor("#7E8A96"), 1.0));
+  painter.setBrush(fill);
+  painter.drawPolygon(outline);
+  // The name lies in the face.
+  const QPolygonF unit({QPointF(0, 0), QPointF(100, 0), QPointF(100, 100), QPointF(0, 100)});
+  QTransform into;
+  if (face.facing < 0.12 || !QTransform::quadToQuad(unit, outline, into)) return;
+  painter.save();
+  painter.setTransform(into, true);
+  QFont name_font = font(TextRole::kText);
+  name_font.setPixelSize(24);
+  name_font.setWeight(QFont::Bold);
+  QPainterPath name;
+  const QString text = QString::fromLatin1(face.name);
+  name.addText(50.0 - 0.5 * textWidth(name_font, text), 58.5, name_font, text);
+  painter.fillPath(name, lit ? QColor(Qt::white) : QColor("#1A2027"));
+  painter.restore();
+}
+
+void paintCube(QPainter& painter, const Overlay& overlay) {
+  const Theme& theme = *overlay.theme;
+  const dvec3 corner(-1, -1, -1);
+  struct Axis {
+    dvec3 end;
+    const char* name;
+    QColor color;
+  };
+  const Axis axes[]{{{1.55, -1, -1}, "X", theme.axis_x}, {{-1, 1.55, -1}, "Y", theme.axis_y}, {{-1, -1, 1.55}, "Z", theme.axis_z}};
+  const auto paintAxis = [&](const Axis& axis) {
+    const QPointF from = point(overlay.cube.project(corner, overlay.camera));
+    const QPointF to = point(overlay.cube.project(axis.end, overlay.camera));
+    haloLine(painter, QPolygonF({from, to}), axis.color, 2.0, theme.halo);
+    const QPointF along = to - from;
+    const double length = std::hypot(along.x(), along.y());
+    const QPointF at = to + (length > 1 ? along / length : QPointF(0, -1)) * 9.0;
+    painter.setFont(font(TextRole::kSection));
+    painter.setPen(axis.color);
+    painter.drawText(QRectF(at.x() - 8, at.y() - 8, 16, 16), Qt::AlignCenter, QString::fromLatin1(axis.name));
+  };
+  // An axis that points away from the eye lies behind the cube.
+  for (const Axis& axis : axes)
+    if (glm::dot(axis.end - corner, overlay.camera.forward_W()) > 0.3) paintAxis(axis);
+  for (const ViewCubeFace& face : overlay.cube.visibleFaces(overlay.camera)) {
+    const bool lit = overlay.cube_hover && glm::dot(*overlay.cube_hover, face.normal_W) > 0.5;
+    paintCubeFace(painter, face, theme, lit);
+  }
+  for (const Axis& axis : axes)
+    if (glm::dot(axis.end - corner, overlay.camera.forward_W()) <= 0.3) paintAxis(axis);
+}
+
+void paintPairs(QPainter& painter, const Overlay& overlay) {
+  const Theme& theme = *overlay.theme;
+  const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
+  bool contact_done = false;
+  bool near_done = false;
+  for (const auto& pair : snapshot.pairs) {
+    const auto a = overlay.camera.project(pair.p_WA, overlay.size);
+    const auto b = overlay.camera.project(pair.p_WB, overlay.size);
+    if (!a || !b) continue;
+    if (pair.contact && !contact_done) {
+      contact_done = true;
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(theme.halo, 5.5));
+      painter.drawEllipse(point(*b), 10, 10);
+      painter.setPen(QPen(theme.contact, 2.5));
+      painter.drawEllipse(point(*b), 10, 10);
+    } else if (!pair.contact && !near_done) {
+      near_done = true;
+      const QColor color = pair.near_miss ? theme.near_miss : theme.text2;
+      haloLine(painter, QPolygonF({point(*a), point(*b)}), color, 2.5, theme.halo);
+      for (const auto& end : {*a, *b}) {
+        painter.setPen(QPen(theme.halo, 1.5));
+        painter.setBrush(color);
+        painter.drawEllipse(point(end), 4.5, 4.5);
+      }
+    }
+  }
+}
+
+void paintForce(QPainter& painter, const Overlay& overlay) {
+  const Theme& theme = *overlay.theme;
+  const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
+  const double opacity = forceArrowOpacity(snapshot.force_n);
+  const double force = glm::length(snapshot.force_W);
+  if (opacity <= 0.0 || force <= 0.0) return;
+  const dvec3 start_W = forceArrowStart_W(snapshot);
+  const auto start = overlay.camera.project(start_W, overlay.size);
+  if (!start) return;
+  const dvec3 direction = snapshot.force_W / force;
+  const glm::dvec2 seen(glm::dot(direction, overlay.camera.right_W()), -glm::dot(direction, overlay.camera.up_W()));
+  const double share = glm::length(seen);
+  const glm::dvec2 along = share > 1e-6 ? seen / share : glm::dvec2(0, -1);
+  // Seen from its end an arrow is short, but it never disappears.
+  const double length = forceArrowLength(snapshot.force_n) * std::max(share, 0.25);
+  const QPointF from = point(*start);
+  const QPointF u(along.x, along.y);
+  const QPointF v(-along.y, along.x);
+  const double head = std::min(26.0, 0.6 * length);
+  QPolygonF arrow;
+  arrow << from + v * 4 << from + u * (length - head) + v * 4 << from + u * (length - head) + v * 11 << from + u * length
+        << from + u * (length - head) - v * 11 << from + u * (length - head) - v * 4 << from - v * 4;
+  painter.setOpacity(opacity);
+  painter.setBrush(theme.force);
+  painter.setPen(QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolygon(arrow);
+  const QString number = QString::fromStdString(newtons(snapshot.force_n));
+  const QFont number_font = bold15();
+  const QRectF box(from.x() + along.x * length + 18, from.y() + along.y * length - 12, textWidth(number_font, number) + 16, 24);
+  paintBox(painter, box, theme);
+  painter.setFont(number_font);
+  painter.setPen(theme.text1);
+  painter.drawText(box, Qt::AlignCenter, number);
+  painter.setOpacity(1.0);
+}
+
+void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel& place, const Theme& theme) {
+  const QColor color = markColor(label.mark, theme);
+  QPolygonF leader;
+  for (const auto& p : leaderOf(place)) leader << point(p);
+  haloLine(painter, leader, color, 1.2, theme.halo);
+  const QRectF box(point(place.box.min), point(place.box.max));
+  paintBox(painter, box, theme);
+  paintMark(painter, label.mark, QPointF(box.left() + 16, box.top() + 15), 12, theme);
+  painter.setFont(bold15());
+  painter.setPen(theme.text1);
+  painter.drawText(QRectF(box.left() + 30, box.top() + 5, box.width() - 36, 20), Qt::AlignVCenter | Qt::AlignLeft,
+                   QString::fromStdString(label.number));
+  painter.setFont(font(TextRole::kSecond));
+  painter.setPen(theme.text2);
+  painter.drawText(QRectF(box.left() + 10, box.top() + 24, box.width() - 16, 16), Qt::AlignVCenter | Qt::AlignLeft,
+                   QString::fromStdString(label.names));
+}
+
+double cellWidth(const StripCell& cell) {
+  const double value = textWidth(bold15(), QString::fromStdString(cell.value)) + (cell.mark == Mark::kNone ? 0.0 : 20.0);
+  const double meaning = textWidth(font(TextRole::kSecond), QString::fromStdString(cell.meaning));
+  // Whole steps of 8, so that the strip does not breathe with every digit.
+  return std::ceil(std::max(value, meaning) / 8.0) * 8.0 + 2.0 * kCellPadding;
+}
+
+void paintStrip(QPainter& painter, const Overlay& overlay) {
+  const Theme& theme = *overlay.theme;
+  const QRectF box = stripBox(overlay.strip, overlay.size);
+  if (box.isEmpty()) return;
+  paintBox(painter, box, theme);
+  double x = box.left();
+  for (const StripCell& cell : overlay.strip) {
+    const double width = cellWidth(cell);
+    if (x > box.left()) {
+      painter.setPen(QPen(theme.line, 1.0));
+      painter.drawLine(QPointF(std::round(x) + 0.5, box.top() + 8), QPointF(std::round(x) + 0.5, box.bottom() - 8));
+    }
+    double text_x = x + kCellPadding;
+    if (cell.mark != Mark::kNone) {
+      paintMark(painter, cell.mark, QPointF(text_x + 6, box.top() + 14), 12, theme);
+      text_x += 20;
+    }
+    painter.setFont(bold15());
+    painter.setPen(theme.text1);
+    painter.drawText(QRectF(text_x, box.top() + 4, width, 20), Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(cell.value));
+    painter.setFont(font(TextRole::kSecond));
+    painter.setPen(theme.text2);
+    painter.drawText(QRectF(x + kCellPadding, box.top() + 22, width, 16), Qt::AlignVCenter | Qt::AlignLeft,
+                     QString::fromStdString(cell.meaning));
+    x += width;
+  }
+}
+
+void paintQuietText(QPainter& painter, const Overlay& overlay) {
+  const Theme& theme = *overlay.theme;
+  const double cell = floorCell(overlay.camera);
+  const QString grid = cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
+  painter.setFont(font(TextRole::kSecond));
+  painter.setPen(theme.text2);
+  painter.drawText(QRectF(14, overlay.size.height - 30, 160, 18), Qt::AlignVCenter | Qt::AlignLeft, grid);
+  if (overlay.hint.isEmpty()) return;
+  const double above = overlay.strip.empty() ? 34.0 : 28.0 + kStripHeight + 12.0;
+  const double width = textWidth(font(TextRole::kSecond), overlay.hint) + 20.0;
+  const QRectF box(std::round(0.5 * (overlay.size.width - width)), overlay.size.height - above - 14.0, width, 22);
+  paintBox(painter, box, theme);
+  painter.setPen(theme.text1);
+  painter.drawText(box, Qt::AlignCenter, overlay.hint);
+}
+
+void paintEmpty(QPainter& painter, const Overlay& overlay) {
+  const Theme& theme = *overlay.theme;
+  const QPointF middle(0.5 * overlay.size.width, 0.46 * overlay.size.height);
+  painter.setPen(QPen(theme.text3, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  const QPointF c = middle - QPointF(0, 60);
+  painter.drawPolygon(QPolygonF({c + QPointF(0, -34), c + QPointF(32, -16), c + QPointF(32, 20), c + QPointF(0, 38), c + QPointF(-32, 20), c + QPointF(-32, -16)}));
+  painter.drawPolyline(QPolygonF({c + QPointF(-32, -16), c + QPointF(0, 2), c + QPointF(32, -16)}));
+  painter.drawLine(c + QPointF(0, 2), c + QPointF(0, 38));
+  painter.setFont(font(TextRole::kPanelState));
+  painter.setPen(theme.text1);
+  painter.drawText(QRectF(middle.x() - 300, middle.y(), 600, 24), Qt::AlignCenter, overlay.empty->title);
+  painter.setFont(font(TextRole::kText));
+  painter.setPen(theme.text2);
+  painter.drawText(QRectF(middle.x() - 300, middle.y() + 26, 600, 44), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, overlay.empty->how);
+}
+
+}  // namespace
+
+QColor markColor(Mark mark, const Theme& theme) {
+  switch (mark) {
+    case Mark::kContact: return theme.contact;
+    case Mark::kNearMiss: return theme.near_miss;
+    case Mark::kLimit: return theme.limit;
+    case Mark::kNone: break;
+  }
+  return theme.text2;
+}
+
+void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size, const Theme& theme) {
+  const double r = 0.5 * size;
+  const QColor color = markColor(mark, theme);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(color, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  if (mark == Mark::kContact) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawPolygon(QPolygonF({center + QPointF(0, -r), center + QPointF(r, 0), center + QPointF(0, r), center + QPointF(-r, 0)}));
+  } else if (mark == Mark::kNearMiss) {
+    painter.drawPolygon(QPolygonF({center + QPointF(0, -r * 0.9), center + QPointF(r, r * 0.8), center + QPointF(-r, r * 0.8)}));
+  } else if (mark == Mark::kLimit) {
+    painter.drawLine(center + QPointF(-r, -r), center + QPointF(-r, r));
+    painter.drawLine(center + QPointF(r, -r), center + QPointF(r, r));
+    painter.drawLine(center + QPointF(-r, 0), center + QPointF(r, 0));
+  }
+  painter.restore();
+}
+
+QSizeF labelSize(const OverlayLabel& label) {
+  const double first = 30.0 + textWidth(bold15(), QString::fromStdString(label.number)) + 12.0;
+  const double second = 10.0 + textWidth(font(TextRole::kSecond), QString::fromStdString(label.names)) + 10.0;
+  return {std::ceil(std::max(first, second)), 44.0};
+}
+
+QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size) {
+  if (cells.empty()) return {};
+  double width = 0.0;
+  for (const StripCell& cell : cells) width += cellWidth(cell);
+  return {std::round(0.5 * (size.width - width)), size.height - 14.0 - kStripHeight, width, kStripHeight};
+}
+
+void paintOverlay(QPainter& painter, const Overlay& overlay) {
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  if (overlay.empty) paintEmpty(painter, overlay);
+  paintCube(painter, overlay);
+  if (overlay.scene && overlay.scene->snapshot()) {
+    paintPairs(painter, overlay);
+    paintForce(painter, overlay);
+    for (const PlacedLabel& place : overlay.places)
+      for (const OverlayLabel& label : overlay.labels)
+        if (label.key == place.key) paintLabel(painter, label, place, *overlay.theme);
+  }
+  paintStrip(painter, overlay);
+  paintQuietText(painter, overlay);
+}
+
+}  // namespace hapticell::app

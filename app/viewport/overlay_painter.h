@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QPainter>
+#include <optional>
+
+#include "app/style/theme.h"
+#include "app/viewport/label_layout.h"
+#include "app/viewport/overlay_labels.h"
+#include "app/viewport/view_cube.h"
+
+namespace hapticell::app {
+
+/// What to write over an empty scene.
+struct EmptyState {
+  QString title;    ///< What is missing.
+  QString how;      ///< How to begin, with a key.
+};
+
+/// All that is painted over one picture of the scene.
+struct Overlay {
+  const Theme* theme = nullptr;
+  Camera camera;
+  ViewSize size;                            ///< Pixels at 100 %.
+  const SceneModel* scene = nullptr;
+  std::vector<OverlayLabel> labels;
+  std::vector<PlacedLabel> places;
+  std::vector<StripCell> strip;             ///< Empty: no stylus, no strip.
+  QString hint;                             ///< One quiet line above the strip: what the mouse does now.
+  ViewCube cube{{0, 0}, 1};
+  std::optional<ViewCubeSpot> cube_hover;
+  std::optional<EmptyState> empty;
+};
+
+/// Size of a label's box for layout.
+QSizeF labelSize(const OverlayLabel& label);
+/// The strip's box in the viewport; empty for no cells.
+QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size);
+
+/// Paints cube, labels, leaders, points, arrow, strip and grid size. Plain QPainter; no widgets, no OpenGL.
+void paintOverlay(QPainter& painter, const Overlay& overlay);
+
+/// The mark of a state, as everywhere: a filled diamond, an open triangle, an H.
+void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size, const Theme& theme);
+QColor markColor(Mark mark, const Theme& theme);
+
+}  // namespace hapticell::app

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/scene_model.h"
+
+#include <algorithm>
+
+#include "kinematics/robot_model.h"
+
+namespace hapticell::app {
+namespace {
+
+bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSnapshot& b) {
+  constexpr double kSeen = 1e-6;  // Metres and unit quaternions: nobody sees less.
+  const auto samePose = [](const Pose& x, const Pose& y) {
+    return glm::length(x.p - y.p) < kSeen && std::abs(glm::dot(x.q, y.q)) > 1.0 - 1e-10;
+  };
+  const auto sameEntity = [&](const manipulation::EntityState& x, const manipulation::EntityState& y) {
+    return x.id == y.id && samePose(x.X_WE, y.X_WE) && x.joints == y.joints;
+  };
+  const auto samePair = [](const manipulation::PairState& x, const manipulation::PairState& y) {
+    return x.other == y.other && x.other_part == y.other_part && x.contact == y.contact && x.near_miss == y.near_miss;
+  };
+  return samePose(a.X_WStylus, b.X_WStylus) && a.held == b.held && a.connected == b.connected &&
+         std::equal(a.entities.begin(), a.entities.end(), b.entities.begin(), b.entities.end(), sameEntity) &&
+         std::equal(a.pairs.begin(), a.pairs.end(), b.pairs.begin(), b.pairs.end(), samePair);
+}
+
+}  // namespace
+
+SceneModel::SceneModel() : stylus_(makeStylusMesh()) {}
+
+void SceneModel::setEntities(std::vector<workcell::Entity> entities) {
+  entities_ = std::move(entities);
+  ++revision_;
+}
+
+void SceneModel::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
+  const bool same = snapshot.has_value() == snapshot_.has_value() && (!snapshot || sameScene(*snapshot, *snapshot_));
+  snapshot_ = snapshot;
+  if (!same) ++revision_;
+}
+
+void SceneModel::setSelected(std::vector<workcell::EntityId> entities) {
+  if (entities == selected_) return;
+  selected_ = std::move(entities);
+  ++revision_;
+}
+
+void SceneModel::setHovered(workcell::EntityId entity) {
+  if (entity == hovered_) return;
+  hovered_ = entity;
+  ++revision_;
+}
+
+const workcell::Entity* SceneModel::find(workcell::EntityId id) const {
+  const auto found = std::find_if(entities_.begin(), entities_.end(), [id](const auto& e) { return e.id == id; });
+  return found == entities_.end() ? nullptr : &*found;
+}
+
+const manipulation::EntityState* SceneModel::stateOf(workcell::EntityId id) const {
+  if (!snapshot_) return nullptr;
+  const auto& states = snapshot_->entities;
+  const auto found = std::find_if(states.begin(), states.end(), [id](const auto& s) { return s.id == id; });
+  return found == states.end() ? nullptr : &*found;
+}
+
+Pose SceneModel::placement_W(const workcell::Entity& entity) const {
+  const manipulation::EntityState* state = stateOf(entity.id);
+  return state ? state->X_WE : entity.X_WE;
+}
+
+std::vector<double> SceneModel::joints(const workcell::Entity& entity) const {
+  const manipulation::EntityState* state = stateOf(entity.id);
+  return state && state->joints.size() == entity.joints.size() ? state->joints : entity.joints;
+}
+
+std::uint32_t SceneModel::marks(const workcell::Entity& entity, const std::string& part) const {
+  std::uint32_t state = kPlain;
+  const bool held = snapshot_ && snapshot_->held == entity.id;
+  if (held || std::find(selected_.begin(), selected_.end(), entity.id) != selected_.end()) state |= kSelected;
+  if (entity.id == hovered_) state |= kHovered;
+  if (!snapshot_) return state;
+  for (const auto& pair : snapshot_->pairs) {
+    if (pair.other != entity.id || (!pair.other_part.empty() && pair.other_part != part)) continue;
+    if (pair.contact) state |= kContact;
+    if (pair.near_miss && !pair.contact) state |= kNearMiss;
+  }
+  return state;
+}
+
+void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
+  const Pose X_WE = placement_W(entity);
+  if (entity.mesh) {
+    RenderItem item;
+    item.mesh = entity.mesh;
+    item.X_WM = X_WE;
+    item.color = quietened(entity.color);
+    item.entity = entity.id;
+    item.state = marks(entity, {});
+    items.push_back(std::move(item));
+  }
+  if (!entity.robot) return;
+  std::vector<double> q = joints(entity);
+  q.resize(entity.robot->dof(), 0.0);
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(*entity.robot, q, X_BL);
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+    const kinematics::Link& link = entity.robot->links[i];
+    const auto& shapes = link.visuals.empty() ? link.collisions : link.visuals;
+    for (const kinematics::LinkShape& shape : shapes) {
+      if (!shape.mesh) continue;
+      RenderItem item;
+      item.mesh = shape.mesh;
+      item.X_WM = X_WE * X_BL[i] * shape.X_LS;
+      item.color = quietened({shape.color[0], shape.color[1], shape.color[2]});
+      item.entity = entity.id;
+      item.link = static_cast<int>(i);
+      item.state = marks(entity, link.name);
+      items.push_back(std::move(item));
+    }
+  }
+}
+
+std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
+  std::vector<RenderItem> result;
+  for (const workcell::Entity& entity : entities_)
+    if (entity.visible) appendItems(entity, result);
+  if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
+  for (const bool band : {false, true}) {
+    RenderItem item;
+    item.mesh = band ? stylus_.band : stylus_.body;
+    item.X_WM = snapshot_->X_WStylus;
+    item.scale = stylus.length;
+    item.color = band ? stylus.band : stylus.body;
+    item.casts_shadow = false;
+    result.push_back(std::move(item));
+  }
+  return result;
+}
+
+geometry::Bounds SceneModel::bounds_W() const {
+  geometry::Bounds bounds;
+  for (const workcell::Entity& entity : entities_)
+    if (entity.visible) bounds.add(boundsOf_W(entity.id));
+  return bounds;
+}
+
+geometry::Bounds SceneModel::boundsOf_W(workcell::EntityId id) const {
+  geometry::Bounds bounds;
+  const workcell::Entity* entity = find(id);
+  if (!entity) return bounds;
+  std::vector<RenderItem> items;
+  appendItems(*entity, items);
+  for (const RenderItem& item : items) bounds.add(geometry::transformed(item.X_WM, item.mesh->bounds()));
+  return bounds;
+}
+
+std::string SceneModel::nameOf(workcell::EntityId id, const std::string& part) const {
+  const workcell::Entity* entity = find(id);
+  if (!entity) return part;
+  return part.empty() ? entity->name : entity->name + ", " + part;
+}
+
+}  // namespace hapticell::app

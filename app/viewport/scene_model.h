@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewport/render_item.h"
+#include "app/viewport/stylus_mesh.h"
+#include "manipulation/scene_snapshot.h"
+
+namespace hapticell::app {
+
+/// What is to be drawn: the document's entities, moved to where the newest snapshot has them, with their marks.
+class SceneModel {
+ public:
+  SceneModel();
+  /// The entities as the document has them now.
+  void setEntities(std::vector<workcell::Entity> entities);
+  /// Nothing: the cell as the document has it.
+  void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
+  void setSelected(std::vector<workcell::EntityId> entities);
+  void setHovered(workcell::EntityId entity);
+
+  const std::optional<manipulation::SceneSnapshot>& snapshot() const { return snapshot_; }
+  const std::vector<workcell::Entity>& entities() const { return entities_; }
+  const workcell::Entity* find(workcell::EntityId id) const;
+  /// Changes whenever a picture of the scene would.
+  std::uint64_t revision() const { return revision_; }
+  bool empty() const { return entities_.empty(); }
+
+  /// Everything visible; `stylus_length` in metres of the cell (0: none is drawn), colours of body and band sRGB.
+  struct StylusLook {
+    double length = 0.0;
+    std::array<float, 3> body{1, 1, 1}, band{0.2f, 0.6f, 1};
+  };
+  std::vector<RenderItem> items(const StylusLook& stylus) const;
+
+  geometry::Bounds bounds_W() const;
+  geometry::Bounds boundsOf_W(workcell::EntityId entity) const;
+  /// Where an entity stands now, snapshot included.
+  Pose placement_W(const workcell::Entity& entity) const;
+  std::vector<double> joints(const workcell::Entity& entity) const;
+  /// "Gripper G2" or "robot, link 5".
+  std::string nameOf(workcell::EntityId entity, const std::string& part) const;
+
+ private:
+  const manipulation::EntityState* stateOf(workcell::EntityId id) const;
+  std::uint32_t marks(const workcell::Entity& entity, const std::string& part) const;
+  void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
+  std::vector<workcell::Entity> entities_;
+  std::optional<manipulation::SceneSnapshot> snapshot_;
+  std::vector<workcell::EntityId> selected_;
+  workcell::EntityId hovered_ = 0;
+  StylusMesh stylus_;
+  std::uint64_t revision_ = 1;
+};
+
+}  // namespace hapticell::app

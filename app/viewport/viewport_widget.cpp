@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/viewport_widget.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <cmath>
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kTurnSeconds = 0.25;
+constexpr double kSettleSeconds = 0.16;   // After so long without motion the picture is refined.
+constexpr double kStylusPixels = 150.0;
+
+fvec3 rgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
+glm::vec4 rgba(const QColor& color) { return {color.redF(), color.greenF(), color.blueF(), color.alphaF()}; }
+std::array<float, 3> triple(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
+
+bool sameCamera(const Camera& a, const Camera& b) {
+  return a.target_W == b.target_W && a.azimuth == b.azimuth && a.elevation == b.elevation && a.distance == b.distance &&
+         a.field_of_view == b.field_of_view && a.perspective == b.perspective;
+}
+
+FrameColors colorsOf(const Theme& theme) {
+  FrameColors colors;
+  colors.background_top = rgb(theme.background_top);
+  colors.background_bottom = rgb(theme.background_bottom);
+  colors.grid = rgba(theme.grid);
+  colors.crease = rgba(theme.crease);
+  colors.selected = rgb(theme.selection);
+  colors.hovered = rgb(theme.text2);
+  colors.near_miss = rgb(theme.near_miss);
+  colors.contact = rgb(theme.contact);
+  colors.floor_shadow = theme.dark ? 0.42f : 0.20f;
+  return colors;
+}
+
+}  // namespace
+
+ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(0);
+  setFormat(format);
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setObjectName("viewport");
+  setAccessibleName(tr("Scene"));
+  clock_.start();
+  refine_.setSingleShot(true);
+  connect(&refine_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+}
+
+ViewportWidget::~ViewportWidget() {
+  makeCurrent();
+  renderer_.reset();
+  doneCurrent();
+}
+
+void ViewportWidget::initializeGL() {
+  if (!gl_.initializeOpenGLFunctions()) return;
+  renderer_ = std::make_unique<SceneRenderer>(gl_);
+  dirty_ = true;
+  // Moving the widget to another window makes a new context; everything of the old one goes with it.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    makeCurrent();
+    renderer_.reset();
+    doneCurrent();
+  });
+}
+
+ViewSize ViewportWidget::viewSize() const { return {static_cast<double>(width()), static_cast<double>(height())}; }
+
+void ViewportWidget::refresh() { update(); }
+
+void ViewportWidget::setCamera(const Camera& camera, bool animated) {
+  if (animated && motion_) {
+    turn_.from = camera_;
+    turn_.to = camera;
+    turn_.clock.start();
+    turn_.active = true;
+  } else {
+    turn_.active = false;
+    camera_ = camera;
+  }
+  emit cameraChanged();
+  update();
+}
+
+void ViewportWidget::fit(const geometry::Bounds& bounds_W, bool animated) {
+  setCamera((turn_.active ? turn_.to : camera_).fitted(bounds_W, viewSize()), animated);
+}
+
+void ViewportWidget::setStandardView(StandardView view) { setCamera((turn_.active ? turn_.to : camera_).turnedTo(view)); }
+
+void ViewportWidget::setPerspective(bool on) {
+  camera_.perspective = on;
+  turn_.to.perspective = on;
+  emit cameraChanged();
+  update();
+}
+
+void ViewportWidget::setEdges(bool on) {
+  edges_ = on;
+  dirty_ = true;
+  update();
+}
+
+void ViewportWidget::setPointerTool(PointerTool* tool) {
+  tool_ = tool;
+  tool_active_ = false;
+  update();
+}
+
+void ViewportWidget::advanceAnimation() {
+  if (!turn_.active) return;
+  const double s = static_cast<double>(turn_.clock.elapsed()) / 1000.0 / kTurnSeconds;
+  camera_ = s >= 1.0 ? turn_.to : interpolate(turn_.from, turn_.to, eased(s));
+  turn_.active = s < 1.0;
+  emit cameraChanged();
+}
+
+Frame ViewportWidget::makeFrame() const {
+  Frame frame;
+  frame.camera = camera_;
+  frame.pixel_ratio = devicePixelRatioF();
+  frame.width = std::max(1, static_cast<int>(std::lround(width() * frame.pixel_ratio)));
+  frame.height = std::max(1, static_cast<int>(std::lround(height() * frame.pixel_ratio)));
+  const Theme& theme = themeOf(palette());
+  frame.colors = colorsOf(theme);
+  SceneModel::StylusLook look;
+  if (scene_.snapshot()) look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
+  look.body = theme.dark ? std::array<float, 3>{0.96f, 0.96f, 0.96f} : std::array<float, 3>{0.16f, 0.18f, 0.21f};
+  look.band = triple(theme.selection);
+  frame.items = scene_.items(look);
+  frame.bounds_W = scene_.bounds_W();
+  frame.edges = edges_;
+  return frame;
+}
+
+void ViewportWidget::drawFrame() {
+  const double now = clock_.nsecsElapsed() * 1e-9;
+  const bool moved = dirty_ || scene_.revision() != drawn_revision_ || !sameCamera(camera_, drawn_camera_);
+  if (moved) last_motion_s_ = now;
+  const bool settled = now - last_motion_s_ > kSettleSeconds;
+  if (!moved && (!settled || sample_ >= SceneRenderer::kSamples)) {
+    renderer_->present(static_cast<int>(std::lround(width() * devicePixelRatioF())),
+                       static_cast<int>(std::lround(height() * devicePixelRatioF())), defaultFramebufferObject());
+    if (!settled) refine_.start(static_cast<int>(1000 * kSettleSeconds));
+    return;
+  }
+  Frame frame = makeFrame();
+  DetailGovernor& governor = moved ? governor_ : live_ ? live_governor_ : still_governor_;
+  frame.detail = governor.level();
+  if (moved) sample_ = 0;
+  frame.sample = moved ? 0 : sample_++;
+  renderer_->render(frame, defaultFramebufferObject());
+  gl_.glFinish();
+  const double took = clock_.nsecsElapsed() * 1e-9 - now;
+  governor.frameTook(took);
+  // A level that changes while a still picture is refined would mix two pictures.
+  if (!moved && governor.level() != frame.detail) sample_ = 0;
+  drawn_items_ = std::move(frame.items);
+  drawn_revision_ = scene_.revision();
+  drawn_camera_ = camera_;
+  dirty_ = false;
+  refine_.start(moved ? static_cast<int>(1000 * kSettleSeconds) + 10 : 5);
+}
+
+std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLabel>& labels) {
+  std::vector<LabelWish> wishes;
+  for (const OverlayLabel& label : labels) {
+    const auto anchor = camera_.project(label.p_WQ, viewSize());
+    const QSizeF size = labelSize(label);
+    if (anchor) wishes.push_back({label.key, *anchor, {size.width(), size.height()}});
+  }
+  std::vector<PixelBox> keep_free;
+  const QRectF strip = stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
+  if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
+  keep_free.push_back({{viewSize().width - 140, 0}, {viewSize().width, 130}});
+  keep_free.push_back({{0, 0}, {360, 44}});
+  if (scene_.snapshot() && forceArrowOpacity(scene_.snapshot()->force_n) > 0.0)
+    if (const auto start = camera_.project(forceArrowStart_W(*scene_.snapshot()), viewSize()))
+      keep_free.push_back({*start - glm::dvec2(24, 200), *start + glm::dvec2(80, 12)});
+  const double now = clock_.nsecsElapsed() * 1e-9;
+  const double seconds = now - last_overlay_s_;
+  last_overlay_s_ = now;
+  return label_layout_.place(wishes, keep_free, viewSize(), seconds, motion_);
+}
+
+Overlay ViewportWidget::makeOverlay() {
+  Overlay overlay;
+  overlay.theme = &themeOf(palette());
+  overlay.camera = camera_;
+  overlay.size = viewSize();
+  overlay.scene = &scene_;
+  overlay.labels = overlayLabels(scene_);
+  overlay.places = placeLabels(overlay.labels);
+  if (scene_.snapshot() && scene_.snapshot()->connected) overlay.strip = stripCells(*scene_.snapshot(), strip_);
+  if (tool_) overlay.hint = tool_->hint();
+  overlay.cube = viewCube();
+  overlay.cube_hover = cube_hover_;
+  if (scene_.empty()) overlay.empty = empty_;
+  return overlay;
+}
+
+void ViewportWidget::paintOverlayImage() {
+  // Painted by the raster engine: the one on OpenGL smooths lines only with multisampling.
+  QImage image(size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  image.fill(Qt::transparent);
+  {
+    QPainter painter(&image);
+    paintOverlay(painter, makeOverlay());
+  }
+  QPainter onto(this);
+  onto.drawImage(QPointF(0, 0), image);
+}
+
+void ViewportWidget::paintGL() {
+  const double start = clock_.nsecsElapsed() * 1e-9;
+  advanceAnimation();
+  if (renderer_) drawFrame();
+  paintOverlayImage();
+  meter_.frame(start, clock_.nsecsElapsed() * 1e-9 - start);
+  if (turn_.active || label_layout_.moving()) refine_.start(0);
+}
+
+QImage ViewportWidget::finishedPicture() {
+  turn_.active = false;
+  last_motion_s_ = -1.0;
+  makeCurrent();
+  if (renderer_) {
+    Frame frame = makeFrame();
+    QOpenGLFramebufferObject target(frame.width, frame.height);
+    for (frame.sample = 0; frame.sample < SceneRenderer::kSamples; ++frame.sample) renderer_->render(frame, target.handle());
+    QImage picture = target.toImage();
+    doneCurrent();
+    picture.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&picture);
+    label_layout_.place({}, {}, viewSize(), 1.0, false);
+    paintOverlay(painter, makeOverlay());
+    return picture;
+  }
+  doneCurrent();
+  return {};
+}
+
+void ViewportWidget::changeEvent(QEvent* event) {
+  QOpenGLWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  dirty_ = true;
+  update();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "app/viewport/overlay_painter.h"
+#include "app/viewport/pointer_tool.h"
+#include "app/viewport/scene_model.h"
+#include "app/viewport/scene_renderer.h"
+
+namespace hapticell::app {
+
+/// The scene in the window. Middle button turns, with Shift it shifts; the wheel zooms to the cursor; a click picks.
+/// A module may put a PointerTool before these. GUI thread only.
+class ViewportWidget : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  explicit ViewportWidget(QWidget* parent = nullptr);
+  ~ViewportWidget() override;
+
+  SceneModel& scene() { return scene_; }
+  const Camera& camera() const { return camera_; }
+  /// Turns to it within 250 ms, or at once.
+  void setCamera(const Camera& camera, bool animated = true);
+  void fit(const geometry::Bounds& bounds_W, bool animated = true);
+  void setStandardView(StandardView view);
+  void setPerspective(bool on);
+  void setEdges(bool on);
+  bool edges() const { return edges_; }
+  void setMotion(bool on) { motion_ = on; }
+  /// Null: no tool. The tool must outlive its being set.
+  void setPointerTool(PointerTool* tool);
+  void setStrip(const StripContext& context) { strip_ = context; }
+  void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
+  /// While true the cell is live: pictures are held to a tenth of a second even where nothing moves.
+  void setLive(bool live) { live_ = live; }
+  /// The scene changed: draws when Qt finds time.
+  void refresh();
+  /// All samples of the picture, overlay included, as an image of the widget's size.
+  QImage finishedPicture();
+  const FrameMeter& meter() const { return meter_; }
+  double lastFrameSeconds() const { return meter_.lastSeconds(); }
+  DetailLevel detail() const { return governor_.level(); }
+
+ signals:
+  /// A click on an entity, or on nothing (0).
+  void picked(hapticell::workcell::EntityId entity, Qt::KeyboardModifiers modifiers);
+  void hovered(hapticell::workcell::EntityId entity);
+  void contextMenuWanted(hapticell::workcell::EntityId entity, QPoint global);
+  void cameraChanged();
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  ViewSize viewSize() const;
+  Frame makeFrame() const;
+  void drawFrame();
+  void paintOverlayImage();
+  std::vector<PlacedLabel> placeLabels(const std::vector<OverlayLabel>& labels);
+  Overlay makeOverlay();
+  PointerEvent eventFrom(const QMouseEvent& event) const;
+  std::optional<PickedPoint> pickAt(const QPointF& position);
+  dvec3 pointUnder(const QPointF& position);
+  void advanceAnimation();
+  void hover(const QPointF& position);
+  ViewCube viewCube() const;
+  workcell::EntityId entityAt(const QPointF& position);
+
+  Gl gl_;
+  std::unique_ptr<SceneRenderer> renderer_;
+  std::vector<RenderItem> drawn_items_;
+  SceneModel scene_;
+  Camera camera_;
+  struct Turn {
+    Camera from, to;
+    QElapsedTimer clock;
+    bool active = false;
+  } turn_;
+  DetailGovernor governor_, still_governor_{0.25}, live_governor_{0.085};
+  FrameMeter meter_;
+  QElapsedTimer clock_;
+  LabelLayout label_layout_;
+  double last_overlay_s_ = 0.0;
+  std::uint64_t drawn_revision_ = 0;
+  Camera drawn_camera_;
+  bool dirty_ = true;             ///< Size or theme changed.
+  int sample_ = 0;
+  double last_motion_s_ = 0.0;
+  QTimer refine_;
+  PointerTool* tool_ = nullptr;
+  bool tool_active_ = false;
+  StripContext strip_;
+  std::optional<EmptyState> empty_;
+  bool edges_ = true, motion_ = true, live_ = false;
+  std::optional<ViewCubeSpot> cube_hover_;
+  QPointF press_place_, last_place_;
+  dvec3 pivot_W_{0.0};
+  enum class Drag { kNone, kOrbit, kPan, kClick, kCube } drag_ = Drag::kNone;
+};
+
+}  // namespace hapticell::app
