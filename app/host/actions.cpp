@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/host/actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include "app/style/fonts.h"
+#include "app/style/icon.h"
+
+namespace hapticell::app {
+namespace {
+
+QKeySequence pad(Qt::Key key) { return QKeySequence(QKeyCombination(Qt::KeypadModifier, key)); }
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+}  // namespace
+
+QAction* makeAction(QObject* parent, const ActionFace& face) {
+  auto* action = new QAction(face.text, parent);
+  action->setObjectName(QString::fromLatin1(face.name));
+  if (!face.icon.isEmpty()) action->setIcon(icon(face.icon));
+  action->setShortcut(face.key);
+  action->setIconText(face.word.isEmpty() ? QString(face.text).remove(QChar(0x2026)) : face.word);
+  const QString plain = QString(face.text).remove(QChar(0x2026));
+  action->setToolTip(face.key.isEmpty() ? plain : plain + "  (" + face.key.toString(QKeySequence::NativeText) + ")");
+  return action;
+}
+
+Actions::Actions(QMainWindow& window) {
+  const auto make = [&window](const ActionFace& face) {
+    QAction* action = makeAction(&window, face);
+    window.addAction(action);
+    return action;
+  };
+  new_cell = make({"actionNew", tr("New workcell"), "new", QKeySequence::New, {}});
+  open = make({"actionOpen", tr("Open…"), "open", QKeySequence::Open, {}});
+  save = make({"actionSave", tr("Save"), "save", QKeySequence::Save, {}});
+  save_as = make({"actionSaveAs", tr("Save as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), {}});
+  import_mesh = make({"actionImport", tr("Import solid…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
+  add_robot = make({"actionAddRobot", tr("Add robot…"), "robot", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), tr("Robot")});
+  quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
+  undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
+  redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
+  remove = make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
+  fit_selection = make({"actionFit", tr("Fit selection"), "fit", QKeySequence(Qt::Key_F), tr("Fit")});
+  fit_all = make({"actionFitAll", tr("Fit all"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F), {}});
+  front = make({"actionFront", tr("Front"), {}, pad(Qt::Key_1), {}});
+  right = make({"actionRight", tr("Right"), {}, pad(Qt::Key_3), {}});
+  top = make({"actionTop", tr("Top"), {}, pad(Qt::Key_7), {}});
+  isometric = make({"actionIso", tr("Isometric"), "cube", pad(Qt::Key_9), tr("Iso")});
+  perspective = make({"actionPerspective", tr("Perspective"), {}, pad(Qt::Key_5), {}});
+  edges = make({"actionEdges", tr("Edges"), "grid", {}, {}});
+  side_docks = make({"actionSideDocks", tr("Side panels"), {}, QKeySequence(Qt::Key_D), {}});
+  dark = make({"actionDark", tr("Dark"), {}, {}, {}});
+  light = make({"actionLight", tr("Light"), {}, {}, {}});
+  about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
+  for (QAction* action : {perspective, edges, side_docks, dark, light}) action->setCheckable(true);
+  for (QAction* action : {perspective, edges, side_docks}) action->setChecked(true);
+  auto* themes = new QActionGroup(&window);
+  themes->addAction(dark);
+  themes->addAction(light);
+
+  QMenuBar* bar = window.menuBar();
+  QMenu* file = bar->addMenu(tr("File"));
+  file->addActions({new_cell, open, save, save_as});
+  file->addSeparator();
+  file->addActions({import_mesh, add_robot});
+  file->addSeparator();
+  file->addAction(quit);
+  QMenu* edit = bar->addMenu(tr("Edit"));
+  edit->addActions({undo, redo});
+  edit->addSeparator();
+  edit->addAction(remove);
+  QMenu* view = bar->addMenu(tr("View"));
+  view->addActions({fit_selection, fit_all});
+  view->addSeparator();
+  view->addActions({front, right, top, isometric});
+  view->addSeparator();
+  view->addActions({perspective, edges});
+  view->addSeparator();
+  view->addActions({dark, light});
+  applications = bar->addMenu(tr("Applications"));
+  applications->setToolTipsVisible(true);
+  windows = bar->addMenu(tr("Window"));
+  windows->addAction(side_docks);
+  windows->addSeparator();
+  bar->addMenu(tr("Help"))->addAction(about);
+
+  tool_bar = window.addToolBar(tr("Tools"));
+  tool_bar->setObjectName("toolMain");
+  tool_bar->setMovable(false);
+  tool_bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  tool_bar->setIconSize(QSize(20, 20));
+  tool_bar->setFixedHeight(54);
+  tool_bar->setFont(font(TextRole::kKeyCap));
+  tool_bar->addActions({open, import_mesh, add_robot, save});
+  tool_bar->addSeparator();
+  tool_bar->addActions({undo, redo});
+  tool_bar->addSeparator();
+  tool_bar->addActions({fit_selection, isometric, edges});
+  tool_bar->addSeparator();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/host/document_model.h"
+
+#include <memory>
+#include <utility>
+
+#include "workcell/mesh_reader.h"
+
+namespace hapticell::app {
+
+QString DocumentModel::title() const {
+  const auto& path = document_.path();
+  return path.empty() ? tr("New workcell") : QString::fromStdString(path.stem().string());
+}
+
+bool DocumentModel::execute(const workcell::Command& command) {
+  const auto done = document_.execute(command);
+  if (!done) {
+    emit refused(QString::fromStdString(done.error().message()));
+    return false;
+  }
+  emit changed();
+  return true;
+}
+
+void DocumentModel::undo() {
+  if (document_.undo()) emit changed();
+}
+
+void DocumentModel::redo() {
+  if (document_.redo()) emit changed();
+}
+
+void DocumentModel::clear() {
+  document_ = workcell::Document();
+  emit opened();
+  emit changed();
+}
+
+Expected<workcell::EntityId> DocumentModel::importMesh(const QString& path, double scale, Diagnostics& diagnostics) {
+  const std::filesystem::path file = path.toStdString();
+  workcell::MeshReadOptions options;
+  options.scale = scale;
+  auto mesh = workcell::readMesh(file, options, diagnostics);
+  if (!mesh) return makeError(mesh.error());
+  workcell::Entity entity;
+  entity.name = document_.uniqueName(file.stem().string());
+  entity.kind = workcell::EntityKind::kSolid;
+  entity.source = {std::filesystem::absolute(file).string(), scale};
+  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
+  auto id = document_.execute(workcell::AddEntity{entity});
+  if (id) emit changed();
+  return id;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "workcell/document.h"
+
+namespace hapticell::app {
+
+/// The open document with signals. Everything that changes it goes through here. GUI thread.
+class DocumentModel : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  const workcell::Document& document() const { return document_; }
+  /// Name for the window's title: the file's stem, or "New workcell".
+  QString title() const;
+
+  /// Does a command as one step of undo; what was refused is told by refused().
+  bool execute(const workcell::Command& command);
+  void undo();
+  void redo();
+
+  /// An empty document in place of this one.
+  void clear();
+  Expected<void> open(const QString& path);
+  Expected<void> save(const QString& path);
+  /// Adds a solid from a mesh file (`scale`: metres a unit). What the reader noticed goes to `diagnostics`.
+  Expected<workcell::EntityId> importMesh(const QString& path, double scale, Diagnostics& diagnostics);
+  Expected<workcell::EntityId> addRobot(const QString& path, Diagnostics& diagnostics);
+
+ signals:
+  void changed();                       ///< The document differs from before; undo and redo included.
+  void refused(const QString& sentence);
+  void opened();                        ///< Another document stands in its place.
+
+ private:
+  workcell::Document document_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMainWindow>
+#include <QString>
+#include <optional>
+
+#include "config/configuration.h"
+#include "manipulation/scene_snapshot.h"
+
+class QAction;
+class QDockWidget;
+class QMenu;
+
+namespace hapticell::app {
+
+class DocumentModel;
+class MessageLog;
+class Selection;
+class ViewportWidget;
+
+/// What the window offers to panels and to modules. Everything here belongs to the GUI thread.
+class Host {
+ public:
+  virtual ~Host() = default;
+  virtual QMainWindow& window() = 0;
+  virtual ViewportWidget& viewport() = 0;
+  virtual DocumentModel& documentModel() = 0;
+  virtual Selection& selection() = 0;
+  virtual MessageLog& messages() = 0;
+  virtual const config::Configuration& configuration() const = 0;
+
+  /// Takes a dock (see makeDock()) into an area, tabbed onto `onto` where that is given. The Window menu lists it.
+  virtual void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto = nullptr) = 0;
+  virtual void removeDock(QDockWidget* dock) = 0;
+  /// A place at the right end of the tool bar; the widget is owned by the tool bar until removed by its maker's delete.
+  virtual void addToToolBar(QWidget* widget) = 0;
+
+  /// The newest state of the cell from a running module; nothing: the document alone is shown. Cheap; call it each frame.
+  virtual void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) = 0;
+  virtual const std::optional<manipulation::SceneSnapshot>& snapshot() const = 0;
+  /// The device part of the status bar, e.g. "Phantom Desktop, simulated · forces off". Empty: no device.
+  virtual void setDeviceText(const QString& text) = 0;
+  /// How often the window takes in the newest scene, a second.
+  virtual void setGuiRate(double hertz) = 0;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/host/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPainter>
+#include <QToolBar>
+
+#include "app/panels/panels.h"
+#include "app/style/fonts.h"
+#include "app/style/icon.h"
+#include "app/style/theme.h"
+
+namespace hapticell::app {
+
+MainWindow::MainWindow(const config::Configuration& configuration, QWidget* parent)
+    : QMainWindow(parent), configuration_(configuration), viewport_(new ViewportWidget(this)), status_(new StatusLine(this)) {
+  setObjectName("mainWindow");
+  setWindowIcon(icon("cell"));
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  setCentralWidget(viewport_);
+  setStatusBar(status_);
+  actions_ = std::make_unique<Actions>(*this);
+  auto* spacer = new QWidget(this);
+  spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  actions_->tool_bar->addWidget(spacer);
+  file_label_ = new QLabel(this);
+  file_label_->setContentsMargins(0, 0, 14, 0);
+  menuBar()->setCornerWidget(file_label_, Qt::TopRightCorner);
+  viewport_->setMotion(configuration_.gui.motion);
+  viewport_->setEmptyState(EmptyState{tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
+  connectFileActions();
+  connectViewActions();
+  connectScene();
+  addPanels(*this);
+  setTheme(configuration_.gui.theme != "light");
+  documentChanged();
+}
+
+MainWindow::~MainWindow() {
+  // Modules use the host; they end while it is whole.
+  modules_.reset();
+}
+
+void MainWindow::connectViewActions() {
+  const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
+  on(actions_->fit_all, [this] { viewport_->fit(viewport_->scene().bounds_W()); });
+  on(actions_->fit_selection, [this] {
+    const auto bounds = viewport_->scene().boundsOf_W(selection_.current());
+    viewport_->fit(bounds.isEmpty() ? viewport_->scene().bounds_W() : bounds);
+  });
+  on(actions_->front, [this] { viewport_->setStandardView(StandardView::kFront); });
+  on(actions_->right, [this] { viewport_->setStandardView(StandardView::kRight); });
+  on(actions_->top, [this] { viewport_->setStandardView(StandardView::kTop); });
+  on(actions_->isometric, [this] { viewport_->setStandardView(StandardView::kIsometric); });
+  on(actions_->perspective, [this](bool checked) { viewport_->setPerspective(checked); });
+  on(actions_->edges, [this](bool checked) { viewport_->setEdges(checked); });
+  on(actions_->dark, [this] { setTheme(true); });
+  on(actions_->light, [this] { setTheme(false); });
+  on(actions_->side_docks, [this](bool checked) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+      if (const auto area = dockWidgetArea(dock); area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea)
+        dock->setVisible(checked);
+  });
+  on(actions_->about, [this] {
+    QMessageBox::about(this, tr("About HaptiCell"),
+                       tr("HaptiCell %1\nMove solids and robots in a CAD workcell, and feel the contacts.\nApache License 2.0")
+                           .arg(QApplication::applicationVersion()));
+  });
+}
+
+void MainWindow::connectScene() {
+  connect(&document_, &DocumentModel::changed, this, &MainWindow::documentChanged);
+  connect(&document_, &DocumentModel::refused, this, [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
+  connect(&document_, &DocumentModel::opened, this, [this] { selection_.set(0); });
+  connect(&selection_, &Selection::changed, this, [this](workcell::EntityId entity) {
+    viewport_->scene().setSelected(entity ? std::vector<workcell::EntityId>{entity} : std::vector<workcell::EntityId>{});
+    actions_->remove->setEnabled(entity != 0);
+    viewport_->refresh();
+  });
+  connect(viewport_, &ViewportWidget::picked, this, [this](workcell::EntityId entity) { selection_.set(entity); });
+  connect(&messages_, &MessageLog::told, status_, &StatusLine::show);
+  connect(actions_->remove, &QAction::triggered, this, [this] {
+    if (selection_.current() && document_.execute(workcell::RemoveEntity{selection_.current()})) selection_.set(0);
+  });
+  actions_->remove->setEnabled(false);
+}
+
+void MainWindow::documentChanged() {
+  viewport_->scene().setEntities(document_.document().snapshotEntities());
+  viewport_->refresh();
+  if (selection_.current() && !document_.document().find(selection_.current())) selection_.set(0);
+  const workcell::Document& document = document_.document();
+  const auto setStep = [](QAction* action, bool can, const QString& verb, const std::string& text) {
+    action->setEnabled(can);
+    action->setText(text.empty() ? verb : verb + ": " + QString::fromStdString(text));
+    action->setIconText(verb);
+  };
+  setStep(actions_->undo, document.canUndo(), tr("Undo"), document.undoText());
+  setStep(actions_->redo, document.canRedo(), tr("Redo"), document.redoText());
+  updateTitle();
+  updateStatus();
+}
+
+void MainWindow::updateTitle() {
+  const bool dirty = document_.document().isDirty();
+  setWindowTitle(document_.title() + (dirty ? " *" : "") + " – HaptiCell");
+  file_label_->setText(document_.title() + ".hcell  ·  " + (dirty ? tr("changed") : tr("saved")));
+}
+
+void MainWindow::updateStatus() {
+  const auto& now = snapshot();
+  if (!now) {
+    const auto count = document_.document().state().entities.size();
+    status_->setSentence(Mark::kNone, count == 0 ? tr("The cell is empty.") : tr("%n entities in the cell.", nullptr, static_cast<int>(count)));
+    StatusLine::Rates idle;
+    status_->setRates(idle);
+    return;
+  }
+  Mark mark = Mark::kNone;
+  if (!now->pairs.empty() && now->pairs.front().near_miss) mark = Mark::kNearMiss;
+  if (!now->limits.empty()) mark = Mark::kLimit;
+  if (!now->pairs.empty() && now->pairs.front().contact) mark = Mark::kContact;
+  status_->setSentence(mark, QString::fromStdString(now->status));
+  StatusLine::Rates rates;
+  rates.haptic_hz = now->rate_haptic_hz;
+  rates.collision_hz = now->rate_manipulation_hz;
+  rates.window_hz = gui_rate_;
+  rates.collision_full = configuration_.manipulation.rate_hz;
+  rates.window_full = configuration_.gui.rate_hz;
+  status_->setRates(rates);
+}
+
+void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) {
+  if (onto) {
+    addDockWidget(area, dock);
+    tabifyDockWidget(onto, dock);
+  } else {
+    addDockWidget(area, dock);
+  }
+  actions_->windows->addAction(dock->toggleViewAction());
+}
+
+void MainWindow::removeDock(QDockWidget* dock) {
+  actions_->windows->removeAction(dock->toggleViewAction());
+  removeDockWidget(dock);
+}
+
+void MainWindow::addToToolBar(QWidget* widget) { actions_->tool_bar->addWidget(widget); }
+
+void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
+  viewport_->scene().setSnapshot(snapshot);
+  viewport_->setLive(snapshot && snapshot->connected);
+  viewport_->refresh();
+  updateStatus();
+}
+
+void MainWindow::setDeviceText(const QString& text) { status_->setDevice(text); }
+void MainWindow::setGuiRate(double hertz) { gui_rate_ = hertz; }
+
+void MainWindow::loadModules(const QStringList& folders) {
+  modules_ = std::make_unique<ModuleLoader>();
+  modules_->load(folders);
+  for (Module* module : modules_->modules()) {
+    QAction* action = makeAction(this, {"actionModule", module->name(), module->iconName(), {}, {}});
+    action->setToolTip(module->purpose());
+    actions_->applications->addAction(action);
+    connect(action, &QAction::triggered, this, [this, module] { module->start(*this); });
+  }
+  for (const QString& problem : modules_->problems()) messages_.tell(Severity::kWarning, problem);
+  if (modules_->modules().empty()) {
+    QAction* none = actions_->applications->addAction(tr("No application was found beside the program"));
+    none->setEnabled(false);
+  }
+}
+
+bool MainWindow::startModule(const QString& name) {
+  if (!modules_) return false;
+  for (Module* module : modules_->modules()) {
+    if (module->name() != name) continue;
+    module->start(*this);
+    return true;
+  }
+  return false;
+}
+
+void MainWindow::setTheme(bool dark) {
+  const Theme& theme = dark ? darkTheme() : lightTheme();
+  (dark ? actions_->dark : actions_->light)->setChecked(true);
+  QApplication::setPalette(paletteOf(theme));
+  QPalette label = file_label_->palette();
+  label.setColor(QPalette::WindowText, theme.text2);
+  file_label_->setPalette(label);
+  update();
+}
+
+QPixmap MainWindow::picture() {
+  const QImage scene = viewport_->finishedPicture();
+  QPixmap whole = grab();
+  QPainter painter(&whole);
+  painter.drawImage(viewport_->mapTo(this, QPoint(0, 0)), scene);
+  return whole;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  if (modules_)
+    for (Module* module : modules_->modules()) module->stop();
+  event->accept();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QLabel>
+#include <QMainWindow>
+#include <memory>
+
+#include "app/host/actions.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/module_loader.h"
+#include "app/host/selection.h"
+#include "app/host/status_line.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+
+/// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
+/// of no force; it works without any module.
+class MainWindow : public QMainWindow, public Host {
+  Q_OBJECT
+ public:
+  explicit MainWindow(const config::Configuration& configuration, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  QMainWindow& window() override { return *this; }
+  ViewportWidget& viewport() override { return *viewport_; }
+  DocumentModel& documentModel() override { return document_; }
+  Selection& selection() override { return selection_; }
+  MessageLog& messages() override { return messages_; }
+  const config::Configuration& configuration() const override { return configuration_; }
+  void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) override;
+  void removeDock(QDockWidget* dock) override;
+  void addToToolBar(QWidget* widget) override;
+  void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) override;
+  const std::optional<manipulation::SceneSnapshot>& snapshot() const override { return viewport_->scene().snapshot(); }
+  void setDeviceText(const QString& text) override;
+  void setGuiRate(double hertz) override;
+
+  /// Opens a workcell, telling problems in the messages. False when the old document stays.
+  bool openFile(const QString& path);
+  void loadModules(const QStringList& folders);
+  /// Starts the module of that name; false when there is none.
+  bool startModule(const QString& name);
+  void setTheme(bool dark);
+  Actions& actions() { return *actions_; }
+  const StatusLine& statusLine() const { return *status_; }
+  /// The whole window with the finished picture of the scene.
+  QPixmap picture();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void connectFileActions();
+  void connectViewActions();
+  void connectScene();
+  void openFromDialog();
+  void importFromDialog();
+  void addRobotFromDialog();
+  bool saveDocument(bool ask_where);
+  bool mayDiscard();
+  void documentChanged();
+  void updateTitle();
+  void updateStatus();
+  void tellError(const QString& title, const Error& error);
+  void tellNotices(const QString& title, const Diagnostics& diagnostics);
+
+  config::Configuration configuration_;
+  DocumentModel document_;
+  Selection selection_;
+  MessageLog messages_;
+  ViewportWidget* viewport_;
+  StatusLine* status_;
+  QLabel* file_label_;
+  std::unique_ptr<Actions> actions_;
+  std::unique_ptr<ModuleLoader> modules_;
+  double gui_rate_ = 0.0;
+};
+
+}  // namespace hapticell::app

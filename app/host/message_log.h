@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDateTime>
+#include <QObject>
+#include <QString>
+#include <vector>
+
+namespace hapticell::app {
+
+enum class Severity { kInformation, kWarning, kProblem };
+
+/// One thing the user should know: what happened, and below it where and what to do.
+struct Message {
+  Severity severity = Severity::kInformation;
+  QString title;
+  QString text;
+  QDateTime when;
+};
+
+/// What was told so far, newest last. Never a window in front of the scene. GUI thread.
+class MessageLog : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  void tell(Severity severity, const QString& title, const QString& text = {}) {
+    messages_.push_back({severity, title, text, QDateTime::currentDateTime()});
+    emit told(messages_.back());
+  }
+  const std::vector<Message>& messages() const { return messages_; }
+
+ signals:
+  void told(const hapticell::app::Message& message);
+
+ private:
+  std::vector<Message> messages_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "app/host/module.h"
+
+class QPluginLoader;
+
+namespace hapticell::app {
+
+/// Finds and keeps the modules. They are stopped, but not unloaded, when it goes.
+class ModuleLoader {
+ public:
+  ModuleLoader();
+  ~ModuleLoader();
+  /// Loads every hapticell-module-* of the folders; those that do not load are told by problems().
+  void load(const QStringList& folders);
+  /// Where modules are looked for: `modules` beside the program, then lib/hapticell/modules of the installation.
+  static QStringList defaultFolders();
+  const std::vector<Module*>& modules() const { return modules_; }
+  const QStringList& problems() const { return problems_; }
+
+ private:
+  std::vector<std::unique_ptr<QPluginLoader>> loaders_;
+  std::vector<Module*> modules_;
+  QStringList problems_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/host/status_line.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "app/style/fonts.h"
+#include "app/style/icon.h"
+#include "app/style/theme.h"
+#include "app/viewport/overlay_painter.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kMessageMilliseconds = 8000;
+constexpr int kRateWidth = 152;
+
+}  // namespace
+
+StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
+  setSizeGripEnabled(false);
+  setFixedHeight(26);
+  setObjectName("statusLine");
+  message_timer_.setSingleShot(true);
+  connect(&message_timer_, &QTimer::timeout, this, [this] {
+    message_.clear();
+    update();
+  });
+}
+
+void StatusLine::setSentence(Mark mark, const QString& sentence) {
+  if (mark == mark_ && sentence == sentence_) return;
+  mark_ = mark;
+  sentence_ = sentence;
+  setAccessibleDescription(sentence);
+  update();
+}
+
+void StatusLine::setRates(const Rates& rates) {
+  rates_ = rates;
+  update();
+}
+
+void StatusLine::setDevice(const QString& text) {
+  if (text == device_) return;
+  device_ = text;
+  update();
+}
+
+void StatusLine::show(const Message& message) {
+  severity_ = message.severity;
+  message_ = message.text.isEmpty() ? message.title : message.title + ". " + message.text;
+  message_timer_.start(kMessageMilliseconds);
+  update();
+}
+
+int StatusLine::paintRate(QPainter& painter, int right, const QString& name, double value, double full) const {
+  const Theme& theme = themeOf(palette());
+  const int left = right - kRateWidth;
+  painter.fillRect(QRect(left, 6, 1, height() - 12), theme.line);
+  painter.setPen(theme.text2);
+  painter.drawText(QRect(left + 12, 0, 60, height()), Qt::AlignVCenter | Qt::AlignLeft, name);
+  const QString number = value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : tr("off");
+  painter.setPen(value > 0.0 ? theme.text1 : theme.text3);
+  painter.drawText(QRect(left + 50, 0, 58, height()), Qt::AlignVCenter | Qt::AlignRight, number);
+  const QRectF bar(left + 114, 0.5 * height() - 2.0, 28, 4);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.line);
+  painter.drawRoundedRect(bar, 2, 2);
+  if (value > 0.0) {
+    painter.setBrush(theme.axis_z);
+    painter.drawRoundedRect(QRectF(bar.left(), bar.top(), bar.width() * std::clamp(value / full, 0.08, 1.0), bar.height()), 2, 2);
+  }
+  return left;
+}
+
+void StatusLine::paintSentence(QPainter& painter, const QRect& rect) const {
+  const Theme& theme = themeOf(palette());
+  const bool telling = !message_.isEmpty();
+  const QPointF mark_at(rect.left() + 8.0, rect.center().y() + 0.5);
+  if (!telling && mark_ != Mark::kNone) {
+    paintMark(painter, mark_, mark_at, 10, theme);
+  } else {
+    const char* name = telling && severity_ == Severity::kProblem   ? "crossed"
+                       : telling && severity_ == Severity::kWarning ? "warning"
+                                                                    : "info";
+    const QColor color = telling && severity_ == Severity::kProblem   ? theme.contact
+                         : telling && severity_ == Severity::kWarning ? theme.near_miss
+                                                                      : theme.text2;
+    icon(name, color).paint(&painter, QRect(rect.left(), rect.center().y() - 7, 16, 16));
+  }
+  const QString text = telling ? message_ : sentence_;
+  const QRect text_rect = rect.adjusted(24, 0, 0, 0);
+  painter.setPen(theme.text1);
+  painter.drawText(text_rect, Qt::AlignVCenter | Qt::AlignLeft, painter.fontMetrics().elidedText(text, Qt::ElideRight, text_rect.width()));
+}
+
+void StatusLine::paintEvent(QPaintEvent*) {
+  const Theme& theme = themeOf(palette());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), theme.window);
+  painter.fillRect(QRect(0, 0, width(), 1), theme.line);
+  painter.setFont(font(TextRole::kSecond));
+  int right = width();
+  const auto cell = [&](const QString& text) {
+    const int wide = painter.fontMetrics().horizontalAdvance(text) + 24;
+    painter.setPen(theme.text2);
+    painter.fillRect(QRect(right - wide, 6, 1, height() - 12), theme.line);
+    painter.drawText(QRect(right - wide + 12, 0, wide, height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+    right -= wide;
+  };
+  cell(QStringLiteral("mm · ° · N"));
+  if (!device_.isEmpty()) cell(device_);
+  right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full);
+  right = paintRate(painter, right, tr("Collision"), rates_.collision_hz, rates_.collision_full);
+  right = paintRate(painter, right, tr("Haptic"), rates_.haptic_hz, rates_.haptic_full);
+  paintSentence(painter, QRect(10, 0, right - 20, height()));
+}
+
+}  // namespace hapticell::app

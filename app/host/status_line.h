@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStatusBar>
+#include <QTimer>
+
+#include "app/host/message_log.h"
+#include "app/viewport/strip_text.h"
+
+namespace hapticell::app {
+
+/// The bottom line: one sentence of state, three loop rates, device, units. A new message stands there for 8 seconds.
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+ public:
+  explicit StatusLine(QWidget* parent = nullptr);
+  /// What the rates are measured against: 1000 Hz, the shipped limits.
+  struct Rates {
+    double haptic_hz = 0.0, collision_hz = 0.0, window_hz = 0.0;
+    double haptic_full = 1000.0, collision_full = 1000.0, window_full = 60.0;
+  };
+  void setSentence(Mark mark, const QString& sentence);
+  void setRates(const Rates& rates);
+  void setDevice(const QString& text);
+  void show(const Message& message);
+  QString sentence() const { return sentence_; }
+  QSize sizeHint() const override { return {400, 26}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintSentence(QPainter& painter, const QRect& rect) const;
+  int paintRate(QPainter& painter, int right, const QString& name, double value, double full) const;
+  Mark mark_ = Mark::kNone;
+  QString sentence_, device_, message_;
+  Severity severity_ = Severity::kInformation;
+  Rates rates_;
+  QTimer message_timer_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticell: the window.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDebug>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+#include "app/host/main_window.h"
+#include "app/style/fonts.h"
+#include "app/style/proxy_style.h"
+#include "config/configuration.h"
+
+namespace {
+
+using hapticell::app::MainWindow;
+
+struct Options {
+  QString file, screenshot, theme, configuration;
+  QSize size{1600, 900};
+  int delay_ms = 1500;
+  bool exit = false, module = true;
+};
+
+Options parse(const QApplication& application) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription("Move solids and robots in a CAD workcell, and feel the contacts.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument("file", "A workcell (*.hcell); without one the demonstration opens.", "[file]");
+  parser.addOptions({{"screenshot", "Saves a picture of the window once it stands still.", "file.png"},
+                     {"exit", "Quits after the screenshot."},
+                     {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
+                     {"theme", "dark or light.", "name"},
+                     {"size", "Size of the window.", "WIDTHxHEIGHT", "1600x900"},
+                     {"config", "A hapticell.toml that is read over the shipped one.", "file"},
+                     {"no-module", "Does not start the Virtual Desktop by itself."}});
+  parser.process(application);
+  Options options;
+  if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().first();
+  options.screenshot = parser.value("screenshot");
+  options.theme = parser.value("theme");
+  options.configuration = parser.value("config");
+  options.exit = parser.isSet("exit");
+  options.module = !parser.isSet("no-module");
+  options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
+  const QStringList sides = parser.value("size").split('x');
+  if (sides.size() == 2 && sides[0].toInt() >= 640 && sides[1].toInt() >= 400) options.size = QSize(sides[0].toInt(), sides[1].toInt());
+  return options;
+}
+
+void openAtStart(MainWindow& window, const QString& wanted) {
+  if (!wanted.isEmpty()) {
+    window.openFile(wanted);
+    return;
+  }
+  const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
+  if (demo) window.openFile(QString::fromStdString(*demo));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("hapticell");
+  QApplication::setApplicationDisplayName("HaptiCell");
+  QApplication::setApplicationVersion(HAPTICELL_VERSION);
+  const Options options = parse(application);
+  QApplication::setStyle(new hapticell::app::ProxyStyle);
+  QApplication::setFont(hapticell::app::font(hapticell::app::TextRole::kText));
+  auto configuration = hapticell::config::loadConfiguration(options.configuration.toStdString());
+  if (!configuration) {
+    qCritical().noquote() << QString::fromStdString(configuration.error().message());
+    return 2;
+  }
+  if (!options.theme.isEmpty()) configuration->gui.theme = options.theme == "light" ? "light" : "dark";
+  MainWindow window(*configuration);
+  window.resize(options.size);
+  window.show();
+  openAtStart(window, options.file);
+  window.loadModules(hapticell::app::ModuleLoader::defaultFolders());
+  if (options.module) window.startModule("Virtual Desktop");
+  int status = 0;
+  if (!options.screenshot.isEmpty()) {
+    QTimer::singleShot(options.delay_ms, &window, [&] {
+      if (!window.picture().save(options.screenshot)) {
+        qCritical().noquote() << options.screenshot << "was not written. Look whether its folder exists.";
+        status = 2;
+      }
+      if (options.exit) QApplication::exit(status);
+    });
+  }
+  const int ended = QApplication::exec();
+  return status != 0 ? status : ended;
+}
