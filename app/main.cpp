@@ -51,7 +51,10 @@ Options parse(const QApplication& application) {
 
 void openAtStart(MainWindow& window, const QString& wanted) {
   if (!wanted.isEmpty()) {
-    window.openFile(wanted);
+    if (wanted.endsWith(".hcell", Qt::CaseInsensitive))
+      window.openFile(wanted);
+    else
+      window.addFile(wanted);
     return;
   }
   const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
@@ -67,7 +70,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(HAPTICELL_VERSION);
   const Options options = parse(application);
   QApplication::setStyle(new hapticell::app::ProxyStyle);
-  QApplication::setFont(hapticell::app::font(hapticell::app::TextRole::kText));
+  QApplication::setFont(hapticell::app::textFont(hapticell::app::TextRole::kText));
   auto configuration = hapticell::config::loadConfiguration(options.configuration.toStdString());
   if (!configuration) {
     qCritical().noquote() << QString::fromStdString(configuration.error().message());

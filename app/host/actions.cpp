@@ -97,7 +97,7 @@ Actions::Actions(QMainWindow& window) {
   tool_bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   tool_bar->setIconSize(QSize(20, 20));
   tool_bar->setFixedHeight(54);
-  tool_bar->setFont(font(TextRole::kKeyCap));
+  tool_bar->setFont(textFont(TextRole::kKeyCap));
   tool_bar->addActions({open, import_mesh, add_robot, save});
   tool_bar->addSeparator();
   tool_bar->addActions({undo, redo});

@@ -7,6 +7,8 @@
 
 class QAction;
 class QMainWindow;
+class QMenu;
+class QToolBar;
 
 namespace hapticell::app {
 
@@ -29,8 +31,8 @@ struct Actions {
   QAction *undo, *redo, *remove;
   QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *side_docks, *dark, *light;
   QAction *about;
-  class QMenu *applications, *windows;
-  class QToolBar* tool_bar;
+  QMenu *applications, *windows;
+  QToolBar* tool_bar;
 };
 
 }  // namespace hapticell::app

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "workcell/mesh_reader.h"
+#include "workcell/urdf_reader.h"
 
 namespace hapticell::app {
 
@@ -48,6 +49,22 @@ Expected<workcell::EntityId> DocumentModel::importMesh(const QString& path, doub
   entity.kind = workcell::EntityKind::kSolid;
   entity.source = {std::filesystem::absolute(file).string(), scale};
   entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
+  auto id = document_.execute(workcell::AddEntity{entity});
+  if (id) emit changed();
+  return id;
+}
+
+Expected<workcell::EntityId> DocumentModel::addRobot(const QString& path, Diagnostics& diagnostics) {
+  const std::filesystem::path file = path.toStdString();
+  auto model = workcell::readUrdf(file, diagnostics);
+  if (!model) return makeError(model.error());
+  workcell::Entity entity;
+  entity.kind = workcell::EntityKind::kRobot;
+  entity.source = {std::filesystem::absolute(file).string(), 1.0};
+  entity.name = document_.uniqueName(model->name.empty() ? file.stem().string() : model->name);
+  entity.joints.assign(model->dof(), 0.0);
+  if (const int tip = model->defaultTip(); tip >= 0) entity.tip_link = model->links[static_cast<std::size_t>(tip)].name;
+  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
   auto id = document_.execute(workcell::AddEntity{entity});
   if (id) emit changed();
   return id;

@@ -40,6 +40,8 @@ class MainWindow : public QMainWindow, public Host {
 
   /// Opens a workcell, telling problems in the messages. False when the old document stays.
   bool openFile(const QString& path);
+  /// Adds a solid or a robot from a file, as one step of undo.
+  bool addFile(const QString& path);
   void loadModules(const QStringList& folders);
   /// Starts the module of that name; false when there is none.
   bool startModule(const QString& name);

@@ -14,6 +14,7 @@ void MainWindow::connectFileActions() {
     if (mayDiscard()) document_.clear();
   });
   connect(actions_->import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
+  connect(actions_->add_robot, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->undo, &QAction::triggered, &document_, &DocumentModel::undo);
   connect(actions_->redo, &QAction::triggered, &document_, &DocumentModel::redo);
@@ -29,17 +30,30 @@ void MainWindow::tellNotices(const QString& title, const Diagnostics& diagnostic
 
 void MainWindow::importFromDialog() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Import a solid"), {}, tr("Meshes (*.stl *.obj *.ply *.off);;All files (*)"));
-  if (path.isEmpty()) return;
-  Diagnostics diagnostics;
-  const QString name = QFileInfo(path).fileName();
-  const auto id = document_.importMesh(path, 1.0, diagnostics);
-  tellNotices(tr("%1 was read with remarks").arg(name), diagnostics);
-  if (!id) return tellError(tr("%1 was not imported").arg(name), id.error());
-  selection_.set(*id);
-  viewport_->fit(viewport_->scene().bounds_W());
+  if (!path.isEmpty()) addFile(path);
+}
+
+void MainWindow::addRobotFromDialog() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Add a robot"), {}, tr("Robots (*.urdf);;All files (*)"));
+  if (!path.isEmpty()) addFile(path);
 }
 
 bool MainWindow::openFile(const QString&) { return false; }
+
+bool MainWindow::addFile(const QString& path) {
+  Diagnostics diagnostics;
+  const QString name = QFileInfo(path).fileName();
+  const bool robot = path.endsWith(".urdf", Qt::CaseInsensitive);
+  const auto id = robot ? document_.addRobot(path, diagnostics) : document_.importMesh(path, 1.0, diagnostics);
+  tellNotices(tr("%1 was read with remarks").arg(name), diagnostics);
+  if (!id) {
+    tellError(tr("%1 was not added").arg(name), id.error());
+    return false;
+  }
+  selection_.set(*id);
+  viewport_->fit(viewport_->scene().bounds_W());
+  return true;
+}
 
 bool MainWindow::mayDiscard() {
   if (!document_.document().isDirty()) return true;

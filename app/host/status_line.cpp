@@ -102,7 +102,7 @@ void StatusLine::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), theme.window);
   painter.fillRect(QRect(0, 0, width(), 1), theme.line);
-  painter.setFont(font(TextRole::kSecond));
+  painter.setFont(textFont(TextRole::kSecond));
   int right = width();
   const auto cell = [&](const QString& text) {
     const int wide = painter.fontMetrics().horizontalAdvance(text) + 24;

@@ -54,7 +54,7 @@ void DockTitleBar::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), theme.header);
   painter.fillRect(QRect(0, height() - 1, width(), 1), theme.line);
   painter.setPen(theme.text1);
-  painter.setFont(app::font(TextRole::kDockTitle));
+  painter.setFont(textFont(TextRole::kDockTitle));
   const QRect text_rect = rect().adjusted(12, 0, -52, 0);
   painter.drawText(text_rect, Qt::AlignVCenter | Qt::AlignLeft,
                    painter.fontMetrics().elidedText(dock_->windowTitle(), Qt::ElideRight, text_rect.width()));

@@ -5,7 +5,7 @@
 
 namespace hapticell::app {
 
-QFont font(TextRole role) {
+QFont textFont(TextRole role) {
   struct Size {
     int pixels;
     QFont::Weight weight;

@@ -9,6 +9,6 @@ namespace hapticell::app {
 enum class TextRole { kText, kSecond, kKeyCap, kDockTitle, kSection, kNumberOverScene, kPanelState, kPanelNumber, kScore };
 
 /// Roboto where it is installed (its digits are equally wide, so numbers do not dance), else Noto Sans or DejaVu Sans.
-QFont font(TextRole role);
+QFont textFont(TextRole role);
 
 }  // namespace hapticell::app

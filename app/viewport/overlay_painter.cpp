@@ -15,7 +15,7 @@ constexpr double kCellPadding = 14.0;
 
 QPointF point(const glm::dvec2& p) { return {p.x, p.y}; }
 
-QFont bold15() { return font(TextRole::kNumberOverScene); }
+QFont bold15() { return textFont(TextRole::kNumberOverScene); }
 
 double textWidth(const QFont& text_font, const QString& text) { return QFontMetricsF(text_font).horizontalAdvance(text); }
 
@@ -51,7 +51,7 @@ void paintCubeFace(QPainter& painter, const ViewCubeFace& face, const Theme& the
   if (face.facing < 0.12 || !QTransform::quadToQuad(unit, outline, into)) return;
   painter.save();
   painter.setTransform(into, true);
-  QFont name_font = font(TextRole::kText);
+  QFont name_font = textFont(TextRole::kText);
   name_font.setPixelSize(24);
   name_font.setWeight(QFont::Bold);
   QPainterPath name;
@@ -77,7 +77,7 @@ void paintCube(QPainter& painter, const Overlay& overlay) {
     const QPointF along = to - from;
     const double length = std::hypot(along.x(), along.y());
     const QPointF at = to + (length > 1 ? along / length : QPointF(0, -1)) * 9.0;
-    painter.setFont(font(TextRole::kSection));
+    painter.setFont(textFont(TextRole::kSection));
     painter.setPen(axis.color);
     painter.drawText(QRectF(at.x() - 8, at.y() - 8, 16, 16), Qt::AlignCenter, QString::fromLatin1(axis.name));
   };
@@ -169,7 +169,7 @@ void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel&
   painter.setPen(theme.text1);
   painter.drawText(QRectF(box.left() + 30, box.top() + 5, box.width() - 36, 20), Qt::AlignVCenter | Qt::AlignLeft,
                    QString::fromStdString(label.number));
-  painter.setFont(font(TextRole::kSecond));
+  painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   painter.drawText(QRectF(box.left() + 10, box.top() + 24, box.width() - 16, 16), Qt::AlignVCenter | Qt::AlignLeft,
                    QString::fromStdString(label.names));
@@ -177,7 +177,7 @@ void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel&
 
 double cellWidth(const StripCell& cell) {
   const double value = textWidth(bold15(), QString::fromStdString(cell.value)) + (cell.mark == Mark::kNone ? 0.0 : 20.0);
-  const double meaning = textWidth(font(TextRole::kSecond), QString::fromStdString(cell.meaning));
+  const double meaning = textWidth(textFont(TextRole::kSecond), QString::fromStdString(cell.meaning));
   // Whole steps of 8, so that the strip does not breathe with every digit.
   return std::ceil(std::max(value, meaning) / 8.0) * 8.0 + 2.0 * kCellPadding;
 }
@@ -202,7 +202,7 @@ void paintStrip(QPainter& painter, const Overlay& overlay) {
     painter.setFont(bold15());
     painter.setPen(theme.text1);
     painter.drawText(QRectF(text_x, box.top() + 4, width, 20), Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(cell.value));
-    painter.setFont(font(TextRole::kSecond));
+    painter.setFont(textFont(TextRole::kSecond));
     painter.setPen(theme.text2);
     painter.drawText(QRectF(x + kCellPadding, box.top() + 22, width, 16), Qt::AlignVCenter | Qt::AlignLeft,
                      QString::fromStdString(cell.meaning));
@@ -214,12 +214,12 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
   const double cell = floorCell(overlay.camera);
   const QString grid = cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
-  painter.setFont(font(TextRole::kSecond));
+  painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   painter.drawText(QRectF(14, overlay.size.height - 30, 160, 18), Qt::AlignVCenter | Qt::AlignLeft, grid);
   if (overlay.hint.isEmpty()) return;
   const double above = overlay.strip.empty() ? 34.0 : 28.0 + kStripHeight + 12.0;
-  const double width = textWidth(font(TextRole::kSecond), overlay.hint) + 20.0;
+  const double width = textWidth(textFont(TextRole::kSecond), overlay.hint) + 20.0;
   const QRectF box(std::round(0.5 * (overlay.size.width - width)), overlay.size.height - above - 14.0, width, 22);
   paintBox(painter, box, theme);
   painter.setPen(theme.text1);
@@ -235,10 +235,10 @@ void paintEmpty(QPainter& painter, const Overlay& overlay) {
   painter.drawPolygon(QPolygonF({c + QPointF(0, -34), c + QPointF(32, -16), c + QPointF(32, 20), c + QPointF(0, 38), c + QPointF(-32, 20), c + QPointF(-32, -16)}));
   painter.drawPolyline(QPolygonF({c + QPointF(-32, -16), c + QPointF(0, 2), c + QPointF(32, -16)}));
   painter.drawLine(c + QPointF(0, 2), c + QPointF(0, 38));
-  painter.setFont(font(TextRole::kPanelState));
+  painter.setFont(textFont(TextRole::kPanelState));
   painter.setPen(theme.text1);
   painter.drawText(QRectF(middle.x() - 300, middle.y(), 600, 24), Qt::AlignCenter, overlay.empty->title);
-  painter.setFont(font(TextRole::kText));
+  painter.setFont(textFont(TextRole::kText));
   painter.setPen(theme.text2);
   painter.drawText(QRectF(middle.x() - 300, middle.y() + 26, 600, 44), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, overlay.empty->how);
 }
@@ -278,7 +278,7 @@ void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size,
 
 QSizeF labelSize(const OverlayLabel& label) {
   const double first = 30.0 + textWidth(bold15(), QString::fromStdString(label.number)) + 12.0;
-  const double second = 10.0 + textWidth(font(TextRole::kSecond), QString::fromStdString(label.names)) + 10.0;
+  const double second = 10.0 + textWidth(textFont(TextRole::kSecond), QString::fromStdString(label.names)) + 10.0;
   return {std::ceil(std::max(first, second)), 44.0};
 }
 

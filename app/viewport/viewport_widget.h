@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QEvent>
 #include <QImage>
 #include <QOpenGLWidget>
 #include <QTimer>
