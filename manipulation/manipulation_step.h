@@ -43,6 +43,11 @@ class ManipulationEngine {
   EntityConfiguration placement(workcell::EntityId entity) const;
   const std::optional<haptic::HapticState>& hapticState() const { return state_; }
 
+  const haptic::ServerStatistics& serverStatistics() const { return statistics_; }
+
+  /// Sequence of the newest set that was sent; 0 before the first.
+  std::uint64_t sentSet() const { return sequence_; }
+
   /// Pairs of what is held that are at their boundary now: indices into held()->pairs().
   const std::vector<std::size_t>& contacts() const { return contacts_; }
 

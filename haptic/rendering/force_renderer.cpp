@@ -384,6 +384,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   result.contact = solved.contact;
   result.at_zone_edge = solved.trust;
   result.energy = balance_;
+  result.stiffness = stiffness_;
   result.controller_damping = controller_damping_;
   result.adopted_set = has_set_ ? sets_[current_].set.sequence : 0;
   applied_D_ = result.force_D;

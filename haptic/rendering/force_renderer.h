@@ -35,6 +35,7 @@ struct RenderResult {
   bool contact = false;             ///< One of them is a constraint.
   bool at_zone_edge = false;        ///< The trust row is one of them.
   double energy = 0.0;              ///< Passivity observer's balance, J; negative: the renderer made that much.
+  double stiffness = 0.0;           ///< K in force now, N/m.
   double controller_damping = 0.0;  ///< What the passivity controller adds to B, N s/m.
   std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
 };

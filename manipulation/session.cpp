@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <thread>
+
+#include "haptic/client/tcp_link.h"
+#include "haptic/devices/simulated_device.h"
+#include "haptic/server/force_loop.h"
+#include "haptic/server/in_memory_link.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr double kLeastPenetrationPeriod = 0.010;  ///< s between two measurements.
+constexpr double kPatience = 5.0;                  ///< s for a server to answer.
+
+double secondsSince(SteadyClock::time_point begin) {
+  return std::chrono::duration<double>(SteadyClock::now() - begin).count();
+}
+
+Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
+  std::string names;
+  for (const workcell::Entity& entity : options.entities) {
+    if (entity.name == options.entity) return entity.id;
+    names += (names.empty() ? "" : ", ") + entity.name;
+  }
+  return makeError({.file = {},
+                    .place = "--entity",
+                    .found = "there is no entity '" + options.entity + "'",
+                    .expected = names.empty() ? "an entity (the workcell is empty)" : "one of " + names,
+                    .fix = {}});
+}
+
+/// The engine with everything that a session watches about it; both kinds of session drive one.
+class WatchedEngine {
+ public:
+  WatchedEngine(haptic::HapticLink& link, const SessionOptions& options)
+      : options_(options), engine_(link, options.configuration) {}
+
+  /// Sets all choices; errors are told before the session begins.
+  Expected<void> prepare() {
+    const auto entity = findEntity(options_);
+    if (!entity) return makeError(entity.error());
+    entity_ = *entity;
+    engine_.apply(command::SetDocument{options_.entities, options_.pair_sets});
+    engine_.apply(command::ChooseEntity{entity_});
+    engine_.apply(command::SetMovedBy{options_.moved_by});
+    engine_.apply(command::SetAxes{options_.axes});
+    engine_.apply(command::SetScale{options_.scale});
+    if (options_.on_contact) engine_.apply(command::SetOnContact{*options_.on_contact});
+    if (options_.force_class) engine_.apply(command::SetForceClass{*options_.force_class});
+    const auto tried = tryHold();
+    if (!tried) return makeError(tried.error());
+    start_ = *tried;
+    engine_.apply(command::SetForces{options_.forces});
+    return {};
+  }
+
+  void step(double t, std::int64_t now_ns) {
+    const SteadyClock::time_point begin = SteadyClock::now();
+    engine_.step(now_ns);
+    times_.push_back(1e3 * secondsSince(begin));
+    sent_.resize(engine_.sentSet(), t);
+    const double force = engine_.hapticState() ? glm::length(engine_.hapticState()->force_D) : 0.0;
+    contacts_.add(t, engine_, force);
+    for (const Result& result : engine_.takeResults()) {
+      if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(told->sentence);
+    }
+    if (t - measured_ >= kLeastPenetrationPeriod) measurePenetration(t);
+  }
+
+  void showPicture(double t) {
+    engine_.fillSnapshot(snapshot_);
+    ++pictures_;
+    if (t > measured_) measurePenetration(t);
+  }
+
+  void count(const MeteredTick& tick) { forces_.add(tick); }
+  /// When the set of this number was sent, s; negative for one that was not.
+  double sentAt(std::uint64_t sequence) const {
+    return sequence == 0 || sequence > sent_.size() ? -1.0 : sent_[sequence - 1];
+  }
+  const std::optional<haptic::HapticState>& state() const { return engine_.hapticState(); }
+  const haptic::ServerStatistics& serverStatistics() const { return engine_.serverStatistics(); }
+  bool inContact() const { return !engine_.contacts().empty(); }
+  Pose movedFrame() const { return engine_.held() ? engine_.held()->movedFrame() : Pose::identity(); }
+
+  SessionReport finish(double duration) {
+    contacts_.finish(duration);
+    report_.duration_s = duration;
+    report_.steps = times_.size();
+    report_.rate_manipulation_hz = duration > 0.0 ? static_cast<double>(times_.size()) / duration : 0.0;
+    report_.rate_gui_hz = duration > 0.0 ? static_cast<double>(pictures_) / duration : 0.0;
+    std::sort(times_.begin(), times_.end());
+    if (!times_.empty()) {
+      report_.step_median_ms = times_[times_.size() / 2];
+      report_.step_p99_ms = times_[times_.size() * 99 / 100];
+      report_.step_max_ms = times_.back();
+    }
+    report_.force_max_n = forces_.maxForce();
+    report_.force_max_step_n_per_ms = forces_.maxStep();
+    report_.energy_min_j = forces_.leastEnergy();
+    report_.penetration_max_m = penetration_.worst();
+    report_.contacts = contacts_.events();
+    report_.held = engine_.held() != nullptr;
+    report_.final_configuration = engine_.placement(entity_);
+    report_.X_WMFinal = start_->manipulator().movedFrame(report_.final_configuration);
+    for (const std::size_t i : engine_.contacts()) {
+      const std::string& name = engine_.scene()->find(engine_.held()->pairs()[i].other)->name;
+      auto& names = report_.final_contacts;
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return report_;
+  }
+
+  SessionReport& report() { return report_; }
+
+ private:
+  /// Taking it once beforehand tells what could not be done when the button is pressed.
+  Expected<std::shared_ptr<HeldEntity>> tryHold() {
+    const workcell::Entity* entity = engine_.scene()->find(entity_);
+    if (options_.axes.mode == AxesMode::kFrame && engine_.scene()->findFrame(options_.axes.frame).entity == nullptr) {
+      return makeError({.file = {},
+                        .place = "axes",
+                        .found = "there is no frame '" + options_.axes.frame + "'",
+                        .expected = "the name of an entity or of a frame of one",
+                        .fix = {}});
+    }
+    const auto scene = PreparedScene::prepare(options_.entities, options_.pair_sets, {}, engine_.scene());
+    auto taken = HeldEntity::take(scene, entity_, {},
+                                  {options_.moved_by, options_.on_contact.value_or(entity->on_contact),
+                                   options_.force_class.value_or(entity->force_class)},
+                                  options_.configuration);
+    if (!taken) return makeError(taken.error());
+    return std::shared_ptr<HeldEntity>(std::move(*taken));
+  }
+
+  void measurePenetration(double t) {
+    measured_ = t;
+    penetration_.measure(engine_);
+  }
+
+  const SessionOptions& options_;
+  ManipulationEngine engine_;
+  workcell::EntityId entity_ = 0;
+  std::shared_ptr<HeldEntity> start_;
+  SessionReport report_;
+  ForceMeter forces_;
+  ContactLog contacts_;
+  PenetrationMeter penetration_;
+  SceneSnapshot snapshot_;
+  std::vector<double> times_;
+  std::vector<double> sent_;  ///< By the set's number less one, s.
+  std::uint64_t pictures_ = 0;
+  double measured_ = -1.0;
+};
+
+haptic::HandOptions handOf(const config::Configuration& configuration) {
+  haptic::HandOptions options;
+  options.mass = configuration.hand.mass;
+  options.stiffness = configuration.hand.stiffness;
+  options.damping = configuration.hand.damping;
+  return options;
+}
+
+haptic::ForceLoopOptions loopOptions(const haptic::Device& device, const config::Configuration& configuration) {
+  haptic::ForceLoopOptions options = haptic::optionsFor(device, configuration.haptic.rate_hz);
+  if (configuration.haptic.stiffness > 0.0) options.renderer.stiffness = configuration.haptic.stiffness;
+  if (configuration.haptic.damping > 0.0) options.renderer.damping = configuration.haptic.damping;
+  options.safety.ramp_time = configuration.haptic.force_ramp_s;
+  return options;
+}
+
+MeteredTick meteredTick(double t, const haptic::ForceLoop& loop, const dvec3& acting_D, const dvec3& step_D) {
+  const haptic::RenderResult& render = loop.lastRender();
+  MeteredTick tick{t, loop.current().force_D, acting_D, step_D, render.spring_D, 1.0, render.stiffness, render.X_DP};
+  const double wanted = glm::length(render.force_D);
+  if (wanted > 1e-9) tick.share = std::min(1.0, glm::length(tick.force_D) / wanted);
+  return tick;
+}
+
+double percentile(std::vector<double>& values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const auto last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+}  // namespace
+
+Expected<SessionReport> runSession(const SessionOptions& options, const TraceSink& trace) {
+  const SteadyClock::time_point begin = SteadyClock::now();
+  haptic::VirtualClock clock;
+  haptic::SimulatedDevice device(options.device);
+  device.hand().setOptions(handOf(options.configuration));
+  if (const auto opened = device.open(); !opened) return makeError(opened.error());
+  device.place(options.hand.at(0.0).X_DH);
+  haptic::ForceLoop loop(device, clock, loopOptions(device, options.configuration));
+  haptic::InMemoryLink link(loop, clock, haptic::describe(device), {.latency = options.latency_s});
+  WatchedEngine engine(link, options);
+  if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
+
+  const double period = loop.period();
+  const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
+  const double picture_period = 1.0 / std::clamp(options.rate_gui_hz, 1.0, 1000.0);
+  const auto ticks = static_cast<std::uint64_t>(std::ceil(options.hand.duration() / period - 1e-9));
+  std::uint64_t steps = 0, pictures = 0, adopted = 0;
+  std::vector<double> latencies;
+  dvec3 p_last = device.truePose().p;
+  for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
+    const double t = static_cast<double>(tick) * period;
+    const haptic::HandSample sample = options.hand.at(t);
+    device.hand().hold(sample.X_DH, sample.buttons);
+    link.step();
+    const haptic::HapticState& state = loop.current();
+    engine.count(meteredTick(t, loop, device.motorForce(), device.truePose().p - p_last));
+    p_last = device.truePose().p;
+    if (state.adopted_set != adopted) {
+      adopted = state.adopted_set;
+      if (const double sent = engine.sentAt(adopted); sent >= 0.0) latencies.push_back(1e3 * (t - sent));
+    }
+    if (t + 1e-9 >= static_cast<double>(steps) * step_period) {
+      engine.step(t, clock.now());
+      ++steps;
+    }
+    if (t + 1e-9 >= static_cast<double>(pictures) * picture_period) {
+      engine.showPicture(t);
+      ++pictures;
+    }
+    if (trace) {
+      trace({t, state.X_DS, state.X_DP, state.force_D, state.buttons, engine.inContact(), engine.movedFrame()});
+    }
+  }
+  SessionReport report = engine.finish(static_cast<double>(ticks) * period);
+  report.ticks = ticks + 1;
+  report.rate_haptic_hz = 1.0 / period;
+  report.latency_p50_ms = percentile(latencies, 0.5);
+  report.latency_p99_ms = percentile(latencies, 0.99);
+  report.machine_time_s = secondsSince(begin);
+  return report;
+}
+
+namespace {
+
+/// Waits until the server has answered and its device can be held.
+Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std::string& address) {
+  const SteadyClock::time_point begin = SteadyClock::now();
+  while (link.linkState() != haptic::LinkState::kConnected || !link.device()) {
+    const bool refused = link.linkState() == haptic::LinkState::kRefused;
+    if (refused || secondsSince(begin) > kPatience) {
+      return makeError({.file = address,
+                        .place = {},
+                        .found = link.problem().empty() ? "no answer" : link.problem(),
+                        .expected = "a haptic server",
+                        .fix = "Start hapticell-haptic-server."});
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const haptic::DeviceDescription device = *link.device();
+  if (device.simulated) return device;
+  return makeError({.file = address,
+                    .place = {},
+                    .found = "the device '" + device.name + "' is held by a real hand",
+                    .expected = "a simulated device",
+                    .fix = {}});
+}
+
+/// What a client sees of the force loop: states, as often as they come. Force and motion are those of the wire.
+MeteredTick meteredState(double t, const haptic::HapticState& state, const haptic::HapticState& last,
+                         double stiffness) {
+  return {t, state.force_D, last.force_D, state.X_DS.p - last.X_DS.p, state.force_D, 1.0, stiffness, state.X_DP};
+}
+
+}  // namespace
+
+Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
+                                           const TraceSink& trace) {
+  haptic::TcpLinkOptions link_options;
+  link_options.host = host;
+  link_options.port = static_cast<std::uint16_t>(port);
+  link_options.program = "hapticell-cli session";
+  haptic::TcpLink link(link_options);
+  const auto device = awaitServer(link, host + ":" + std::to_string(port));
+  if (!device) return makeError(device.error());
+  WatchedEngine engine(link, options);
+  if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
+
+  const double stiffness = device->stiffness > 0.0 ? device->stiffness : 1000.0;
+  const double step_period = 1.0 / std::clamp(options.configuration.manipulation.rate_hz, 10.0, 1000.0);
+  const double picture_period = 1.0 / std::clamp(options.rate_gui_hz, 1.0, 1000.0);
+  const SteadyClock::time_point begin = SteadyClock::now();
+  std::optional<haptic::HapticState> first, last;
+  double next_picture = 0.0;
+  for (double t = 0.0; t < options.hand.duration(); t = secondsSince(begin)) {
+    const haptic::HandSample sample = options.hand.at(t);
+    link.sendHandTarget({true, sample.X_DH, sample.buttons});
+    const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(SteadyClock::now().time_since_epoch());
+    engine.step(t, now.count());
+    if (const auto& state = engine.state(); state && (!last || state->tick != last->tick)) {
+      if (!first) first = state;
+      if (last)
+        engine.count(meteredState(1e-9 * static_cast<double>(state->server_stamp_ns), *state, *last, stiffness));
+      last = state;
+      if (trace) {
+        trace({t, state->X_DS, state->X_DP, state->force_D, state->buttons, engine.inContact(), engine.movedFrame()});
+      }
+    }
+    if (t >= next_picture) {
+      engine.showPicture(t);
+      next_picture = t + picture_period;
+    }
+    std::this_thread::sleep_until(
+        begin + std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(t + step_period)));
+  }
+  SessionReport report = engine.finish(options.hand.duration());
+  const haptic::ServerStatistics& server = engine.serverStatistics();
+  report.ticks = first && last ? last->tick - first->tick + 1 : 0;
+  report.ticks_missed = server.missed_ticks;
+  report.rate_haptic_hz = server.rate_hz;
+  report.latency_p50_ms = server.set_age_p50_ms;
+  report.latency_p99_ms = server.set_age_p99_ms;
+  report.machine_time_s = secondsSince(begin);
+  link.sendHandTarget({false, {}, 0});
+  return report;
+}
+
+}  // namespace hapticell::manipulation

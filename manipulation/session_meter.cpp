@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/session_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/proximity_query.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr double kWindow = 1.0;          ///< s
+constexpr double kInterruption = 0.050;  ///< s
+constexpr double kDeepest = 1.0;         ///< m: what is not free by then counts as this deep.
+
+struct Body {
+  std::shared_ptr<const collision::MeshCollider> collider;
+  Pose X_W;
+};
+
+/// Shortest translation along `direction` (doubled, then halved) that takes `moved` out of `other`.
+double depthAlong(const Body& moved, const Body& other, const dvec3& direction) {
+  const auto collides = [&](double shift) {
+    const Pose X_W{moved.X_W.p + shift * direction, moved.X_W.q};
+    return collision::distance(moved.collider, X_W, other.collider, other.X_W).colliding;
+  };
+  double free = 1e-7;
+  while (free < kDeepest && collides(free)) free *= 2.0;
+  if (free >= kDeepest) return kDeepest;
+  double stuck = 0.5 * free;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (free + stuck);
+    (collides(middle) ? stuck : free) = middle;
+  }
+  return free;
+}
+
+double depthOf(const Body& moved, const Body& other) {
+  const collision::DistanceResult found =
+      collision::distance(moved.collider, moved.X_W, other.collider, other.X_W, 1e-3);
+  if (!found.colliding) return 0.0;
+  double least = depthAlong(moved, other, found.nhat_BA_W);
+  for (int axis = 0; axis < 3; ++axis) {
+    dvec3 direction(0.0);
+    direction[axis] = 1.0;
+    least = std::min({least, depthAlong(moved, other, direction), depthAlong(moved, other, -direction)});
+  }
+  return least;
+}
+
+}  // namespace
+
+void ForceMeter::add(const MeteredTick& tick) {
+  max_force_ = std::max(max_force_, glm::length(tick.force_D));
+  if (started_) {
+    const double ms = std::max(1e-6, 1e3 * (tick.t - last_.t));
+    max_step_ = std::max(max_step_, glm::length(tick.force_D - last_.force_D) / std::max(1.0, ms));
+    const dvec3 proxy_step = tick.X_DP.p - last_.X_DP.p;
+    const double turn =
+        haptic::kRotationLever * glm::length(rotationVector(tick.X_DP.q * glm::conjugate(last_.X_DP.q)));
+    const double wrist =
+        tick.share * std::clamp(glm::dot(tick.spring_D, proxy_step), 0.0, glm::length(tick.spring_D) * turn);
+    work_ += wrist - glm::dot(tick.acting_D, tick.step_D);
+  }
+  started_ = true;
+  last_ = tick;
+  const double balance = work_ - tick.share * glm::dot(tick.spring_D, tick.spring_D) / (2.0 * tick.stiffness);
+  while (!highest_.empty() && highest_.front().first < tick.t - kWindow) highest_.pop_front();
+  while (!highest_.empty() && highest_.back().second <= balance) highest_.pop_back();
+  highest_.emplace_back(tick.t, balance);
+  least_ = std::min(least_, balance - highest_.front().second);
+}
+
+void ContactLog::add(double t, const ManipulationEngine& engine, double force) {
+  if (const HeldEntity* held = engine.held()) {
+    for (const std::size_t i : engine.contacts()) {
+      const HeldPair& pair = held->pairs()[i];
+      const auto key = std::pair(held->id(), pair.other);
+      if (open_.count(key) == 0) {
+        open_[key] = events_.size();
+        events_.push_back({held->id(), pair.other, pair.moved_part, pair.other_part, t, t, 0.0, true});
+      }
+      const std::size_t event = open_[key];
+      last_seen_[event] = t;
+      events_[event].time_out = t;
+      events_[event].max_force = std::max(events_[event].max_force, force);
+    }
+  }
+  for (auto it = open_.begin(); it != open_.end();) {
+    const bool over = t - last_seen_[it->second] > kInterruption;
+    if (over) events_[it->second].open = false;
+    it = over ? open_.erase(it) : std::next(it);
+  }
+}
+
+void ContactLog::finish(double t) {
+  for (const auto& [key, event] : open_) events_[event].time_out = t;
+}
+
+double PenetrationMeter::measure(const ManipulationEngine& engine) {
+  const HeldEntity* held = engine.held();
+  const PreparedScene* scene = engine.scene();
+  if (held == nullptr || scene == nullptr) return 0.0;
+  const auto bodyOf = [&](workcell::EntityId id, const std::string& part_name) {
+    const EntityConfiguration at = engine.placement(id);
+    for (const ScenePart& part : scene->parts()) {
+      if (part.entity != id || part.name != part_name) continue;
+      return Body{part.mesh.collider, PreparedScene::partPose(*scene->find(id), at.X_WE, at.joints, part.link)};
+    }
+    return Body{};
+  };
+  double deepest = 0.0;
+  for (const HeldPair& pair : held->pairs()) {
+    if (pair.on_contact == workcell::OnContact::kPass) continue;
+    const Body moved = bodyOf(held->id(), pair.moved_part), other = bodyOf(pair.other, pair.other_part);
+    if (moved.collider && other.collider) deepest = std::max(deepest, depthOf(moved, other));
+  }
+  worst_ = std::max(worst_, deepest);
+  return deepest;
+}
+
+}  // namespace hapticell::manipulation

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "manipulation/manipulation_step.h"
+
+namespace hapticell::manipulation {
+
+/// What one tick of the force loop tells the meter. Device frame, SI.
+struct MeteredTick {
+  double t = 0.0;
+  dvec3 force_D{0.0};       ///< Commanded.
+  dvec3 acting_D{0.0};      ///< What acted on the stylus while it moved by `step_D`.
+  dvec3 step_D{0.0};        ///< The stylus's motion since the last tick.
+  dvec3 spring_D{0.0};      ///< The coupling's spring; its energy is stored, not lost.
+  double share = 1.0;       ///< Of the wanted force that was let through (ramp, limits).
+  double stiffness = 1000;  ///< N/m.
+  Pose X_DP;
+};
+
+/// Force, slew and energy over a session.
+///
+/// Energy (docs/feel.md): balance = work of the hand into the force - |F|^2 / 2K; the least change of it over any
+/// second is what the rendering made (negative) or took. Turning the wrist loads the spring without work that the hand
+/// feels; that part is left out, at most what the lever moves.
+class ForceMeter {
+ public:
+  void add(const MeteredTick& tick);
+  double maxForce() const { return max_force_; }
+  double maxStep() const { return max_step_; }   ///< N per ms.
+  double leastEnergy() const { return least_; }  ///< J, 0 or negative.
+
+ private:
+  bool started_ = false;
+  MeteredTick last_;
+  double last_t_ = 0.0;
+  double max_force_ = 0.0, max_step_ = 0.0, least_ = 0.0, work_ = 0.0;
+  std::deque<std::pair<double, double>> highest_;  ///< Falling balances of the last second: the window's maximum first.
+};
+
+/// One contact of two entities.
+struct ContactEvent {
+  workcell::EntityId entity = 0;
+  workcell::EntityId other = 0;
+  std::string moved_part, other_part;
+  double time_in = 0.0, time_out = 0.0;
+  double max_force = 0.0;
+  bool open = true;
+};
+
+/// Which entities touched, when and how hard. Interruptions under 50 ms do not end a contact.
+class ContactLog {
+ public:
+  void add(double t, const ManipulationEngine& engine, double force);
+  void finish(double t);
+  const std::vector<ContactEvent>& events() const { return events_; }
+
+ private:
+  std::vector<ContactEvent> events_;
+  std::map<std::pair<workcell::EntityId, workcell::EntityId>, std::size_t> open_;
+  std::map<std::size_t, double> last_seen_;
+};
+
+/// Measures how deep the shown entity is in anything, by exact distance queries of its own that share nothing with the
+/// engine but the meshes.
+class PenetrationMeter {
+ public:
+  /// Depth of the held entity now, m: 0 when it is free; else an upper bound (the shortest translation found that frees
+  /// it). Pairs that pass through each other are left out.
+  double measure(const ManipulationEngine& engine);
+  double worst() const { return worst_; }
+
+ private:
+  double worst_ = 0.0;
+};
+
+}  // namespace hapticell::manipulation
