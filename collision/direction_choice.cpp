@@ -65,16 +65,53 @@ std::vector<dvec3> samplesFor(const std::vector<PieceGroup>& groups, double reac
   return samples;
 }
 
-bool isFree(const std::vector<PieceGroup>& groups, const dvec3& d, std::size_t& last_blocker) {
-  if (separationAt(groups[last_blocker], d) < -kTouch) return false;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (separationAt(groups[i], d) < -kTouch) {
-      last_blocker = i;
+/// The planes of a group side by side, largest gap first, so that a place is judged by few of them.
+class GroupPlanes {
+ public:
+  explicit GroupPlanes(const PieceGroup& group) {
+    for (const SeparatingDirection& direction : group.directions) planes_.emplace_back(direction.nhat_W, direction.gap);
+    std::sort(planes_.begin(), planes_.end(), [](const glm::dvec4& a, const glm::dvec4& b) { return a.w > b.w; });
+  }
+
+  bool isFree(const dvec3& d, double length) {
+    if (value(planes_[last_], d) >= -kTouch) return true;
+    for (std::size_t i = 0; i < planes_.size() && planes_[i].w + length >= -kTouch; ++i) {
+      if (value(planes_[i], d) < -kTouch) continue;
+      last_ = i;
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  static double value(const glm::dvec4& plane, const dvec3& d) { return plane.w + glm::dot(dvec3(plane), d); }
+
+  std::vector<glm::dvec4> planes_;
+  std::size_t last_ = 0;
+};
+
+/// Tells free places from blocked ones; asks the group that blocked last first.
+class FreeSpace {
+ public:
+  explicit FreeSpace(const std::vector<PieceGroup>& groups) {
+    for (const PieceGroup& group : groups) groups_.emplace_back(group);
+  }
+
+  bool isFree(const dvec3& d) {
+    const double length = glm::length(d);
+    if (!groups_[last_].isFree(d, length)) return false;
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      if (groups_[i].isFree(d, length)) continue;
+      last_ = i;
       return false;
     }
+    return true;
   }
-  return true;
-}
+
+ private:
+  std::vector<GroupPlanes> groups_;
+  std::size_t last_ = 0;
+};
 
 std::uint32_t bestAt(const PieceGroup& group, const dvec3& d, double tolerance) {
   std::uint32_t best = 0;
@@ -111,9 +148,9 @@ double separationAt(const PieceGroup& group, const dvec3& d_W) {
 void chooseDirections(std::vector<PieceGroup>& groups, const DirectionLimits& limits) {
   if (groups.empty()) return;
   for (PieceGroup& group : groups) group.chosen = {bestAt(group, dvec3(0.0), 1e-6)};
-  std::size_t last_blocker = 0;
+  FreeSpace space(groups);
   for (const dvec3& d : samplesFor(groups, limits.reach)) {
-    if (!isFree(groups, d, last_blocker)) continue;
+    if (!space.isFree(d)) continue;
     const double tolerance = 1e-6 + 0.005 * glm::length(d);
     for (PieceGroup& group : groups) {
       if (!isCovered(group, d, tolerance)) group.chosen.push_back(bestAt(group, d, kTouch));

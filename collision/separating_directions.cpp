@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -13,7 +12,6 @@ namespace {
 
 constexpr std::uint32_t kObstacleFeature = 0x80000000u;
 constexpr std::uint32_t kEdgeFeature = 0x40000000u;
-constexpr std::uint32_t kVertexMask = 0x0FFFFFFFu;
 constexpr double kEqualHeight = 1e-9;  // metres
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -75,6 +73,48 @@ std::pair<double, double> clipped(const geometry::Bounds& box, const dvec3& p, c
   return {enter, leave};
 }
 
+/// Collects the support points of one side's corners that turning could bring up.
+class SupportCollector {
+ public:
+  SupportCollector(const PlacedPiece& piece, const SeparatingDirection& direction, double max_rotation)
+      : piece_(piece), direction_(direction), max_rotation_(max_rotation) {}
+
+  /// Points of the moving piece over the obstacle's plane, or of the obstacle under the moving piece's plane.
+  void collect(const geometry::Bounds& near, bool of_moving, std::vector<SupportPoint>& supports) {
+    of_moving_ = of_moving;
+    for (std::uint32_t i = 0; i < piece_.vertices_W.size(); ++i) {
+      if (contains(near, piece_.vertices_W[i])) consider(piece_.vertices_W[i], i, supports);
+    }
+    // Where an edge leaves the neighbourhood its end stands for the corner that is too far away to be met.
+    for (std::uint32_t i = 0; i < piece_.piece->hull.edges.size(); ++i) {
+      const auto& v = piece_.piece->hull.edges[i].vertices;
+      const dvec3& p = piece_.vertices_W[v[0]];
+      const dvec3& q = piece_.vertices_W[v[1]];
+      const auto [enter, leave] = clipped(near, p, q);
+      if (enter >= leave) continue;
+      if (enter > 0.0) consider(p + enter * (q - p), kEdgeFeature + 2 * i, supports);
+      if (leave < 1.0) consider(p + leave * (q - p), kEdgeFeature + 2 * i + 1, supports);
+    }
+  }
+
+ private:
+  void consider(const dvec3& p, std::uint32_t feature, std::vector<SupportPoint>& supports) const {
+    const SupportPoint& first = direction_.support;
+    const dvec3& n = direction_.nhat_W;
+    const dvec3& on_plane = first.normal_moves == of_moving_ ? first.p_W : first.q_W;
+    const double gap = of_moving_ ? glm::dot(n, p - on_plane) : glm::dot(n, on_plane - p);
+    if (gap - first.gap > max_rotation_ * glm::length(p - first.p_W) + kEqualHeight) return;
+    const std::uint32_t own = of_moving_ ? feature : kObstacleFeature + feature;
+    if (own == first.feature) return;
+    supports.push_back({p, of_moving_ ? p - gap * n : p + gap * n, gap, !of_moving_, own});
+  }
+
+  const PlacedPiece& piece_;
+  const SeparatingDirection& direction_;
+  double max_rotation_;
+  bool of_moving_ = true;
+};
+
 class DirectionFinder {
  public:
   DirectionFinder(const PlacedPiece& moving, const PlacedPiece& obstacle, const DirectionLimits& limits)
@@ -102,20 +142,17 @@ class DirectionFinder {
       addMovingFace(a_.beyond_W[i], highest(a_.vertices_W, a_.beyond_W[i]), DirectionRank::kBeyond, 0x10000000u + i);
     }
     addEdgePairs();
+    joinEqual();
     return std::move(found_);
   }
 
  private:
   void addObstacleFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature);
   void addMovingFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature);
-  /// Corners, and ends of edges at the rim of `near`, that turning could bring up before the first support.
-  void addFurtherSupports(const PlacedPiece& piece, const geometry::Bounds& near,
-                          const std::function<SupportPoint(const dvec3&, std::uint32_t)>& point,
-                          std::vector<SupportPoint>& supports) const;
   void addEdgePairs();
   void addEdgePair(const HullEdge& edge_a, const HullEdge& edge_b, std::uint32_t index_a, std::uint32_t index_b);
-  /// Adds it, or joins it with an equal one found before.
-  void add(SeparatingDirection direction);
+  /// Sorts by gap and makes one of directions that are equal.
+  void joinEqual();
 
   const PlacedPiece& a_;
   const PlacedPiece& b_;
@@ -124,69 +161,44 @@ class DirectionFinder {
   std::vector<SeparatingDirection> found_;
 };
 
-void DirectionFinder::add(SeparatingDirection direction) {
-  for (SeparatingDirection& known : found_) {
-    if (std::abs(known.gap - direction.gap) > 1e-9 || glm::dot(known.nhat_W, direction.nhat_W) < 1.0 - 1e-12) continue;
-    known.rank = std::min(known.rank, direction.rank);
-    known.supports.insert(known.supports.end(), direction.supports.begin(), direction.supports.end());
-    return;
-  }
-  found_.push_back(std::move(direction));
-}
-
-void DirectionFinder::addFurtherSupports(const PlacedPiece& piece, const geometry::Bounds& near,
-                                         const std::function<SupportPoint(const dvec3&, std::uint32_t)>& point,
-                                         std::vector<SupportPoint>& supports) const {
-  const SupportPoint first = supports.front();
-  const auto consider = [&](const dvec3& p, std::uint32_t feature) {
-    const SupportPoint other = point(p, feature);
-    if (other.feature == first.feature) return;
-    if (other.gap - first.gap <=
-        limits_.max_rotation * glm::length(p - piece.vertices_W[first.feature & kVertexMask]) + 1e-9) {
-      supports.push_back(other);
+void DirectionFinder::joinEqual() {
+  std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.gap > b.gap; });
+  std::vector<SeparatingDirection> kept;
+  for (SeparatingDirection& direction : found_) {
+    bool known = false;
+    for (std::size_t i = kept.size(); i-- > 0 && kept[i].gap - direction.gap <= kEqualHeight;) {
+      if (glm::dot(kept[i].nhat_W, direction.nhat_W) < 1.0 - 1e-12) continue;
+      if (direction.rank < kept[i].rank) std::swap(kept[i], direction);
+      kept[i].on_obstacle_face = kept[i].on_obstacle_face || direction.on_obstacle_face;
+      kept[i].on_moving_face = kept[i].on_moving_face || direction.on_moving_face;
+      known = true;
+      break;
     }
-  };
-  for (std::uint32_t i = 0; i < piece.vertices_W.size(); ++i) {
-    if (contains(near, piece.vertices_W[i])) consider(piece.vertices_W[i], i);
+    if (!known) kept.push_back(std::move(direction));
   }
-  // Where an edge leaves the neighbourhood its end stands for the corner that is too far away to be met.
-  for (std::uint32_t i = 0; i < piece.piece->hull.edges.size(); ++i) {
-    const auto& v = piece.piece->hull.edges[i].vertices;
-    const dvec3& p = piece.vertices_W[v[0]];
-    const dvec3& q = piece.vertices_W[v[1]];
-    const auto [enter, leave] = clipped(near, p, q);
-    if (enter >= leave) continue;
-    if (enter > 0.0) consider(p + enter * (q - p), kEdgeFeature + 2 * i);
-    if (leave < 1.0) consider(p + leave * (q - p), kEdgeFeature + 2 * i + 1);
-  }
-  thinOut(supports, limits_.max_supports);
+  found_ = std::move(kept);
 }
 
 void DirectionFinder::addObstacleFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature) {
   const Extreme support = lowest(a_.vertices_W, nhat, near_b_);
-  SeparatingDirection direction{nhat, support.value - offset, rank, support.vertex, feature, 0.0, {}};
-  if (direction.gap < -limits_.reach) return;
-  const auto point = [&](const dvec3& p, std::uint32_t of) {
-    const double gap = glm::dot(nhat, p) - offset;
-    return SupportPoint{p, p - gap * nhat, gap, false, of};
-  };
-  direction.supports.push_back(point(a_.vertices_W[support.vertex], support.vertex));
-  addFurtherSupports(a_, near_b_, point, direction.supports);
-  add(std::move(direction));
+  const double gap = support.value - offset;
+  if (gap < -limits_.reach) return;
+  SeparatingDirection direction{nhat, gap, rank, support.vertex, feature};
+  direction.on_obstacle_face = true;
+  const dvec3& p = a_.vertices_W[support.vertex];
+  direction.support = {p, p - gap * nhat, gap, false, support.vertex};
+  found_.push_back(std::move(direction));
 }
 
 void DirectionFinder::addMovingFace(const dvec3& outward, double offset, DirectionRank rank, std::uint32_t feature) {
   const Extreme support = lowest(b_.vertices_W, outward, near_a_);
-  const dvec3 nhat = -outward;
-  SeparatingDirection direction{nhat, support.value - offset, rank, feature, support.vertex, 0.0, {}};
-  if (direction.gap < -limits_.reach) return;
-  const auto point = [&](const dvec3& p, std::uint32_t of) {
-    const double gap = glm::dot(outward, p) - offset;
-    return SupportPoint{p, p + gap * nhat, gap, true, kObstacleFeature + of};
-  };
-  direction.supports.push_back(point(b_.vertices_W[support.vertex], support.vertex));
-  addFurtherSupports(b_, near_a_, point, direction.supports);
-  add(std::move(direction));
+  const double gap = support.value - offset;
+  if (gap < -limits_.reach) return;
+  SeparatingDirection direction{-outward, gap, rank, feature, support.vertex};
+  direction.on_moving_face = true;
+  const dvec3& p = b_.vertices_W[support.vertex];
+  direction.support = {p, p - gap * outward, gap, true, kObstacleFeature + support.vertex};
+  found_.push_back(std::move(direction));
 }
 
 void DirectionFinder::addEdgePairs() {
@@ -233,16 +245,24 @@ void DirectionFinder::addEdgePair(const HullEdge& edge_a, const HullEdge& edge_b
     return piece.piece->real_plane[edge.planes[0]] != 0 && piece.piece->real_plane[edge.planes[1]] != 0;
   };
   const DirectionRank rank = real(a_, edge_a) && real(b_, edge_b) ? DirectionRank::kFace : DirectionRank::kVirtual;
-  add({nhat,
-       gap,
-       rank,
-       kEdgeFeature + index_a,
-       kEdgeFeature + index_b,
-       0.0,
-       {SupportPoint{p, p - gap * nhat, gap, false, kEdgeFeature + index_a}}});
+  SeparatingDirection direction{nhat, gap, rank, kEdgeFeature + index_a, kEdgeFeature + index_b};
+  direction.support = {p, p - gap * nhat, gap, false, kEdgeFeature + index_a};
+  found_.push_back(std::move(direction));
 }
 
 }  // namespace
+
+void completeSupports(SeparatingDirection& direction, const PlacedPiece& moving, const PlacedPiece& obstacle,
+                      const DirectionLimits& limits) {
+  direction.supports = {direction.support};
+  if (direction.on_obstacle_face) {
+    SupportCollector(moving, direction, limits.max_rotation).collect(grown(obstacle.bounds_W, limits.reach), true, direction.supports);
+  }
+  if (direction.on_moving_face) {
+    SupportCollector(obstacle, direction, limits.max_rotation).collect(grown(moving.bounds_W, limits.reach), false, direction.supports);
+  }
+  thinOut(direction.supports, limits.max_supports);
+}
 
 void thinOut(std::vector<SupportPoint>& supports, std::size_t count) {
   if (supports.size() <= count) return;

@@ -45,7 +45,10 @@ struct SeparatingDirection {
   std::uint32_t feature_A = 0;  ///< For ids: plane, edge or vertex number.
   std::uint32_t feature_B = 0;
   double tightened = 0.0;  ///< To be taken off the gaps: the direction stands for others that were left out, metres.
-  std::vector<SupportPoint> supports;  ///< The first holds the gap; others could come to hold it by turning.
+  bool on_obstacle_face = false;  ///< A corner of A on a face of B; both may hold where faces are parallel.
+  bool on_moving_face = false;    ///< A corner of B on a face of A; neither: two edges.
+  SupportPoint support{};         ///< Holds the gap.
+  std::vector<SupportPoint> supports{};  ///< Filled by completeSupports: `support` and those that turning could bring up.
 };
 
 struct DirectionLimits {
@@ -57,9 +60,13 @@ struct DirectionLimits {
 /// The faces of the Minkowski difference of two convex pieces which a motion within the limits can meet (Gauss-map
 /// test for edge pairs: Gregorius, "The separating axis test between convex polyhedra", GDC 2013), plus the planes
 /// beyond the pieces' convex borders. For a translation d the pieces are apart exactly where some direction has
-/// gap + nhat . d > 0; every direction found is sound whether or not all are found.
+/// gap + nhat . d > 0; every direction found is sound whether or not all are found. Largest gap first.
 std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,
                                                       const DirectionLimits& limits);
+
+/// Finds the further corners (and ends of edges at the rim of the neighbourhood) of a direction's faces.
+void completeSupports(SeparatingDirection& direction, const PlacedPiece& moving, const PlacedPiece& obstacle,
+                      const DirectionLimits& limits);
 
 /// Keeps the first support and, of the others, those farthest apart.
 void thinOut(std::vector<SupportPoint>& supports, std::size_t count);

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kShrink = 0.65;
 constexpr std::size_t kMostPairs = 600;
+constexpr std::size_t kFewDirections = 2000;  // with more the zone is not tried as a whole at first but grown
+constexpr std::size_t kMostDirections = 20000;
 
 /// How closely a zone is described; coarser ones are tried before it shrinks.
 struct Effort {
@@ -41,6 +43,14 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
   hash ^= value + 0x9e3779b97f4a7c15ull + (hash << 6) + (hash >> 2);
   hash *= 0xff51afd7ed558ccdull;
   return hash ^ (hash >> 33);
+}
+
+/// Forgets the directions that were not chosen.
+void keepChosen(PieceGroup& group) {
+  std::vector<SeparatingDirection> kept;
+  for (const auto i : group.chosen) kept.push_back(std::move(group.directions[i]));
+  group.directions = std::move(kept);
+  for (std::uint32_t i = 0; i < group.chosen.size(); ++i) group.chosen[i] = i;
 }
 
 /// Pieces of one part placed in the world, each when first asked for.
@@ -104,6 +114,7 @@ class ZoneQuery {
   ZoneOptions options_;
   std::vector<PlacedPart> moving_;
   std::vector<PlacedPart> environment_;
+  std::size_t most_directions_ = kFewDirections;
 };
 
 DirectionLimits ZoneQuery::limits(std::size_t moving_part, double radius) const {
@@ -130,6 +141,9 @@ bool ZoneQuery::collectPair(std::size_t moving_part, std::size_t environment_par
                             std::vector<PieceGroup>& groups) {
   PlacedPart& a = moving_[moving_part];
   PlacedPart& b = environment_[environment_part];
+  DirectionLimits endless = limits;  // for pieces that overlap deeper than the zone
+  endless.reach = 1e9;
+  std::size_t directions = 0;
   const auto pieces_a = a.near(grown(b.bounds(), limits.reach));
   const auto pieces_b = b.near(grown(a.bounds(), limits.reach));
   for (const auto i : pieces_a) {
@@ -139,13 +153,11 @@ bool ZoneQuery::collectPair(std::size_t moving_part, std::size_t environment_par
       if (groups.size() >= kMostPairs) return false;
       PieceGroup group{static_cast<std::uint32_t>(environment_part), i, j, {}, {}};
       group.directions = separatingDirections(a.piece(i), b.piece(j), limits);
-      if (group.directions.empty()) {
-        DirectionLimits endless = limits;
-        endless.reach = 1e9;
-        group.directions = separatingDirections(a.piece(i), b.piece(j), endless);
-        if (group.directions.empty()) continue;
-      }
-      if (separationAt(group, dvec3(0.0)) < limits.reach) groups.push_back(std::move(group));
+      if (group.directions.empty()) group.directions = separatingDirections(a.piece(i), b.piece(j), endless);
+      if (group.directions.empty() || group.directions.front().gap > limits.reach) continue;
+      directions += group.directions.size();
+      if (directions > most_directions_) return false;
+      groups.push_back(std::move(group));
     }
   }
   return true;
@@ -216,7 +228,17 @@ std::optional<ZoneContacts> ZoneQuery::attempt(double radius, std::span<const Ef
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     if (!collect(m, limits(m, radius), groups[m])) return std::nullopt;
   }
-  for (std::size_t m = 0; m < moving_.size(); ++m) chooseDirections(groups[m], limits(m, radius));
+  for (std::size_t m = 0; m < moving_.size(); ++m) {
+    const DirectionLimits part_limits = limits(m, radius);
+    chooseDirections(groups[m], part_limits);
+    for (PieceGroup& group : groups[m]) {
+      for (const auto i : group.chosen) {
+        completeSupports(group.directions[i], moving_[m].piece(group.moving_piece),
+                         environment_[group.environment_part].piece(group.environment_piece), part_limits);
+      }
+      keepChosen(group);
+    }
+  }
   for (const Effort& effort : efforts) {
     if (auto result = written(groups, radius, effort)) return result;
   }
@@ -230,13 +252,9 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     std::vector<PieceGroup> groups;
     collect(m, limits(m, radius), groups);
-    for (PieceGroup& group : groups) {
-      group.chosen = {0};
-      for (std::uint32_t i = 1; i < group.directions.size(); ++i) {
-        if (group.directions[i].gap > group.directions[group.chosen[0]].gap) group.chosen[0] = i;
-      }
-      const SeparatingDirection& best = group.directions[group.chosen[0]];
-      result.contacts.push_back(entry(m, group, best, best.supports.front()));
+    for (const PieceGroup& group : groups) {
+      const SeparatingDirection& best = group.directions.front();
+      result.contacts.push_back(entry(m, group, best, best.support));
     }
   }
   std::stable_sort(result.contacts.begin(), result.contacts.end(),
@@ -247,13 +265,23 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
 }
 
 ZoneContacts ZoneQuery::run() {
-  const double least = std::max(options_.min_radius, kLeastShare * options_.radius);
-  for (double radius = options_.radius; radius >= least; radius *= kShrink) {
-    if (auto result = attempt(radius, kEfforts)) return std::move(*result);
-  }
-  for (double radius = kCrowdedShare * options_.radius; radius >= options_.min_radius; radius *= kShrink) {
-    if (auto result = attempt(radius, {&kCrowded, 1})) return std::move(*result);
-  }
+  std::vector<double> radii{options_.radius};
+  while (radii.back() * kShrink >= options_.min_radius) radii.push_back(radii.back() * kShrink);
+  if (auto result = attempt(radii.front(), kEfforts)) return std::move(*result);
+  most_directions_ = kMostDirections;
+  // Small zones are quick to try, so the largest that fits is sought from below.
+  const auto grow = [&](std::span<const Effort> efforts, double least, double most) {
+    std::optional<ZoneContacts> best;
+    for (auto radius = radii.rbegin(); radius != radii.rend() && *radius <= most; ++radius) {
+      if (*radius < least) continue;
+      auto larger = attempt(*radius, efforts);
+      if (!larger) break;
+      best = std::move(larger);
+    }
+    return best;
+  };
+  if (auto result = grow(kEfforts, kLeastShare * options_.radius, radii.front() * kShrink)) return std::move(*result);
+  if (auto result = grow({&kCrowded, 1}, 0.0, kCrowdedShare * options_.radius)) return std::move(*result);
   return nearestOnly(options_.min_radius);
 }
 

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "zone_scenes.h"
+#include "tests/collision/zone_scenes.h"
 
 namespace hapticell::test {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "zone_scenes.h"
+#include "tests/collision/zone_scenes.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <random>
 
 #include "geometry/shapes.h"
@@ -142,9 +143,9 @@ ZoneReport ZoneBench::compare(int count, double rotation) {
   double extent = 0.0;
   for (const dvec3& p : scene_.moving.vertices) extent = std::max(extent, glm::length(p));
   for (const Pose& X_WM : scene_.places) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const auto set = query(X_WM);
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     char place[80];
     std::snprintf(place, sizeof place, " %zu/%u/%.1f/%.1f", set.contacts.size(), set.groups, 1e3 * set.radius,
                   times.back());
