@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/fcl_peer.h"
+
+#include <fcl/fcl.h>
+
+#include <chrono>
+
+namespace hapticell::bench {
+
+namespace {
+
+using Model = fcl::BVHModel<fcl::OBBRSSd>;
+
+void fill(Model& model, const geometry::TriangleMesh& mesh) {
+  std::vector<fcl::Vector3d> vertices;
+  std::vector<fcl::Triangle> triangles;
+  for (const dvec3& v : mesh.vertices) vertices.emplace_back(v.x, v.y, v.z);
+  for (const geometry::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  model.beginModel();
+  model.addSubModel(vertices, triangles);
+  model.endModel();
+}
+
+fcl::Transform3d transformOf(const Pose& X) {
+  fcl::Transform3d transform = fcl::Transform3d::Identity();
+  transform.linear() = fcl::Quaterniond(X.q.w, X.q.x, X.q.y, X.q.z).toRotationMatrix();
+  transform.translation() = fcl::Vector3d(X.p.x, X.p.y, X.p.z);
+  return transform;
+}
+
+}  // namespace
+
+struct FclPeer::Models {
+  Model moved, standing;
+  double build_ms = 0.0;
+};
+
+FclPeer::FclPeer(const geometry::TriangleMesh& moved, const geometry::TriangleMesh& standing)
+    : models_(std::make_unique<Models>()) {
+  const auto begin = std::chrono::steady_clock::now();
+  fill(models_->moved, moved);
+  fill(models_->standing, standing);
+  models_->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+FclPeer::~FclPeer() = default;
+
+double FclPeer::distance(const Pose& X_WM) {
+  fcl::DistanceRequestd request;
+  request.enable_nearest_points = true;
+  fcl::DistanceResultd result;
+  fcl::distance<double>(&models_->moved, transformOf(X_WM), &models_->standing, fcl::Transform3d::Identity(), request,
+                        result);
+  return result.min_distance;
+}
+
+bool FclPeer::collides(const Pose& X_WM) {
+  fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  return fcl::collide<double>(&models_->moved, transformOf(X_WM), &models_->standing, fcl::Transform3d::Identity(),
+                              request, result) > 0;
+}
+
+double FclPeer::buildMilliseconds() const {
+  return models_->build_ms;
+}
+
+}  // namespace hapticell::bench
