@@ -56,7 +56,7 @@ class TcpLink::Connection {
 
   template <typename T>
   void submit(TripleBuffer<T>& outbox, const T& value) {
-    if (state() != LinkState::kConnected) return;
+    if (state() != LinkState::kConnected || !controls_stylus_) return;
     outbox.write(value);
     if (!wake_pending_.exchange(true)) asio::post(context_, [this] { sendNewest(); });
   }
@@ -171,6 +171,7 @@ class TcpLink::Connection {
     sets.update();
     controls.update();
     targets.update();
+    controls_stylus_ = welcome.kind == ClientKind::kController;
     welcomed_ = true;
     ++connections;
     become(LinkState::kConnected, {});
@@ -231,7 +232,7 @@ class TcpLink::Connection {
   bool connecting_ = false, welcomed_ = false;
 
   std::atomic<LinkState> state_{LinkState::kConnecting};
-  std::atomic<bool> wake_pending_{false};
+  std::atomic<bool> wake_pending_{false}, controls_stylus_{false};
   mutable std::mutex mutex_;
   std::string problem_;
   Welcome welcome_;

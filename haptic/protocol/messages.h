@@ -48,7 +48,7 @@ struct HapticControl {
 /// Where the simulated hand wants the stylus to be; only a simulated device heeds it.
 struct HandTarget {
   bool holding = false;  ///< False: nobody holds the stylus.
-  Pose X_DH;
+  Pose X_DH{};
   std::uint32_t buttons = 0;
 };
 
@@ -71,7 +71,7 @@ struct Hello {
   std::uint32_t protocol_version = kProtocolVersion;
   ClientKind kind = ClientKind::kController;
   bool accept_watching = false;  ///< A controller that would rather watch than be refused when there is one already.
-  std::string program;           ///< Who it is, for messages to the user.
+  std::string program{};         ///< Who it is, for messages to the user.
 };
 
 /// The server's answer to a Hello that it accepts.
@@ -79,12 +79,12 @@ struct Welcome {
   std::uint32_t protocol_version = kProtocolVersion;
   ClientKind kind = ClientKind::kController;  ///< What the client was taken as.
   double tick_rate_hz = 1000.0;
-  DeviceDescription device;
+  DeviceDescription device{};
 };
 
 /// The server's last message to a client that it will not serve; the connection closes after it.
 struct Refusal {
-  std::string sentence;
+  std::string sentence{};
 };
 
 /// Sent by the client every kHeartbeatPeriod from its network thread and answered at once by the server. Each side

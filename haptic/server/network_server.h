@@ -25,7 +25,7 @@ struct NetworkOptions {
   double hello_time = 2.0;                 ///< A client must have said hello by then.
   double silence_time = 5.0;               ///< A client that is silent for so long is given up.
   double takeover_time = 0.8;              ///< A controller silent for so long makes room for another.
-  std::function<void(const std::string&)> report;  ///< Told what happens, in sentences, on the network thread.
+  std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, on the network thread.
 };
 
 /// Connects clients to a force loop: one that controls, any number that watch. docs/protocol.md tells the rules.

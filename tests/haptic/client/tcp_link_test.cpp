@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/client/tcp_link.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/haptic/server/live_server.h"
+#include "tests/haptic/server/raw_client.h"
+#include "tests/haptic/server/virtual_session.h"
+
+namespace hapticell::haptic {
+namespace {
+
+using ::testing::HasSubstr;
+
+TcpLinkOptions to(std::uint16_t port) {
+  TcpLinkOptions options;
+  options.port = port;
+  options.retry_time = 0.02;
+  return options;
+}
+
+bool connects(TcpLink& link) {
+  return eventually([&] { return link.linkState() == LinkState::kConnected; });
+}
+
+/// Polls until a state fulfils the condition.
+template <typename Condition>
+bool eventuallyState(HapticLink& link, Condition&& condition) {
+  return eventually([&] {
+    const auto state = link.latestState();
+    return state && condition(*state);
+  });
+}
+
+TEST(TcpLink, connects_and_hears_the_device_states_and_statistics) {
+  LiveServer server;
+  TcpLink link(to(server.port()));
+  ASSERT_TRUE(connects(link));
+  EXPECT_EQ(link.problem(), "");
+  ASSERT_TRUE(link.device().has_value());
+  EXPECT_EQ(link.device()->peak_force, 6.4);
+  EXPECT_EQ(link.grantedKind(), ClientKind::kController);
+  EXPECT_TRUE(eventuallyState(link, [](const HapticState& state) { return state.tick > 100; }));
+  EXPECT_TRUE(eventually([&] {
+    const auto statistics = link.latestStatistics();
+    return statistics && statistics->round_trip_ms > 0.0;
+  })) << "heart-beats come by themselves";
+}
+
+TEST(TcpLink, a_session_over_the_socket_feels_the_floor) {
+  LiveServer server;
+  TcpLink link(to(server.port()));
+  ASSERT_TRUE(connects(link));
+  link.sendHandTarget({true, Pose::translation(dvec3(0.0, 0.0, 0.005)), 0});
+  link.sendControl({.forces_enabled = true});
+  link.sendSet(floorSet(1));
+  ASSERT_TRUE(eventuallyState(link, [](const HapticState& s) { return s.force_ramp == 1.0 && s.adopted_set == 1; }));
+  link.sendHandTarget({true, Pose::translation(dvec3(0.0, 0.0, -0.010)), 1});
+  EXPECT_TRUE(eventuallyState(link, [](const HapticState& s) { return s.force_D.z > 2.0 && s.buttons == 1; }));
+}
+
+TEST(TcpLink, says_what_to_do_when_no_server_answers) {
+  std::uint16_t unused = 0;
+  {
+    LiveServer server;
+    unused = server.port();
+  }
+  TcpLink link(to(unused));
+  EXPECT_TRUE(eventually([&] { return link.linkState() == LinkState::kDisconnected; }));
+  EXPECT_EQ(link.problem(),
+            "No haptic server answers at 127.0.0.1:" + std::to_string(unused) + ". Start hapticell-haptic-server.");
+  EXPECT_FALSE(link.device().has_value());
+  link.sendSet(floorSet(1));  // Dropped.
+  EXPECT_FALSE(link.latestState().has_value());
+}
+
+TEST(TcpLink, connects_again_when_the_server_comes_back) {
+  NetworkOptions options;
+  auto server = std::make_unique<LiveServer>(options);
+  options.port = server->port();
+  TcpLink link(to(options.port));
+  ASSERT_TRUE(connects(link));
+  link.sendControl({.forces_enabled = true});
+  server.reset();
+  ASSERT_TRUE(eventually([&] { return link.linkState() != LinkState::kConnected; }));
+  EXPECT_FALSE(link.problem().empty());
+  server = std::make_unique<LiveServer>(options);
+  ASSERT_TRUE(connects(link));
+  EXPECT_EQ(link.connections(), 2u);
+  link.sendSet(floorSet(1));
+  EXPECT_TRUE(eventuallyState(link, [](const HapticState& s) { return s.adopted_set == 1 && !s.forces_on; }))
+      << "forces must be enabled again";
+}
+
+TEST(TcpLink, a_refused_one_tells_the_servers_sentence_and_gets_in_when_there_is_room) {
+  LiveServer server;
+  auto first = std::make_unique<TcpLink>(to(server.port()));
+  ASSERT_TRUE(connects(*first));
+  TcpLink second(to(server.port()));
+  ASSERT_TRUE(eventually([&] { return second.linkState() == LinkState::kRefused; }));
+  EXPECT_THAT(second.problem(), HasSubstr("controls the stylus"));
+  first.reset();
+  EXPECT_TRUE(connects(second));
+}
+
+TEST(TcpLink, watches_where_it_may_not_control) {
+  LiveServer server;
+  TcpLink first(to(server.port()));
+  ASSERT_TRUE(connects(first));
+  TcpLinkOptions options = to(server.port());
+  options.accept_watching = true;
+  TcpLink second(options);
+  ASSERT_TRUE(connects(second));
+  EXPECT_EQ(second.grantedKind(), ClientKind::kWatcher);
+  EXPECT_TRUE(eventuallyState(second, [](const HapticState& s) { return s.tick > 0; }));
+  first.sendSet(floorSet(7));
+  EXPECT_TRUE(eventuallyState(second, [](const HapticState& s) { return s.adopted_set == 7; }));
+}
+
+TEST(TcpLink, a_watcher_that_tries_to_control_stays_connected) {
+  LiveServer server;
+  TcpLinkOptions options = to(server.port());
+  options.kind = ClientKind::kWatcher;
+  TcpLink link(options);
+  ASSERT_TRUE(connects(link));
+  link.sendSet(floorSet(7));
+  link.sendControl({.forces_enabled = true});
+  EXPECT_TRUE(eventuallyState(link, [](const HapticState& s) { return s.tick > 50; }));
+  EXPECT_EQ(link.connections(), 1u) << "it does not send what it may not";
+}
+
+TEST(TcpLink, ends_at_once_in_any_state) {
+  LiveServer server;
+  for (int i = 0; i < 20; ++i) {
+    TcpLink link(to(server.port()));
+    if (i % 2) link.sendSet(floorSet(1));
+  }
+  TcpLinkOptions nowhere = to(1);
+  nowhere.host = "no.such.host.invalid";
+  TcpLink link(nowhere);
+  EXPECT_FALSE(link.problem().empty());
+}
+
+}  // namespace
+}  // namespace hapticell::haptic
