@@ -37,7 +37,9 @@ int runCommandLine(int argc, char** argv) {
   // One line a command; each comes with the file that defines it.
   addDistanceCommand(app, chosen);
   addForwardKinematicsCommand(app, chosen);
+  addInspectCommand(app, chosen);
   addInverseKinematicsCommand(app, chosen);
+  addWorkcellCommand(app, chosen);
 
   try {
     app.parse(argc, argv);

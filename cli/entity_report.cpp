@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/entity_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cli/result_writer.h"
+#include "geometry/mass_properties.h"
+#include "kinematics/numeric_inverse.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json boundsReport(const geometry::Bounds& bounds) {
+  if (bounds.isEmpty()) return nullptr;
+  return {{"min", toJson(bounds.min)}, {"max", toJson(bounds.max)}};
+}
+
+geometry::Bounds boundsOfReport(const ordered_json& report) {
+  const ordered_json& json = report["bounds"];
+  if (json.is_null()) return {};
+  const auto point = [](const ordered_json& p) { return dvec3(p[0], p[1], p[2]); };
+  return {point(json["min"]), point(json["max"])};
+}
+
+double rounded(float part) {
+  return std::round(static_cast<double>(part) * 1e4) / 1e4;
+}
+
+ordered_json colorReport(float red, float green, float blue) {
+  return ordered_json::array({rounded(red), rounded(green), rounded(blue)});
+}
+
+/// A node that only holds others: its bounds and volume are theirs.
+ordered_json groupReport(const std::string& name, const std::string& kind, ordered_json children) {
+  geometry::Bounds bounds;
+  double volume = 0.0;
+  for (const ordered_json& child : children) {
+    bounds.add(boundsOfReport(child));
+    volume += child["volume"].get<double>();
+  }
+  ordered_json report{{"name", name}, {"kind", kind}};
+  report["color"] = children.empty() ? ordered_json(nullptr) : children[0]["color"];
+  report["triangles"] = 0;
+  report["bounds"] = boundsReport(bounds);
+  report["volume"] = volume;
+  report["children"] = std::move(children);
+  return report;
+}
+
+/// The visual shapes of one link as one node.
+ordered_json linkReport(const kinematics::Link& link, const Pose& X_WL) {
+  geometry::TriangleMesh whole;
+  for (const kinematics::LinkShape& shape : link.visuals) geometry::append(whole, *shape.mesh, shape.X_LS);
+  const auto& color = link.visuals.front().color;
+  return meshReport(link.name, whole, X_WL, {color[0], color[1], color[2]});
+}
+
+const char* wordOf(kinematics::JointType type) {
+  switch (type) {
+    case kinematics::JointType::kRevolute:
+      return "revolute";
+    case kinematics::JointType::kContinuous:
+      return "continuous";
+    case kinematics::JointType::kPrismatic:
+      return "prismatic";
+    case kinematics::JointType::kFixed:
+      break;
+  }
+  return "fixed";
+}
+
+ordered_json finiteOrNull(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json jointsReport(const kinematics::RobotModel& robot) {
+  ordered_json joints = ordered_json::array();
+  for (const int index : robot.moving) {
+    const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
+    joints.push_back({{"name", joint.name},
+                      {"type", wordOf(joint.type)},
+                      {"lower", finiteOrNull(joint.lower)},
+                      {"upper", finiteOrNull(joint.upper)},
+                      {"velocity", joint.velocity}});
+  }
+  return joints;
+}
+
+ordered_json inverseModelReport(const kinematics::RobotModel& robot, const std::string& tip_link) {
+  const int tip = tip_link.empty() ? robot.defaultTip() : robot.findLink(tip_link);
+  if (tip < 0) return nullptr;
+  const auto inverse = kinematics::NumericInverse::create(robot, tip);
+  return inverse ? ordered_json((*inverse)->name()) : ordered_json(nullptr);
+}
+
+ordered_json robotReport(const workcell::Entity& entity) {
+  const kinematics::RobotModel& robot = *entity.robot;
+  std::vector<double> q = entity.joints;
+  for (std::size_t k = q.size(); k < robot.dof(); ++k) {
+    const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[k])];
+    q.push_back(std::min(std::max(0.0, joint.lower), joint.upper));
+  }
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(robot, q, X_BL);
+  ordered_json links = ordered_json::array();
+  for (std::size_t k = 0; k < robot.links.size(); ++k) {
+    if (!robot.links[k].visuals.empty()) links.push_back(linkReport(robot.links[k], entity.X_WE * X_BL[k]));
+  }
+  ordered_json report = groupReport(entity.name, "robot", std::move(links));
+  report["dof"] = robot.dof();
+  report["joints"] = jointsReport(robot);
+  report["inverse_model"] = inverseModelReport(robot, entity.tip_link);
+  report["tip_link"] = entity.tip_link;
+  return report;
+}
+
+}  // namespace
+
+ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
+                        const std::array<float, 3>& color) {
+  geometry::Bounds bounds;
+  for (const dvec3& p_MV : mesh.vertices) bounds.add(X_WM * p_MV);
+  geometry::TriangleMesh welded = mesh;
+  geometry::weld(welded, geometry::weldTolerance(welded));
+  ordered_json report{{"name", name}, {"kind", "solid"}, {"color", colorReport(color[0], color[1], color[2])}};
+  report["triangles"] = mesh.triangles.size();
+  report["bounds"] = boundsReport(bounds);
+  report["volume"] = geometry::massProperties(mesh).volume;
+  report["closed"] = geometry::isClosed(welded);
+  report["children"] = ordered_json::array();
+  return report;
+}
+
+ordered_json entityReport(const workcell::Entity& entity) {
+  if (entity.robot) return robotReport(entity);
+  return meshReport(entity.name, *entity.mesh, entity.X_WE, entity.color);
+}
+
+ordered_json treeReport(const std::vector<workcell::Entity>& entities) {
+  ordered_json tree = ordered_json::array();
+  std::map<std::string, std::size_t> folders;  // Where in the tree each stands.
+  for (const workcell::Entity& entity : entities) {
+    if (entity.parent.empty()) {
+      tree.push_back(entityReport(entity));
+      continue;
+    }
+    const auto [it, is_new] = folders.try_emplace(entity.parent, tree.size());
+    if (is_new) tree.push_back({{"name", entity.parent}, {"children", ordered_json::array()}});
+    tree[it->second]["children"].push_back(entityReport(entity));
+  }
+  for (const auto& [name, at] : folders) {
+    ordered_json below = std::move(tree[at]["children"]);
+    tree[at] = groupReport(name, "assembly", std::move(below));
+  }
+  return tree;
+}
+
+}  // namespace hapticell::cli

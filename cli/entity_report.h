@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "workcell/entity.h"
+
+namespace hapticell::cli {
+
+/// An entity as `inspect` shows it: name, kind, color, triangles, bounds, volume, children; for robots joints too.
+/// Bounds are those of the vertices in the world, metres, exact; null where there is no mesh. The volume is that of the
+/// closed surface (by the divergence theorem; `closed` says whether it is one).
+nlohmann::ordered_json entityReport(const workcell::Entity& entity);
+
+/// The report of one mesh, placed in the world.
+nlohmann::ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
+                                  const std::array<float, 3>& color);
+
+/// Entities as a tree: those with a parent stand below an assembly of that name.
+nlohmann::ordered_json treeReport(const std::vector<workcell::Entity>& entities);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/entity_report.h"
+#include "workcell/document_io.h"
+#include "workcell/entity_source.h"
+#include "workcell/length_unit.h"
+#include "workcell/mesh_reader.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct InspectOptions {
+  std::string file;
+  std::string unit;  ///< Empty: guessed.
+};
+
+ordered_json inspection(const char* format, const char* unit, ordered_json entities, const Diagnostics& notes) {
+  return {{"format", format},
+          {"unit", unit},
+          {"up_axis", "z"},
+          {"warnings", notes.warnings},
+          {"entities", std::move(entities)}};
+}
+
+bool looksLikeDocument(const fs::path& file) {
+  return file.extension() == ".hcell";
+}
+
+/// Welding is tried on a copy, so that the counts and sizes shown are those of the file.
+void warnAboutTriangles(const workcell::MeshFile& file, const ordered_json& report, Diagnostics& notes) {
+  geometry::TriangleMesh welded = file.mesh;
+  const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
+  const auto say = [&](std::uint32_t count, const char* what) {
+    if (count > 0) notes.warn(std::to_string(count) + what);
+  };
+  say(dropped.degenerate_triangles, " triangles have no area; they are left out in a workcell");
+  say(dropped.duplicate_triangles, " triangles are there twice; they are left out in a workcell");
+  if (!report["closed"].get<bool>()) notes.warn("the surface is not closed, so the volume means little");
+  if (report["volume"].get<double>() < 0.0) notes.warn("the triangles face inward, so the volume is negative");
+}
+
+Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& notes) {
+  workcell::MeshReadOptions reading;
+  reading.weld = false;
+  reading.warn_about_unit = false;
+  Expected<workcell::MeshFile> file = workcell::readMeshFile(options.file, reading, notes);
+  if (!file) return tl::unexpected(file.error());
+  workcell::LengthUnit unit = workcell::guessUnit(file->mesh.bounds());
+  if (options.unit.empty()) {
+    notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
+               " (--unit says otherwise)");
+  } else {
+    const auto said = workcell::parseLengthUnit(options.unit);
+    if (!said) return tl::unexpected(said.error());
+    unit = *said;
+  }
+  for (dvec3& vertex : file->mesh.vertices) vertex *= workcell::metresPer(unit);
+  const std::string name = fs::path(options.file).stem().string();
+  const workcell::Entity plain;
+  ordered_json report = meshReport(name, file->mesh, Pose::identity(), plain.color);
+  warnAboutTriangles(*file, report, notes);
+  ordered_json result = inspection(workcell::formatName(file->format), workcell::unitName(unit),
+                                   ordered_json::array({std::move(report)}), notes);
+  if (file->format == workcell::MeshFormat::kStlAscii) result["encoding"] = "ascii";
+  if (file->format == workcell::MeshFormat::kStlBinary) result["encoding"] = "binary";
+  return result;
+}
+
+Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& notes) {
+  if (!options.unit.empty() && options.unit != "m") {
+    return makeError({options.file, "--unit", "'" + options.unit + "'", "none: robot files are in metres", ""});
+  }
+  const auto robot = workcell::EntityLoader(fs::current_path()).load(options.file, 1.0, notes);
+  if (!robot) return tl::unexpected(robot.error());
+  return inspection("urdf", "m", ordered_json::array({entityReport(*robot)}), notes);
+}
+
+Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostics& notes) {
+  const auto document = workcell::loadDocument(options.file, notes);
+  if (!document) return tl::unexpected(document.error());
+  ordered_json result = inspection("hcell", "m", treeReport(document->snapshotEntities()), notes);
+  result["pair_sets"] = ordered_json::array();
+  for (const workcell::PairSet& set : document->state().pair_sets) {
+    result["pair_sets"].push_back({{"name", set.name},
+                                   {"enabled", set.enabled},
+                                   {"first", set.first},
+                                   {"second", set.second},
+                                   {"safety_distance", set.safety_distance},
+                                   {"near_miss", set.near_miss}});
+  }
+  return result;
+}
+
+ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
+  Diagnostics notes;
+  const auto result = looksLikeDocument(options.file)         ? inspectDocument(options, notes)
+                      : workcell::looksLikeUrdf(options.file) ? inspectRobot(options, notes)
+                                                              : inspectMesh(options, notes);
+  const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
+  if (written) return ExitStatus::kDone;
+  report(written.error());
+  return ExitStatus::kBadInput;
+}
+
+}  // namespace
+
+void addInspectCommand(CLI::App& app, Action& chosen) {
+  CLI::App* command =
+      app.add_subcommand("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
+  const auto options = std::make_shared<InspectOptions>();
+  command->add_option("file", options->file, "A mesh (STL, OBJ, PLY, OFF), a robot (URDF) or a workcell (.hcell)")
+      ->required();
+  command->add_option("--unit", options->unit, "What one unit of a mesh file is: m, mm or in; guessed when not given");
+  command->callback(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runInspect(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

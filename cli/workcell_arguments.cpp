@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/workcell_arguments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "trajectory/csv_table.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts{""};
+  for (char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+/// The parts of "HEAD,key=value,more of the value,key=value": each known key begins a new one.
+struct Arguments {
+  std::string head;
+  std::vector<std::pair<std::string, std::string>> options;
+};
+
+Arguments splitOptions(const std::string& text, const std::vector<std::string>& keys) {
+  Arguments result;
+  bool first = true;
+  for (const std::string& part : split(text, ',')) {
+    const std::string key = part.substr(0, part.find('='));
+    if (!first && part.size() > key.size() && std::find(keys.begin(), keys.end(), key) != keys.end()) {
+      result.options.emplace_back(key, part.substr(key.size() + 1));
+    } else if (!result.options.empty()) {
+      result.options.back().second += "," + part;
+    } else {
+      result.head += (first ? "" : ",") + part;
+    }
+    first = false;
+  }
+  return result;
+}
+
+Error wrong(const std::string& option, const std::string& text, const std::string& expected) {
+  return {"", option, "'" + text + "'", expected, ""};
+}
+
+Expected<Pose> parsePose(const std::string& text) {
+  const Error error = wrong("--add, pose", text, "seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1");
+  std::vector<double> numbers;
+  for (const std::string& part : split(text, ',')) {
+    const auto number = trajectory::parseNumber(part);
+    if (!number || !std::isfinite(*number)) return makeError(error);
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 7) return makeError(error);
+  const dquat q(numbers[3], numbers[4], numbers[5], numbers[6]);
+  constexpr double kRounding = 0.01;
+  if (!(std::abs(glm::length(q) - 1.0) < kRounding)) return makeError(error);
+  Pose pose{{numbers[0], numbers[1], numbers[2]}, q};
+  if (!pose.isValid()) pose.q = glm::normalize(q);
+  return pose;
+}
+
+std::vector<std::string> namesOf(const std::string& side) {
+  return side.empty() ? std::vector<std::string>{} : split(side, '+');
+}
+
+}  // namespace
+
+Expected<Addition> parseAddition(const std::string& text) {
+  const Arguments arguments = splitOptions(text, {"name", "unit", "pose"});
+  Addition addition;
+  addition.what = arguments.head;
+  if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
+  for (const auto& [key, value] : arguments.options) {
+    if (key == "name") {
+      if (value.empty()) return makeError(wrong("--add, name", value, "a name"));
+      addition.name = value;
+    } else if (key == "unit") {
+      const auto unit = workcell::parseLengthUnit(value);
+      if (!unit) return makeError(wrong("--add, unit", value, "m, mm or in"));
+      addition.unit = *unit;
+    } else {
+      const auto pose = parsePose(value);
+      if (!pose) return makeError(pose.error());
+      addition.X_WE = *pose;
+    }
+  }
+  return addition;
+}
+
+Expected<workcell::PairSet> parseCheck(const std::string& text) {
+  const Arguments arguments = splitOptions(text, {"near_miss", "safety"});
+  const std::size_t colon = arguments.head.find(':');
+  if (colon == std::string::npos || arguments.head.find(':', colon + 1) != std::string::npos) {
+    return makeError(wrong("--check", arguments.head, "A+B:C+D, names of entities on either side of one colon"));
+  }
+  workcell::PairSet set;
+  set.first = namesOf(arguments.head.substr(0, colon));
+  set.second = namesOf(arguments.head.substr(colon + 1));
+  for (const auto& [key, value] : arguments.options) {
+    const auto number = trajectory::parseNumber(value);
+    if (!number || !(*number >= 0.0 && *number <= 1.0)) {
+      return makeError(wrong("--check, " + key, value, "metres, 0 to 1"));
+    }
+    (key == "safety" ? set.safety_distance : set.near_miss) = *number;
+  }
+  return set;
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "geometry/error.h"
+#include "workcell/entity.h"
+#include "workcell/length_unit.h"
+
+namespace hapticell::cli {
+
+/// One `--add WHAT[,name=N][,unit=mm][,pose=x,y,z,qw,qx,qy,qz]`.
+struct Addition {
+  std::string what;
+  std::string name;  ///< Empty: by the file.
+  workcell::LengthUnit unit = workcell::LengthUnit::kMetre;
+  Pose X_WE;
+};
+
+/// WHAT and names may hold commas as long as no part begins with a known option; a quaternion need only be nearly of
+/// length 1. An error names the part that is wrong.
+Expected<Addition> parseAddition(const std::string& text);
+
+/// One `--check A+B:C+D[,near_miss=M][,safety=M]`; a side that is empty means everything. Not yet named.
+Expected<workcell::PairSet> parseCheck(const std::string& text);
+
+}  // namespace hapticell::cli

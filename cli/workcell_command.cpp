@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/workcell_arguments.h"
+#include "workcell/document_io.h"
+#include "workcell/entity_source.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct NewOptions {
+  std::string file;
+  std::vector<std::string> additions;
+  std::vector<std::string> checks;
+};
+
+Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader, workcell::Document& document,
+                         Diagnostics& notes) {
+  const auto addition = parseAddition(text);
+  if (!addition) return tl::unexpected(addition.error());
+  auto entity = loader.load(addition->what, workcell::metresPer(addition->unit), notes);
+  if (!entity) return tl::unexpected(entity.error());
+  entity->name = addition->name.empty() ? document.uniqueName(entity->name) : addition->name;
+  entity->X_WE = addition->X_WE;
+  const auto added = document.execute(workcell::AddEntity{std::move(*entity)});
+  if (!added) return makeError({"--add " + text, "", added.error().message(), "", ""});
+  return {};
+}
+
+Expected<void> addCheck(const std::string& text, workcell::Document& document) {
+  auto set = parseCheck(text);
+  if (!set) return tl::unexpected(set.error());
+  for (const auto* side : {&set->first, &set->second}) {
+    for (const std::string& name : *side) {
+      if (document.findByName(name) != nullptr) continue;
+      std::string known;
+      for (const auto& entity : document.state().entities) known += (known.empty() ? "" : ", ") + entity->name;
+      return makeError({"", "--check " + text, "there is no entity '" + name + "'", "one of " + known, ""});
+    }
+  }
+  set->name = "Set " + std::to_string(document.state().pair_sets.size() + 1);
+  const auto added = document.execute(workcell::AddPairSet{std::move(*set)});
+  if (!added) return tl::unexpected(added.error());
+  return {};
+}
+
+/// Builds the whole document before anything is written.
+Expected<workcell::Document> makeDocument(const NewOptions& options, Diagnostics& notes) {
+  workcell::Document document;
+  workcell::EntityLoader loader(fs::current_path());
+  for (const std::string& text : options.additions) {
+    if (auto added = addEntity(text, loader, document, notes); !added) return tl::unexpected(added.error());
+  }
+  for (const std::string& text : options.checks) {
+    if (auto added = addCheck(text, document); !added) return tl::unexpected(added.error());
+  }
+  return document;
+}
+
+ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  if (fs::path(options.file).extension() != ".hcell") {
+    return failed({options.file, "", "the name of the document", "one that ends in .hcell", ""});
+  }
+  Diagnostics notes;
+  auto document = makeDocument(options, notes);
+  if (!document) return failed(document.error());
+  for (const std::string& note : notes.warnings) warn(note);
+  if (auto saved = workcell::saveDocument(*document, options.file); !saved) return failed(saved.error());
+  ordered_json names = ordered_json::array();
+  for (const auto& entity : document->state().entities) names.push_back(entity->name);
+  const auto written = writer.write({{"workcell", options.file},
+                                     {"entities", std::move(names)},
+                                     {"pair_sets", document->state().pair_sets.size()},
+                                     {"warnings", notes.warnings}});
+  return written ? ExitStatus::kDone : failed(written.error());
+}
+
+}  // namespace
+
+void addWorkcellCommand(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("workcell", "Make workcell documents");
+  command->require_subcommand(1);
+  CLI::App* make = command->add_subcommand("new", "A document of the entities and checks that are named");
+  const auto options = std::make_shared<NewOptions>();
+  make->add_option("file", options->file, "The document to write (.hcell)")->required();
+  make->add_option("--add", options->additions,
+                   "WHAT[,name=N][,unit=m|mm|in][,pose=x,y,z,qw,qx,qy,qz]; WHAT is a mesh or robot file, library:NAME, "
+                   "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
+      ->allow_extra_args(false);
+  make->add_option("--check", options->checks,
+                   "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "
+                   "without it everything is checked against everything")
+      ->allow_extra_args(false);
+  make->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return runNew(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli
