@@ -15,11 +15,12 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kSeedCount = 1024;
-constexpr std::size_t kSeedsForNearest = 48;  // enough to meet every configuration of a 6R arm
+constexpr std::size_t kSeedsForNearest = 64;  // enough to meet every configuration of a 6R arm
+constexpr std::size_t kSeedsAboutStart = 16;
 constexpr std::size_t kSeedsWithoutLimits = 96;
 constexpr int kHapticIterations = 24;
 constexpr int kRestartIterations = 60;
-constexpr double kNearEnough = 0.5;     // rad or m: an answer this near is not worth a search for a nearer one
+constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
 constexpr double kSameSolution = 1e-4;  // rad or m
 constexpr std::size_t kMaxAlternatives = 64;
 
@@ -178,6 +179,18 @@ bool NumericInverse::takeNearestTurns(ChainPositions& x, const ChainPositions& x
   return within;
 }
 
+// Points about the start, the first ones nearest: what one descent from the start itself passed by.
+ChainPositions NumericInverse::aboutStart(const ChainPositions& x_start, std::size_t index) const {
+  const double radius = kNearEnough * static_cast<double>(1 + index / 4);
+  ChainPositions x = x_start;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    const double lower = seeds_.front().x[i];
+    x[i] += radius *
+            std::sin(kTurn * (static_cast<double>(index) * 0.618033988749895 * static_cast<double>(i + 1) + lower));
+  }
+  return x;
+}
+
 FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const {
   FitOptions options = options_;
   options.max_iterations = 200;
@@ -194,9 +207,11 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
   const std::vector<std::size_t> order = seedsNear(X_BT);
   double nearest =
       best.converged ? distanceSquared(best.x, x_start, chain_.size()) : std::numeric_limits<double>::infinity();
-  for (std::size_t s = 0; s < order.size(); ++s) {
-    if (best.converged && s >= kSeedsForNearest) break;
-    FitResult fit = fitPose(chain_, X_BT, seeds_[order[s]].x, limits(), options);
+  for (std::size_t s = 0; s < kSeedsAboutStart + order.size(); ++s) {
+    if (best.converged && s >= kSeedsAboutStart + kSeedsForNearest) break;
+    const bool about_start = s < kSeedsAboutStart;
+    const ChainPositions x_try = about_start ? aboutStart(x_start, s) : seeds_[order[s - kSeedsAboutStart]].x;
+    FitResult fit = fitPose(chain_, X_BT, x_try, limits(), options);
     if (!fit.converged) {
       if (!best.converged && fitCost(fit, options.lever) < fitCost(best, options.lever)) best = fit;
       continue;

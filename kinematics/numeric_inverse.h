@@ -49,6 +49,7 @@ class NumericInverse final : public InverseModel {
   void fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const;
   std::vector<std::size_t> seedsNear(const Pose& X_BT) const;
   bool takeNearestTurns(ChainPositions& x, const ChainPositions& x_start) const;
+  ChainPositions aboutStart(const ChainPositions& x_start, std::size_t index) const;
   FitResult searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const;
   bool reachableWithoutLimits(const Pose& X_BT, const ChainPositions& x_start) const;
 };
