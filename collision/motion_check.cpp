@@ -18,8 +18,9 @@ constexpr double kRounding = 1e-11;
 /// The stop is found to this much motion (m).
 constexpr double kStopAccuracy = 1e-7;
 
-constexpr double kLeastStride = 2.0;
-constexpr double kStrideFactor = 4.0;
+constexpr double kFirstStride = 0.02;  ///< Of motion (m): the longest step that is tried first.
+constexpr double kLeastStride = 2.0;   ///< In plain steps: less is not worth the proof.
+constexpr double kStrideFactor = 6.0;
 constexpr double kStrideRecovery = 1.2;
 
 struct Sample {
@@ -36,7 +37,8 @@ class Advancement {
         b_(b),
         until_(std::min(demand.until, 1.0)),
         clearance_(std::max(demand.clearance, kLeastClearance)),
-        rate_(a.path_bound + b.path_bound) {}
+        rate_(a.path_bound + b.path_bound),
+        stride_(kFirstStride / std::max(rate_, kFirstStride)) {}
 
   MotionStop run() {
     MotionStop result;
@@ -72,17 +74,17 @@ class Advancement {
   double safeStep(const Sample& good) {
     const double plain = (good.distance - 0.5 * clearance_) / rate_;
     const double rest = until_ - good.s;
-    if (plain >= rest || stride_ < kLeastStride) {
-      stride_ *= kStrideRecovery;
+    if (plain >= rest || stride_ < kLeastStride * plain) {
+      stride_ = std::max(stride_, plain) * kStrideRecovery;
       return plain;
     }
-    const double longer = std::min(rest, stride_ * plain);
+    const double longer = std::min(rest, stride_);
     ++queries_;
     const SweptPair sweep{a_.at(good.s),  a_.at(good.s + longer),
                           b_.at(good.s),  b_.at(good.s + longer),
                           rate_ * longer, (a_.bend_bound + b_.bend_bound) * longer * longer / 8.0};
     const bool proven = staysApart(query_.a(), query_.b(), sweep, 0.5 * clearance_);
-    stride_ *= proven ? kStrideFactor : 1.0 / kStrideFactor;
+    stride_ = proven ? longer * kStrideFactor : longer / kStrideFactor;
     return proven ? longer : plain;
   }
 
@@ -119,7 +121,7 @@ class Advancement {
   double until_;
   double clearance_;  ///< What is kept: what was asked or, if less, what it began with.
   double rate_;
-  double stride_ = 2.0 * kStrideFactor;  ///< In plain steps, what is tried next.
+  double stride_;  ///< Of s: the longer step that is tried next.
   int queries_ = 0;
 };
 

@@ -8,13 +8,18 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr int kMostPairs = 3000;
+constexpr int kMostPairs = 1000;
 
 /// The least gap along an axis, from B's triangle up to A's.
 double gapAlong(const dvec3& axis, const Corners& a, const Corners& b) {
   const double low = std::min({glm::dot(axis, a[0]), glm::dot(axis, a[1]), glm::dot(axis, a[2])});
   const double high = std::max({glm::dot(axis, b[0]), glm::dot(axis, b[1]), glm::dot(axis, b[2])});
   return low - high;
+}
+
+double reachAlong(const dvec3& axis, const OrientedBox& box) {
+  return std::abs(glm::dot(axis, box.R[0])) * box.half.x + std::abs(glm::dot(axis, box.R[1])) * box.half.y +
+         std::abs(glm::dot(axis, box.R[2])) * box.half.z;
 }
 
 Corners placed(const dmat3& R, const dvec3& p, const Corners& c) {
@@ -53,8 +58,26 @@ struct SweptSearch {
     return apartOn(end.p - end.q, a0, b0, a1, b1);
   }
 
+  /// The same proof for whole boxes, on their own axes: over a plane it ends the search at once.
+  bool boxesStayApart(const OrientedBox& a0, const OrientedBox& b0, const OrientedBox& b) const {
+    const OrientedBox a1 = moved(R_A1, X_A1.p, a0), b1 = moved(R_B1, X_B1.p, b);
+    const dvec3 apart0 = a0.center - b0.center, apart1 = a1.center - b1.center;
+    for (const OrientedBox* box : {&b0, &a0}) {
+      for (int i = 0; i < 3; ++i) {
+        const dvec3& axis = box->R[i];
+        const double shift0 = glm::dot(axis, apart0), shift1 = glm::dot(axis, apart1);
+        if ((shift0 > 0.0) != (shift1 > 0.0)) continue;
+        if (std::abs(shift0) - reachAlong(axis, a0) - reachAlong(axis, b0) >= needed &&
+            std::abs(shift1) - reachAlong(axis, a1) - reachAlong(axis, b1) >= needed) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
   bool visit(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b) {
-    if (lowerBoundSquared(a.box, box_b) > within_squared) return true;
+    if (lowerBoundSquared(a.box, box_b) > within_squared || boxesStayApart(a.box, box_b, b.box)) return true;
     if (a.isLeaf() && b.isLeaf()) {
       for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
         for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {

@@ -18,7 +18,7 @@ struct SweptPair {
 ///
 /// Every pair of triangles that could meet needs an axis on which they are apart at both ends: the gap on a fixed axis
 /// between convex shapes whose points run straight is concave in time, so it is least at an end. Axes are the two
-/// faces' normals and the line of the nearest points. Gives up after a few thousand pairs. Any thread; no allocation.
+/// faces' normals and the line of the nearest points. Gives up after a thousand pairs. Any thread; no allocation.
 bool staysApart(const MeshCollider& a, const MeshCollider& b, const SweptPair& motion, double least);
 
 }  // namespace hapticell::collision
