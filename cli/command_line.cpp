@@ -40,6 +40,7 @@ int runCommandLine(int argc, char** argv) {
   addInspectCommand(app, chosen);
   addInverseKinematicsCommand(app, chosen);
   addWorkcellCommand(app, chosen);
+  addSessionCommand(app, chosen);
 
   try {
     app.parse(argc, argv);

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/session_settings.h"
+#include "manipulation/session.h"
+#include "workcell/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using manipulation::SessionOptions;
+using manipulation::SessionReport;
+using nlohmann::ordered_json;
+
+struct SessionWords {
+  std::string workcell, entity, hand;
+  std::optional<double> rate_manipulation, rate_gui;
+  double latency_ms = 0.0;
+  std::optional<std::string> device;
+  std::vector<std::string> set;
+  bool realtime = false;
+  std::string server;
+  std::string trace;
+  std::string configuration;
+};
+
+struct Address {
+  std::string host;
+  int port = 0;
+};
+
+/// HOST:PORT; the port is behind the last colon.
+Expected<Address> parseAddress(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  int port = 0;
+  if (colon != std::string::npos) {
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, port);
+    if (error != std::errc() || rest != end) port = 0;
+  }
+  if (colon == 0 || port < 1 || port > 65535) {
+    return makeError({"", "--server", "'" + text + "'", "HOST:PORT with a port from 1 to 65535", ""});
+  }
+  return Address{text.substr(0, colon), port};
+}
+
+Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
+  const auto within = [](const char* name, double value, double low, double high) -> Expected<void> {
+    if (std::isfinite(value) && value >= low && value <= high) return {};
+    char range[64], found[32];
+    std::snprintf(range, sizeof range, "%g to %g", low, high);
+    std::snprintf(found, sizeof found, "%g", value);
+    return makeError({"", name, found, range, ""});
+  };
+  options.rate_gui_hz = words.rate_gui.value_or(options.configuration.gui.rate_hz);
+  options.latency_s = 1e-3 * words.latency_ms;
+  double& rate = options.configuration.manipulation.rate_hz;
+  rate = words.rate_manipulation.value_or(rate);
+  if (const auto fine = within("--rate-manipulation", rate, 10.0, 1000.0); !fine) return fine;
+  if (const auto fine = within("--rate-gui", options.rate_gui_hz, 1.0, 1000.0); !fine) return fine;
+  return within("--latency", words.latency_ms, 0.0, 1000.0);
+}
+
+Expected<void> readDevice(const std::string& name, SessionOptions& options) {
+  const auto file = config::findShippedFile("devices/" + name + ".toml");
+  if (!file) {
+    return makeError({"", "--device", "there is no simulated device '" + name + "'",
+                      "phantom_desktop, touch, touch_x or premium", ""});
+  }
+  const auto profile = config::readDeviceProfile(*file);
+  if (!profile) return tl::unexpected(profile.error());
+  options.device = *profile;
+  return {};
+}
+
+Expected<SessionOptions> readOptions(const SessionWords& words) {
+  SessionOptions options;
+  const auto configuration = config::loadConfiguration(words.configuration);
+  if (!configuration) return tl::unexpected(configuration.error());
+  options.configuration = *configuration;
+
+  Diagnostics diagnostics;
+  const auto document = workcell::loadDocument(words.workcell, diagnostics);
+  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  if (!document) return tl::unexpected(document.error());
+  options.entities = document->snapshotEntities();
+  options.pair_sets = document->state().pair_sets;
+  options.entity = words.entity;
+
+  const auto hand = haptic::readHandPath(words.hand);
+  if (!hand) return tl::unexpected(hand.error());
+  options.hand = *hand;
+  for (const std::string& setting : words.set) {
+    if (const auto done = applySessionSetting(setting, options); !done) return tl::unexpected(done.error());
+  }
+  if (const auto done = readRates(words, options); !done) return tl::unexpected(done.error());
+  const std::string device = words.device.value_or(options.configuration.haptic.device);
+  if (const auto done = readDevice(device, options); !done) return tl::unexpected(done.error());
+  return options;
+}
+
+const char* const kTraceHeader =
+    "t,x,y,z,qw,qx,qy,qz,proxy_x,proxy_y,proxy_z,fx,fy,fz,button,contact,"
+    "moved_x,moved_y,moved_z,moved_qw,moved_qx,moved_qy,moved_qz\n";
+
+void appendRow(std::string& text, const manipulation::TraceRow& row) {
+  char line[640];
+  const Pose &S = row.X_DS, &P = row.X_DP, &M = row.X_WM;
+  std::snprintf(line, sizeof line,
+                "%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.6f,%.6f,%.6f,%u,%d,"
+                "%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n",
+                row.t, S.p.x, S.p.y, S.p.z, S.q.w, S.q.x, S.q.y, S.q.z, P.p.x, P.p.y, P.p.z, row.force_D.x,
+                row.force_D.y, row.force_D.z, row.buttons, row.contact ? 1 : 0, M.p.x, M.p.y, M.p.z, M.q.w, M.q.x,
+                M.q.y, M.q.z);
+  text += line;
+}
+
+ordered_json poseJson(const Pose& pose) {
+  return {{"position", toJson(pose.p)}, {"quaternion", {pose.q.w, pose.q.x, pose.q.y, pose.q.z}}};
+}
+
+ordered_json contactsJson(const SessionReport& report, const SessionOptions& options) {
+  const auto nameOf = [&](workcell::EntityId id) {
+    for (const workcell::Entity& entity : options.entities) {
+      if (entity.id == id) return entity.name;
+    }
+    return std::string();
+  };
+  ordered_json contacts = ordered_json::array();
+  for (const manipulation::ContactEvent& event : report.contacts) {
+    contacts.push_back({{"entities", {nameOf(event.entity), nameOf(event.other)}},
+                        {"parts", {event.moved_part, event.other_part}},
+                        {"time_in", event.time_in},
+                        {"time_out", event.time_out},
+                        {"max_force", event.max_force}});
+  }
+  return contacts;
+}
+
+ordered_json resultOf(const SessionReport& report, const SessionOptions& options) {
+  return {{"entity", options.entity},
+          {"duration_s", report.duration_s},
+          {"rates",
+           {{"haptic_hz", report.rate_haptic_hz},
+            {"manipulation_hz", report.rate_manipulation_hz},
+            {"gui_hz", report.rate_gui_hz}}},
+          {"ticks", report.ticks},
+          {"ticks_missed", report.ticks_missed},
+          {"latency", {{"p50_ms", report.latency_p50_ms}, {"p99_ms", report.latency_p99_ms}}},
+          {"force", {{"max_n", report.force_max_n}, {"max_step_n_per_ms", report.force_max_step_n_per_ms}}},
+          {"penetration", {{"max_m", report.penetration_max_m}}},
+          {"energy", {{"min_j", report.energy_min_j}}},
+          {"contacts", contactsJson(report, options)},
+          {"final_state",
+           {{"held", report.held},
+            {"pose", poseJson(report.final_configuration.X_WE)},
+            {"joints", report.final_configuration.joints},
+            {"moved_frame", poseJson(report.X_WMFinal)},
+            {"touches", report.final_contacts}}},
+          {"timing",
+           {{"machine_time_s", report.machine_time_s},
+            {"step_median_ms", report.step_median_ms},
+            {"step_p99_ms", report.step_p99_ms},
+            {"step_max_ms", report.step_max_ms}}}};
+}
+
+Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptions& options,
+                                   const manipulation::TraceSink& trace) {
+  if (!words.realtime) return manipulation::runSession(options, trace);
+  Address address{options.configuration.server.host, options.configuration.server.port};
+  if (!words.server.empty()) {
+    const auto parsed = parseAddress(words.server);
+    if (!parsed) return tl::unexpected(parsed.error());
+    address = *parsed;
+  }
+  return manipulation::runSessionOnServer(options, address.host, address.port, trace);
+}
+
+ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writer) {
+  const auto failed = [](const Error& error) {
+    report(error);
+    return ExitStatus::kBadInput;
+  };
+  if (!words.server.empty() && !words.realtime) {
+    return failed({"", "--server", "it has no effect in virtual time", "--realtime with it", ""});
+  }
+  const auto options = readOptions(words);
+  if (!options) return failed(options.error());
+  std::string rows = kTraceHeader;
+  manipulation::TraceSink trace;
+  if (!words.trace.empty()) trace = [&](const manipulation::TraceRow& row) { appendRow(rows, row); };
+  const auto session = runAsAsked(words, *options, trace);
+  if (!session) return failed(session.error());
+  for (const std::string& sentence : session->notices) warn(sentence);
+  if (!words.trace.empty()) {
+    if (const auto written = writeFileAtomically(words.trace, rows); !written) return failed(written.error());
+  }
+  if (const auto written = writer.write(resultOf(*session, *options)); !written) return failed(written.error());
+  return ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addSessionCommand(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "session", "Moves an entity of a workcell with a scripted hand on a simulated stylus, and measures the feel");
+  const auto words = std::make_shared<SessionWords>();
+  command->add_option("--workcell", words->workcell, "The workcell document, *.hcell")->required();
+  command->add_option("--entity", words->entity, "The entity that the stylus's button takes")->required();
+  command->add_option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame")->required();
+  command->add_option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
+  command->add_option("--rate-gui", words->rate_gui, "Hz of the pictures");
+  command->add_option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
+  command->add_option("--device", words->device, "phantom_desktop, touch, touch_x or premium");
+  command->add_option("--set", words->set, "KEY=VALUE; may be repeated")->allow_extra_args(false);
+  command->add_flag("--realtime", words->realtime, "Through a running haptic server, in real time");
+  command->add_option("--server", words->server, "HOST:PORT of that server");
+  command->add_option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
+  command->add_option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
+  command->callback(
+      [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });
+}
+
+}  // namespace hapticell::cli
