@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cstdio>
 
+#include "tests/collision/zone_scenes.h"
 #include "tests/support/test_data.h"
 #include "workcell/mesh_reader.h"
-#include "tests/collision/zone_scenes.h"
 
 namespace hapticell::test {
 namespace {
@@ -28,9 +28,11 @@ Pose at(double x, double y, double z, const dvec3& rotation = dvec3(0.0)) {
 TEST(ZoneContactsOfRealParts, PegInHole) {
   HAPTICELL_SHARED_DATA_OR_SKIP(peg, "cad/obj/factory_round_peg_8mm_tight.obj");
   HAPTICELL_SHARED_DATA_OR_SKIP(hole, "cad/obj/factory_round_hole_8mm_subdiv_3x.obj");
-  ZoneBench bench({"peg in hole", read(peg), read(hole),
-                   {at(0, 0, 0.0), at(0, 0, 0.004), at(0.00003, 0.00002, 0.006), at(0, 0, 0.0088), at(0, 0, 0.0095), at(0, 0, 0.012),
-                    at(0.001, 0, 0.0095), at(0.006, 0.001, 0.0091, dvec3(0.2, 0.1, 0))},
+  ZoneBench bench({"peg in hole",
+                   read(peg),
+                   read(hole),
+                   {at(0, 0, 0.0), at(0, 0, 0.004), at(0.00003, 0.00002, 0.006), at(0, 0, 0.0088), at(0, 0, 0.0095),
+                    at(0, 0, 0.012), at(0.001, 0, 0.0095), at(0.006, 0.001, 0.0091, dvec3(0.2, 0.1, 0))},
                    0.02});
   const ZoneReport report = bench.compare(1000, 0.1);
   std::puts(line(report).c_str());
