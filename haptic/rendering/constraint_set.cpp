@@ -12,9 +12,10 @@ Vector6 multiply(const SymmetricMatrix6& B, const Vector6& xi) {
   Vector6 result{};
   std::size_t k = 0;
   for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t j = i; j < 6; ++j, ++k) {
+    result[i] += B[k++] * xi[i];
+    for (std::size_t j = i + 1; j < 6; ++j, ++k) {
       result[i] += B[k] * xi[j];
-      if (i != j) result[j] += B[k] * xi[i];
+      result[j] += B[k] * xi[i];
     }
   }
   return result;
