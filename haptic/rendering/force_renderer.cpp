@@ -194,7 +194,7 @@ void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = dvec3(0.0);
+  offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
   energy_ = balance_ = controller_damping_ = 0.0;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
@@ -333,9 +333,13 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   return along < 0.0 ? force - along * outward : force;
 }
 
-void ForceRenderer::observeEnergy(const dvec3& stylus_step, double wrist_work, bool contact, double dt) {
-  energy_ += wrist_work - glm::dot(applied_D_, stylus_step);
-  const double stored = glm::dot(spring_D_, spring_D_) / (2.0 * stiffness_);
+/// The account of what the hand put in, less what the coupling holds. Turning the stylus counts with the torque that
+/// the device cannot show: else a wrist that turns a part against an obstacle would look like energy made.
+void ForceRenderer::observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt) {
+  energy_ -= glm::dot(applied_D_, stylus_motion.linear) + glm::dot(torque_D_, stylus_motion.angular);
+  torque_D_ = torque_D;
+  const double turn = glm::dot(torque_D, torque_D) / (kRotationLever * kRotationLever);
+  const double stored = (glm::dot(spring_D_, spring_D_) + turn) / (2.0 * stiffness_);
   balance_ = std::min(0.0, energy_ - stored);
   energy_ = stored + balance_;
   const double step = kControllerStep * dt / kMillisecond;
@@ -347,7 +351,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   dt = std::isfinite(dt) ? std::clamp(dt, 1e-5, 0.1) : kMillisecond;
   if (!started_) reset(X_DS_measured);
   const Pose X_DS = X_DS_measured.isValid() ? X_DS_measured : stylus_;
-  const dvec3 stylus_step = X_DS.p - stylus_.p;
+  const Twist stylus_motion = difference(X_DS, stylus_);
+  const dvec3& stylus_step = stylus_motion.linear;
   since_adoption_ += dt;
 
   dvec3 set_jump(0.0);
@@ -360,16 +365,15 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
 
   const dvec3 whole_step = solved.X_DP.p - proxy_.p - set_jump;
   const dvec3 proxy_step = takeOutJump(solved, whole_step, stylus_step);
-  // Turning the wrist can load the spring without work that the hand's force does: at most what the lever moves.
-  const double turn = kRotationLever * glm::length(rotationVector(solved.X_DP.q * glm::conjugate(proxy_.q)));
-  const double wrist_work = std::clamp(glm::dot(spring_D_, proxy_step), 0.0, glm::length(spring_D_) * turn);
   filterVelocities(stylus_step, proxy_step, dt);
   decayOffset(solved, stylus_step, dt);
   updateCoupling(solved, dt);
 
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
   spring_D_ = free ? dvec3(0.0) : springOf(solved, X_DS) + stiffness_ * offset_D_;
-  observeEnergy(stylus_step, wrist_work, solved.contact, dt);
+  const double turning = stiffness_ * kRotationLever * kRotationLever;
+  const dvec3 torque_D = free ? dvec3(0.0) : turning * difference(solved.X_DP, X_DS).angular;
+  observeEnergy(stylus_motion, torque_D, solved.contact, dt);
   proxy_ = solved.X_DP;
   stylus_ = X_DS;
   contact_ = solved.contact;
@@ -378,6 +382,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   result.X_DP = proxy_;
   result.spring_D = spring_D_;
   result.force_D = couplingForce(solved);
+  result.torque_D = torque_D;
   result.v_DS = v_stylus_D_;
   result.offset_D = offset_D_;
   result.active_rows = solved.active_rows;

@@ -26,16 +26,18 @@ RendererOptions limitedByDelay(RendererOptions options);
 
 /// What one tick of the force renderer yields. All in the device frame D.
 struct RenderResult {
-  Pose X_DP;                        ///< The proxy: where the stylus would be if it obeyed every constraint.
-  dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
-  dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
-  dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
-  dvec3 offset_D{0.0};              ///< o, what is left of blended set changes, m.
-  std::size_t active_rows = 0;      ///< Rows that hold the proxy back, the trust row included.
-  bool contact = false;             ///< One of them is a constraint.
-  bool at_zone_edge = false;        ///< The trust row is one of them.
-  double energy = 0.0;              ///< Passivity observer's balance, J; negative: the renderer made that much.
-  double stiffness = 0.0;           ///< K in force now, N/m.
+  Pose X_DP;                    ///< The proxy: where the stylus would be if it obeyed every constraint.
+  dvec3 force_D{0.0};           ///< Wanted on the hand, N; not yet through the safety chain.
+  dvec3 spring_D{0.0};          ///< Its part K (y - x) + K o.
+  dvec3 torque_D{0.0};          ///< K l^2 times the proxy's turn from the stylus, N m: what turning the stylus works
+                                ///< against, for the energy account; no device here shows it to the hand.
+  dvec3 v_DS{0.0};              ///< Filtered velocity of the stylus, m/s.
+  dvec3 offset_D{0.0};          ///< o, what is left of blended set changes, m.
+  std::size_t active_rows = 0;  ///< Rows that hold the proxy back, the trust row included.
+  bool contact = false;         ///< One of them is a constraint.
+  bool at_zone_edge = false;    ///< The trust row is one of them.
+  double energy = 0.0;          ///< Passivity observer's balance, J; negative: the renderer made that much.
+  double stiffness = 0.0;       ///< K in force now, N/m.
   double controller_damping = 0.0;  ///< What the passivity controller adds to B, N s/m.
   std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
 };
@@ -100,7 +102,7 @@ class ForceRenderer {
   void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
   dvec3 couplingForce(const Solved& solved) const;
-  void observeEnergy(const dvec3& stylus_step, double wrist_work, bool contact, double dt);
+  void observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt);
 
   RendererOptions options_;
   std::array<StoredSet, 2> sets_{};
@@ -118,6 +120,7 @@ class ForceRenderer {
   dvec3 v_proxy_D_{0.0};
   dvec3 spring_D_{0.0};
   dvec3 applied_D_{0.0};  ///< Force of the last tick, N.
+  dvec3 torque_D_{0.0};   ///< Of the last tick, N m.
   double stiffness_ = 1000.0;
   double damping_ = 2.0;
   double energy_ = 0.0;   ///< Taken up and not forgotten, J.

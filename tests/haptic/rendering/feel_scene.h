@@ -16,11 +16,12 @@ class FeelScene {
   virtual std::string name() const = 0;
   /// The exact set about a proxy: everything within the zone.
   virtual ConstraintSet setAt(const Pose& X_DP) const = 0;
-  /// How deep a point lies inside the obstacle (or off the guide), 0 outside; the second method for the proxy.
-  virtual double penetration(const dvec3& p_D) const = 0;
+  /// How deep the proxy lies inside the obstacle (or off the guide), 0 outside; the second method for it.
+  virtual double penetration(const Pose& X_DP) const = 0;
   /// Where the hand goes `t` seconds into the sliding, and for how long; `press` is the depth of the intended pose.
   virtual dvec3 handAt(double t, double press) const = 0;
-  virtual double duration() const { return 4.0; }
+  /// How the hand turns the stylus meanwhile.
+  virtual dquat turnAt(double) const { return dquat(1.0, 0.0, 0.0, 0.0); }
   /// A free place near the path's beginning, with no force.
   virtual dvec3 start() const { return handAt(0.0, -0.004); }
   /// A place on the surface where a stylus of some weight stays.
@@ -44,9 +45,16 @@ std::unique_ptr<FeelScene> hingeScene();
 
 /// A 1 mm plate of 100 x 100 mm about the origin, normal z: six faces, one group.
 std::unique_ptr<FeelScene> plateScene();
+/// A box of 60 x 40 x 20 mm held by the middle of its top, flat on a plane and turned about all axes: eight corners.
+std::unique_ptr<FeelScene> boxScene();
+/// A peg, 30 mm long, in a hole with 0.05 mm of clearance and a bottom: planes in 8 directions at both rims.
+std::unique_ptr<FeelScene> pegScene();
 
 /// A plane patch through `point` with the normal, as seen from X_DR: exact for a point stylus.
 Constraint planeConstraint(const dvec3& point, const dvec3& normal, const Pose& X_DR, std::uint32_t group);
+
+/// The plane's constraint on the point `p_SB` of a body held at the stylus, with the curvature of turning.
+Constraint bodyPointConstraint(const dvec3& p_SB, double gap, const dvec3& normal, const Pose& X_DR);
 
 /// f(w) = n.e + 1/2 e' M e with e = w - point, re-expanded about X_DR for a point stylus.
 Constraint quadricConstraint(const dvec3& point, const dvec3& normal, const dmat3& M, const Pose& X_DR);

@@ -58,13 +58,22 @@ void FeelSession::follow(const std::function<dvec3(double)>& path, double durati
   }
 }
 
+void FeelSession::followTurning(const std::function<dvec3(double)>& path, double duration) {
+  const auto count = static_cast<int>(std::lround(duration / kTick));
+  for (int i = 1; i <= count; ++i) {
+    device_.hand().hold({path(i * kTick), scene_.turnAt(i * kTick)});
+    tick(true);
+  }
+}
+
 void FeelSession::letGo(double duration) {
   device_.hand().release();
   for (int i = 0; i < static_cast<int>(std::lround(duration / kTick)); ++i) tick(false);
 }
 
 void FeelSession::tick(bool measured) {
-  const dvec3 before = device_.truePose().p;
+  const Pose before = device_.truePose();
+  const dvec3 torque = result_.torque_D;
   device_.advance(kTick);
   const dvec3 force_before = safety_result_.force_D;
   DeviceReading reading;
@@ -86,23 +95,25 @@ void FeelSession::tick(bool measured) {
   if (exact_result_.active_rows != exact_rows_) last_change_ = time_;
   exact_rows_ = exact_result_.active_rows;
   if (measured) {
-    accountEnergy(device_.truePose().p - before);
+    accountEnergy(difference(device_.truePose(), before), torque);
     measure(reading, force_before);
   }
   time_ += kTick;
 }
 
-void FeelSession::accountEnergy(const dvec3& moved) {
-  work_ -= glm::dot(device_.motorForce(), moved);
+void FeelSession::accountEnergy(const Twist& moved, const dvec3& torque) {
+  // Turning counts with the torque that a device of three driven axes cannot show (docs/feel.md).
+  work_ -= glm::dot(device_.motorForce(), moved.linear) + glm::dot(torque, moved.angular);
   const dvec3 f = safety_result_.force_D;
-  balance_.push_back(work_ - glm::dot(f, f) / (2.0 * renderer_.options().stiffness));
+  const double turn = glm::length(result_.torque_D) / kRotationLever;
+  balance_.push_back(work_ - (glm::dot(f, f) + turn * turn) / (2.0 * renderer_.options().stiffness));
 }
 
 void FeelSession::measure(const DeviceReading& reading, const dvec3& force_before) {
   const dvec3 force = safety_result_.force_D;
   const double size = glm::length(force);
   figures_.force_max = std::max(figures_.force_max, size);
-  figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP.p));
+  figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP));
   if (exact_result_.active_rows == 0 && glm::length(result_.offset_D) == 0.0 && result_.active_rows == 0) {
     ++figures_.free_ticks;
     figures_.free_force_max = std::max(figures_.free_force_max, glm::length(result_.force_D));

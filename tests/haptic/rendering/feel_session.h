@@ -70,6 +70,8 @@ class FeelSession {
   void begin(const dvec3& start);
   /// Hand along the path for `duration`; nothing is measured if `measured` is false.
   void follow(const std::function<dvec3(double)>& path, double duration, bool measured = true);
+  /// The same with the scene's turning of the stylus.
+  void followTurning(const std::function<dvec3(double)>& path, double duration);
   /// Lets go for `duration`.
   void letGo(double duration);
   /// Largest excursion of the encoder's readings on any axis over the last `seconds`, m.
@@ -85,7 +87,7 @@ class FeelSession {
  private:
   void tick(bool measured);
   void measure(const DeviceReading& reading, const dvec3& force_before);
-  void accountEnergy(const dvec3& moved);
+  void accountEnergy(const Twist& moved, const dvec3& torque);
 
   const FeelScene& scene_;
   SlowClient client_;

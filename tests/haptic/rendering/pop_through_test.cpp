@@ -69,7 +69,7 @@ void run(const Sweep& sweep, const FeelScene& plate, ClientRate rate, Outcome& o
     client.step(t, renderer);
     renderer.tick(Pose::translation(p), kTick);
     const dvec3 now = renderer.proxy().p;
-    outcome.penetration = std::max(outcome.penetration, plate.penetration(now));
+    outcome.penetration = std::max(outcome.penetration, plate.penetration(renderer.proxy()));
     outcome.pops += crosses(before, now) ? 1 : 0;
     before = now;
   }
