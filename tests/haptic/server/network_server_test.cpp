@@ -191,7 +191,7 @@ TEST(NetworkServer, a_client_that_is_silent_for_long_is_given_up) {
   RawClient silent(server.port());
   ASSERT_TRUE(is<Welcome>(silent.hello()));
   EXPECT_EQ(silent.refusalThenEnd(), "");
-  EXPECT_TRUE(server.reported("was silent for too long"));
+  EXPECT_TRUE(eventually([&] { return server.reported("was silent for too long"); }));
 }
 
 TEST(NetworkServer, connections_are_limited_and_free_again_when_closed) {

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""hapticell-haptic-server from outside: its options, its line, its signals, its exit statuses."""
+import pathlib
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+
+from server_process import Server
+
+PROGRAM = sys.argv[1]
+
+
+def refused(*words):
+    """Runs it with bad words; what it says."""
+    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2, (words, done)
+    assert done.stdout == "" and done.stderr.count("\n") == 1, (words, done)
+    return done.stderr
+
+
+def test_ends_by_signal():
+    for number in (signal.SIGTERM, signal.SIGINT):
+        with Server(PROGRAM) as server:
+            assert "Phantom Desktop (simulated) at 1000 Hz" in server.line, server.line
+            status, errors = server.end(number)
+            assert status == 0, errors
+            assert "Force loop:" in errors and "Lateness in ms: p50" in errors, errors
+
+
+def test_ends_by_itself():
+    with Server(PROGRAM, "--seconds", "0.3") as server:
+        status, errors = server.finish()
+        assert status == 0 and "ticks" in errors, errors
+
+
+def test_prints_figures_when_asked():
+    with Server(PROGRAM) as server:
+        server.process.send_signal(signal.SIGUSR1)
+        first = server.process.stderr.readline()
+        assert first.startswith("Force loop:"), first
+        status, errors = server.end()
+        assert status == 0 and "Force loop:" in errors, errors
+
+
+def test_takes_device_and_configuration():
+    with Server(PROGRAM, "--device", "touch") as server:
+        assert "Touch" in server.line, server.line
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "my.toml"
+        file.write_text("[haptic]\nrate_hz = 500\n")
+        with Server(PROGRAM, "--config", str(file)) as server:
+            assert server.line.rstrip().endswith("at 500 Hz."), server.line
+        file.write_text("[haptic]\nrate_hz = -1\n")
+        said = refused("--port", "0", "--config", str(file))
+        assert "rate_hz" in said and "my.toml" in said, said
+
+
+def test_refuses_in_a_sentence():
+    assert "--prot" in refused("--prot", "1")
+    assert "--port" in refused("--port", "70000")
+    assert "no_such_device" in refused("--port", "0", "--device", "no_such_device")
+    assert "--allow-unprotected-network" in refused("--port", "0", "--listen", "0.0.0.0")
+    assert "nowhere" in refused("--port", "0", "--listen", "nowhere")
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = str(taken.getsockname()[1])
+        assert port in refused("--port", port)
+
+
+def test_helps():
+    said = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, timeout=60)
+    assert said.returncode == 0 and "--listen ADDRESS" in said.stdout
+    assert subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, timeout=60).returncode == 0
+
+
+if __name__ == "__main__":
+    for name, test in sorted(globals().items()):
+        if name.startswith("test_"):
+            test()
+            print("passed", name)
