@@ -180,7 +180,8 @@ haptic::ForceLoopOptions loopOptions(const haptic::Device& device, const config:
 
 MeteredTick meteredTick(double t, const haptic::ForceLoop& loop, const dvec3& acting_D, const dvec3& step_D) {
   const haptic::RenderResult& render = loop.lastRender();
-  MeteredTick tick{t, loop.current().force_D, acting_D, step_D, render.spring_D, 1.0, render.stiffness, render.X_DP};
+  MeteredTick tick{t,           loop.current().force_D, acting_D, step_D, render.spring_D, 1.0, render.stiffness,
+                   render.X_DP, loop.current().X_DS};
   const double wanted = glm::length(render.force_D);
   if (wanted > 1e-9) tick.share = std::min(1.0, glm::length(tick.force_D) / wanted);
   return tick;
@@ -275,7 +276,8 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
 /// What a client sees of the force loop: states, as often as they come. Force and motion are those of the wire.
 MeteredTick meteredState(double t, const haptic::HapticState& state, const haptic::HapticState& last,
                          double stiffness) {
-  return {t, state.force_D, last.force_D, state.X_DS.p - last.X_DS.p, state.force_D, 1.0, stiffness, state.X_DP};
+  return {t,         state.force_D, last.force_D, state.X_DS.p - last.X_DS.p, state.force_D, 1.0,
+          stiffness, state.X_DP,    state.X_DS};
 }
 
 }  // namespace

@@ -49,6 +49,12 @@ double depthOf(const Body& moved, const Body& other) {
   return least;
 }
 
+/// What turning the stylus works against, N m (haptic/rendering/force_renderer.h).
+dvec3 unshownTorque(const MeteredTick& tick) {
+  const double per_radian = tick.stiffness * haptic::kRotationLever * haptic::kRotationLever;
+  return per_radian * difference(tick.X_DP, tick.X_DS).angular;
+}
+
 }  // namespace
 
 void ForceMeter::add(const MeteredTick& tick) {
@@ -56,16 +62,14 @@ void ForceMeter::add(const MeteredTick& tick) {
   if (started_) {
     const double ms = std::max(1e-6, 1e3 * (tick.t - last_.t));
     max_step_ = std::max(max_step_, glm::length(tick.force_D - last_.force_D) / std::max(1.0, ms));
-    const dvec3 proxy_step = tick.X_DP.p - last_.X_DP.p;
-    const double turn =
-        haptic::kRotationLever * glm::length(rotationVector(tick.X_DP.q * glm::conjugate(last_.X_DP.q)));
-    const double wrist =
-        tick.share * std::clamp(glm::dot(tick.spring_D, proxy_step), 0.0, glm::length(tick.spring_D) * turn);
-    work_ += wrist - glm::dot(tick.acting_D, tick.step_D);
+    const dvec3 turn = difference(tick.X_DS, last_.X_DS).angular;
+    work_ -= glm::dot(tick.acting_D, tick.step_D) + last_.share * glm::dot(unshownTorque(last_), turn);
   }
   started_ = true;
   last_ = tick;
-  const double balance = work_ - tick.share * glm::dot(tick.spring_D, tick.spring_D) / (2.0 * tick.stiffness);
+  const dvec3 turned = unshownTorque(tick) / haptic::kRotationLever;
+  const double stretched = glm::dot(tick.spring_D, tick.spring_D) + glm::dot(turned, turned);
+  const double balance = work_ - tick.share * stretched / (2.0 * tick.stiffness);
   while (!highest_.empty() && highest_.front().first < tick.t - kWindow) highest_.pop_front();
   while (!highest_.empty() && highest_.back().second <= balance) highest_.pop_back();
   highest_.emplace_back(tick.t, balance);

@@ -22,13 +22,15 @@ struct MeteredTick {
   double share = 1.0;       ///< Of the wanted force that was let through (ramp, limits).
   double stiffness = 1000;  ///< N/m.
   Pose X_DP;
+  Pose X_DS;
 };
 
 /// Force, slew and energy over a session.
 ///
 /// Energy (docs/feel.md): balance = work of the hand into the force - |F|^2 / 2K; the least change of it over any
-/// second is what the rendering made (negative) or took. Turning the wrist loads the spring without work that the hand
-/// feels; that part is left out, at most what the lever moves.
+/// second is what the rendering made (negative) or took. Turning the stylus counts with the torque that a device of
+/// three driven axes cannot show, K l^2 times the proxy's turn from the stylus: without it, a wrist that turns a part
+/// against an obstacle would look like energy made.
 class ForceMeter {
  public:
   void add(const MeteredTick& tick);
