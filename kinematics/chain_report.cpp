@@ -94,4 +94,22 @@ std::string configurationName(const Chain& chain, const ChainPositions& x) {
          (flipped ? ", wrist flipped" : ", wrist not flipped");
 }
 
+std::optional<Elbow> findElbow(const Chain& chain) {
+  if (!sixRevolutes(chain)) return std::nullopt;
+  const ChainPositions zero{};
+  ChainState state;
+  chain.evaluate(zero, state);
+  const dvec3& axis = state.axis_B[2];
+  if (glm::length(glm::cross(state.axis_B[1], axis)) > kParallel) return std::nullopt;
+  std::optional<dvec3> wrist = wristCentre(state);
+  if (!wrist && glm::length(glm::cross(state.axis_B[3], axis)) <= kParallel) wrist = state.origin_B[3];
+  if (!wrist || chain.elements()[2].factor != 1.0) return std::nullopt;
+  const auto across = [&](const dvec3& v) { return v - glm::dot(v, axis) * axis; };
+  const dvec3 upper_arm = across(state.origin_B[2] - state.origin_B[1]), forearm = across(*wrist - state.origin_B[2]);
+  if (glm::length(upper_arm) < kMeeting || glm::length(forearm) < kMeeting) return std::nullopt;
+  // Joint 3 turns the forearm by its own angle, so the angle between the two arms is zero at minus the one at zero.
+  const double bend = std::atan2(glm::dot(axis, glm::cross(upper_arm, forearm)), glm::dot(upper_arm, forearm));
+  return Elbow{2, -bend};
+}
+
 }  // namespace hapticell::kinematics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "kinematics/chain.h"
@@ -17,5 +18,14 @@ bool chainIsSingular(const Chain& chain, const ChainPositions& x);
 /// Front: the wrist centre is on the side of axis 1 that the first link points to; up: the elbow is above the line
 /// from axis 2 to the wrist centre; flipped: joint 5 is negative.
 std::string configurationName(const Chain& chain, const ChainPositions& x);
+
+/// The elbow of a six-axis arm whose axes 2 and 3 are parallel: the third variable, and one of its positions where axis
+/// 2, axis 3 and the wrist (its centre, or axis 4 where that is parallel too) stand in line. Every half turn from there
+/// they do so again, stretched or folded; between two such positions the elbow stays on its side.
+struct Elbow {
+  std::size_t variable = 2;
+  double straight = 0.0;  ///< rad
+};
+std::optional<Elbow> findElbow(const Chain& chain);
 
 }  // namespace hapticell::kinematics

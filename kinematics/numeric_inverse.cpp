@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "geometry/assertion.h"
-#include "kinematics/chain_report.h"
 
 namespace hapticell::kinematics {
 
@@ -21,6 +20,7 @@ constexpr std::size_t kSeedsWithoutLimits = 96;
 constexpr int kHapticIterations = 24;
 constexpr int kRestartIterations = 60;
 constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
+constexpr double kElbowMargin = 0.01;   // rad from straight or folded
 constexpr double kSameSolution = 1e-4;  // rad or m
 constexpr std::size_t kMaxAlternatives = 64;
 
@@ -74,6 +74,7 @@ NumericInverse::NumericInverse(Chain chain, std::size_t model_dof, double lever_
     : chain_(std::move(chain)), model_dof_(model_dof) {
   options_.lever = lever_m;
   options_.max_iterations = kRestartIterations;
+  elbow_ = findElbow(chain_);
   makeSeeds();
 }
 
@@ -107,6 +108,18 @@ FitBox NumericInverse::withoutTurningLimits() const {
   return box;
 }
 
+void NumericInverse::keepElbowSide(const ChainPositions& x, FitBox& box) const {
+  if (!elbow_) return;
+  const std::size_t i = elbow_->variable;
+  const double side = std::floor((x[i] - elbow_->straight) / std::numbers::pi);
+  const double lower = elbow_->straight + side * std::numbers::pi + kElbowMargin;
+  const double upper = elbow_->straight + (side + 1.0) * std::numbers::pi - kElbowMargin;
+  // An arm that a user put straight has no side yet.
+  if (x[i] < lower - 0.5 * kElbowMargin || x[i] > upper + 0.5 * kElbowMargin) return;
+  box.lower[i] = std::max(box.lower[i], std::min(lower, x[i]));
+  box.upper[i] = std::min(box.upper[i], std::max(upper, x[i]));
+}
+
 ChainPositions NumericInverse::pick(const std::vector<double>& q) const {
   HAPTICELL_DEMAND(q.size() == model_dof_);
   ChainPositions x{};
@@ -136,6 +149,7 @@ void NumericInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q
     box.lower[i] = std::max(box.lower[i], x[i] - chain_.velocity()[i] * duration_s);
     box.upper[i] = std::min(box.upper[i], x[i] + chain_.velocity()[i] * duration_s);
   }
+  keepElbowSide(x, box);
   FitOptions options = options_;
   options.max_iterations = kHapticIterations;
   FitResult fit = fitPose(chain_, X_BT, x, box, options);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/error.h"
 #include "kinematics/chain.h"
+#include "kinematics/chain_report.h"
 #include "kinematics/inverse_model.h"
 #include "kinematics/pose_fit.h"
 
@@ -37,6 +39,7 @@ class NumericInverse final : public InverseModel {
   };
 
   Chain chain_;
+  std::optional<Elbow> elbow_;
   FitOptions options_;
   std::size_t model_dof_ = 0;
   std::vector<Seed> seeds_;
@@ -45,6 +48,7 @@ class NumericInverse final : public InverseModel {
   void makeSeeds();
   FitBox limits() const;
   FitBox withoutTurningLimits() const;
+  void keepElbowSide(const ChainPositions& x, FitBox& box) const;
   ChainPositions pick(const std::vector<double>& q) const;
   void fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const;
   std::vector<std::size_t> seedsNear(const Pose& X_BT) const;

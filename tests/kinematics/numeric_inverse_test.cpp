@@ -169,6 +169,26 @@ TEST(NumericInverse, GlidesAlongTheBoundaryOutsideTheWorkspace) {
   }
 }
 
+TEST(NumericInverse, ComesBackWithTheElbowOnItsSide) {
+  const RobotModel model = test::kr120();
+  const auto inverse = inverseOf(model);
+  // Elbow up and down, both far from limits; the hand pulls the tip out by 1.5 m and lets it come back.
+  for (const std::vector<double>& q :
+       {std::vector<double>{0.1, -1.4, 1.9, 0.2, 0.6, 0.1}, {0.1, -0.3, -1.2, 0.2, 0.6, 0.1}}) {
+    const Pose X_0 = test::tipPose(model, q, model.defaultTip());
+    InverseSolution solution;
+    solution.q = q;
+    for (int i = 0; i <= 6500; ++i) {
+      Pose X_BT = X_0;
+      X_BT.p += 1.5 * std::sin(kPi * std::min(1.0, i / 6000.0)) * glm::normalize(X_0.p);
+      const std::vector<double> before = solution.q;
+      inverse->solveNearest(X_BT, before, 1e-3, solution);
+    }
+    EXPECT_EQ(solution.status, InverseStatus::kSolved);
+    EXPECT_LT(largestStep(solution.q, q), 1e-4);
+  }
+}
+
 TEST(NumericInverse, KeepsWhatTheTipDoesNotNeed) {
   RobotModel model = test::kr120();
   test::addJoint(model, 6, "finger", JointType::kPrismatic, {0, 1, 0}, {});

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "kinematics/chain_report.h"
 #include "tests/kinematics/test_robots.h"
 
 namespace hapticell::kinematics {
@@ -63,6 +64,28 @@ TEST(PoseFit, FreesABoundThatPointsInAgain) {
   EXPECT_TRUE(fit.converged);
   EXPECT_LT(fit.position_error, 1e-9);
   EXPECT_LT(fit.orientation_error, 1e-9);
+}
+
+// At the straight position no other elbow angle brings the wrist farther from axis 2; half a turn on, none nearer.
+TEST(Elbow, StandsStraightWhereTheWristIsFarthest) {
+  for (const RobotModel& model : {test::kr120(), test::ur5e()}) {
+    const auto chain = Chain::create(model, model.findLink("flange"), {});
+    ASSERT_TRUE(chain);
+    const auto elbow = findElbow(*chain);
+    ASSERT_TRUE(elbow);
+    // The origin of joint 4's link lies at the wrist, but for a shift along axis 2 (UR) or axis 4 (KR): none for these.
+    const auto reachAt = [&](double bend) {
+      std::vector<Pose> X_BL;
+      forwardKinematics(model, {0.0, 0.0, elbow->straight + bend, 0.0, 0.0, 0.0}, X_BL);
+      const dvec3 apart = X_BL[4].p - X_BL[2].p;
+      return std::hypot(apart.x, apart.z);
+    };
+    for (const double bend : {-2.0, -0.3, -0.01, 0.01, 0.3, 2.0}) {
+      EXPECT_LT(reachAt(bend), reachAt(0.0));
+      EXPECT_GT(reachAt(3.14159265358979 + bend), reachAt(3.14159265358979));
+    }
+  }
+  EXPECT_FALSE(findElbow(*Chain::create(test::panda(), 8, {})));
 }
 
 TEST(Chain, RefusesATipThatNothingMoves) {
