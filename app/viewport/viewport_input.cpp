@@ -99,7 +99,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
 
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (tool_active_) {
-    tool_active_ = false;
+    tool_active_ = event->buttons() != Qt::NoButton;  // The tool keeps the pointer until the last button is up.
     if (tool_) tool_->release(eventFrom(*event));
     update();
     return;

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QProcess>
+
+namespace hapticell::app {
+
+/// The haptic server as a child process, for when none answers. It ends with this object. GUI thread.
+class ServerProcess : public QObject {
+  Q_OBJECT
+ public:
+  explicit ServerProcess(QObject* parent = nullptr);
+  ~ServerProcess() override;
+  /// Starts hapticell-haptic-server from the program's folder with a device profile (empty: its default).
+  void start(const QString& device, int port);
+  void stop();
+  bool isRunning() const { return process_.state() != QProcess::NotRunning; }
+
+ signals:
+  /// It could not be started, or ended by itself: what happened, as a sentence.
+  void ended(const QString& sentence);
+
+ private:
+  QProcess process_;
+  bool stopping_ = false;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/virtual_desktop_controller.h"
+
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/viewport/stylus_mesh.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+namespace command = manipulation::command;
+
+constexpr int kServerPatience = 700;     // Milliseconds without an answer until a server is started.
+constexpr double kPenPixels = 150.0;     // As the viewport draws it.
+
+}  // namespace
+
+QString scaleName(manipulation::ScaleLevel level) {
+  switch (level) {
+    case manipulation::ScaleLevel::kRough: return QObject::tr("Rough");
+    case manipulation::ScaleLevel::kMedium: return QObject::tr("Medium");
+    case manipulation::ScaleLevel::kFine: return QObject::tr("Fine");
+    case manipulation::ScaleLevel::kScreen: return QObject::tr("Screen");
+    case manipulation::ScaleLevel::kNumber: break;
+  }
+  return {};
+}
+
+VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
+    : QObject(parent), host_(host), mouse_([this](const haptic::HandTarget& target) {
+        if (loop_) loop_->post(command::SetHandTarget{target});
+      }) {
+  clock_.start();
+  connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopController::postDocument);
+  connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
+  connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
+    host_.messages().tell(Severity::kProblem, sentence, tr("Forces are off. Connect again to start it anew."));
+  });
+}
+
+VirtualDesktopController::~VirtualDesktopController() {
+  host_.viewport().setPointerTool(nullptr);
+  disconnectDevice();
+  server_.stop();
+}
+
+void VirtualDesktopController::connectDevice() {
+  if (loop_) return;
+  haptic::TcpLinkOptions options;
+  options.host = host_.configuration().server.host;
+  options.port = static_cast<std::uint16_t>(host_.configuration().server.port);
+  auto link = std::make_unique<haptic::TcpLink>(options);
+  link_ = link.get();
+  loop_ = std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration());
+  connecting_.start();
+  server_tried_ = false;
+  forces_wanted_ = false;
+  postDocument();
+  postCamera();
+  postSettings();
+  mouse_.hold(true);
+  host_.viewport().setPointerTool(&mouse_);
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.start(static_cast<int>(std::lround(1000.0 / host_.configuration().gui.rate_hz)));
+  emit connectionChanged();
+}
+
+void VirtualDesktopController::disconnectDevice() {
+  if (!loop_) return;
+  timer_.stop();
+  loop_->post(command::Release{});
+  takeResults();
+  link_ = nullptr;
+  loop_.reset();
+  snapshot_ = {};
+  device_.reset();
+  forces_wanted_ = was_connected_ = false;
+  mouse_.setState({});
+  host_.setSnapshot(std::nullopt);
+  host_.setDeviceText({});
+  emit snapshotChanged();
+  emit connectionChanged();
+}
+
+bool VirtualDesktopController::isConnected() const { return link_ && link_->linkState() == haptic::LinkState::kConnected; }
+
+QString VirtualDesktopController::deviceLine() const {
+  if (!link_) return tr("Not connected");
+  if (isConnected()) {
+    if (!device_) return tr("Connected");
+    return device_->simulated ? tr("Connected, simulated") : tr("Connected");
+  }
+  const QString problem = QString::fromStdString(link_->problem());
+  return problem.isEmpty() ? tr("Connecting") : problem;
+}
+
+double VirtualDesktopController::guiRate() const { return ticks_.rate(static_cast<double>(clock_.nsecsElapsed()) * 1e-9); }
+
+void VirtualDesktopController::postDocument() {
+  if (!loop_) return;
+  const workcell::Document& document = host_.documentModel().document();
+  loop_->post(command::SetDocument{document.snapshotEntities(), document.state().pair_sets});
+}
+
+Pose VirtualDesktopController::cameraPose_W() const {
+  const Camera& camera = host_.viewport().camera();
+  return {camera.eye_W(), glm::normalize(glm::quat_cast(dmat3(camera.right_W(), camera.up_W(), -camera.forward_W())))};
+}
+
+void VirtualDesktopController::postCamera() {
+  if (!loop_) return;
+  const ViewportWidget& viewport = host_.viewport();
+  const Camera& camera = viewport.camera();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  loop_->post(command::SetCamera{cameraPose_W(), size.width * camera.metresPerPixel(camera.target_W, size)});
+}
+
+void VirtualDesktopController::postSettings() {
+  if (!loop_) return;
+  loop_->post(command::ChooseEntity{settings_.entity});
+  loop_->post(command::SetMovedBy{{settings_.moved_by, {}}});
+  loop_->post(command::SetAxes{{settings_.axes, {}}});
+  loop_->post(command::SetScale{{settings_.scale, 1.0}});
+  loop_->post(command::SetOnContact{settings_.on_contact});
+  loop_->post(command::SetForceClass{settings_.force_class});
+  loop_->post(command::SetFilter{settings_.translates, settings_.rotates});
+  updateStrip();
+}
+
+void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
+  settings_ = settings;
+  postSettings();
+  emit settingsChanged();
+}
+
+void VirtualDesktopController::updateStrip() {
+  StripContext strip;
+  strip.on_contact = settings_.on_contact;
+  strip.scale_name = scaleName(settings_.scale).toStdString();
+  strip.free_axes = settings_.translates && settings_.rotates ? "X Y Z A B C" : settings_.translates ? "X Y Z" : "A B C";
+  strip.near_miss_distance = host_.configuration().manipulation.near_miss;
+  host_.viewport().setStrip(strip);
+}
+
+void VirtualDesktopController::setForces(bool on) {
+  if (on && !isConnected()) return;
+  forces_wanted_ = on;
+  if (loop_) loop_->post(command::SetForces{on});
+  emit settingsChanged();
+}
+
+void VirtualDesktopController::setClutch(bool on) {
+  if (loop_) loop_->post(command::SetClutch{on});
+}
+
+void VirtualDesktopController::helpServer() {
+  const QString host = QString::fromStdString(host_.configuration().server.host);
+  const bool local = host == "127.0.0.1" || host == "localhost" || host == "::1";
+  if (isConnected() || server_tried_ || !local || connecting_.elapsed() < kServerPatience) return;
+  server_tried_ = true;
+  server_.start(QString::fromStdString(host_.configuration().haptic.device), host_.configuration().server.port);
+}
+
+void VirtualDesktopController::handleMoved(const manipulation::result::Moved& moved) {
+  host_.documentModel().execute(workcell::SetConfiguration{moved.entity, moved.X_WE, moved.joints});
+}
+
+void VirtualDesktopController::takeResults() {
+  if (!loop_) return;
+  for (const manipulation::Result& result : loop_->takeResults()) {
+    if (const auto* moved = std::get_if<manipulation::result::Moved>(&result)) handleMoved(*moved);
+    if (const auto* grabbed = std::get_if<manipulation::result::Grabbed>(&result)) host_.selection().set(grabbed->entity);
+    if (const auto* notice = std::get_if<manipulation::result::Notice>(&result))
+      host_.messages().tell(Severity::kInformation, QString::fromStdString(notice->sentence));
+  }
+}
+
+void VirtualDesktopController::updateMouse() {
+  const ViewportWidget& viewport = host_.viewport();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  MouseStylus::State state;
+  state.usable = isConnected() && device_ && device_->simulated;
+  state.holding_entity = snapshot_.held != 0;
+  state.q_WD = manipulation::deviceAxes(settings_.axes, cameraPose_W(), Pose::identity());
+  state.scale = snapshot_.motion_scale;
+  state.p_WTip = snapshot_.X_WStylus.p;
+  state.d_WPen = snapshot_.X_WStylus.rotate(stylusDirection_S());
+  state.pen_length = kPenPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
+  if (device_) state.workspace_min = device_->workspace_min, state.workspace_max = device_->workspace_max;
+  mouse_.setState(state);
+}
+
+void VirtualDesktopController::tick() {
+  const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+  ticks_.frame(now, 0.0);
+  helpServer();
+  const bool connected = isConnected();
+  if (connected != was_connected_) {
+    was_connected_ = connected;
+    device_ = connected ? link_->device() : std::nullopt;
+    forces_wanted_ = false;  // Never on by a reconnection.
+    loop_->post(command::SetForces{false});
+    loop_->post(command::SetHandTarget{mouse_.target()});
+    if (!connected) connecting_.restart(), server_tried_ = server_.isRunning();
+    emit connectionChanged();
+  }
+  takeResults();
+  if (loop_->latest(snapshot_)) {
+    // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
+    const dquat q_WD = manipulation::deviceAxes(settings_.axes, cameraPose_W(), Pose::identity());
+    snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
+    updateMouse();
+    host_.setGuiRate(guiRate());
+    host_.setSnapshot(snapshot_);
+    if (device_)
+      host_.setDeviceText(QString::fromStdString(device_->name) + (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
+    else
+      host_.setDeviceText(deviceLine());
+    emit snapshotChanged();
+  }
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "app/viewport/detail_level.h"
+#include "app/virtual_desktop/mouse_stylus.h"
+#include "app/virtual_desktop/server_process.h"
+#include "app/virtual_desktop/virtual_desktop_settings.h"
+#include "haptic/client/tcp_link.h"
+#include "manipulation/manipulation_loop.h"
+
+namespace hapticell::app {
+
+class Host;
+
+/// Ties the window to the manipulation loop: starts loop and, where none answers, the haptic server; hands the document
+/// and the user's choices over as commands; takes the newest snapshot at the window's rate. GUI thread; never waits.
+class VirtualDesktopController : public QObject {
+  Q_OBJECT
+ public:
+  explicit VirtualDesktopController(Host& host, QObject* parent = nullptr);
+  ~VirtualDesktopController() override;
+
+  void connectDevice();
+  void disconnectDevice();
+  bool isConnected() const;
+  bool isStarted() const { return loop_ != nullptr; }
+  /// Why there is no connection, or what the device is called; one line.
+  QString deviceLine() const;
+  const std::optional<haptic::DeviceDescription>& device() const { return device_; }
+
+  const VirtualDesktopSettings& settings() const { return settings_; }
+  void change(const VirtualDesktopSettings& settings);
+  void setForces(bool on);
+  /// What the user asked for; whether they act is in the snapshot.
+  bool forcesWanted() const { return forces_wanted_; }
+  void setClutch(bool on);
+  MouseStylus& mouse() { return mouse_; }
+  const manipulation::SceneSnapshot& snapshot() const { return snapshot_; }
+  double guiRate() const;
+
+ signals:
+  void snapshotChanged();     ///< At the window's rate.
+  void settingsChanged();
+  void connectionChanged();
+
+ private:
+  void tick();
+  void takeResults();
+  void handleMoved(const manipulation::result::Moved& moved);
+  void postDocument();
+  void postCamera();
+  void postSettings();
+  void helpServer();
+  void updateMouse();
+  void updateStrip();
+  Pose cameraPose_W() const;
+
+  Host& host_;
+  std::unique_ptr<manipulation::ManipulationLoop> loop_;
+  haptic::TcpLink* link_ = nullptr;   // Owned by the loop; only its thread-safe questions are asked.
+  ServerProcess server_;
+  MouseStylus mouse_;
+  VirtualDesktopSettings settings_;
+  manipulation::SceneSnapshot snapshot_;
+  std::optional<haptic::DeviceDescription> device_;
+  QTimer timer_;
+  QElapsedTimer clock_, connecting_;
+  FrameMeter ticks_;
+  bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/virtual_desktop_module.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QScrollArea>
+
+#include "app/host/actions.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/style/dock_title_bar.h"
+#include "app/style/fonts.h"
+#include "app/style/icon.h"
+#include "app/viewport/viewport_widget.h"
+#include "app/virtual_desktop/virtual_desktop_controller.h"
+#include "app/virtual_desktop/virtual_desktop_panel.h"
+
+namespace hapticell::app {
+namespace {
+
+bool typing() {
+  const QWidget* focus = QApplication::focusWidget();
+  return qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus);
+}
+
+}  // namespace
+
+VirtualDesktopModule::VirtualDesktopModule() = default;
+VirtualDesktopModule::~VirtualDesktopModule() { stop(); }
+
+QString VirtualDesktopModule::purpose() const { return tr("Hold an entity with the stylus, move it and feel what it touches"); }
+
+void VirtualDesktopModule::start(Host& host) {
+  if (controller_) {
+    dock_->show();
+    dock_->raise();
+    return;
+  }
+  host_ = &host;
+  controller_ = std::make_unique<VirtualDesktopController>(host);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(new VirtualDesktopPanel(host, *controller_));
+  dock_ = makeDock("dockVirtualDesktop", tr("Virtual Desktop"), scroll);
+  scroll->setMinimumWidth(332);
+  host.addDock(dock_, Qt::RightDockWidgetArea, nullptr);
+  host.window().resizeDocks({dock_}, {344}, Qt::Horizontal);
+  addPill();
+  addKeys();
+  chooseFirstRobot();
+  QObject::connect(&host.documentModel(), &DocumentModel::opened, controller_.get(), [this] { chooseFirstRobot(); });
+  controller_->connectDevice();
+  qApp->installEventFilter(this);
+}
+
+void VirtualDesktopModule::stop() {
+  if (!controller_) return;
+  qApp->removeEventFilter(this);
+  for (QAction* action : actions_) delete action;
+  actions_.clear();
+  if (dock_) {
+    host_->removeDock(dock_);
+    delete dock_;
+  }
+  delete pill_;
+  pill_button_ = nullptr;
+  controller_.reset();
+}
+
+void VirtualDesktopModule::chooseFirstRobot() {
+  VirtualDesktopSettings settings = controller_->settings();
+  settings.entity = 0;
+  for (const auto& entity : host_->documentModel().document().state().entities) {
+    if (!entity->robot || entity->locked) continue;
+    settings.entity = entity->id;
+    settings.on_contact = entity->on_contact;
+    break;
+  }
+  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
+  controller_->change(settings);
+}
+
+void VirtualDesktopModule::addPill() {
+  pill_ = new QWidget;
+  auto* row = new QHBoxLayout(pill_);
+  row->setContentsMargins(8, 0, 12, 0);
+  row->setSpacing(10);
+  pill_button_ = new QPushButton(icon("forces"), {});
+  pill_button_->setObjectName("pillForces");
+  pill_button_->setCheckable(true);
+  pill_button_->setMinimumHeight(32);
+  pill_button_->setIconSize(QSize(18, 18));
+  pill_words_ = new QLabel;
+  pill_words_->setFont(textFont(TextRole::kSecond));
+  row->addWidget(pill_button_);
+  row->addWidget(pill_words_);
+  host_->addToToolBar(pill_);
+  // It only turns forces off: on is the switch of the panel or Ctrl+Space, never a click that was meant for something else.
+  QObject::connect(pill_button_, &QPushButton::clicked, controller_.get(), [this] {
+    controller_->setForces(false);
+    showPill();
+  });
+  QObject::connect(controller_.get(), &VirtualDesktopController::snapshotChanged, pill_, [this] { showPill(); });
+  QObject::connect(controller_.get(), &VirtualDesktopController::settingsChanged, pill_, [this] { showPill(); });
+  showPill();
+}
+
+void VirtualDesktopModule::showPill() {
+  if (!pill_button_) return;
+  const bool on = controller_->snapshot().forces_on;
+  pill_button_->setChecked(on);
+  pill_button_->setEnabled(controller_->isConnected());
+  pill_button_->setText(on ? tr("Forces on") : tr("Forces off"));
+  pill_words_->setText(on ? tr("<b>Esc</b>&nbsp; forces off") : tr("<b>Ctrl+Space</b>&nbsp; turn on"));
+}
+
+void VirtualDesktopModule::addKeys() {
+  const auto add = [this](const char* name, const QString& text, const QKeySequence& key, auto&& slot) {
+    QAction* action = makeAction(&host_->window(), {name, text, {}, key, {}});
+    host_->window().addAction(action);
+    QObject::connect(action, &QAction::triggered, controller_.get(), slot);
+    actions_.push_back(action);
+  };
+  add("actionForcesOn", tr("Forces on"), QKeySequence(Qt::CTRL | Qt::Key_Space), [this] { controller_->setForces(true); });
+  add("actionFollow", tr("Hold the stylus with the mouse"), QKeySequence(Qt::Key_H), [this] {
+    MouseStylus& mouse = controller_->mouse();
+    mouse.setFollow(!mouse.follow());
+    host_->viewport().refresh();
+  });
+  add("actionOnContact", tr("Stop, slide, pass in turn"), QKeySequence(Qt::Key_C), [this] {
+    VirtualDesktopSettings settings = controller_->settings();
+    settings.on_contact = static_cast<workcell::OnContact>((static_cast<int>(settings.on_contact) + 1) % 3);
+    controller_->change(settings);
+  });
+  for (int level = 0; level < 4; ++level)
+    add("actionScale", tr("Scale %1").arg(level + 1), QKeySequence(Qt::Key_1 + level), [this, level] {
+      VirtualDesktopSettings settings = controller_->settings();
+      settings.scale = static_cast<manipulation::ScaleLevel>(level);
+      controller_->change(settings);
+    });
+}
+
+bool VirtualDesktopModule::handleKey(int key, bool pressed, bool repeated) {
+  if (key == Qt::Key_Escape && pressed) {
+    // Always, whatever has the focus: forces off first.
+    const bool was_on = controller_->forcesWanted() || controller_->snapshot().forces_on;
+    controller_->setForces(false);
+    if (!was_on && controller_->mouse().follow()) controller_->mouse().setFollow(false);
+    return was_on;
+  }
+  if (typing()) return false;
+  if (key == Qt::Key_Space && (pressed || clutch_)) {
+    if (!repeated) controller_->setClutch(clutch_ = pressed);
+    return true;
+  }
+  if (key == Qt::Key_B) {
+    if (!repeated) controller_->mouse().setButton(pressed);
+    return true;
+  }
+  return false;
+}
+
+bool VirtualDesktopModule::eventFilter(QObject* watched, QEvent* event) {
+  const bool press = event->type() == QEvent::KeyPress;
+  if (controller_ && (press || event->type() == QEvent::KeyRelease) && qobject_cast<QWidget*>(watched)) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+    if ((plain || key->key() == Qt::Key_Escape || !press) && handleKey(key->key(), press, key->isAutoRepeat())) return true;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+#include "manipulation/manipulation_command.h"
+
+namespace hapticell::app {
+
+/// What the user chose in the Virtual Desktop panel. A value; the controller turns changes into commands.
+struct VirtualDesktopSettings {
+  workcell::EntityId entity = 0;   ///< 0: whatever the tip touches.
+  manipulation::MovedBy::Kind moved_by = manipulation::MovedBy::Kind::kDefault;
+  manipulation::AxesMode axes = manipulation::AxesMode::kScreen;
+  manipulation::ScaleLevel scale = manipulation::ScaleLevel::kMedium;
+  workcell::OnContact on_contact = workcell::OnContact::kSlide;
+  workcell::ForceClass force_class = workcell::ForceClass::kContact;
+  bool translates = true, rotates = true;
+};
+
+/// "Fine".
+QString scaleName(manipulation::ScaleLevel level);
+
+}  // namespace hapticell::app
