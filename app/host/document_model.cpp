@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "workcell/document_io.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/urdf_reader.h"
 
@@ -36,6 +37,21 @@ void DocumentModel::clear() {
   document_ = workcell::Document();
   emit opened();
   emit changed();
+}
+
+Expected<void> DocumentModel::open(const QString& path, Diagnostics& diagnostics) {
+  auto loaded = workcell::loadDocument(path.toStdString(), diagnostics);
+  if (!loaded) return makeError(loaded.error());
+  document_ = std::move(*loaded);
+  emit opened();
+  emit changed();
+  return {};
+}
+
+Expected<void> DocumentModel::save(const QString& path) {
+  auto saved = workcell::saveDocument(document_, path.toStdString());
+  if (saved) emit changed();
+  return saved;
 }
 
 Expected<workcell::EntityId> DocumentModel::importMesh(const QString& path, double scale, Diagnostics& diagnostics) {

@@ -24,7 +24,8 @@ class DocumentModel : public QObject {
 
   /// An empty document in place of this one.
   void clear();
-  Expected<void> open(const QString& path);
+  /// On error the old document stays.
+  Expected<void> open(const QString& path, Diagnostics& diagnostics);
   Expected<void> save(const QString& path);
   /// Adds a solid from a mesh file (`scale`: metres a unit). What the reader noticed goes to `diagnostics`.
   Expected<workcell::EntityId> importMesh(const QString& path, double scale, Diagnostics& diagnostics);

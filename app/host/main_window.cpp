@@ -34,6 +34,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
   actions_->tool_bar->addWidget(spacer);
   file_label_ = new QLabel(this);
   file_label_->setContentsMargins(0, 0, 14, 0);
+  file_label_->setMinimumHeight(28);
   menuBar()->setCornerWidget(file_label_, Qt::TopRightCorner);
   viewport_->setMotion(configuration_.gui.motion);
   viewport_->setEmptyState(EmptyState{tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
@@ -113,7 +114,9 @@ void MainWindow::documentChanged() {
 void MainWindow::updateTitle() {
   const bool dirty = document_.document().isDirty();
   setWindowTitle(document_.title() + (dirty ? " *" : "") + " – HaptiCell");
-  file_label_->setText(document_.title() + ".hcell  ·  " + (dirty ? tr("changed") : tr("saved")));
+  file_label_->setText(document_.title() + QStringLiteral(".hcell  ·  ") + (dirty ? tr("changed") : tr("saved")));
+  file_label_->adjustSize();
+  menuBar()->setCornerWidget(file_label_, Qt::TopRightCorner);
 }
 
 void MainWindow::updateStatus() {

@@ -63,6 +63,7 @@ class MainWindow : public QMainWindow, public Host {
   void addRobotFromDialog();
   bool saveDocument(bool ask_where);
   bool mayDiscard();
+  void showSavedView();
   void documentChanged();
   void updateTitle();
   void updateStatus();

@@ -13,6 +13,9 @@ void MainWindow::connectFileActions() {
   connect(actions_->new_cell, &QAction::triggered, this, [this] {
     if (mayDiscard()) document_.clear();
   });
+  connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
+  connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
+  connect(actions_->save_as, &QAction::triggered, this, [this] { saveDocument(true); });
   connect(actions_->import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
   connect(actions_->add_robot, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
@@ -38,7 +41,48 @@ void MainWindow::addRobotFromDialog() {
   if (!path.isEmpty()) addFile(path);
 }
 
-bool MainWindow::openFile(const QString&) { return false; }
+void MainWindow::openFromDialog() {
+  if (!mayDiscard()) return;
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
+  if (!path.isEmpty()) openFile(path);
+}
+
+bool MainWindow::openFile(const QString& path) {
+  Diagnostics diagnostics;
+  const QString name = QFileInfo(path).fileName();
+  const auto opened = document_.open(path, diagnostics);
+  tellNotices(tr("%1 was read with remarks").arg(name), diagnostics);
+  if (!opened) {
+    tellError(tr("%1 was not opened").arg(name), opened.error());
+    return false;
+  }
+  showSavedView();
+  return true;
+}
+
+void MainWindow::showSavedView() {
+  const auto& view = document_.document().state().view;
+  if (!view) return viewport_->fit(viewport_->scene().bounds_W(), false);
+  Camera camera = viewport_->camera().turnedTo(view->p_WTarget - view->p_WEye);
+  camera.target_W = view->p_WTarget;
+  camera.distance = glm::length(view->p_WTarget - view->p_WEye);
+  viewport_->setCamera(camera, false);
+}
+
+bool MainWindow::saveDocument(bool ask_where) {
+  QString path = QString::fromStdString(document_.document().path().string());
+  if (path.isEmpty() || ask_where)
+    path = QFileDialog::getSaveFileName(this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path,
+                                        tr("Workcells (*.hcell)"));
+  if (path.isEmpty()) return false;
+  const auto saved = document_.save(path);
+  if (!saved) {
+    messages_.tell(Severity::kProblem, tr("The workcell was not saved"), QString::fromStdString(saved.error().message()));
+    return false;
+  }
+  messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
+  return true;
+}
 
 bool MainWindow::addFile(const QString& path) {
   Diagnostics diagnostics;
@@ -59,8 +103,9 @@ bool MainWindow::mayDiscard() {
   if (!document_.document().isDirty()) return true;
   QMessageBox question(QMessageBox::Question, tr("Changes are not saved"),
                        tr("%1 has changes that are not saved.").arg(document_.title()),
-                       QMessageBox::Discard | QMessageBox::Cancel, this);
-  return question.exec() == QMessageBox::Discard;
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  const int answer = question.exec();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
 }
 
 }  // namespace hapticell::app
