@@ -75,6 +75,37 @@ class Cylinder final : public FeelScene {
   double radius_;
 };
 
+class Facets final : public FeelScene {
+ public:
+  Facets(double radius, int count) : round_(radius), radius_(radius), count_(count) {}
+  std::string name() const override { return "facets"; }
+  ConstraintSet setAt(const Pose& X_DP) const override {
+    ConstraintSet set = emptySet(X_DP);
+    for (int i = 0; i < count_; ++i) {
+      add(set, planeConstraint(dvec3(0.0, 0.0, -radius_) + apothem() * normal(i), normal(i), X_DP, 0));
+    }
+    return set;
+  }
+  double penetration(const Pose& X_DP) const override {
+    double depth = 1.0;
+    for (int i = 0; i < count_; ++i) {
+      depth = std::min(depth, apothem() - glm::dot(normal(i), X_DP.p + dvec3(0.0, 0.0, radius_)));
+    }
+    return std::max(0.0, depth);
+  }
+  dvec3 handAt(double t, double press) const override { return round_.handAt(t, press); }
+
+ private:
+  double apothem() const { return radius_ * std::cos(kPi / count_); }
+  dvec3 normal(int i) const {
+    const double angle = 2.0 * kPi * (i + 0.5) / count_;
+    return {std::sin(angle), 0.0, std::cos(angle)};
+  }
+  Cylinder round_;
+  double radius_;
+  int count_;
+};
+
 class Bore final : public FeelScene {
  public:
   explicit Bore(double radius) : radius_(radius) {}
@@ -332,6 +363,9 @@ std::unique_ptr<FeelScene> planeScene() {
 }
 std::unique_ptr<FeelScene> cylinderScene(double radius) {
   return std::make_unique<Cylinder>(radius);
+}
+std::unique_ptr<FeelScene> facetScene(double radius, int facets) {
+  return std::make_unique<Facets>(radius, facets);
 }
 std::unique_ptr<FeelScene> boreScene(double radius) {
   return std::make_unique<Bore>(radius);

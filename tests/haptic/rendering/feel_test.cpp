@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/haptic/rendering/feel_session.h"
+#include "tests/support/test_data.h"
 
 namespace hapticell::haptic::test {
 namespace {
@@ -124,6 +125,73 @@ TEST_P(FeelOf, ridesOutAStallOfTheClient) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FeelOf, ::testing::ValuesIn(kCases),
                          [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Feel, facetsOfTenDegreesAreNoSteps) {
+  for (const ClientRate rate : kRates) {
+    const auto scene = facetScene(0.01, 36);
+    FeelSession session(*scene, rate);
+    touchAndSlide(session, *scene, 4.0);
+    const FeelFigures figures = session.figures();
+    report("facets", rate, figures);
+    EXPECT_LE(figures.step_n, 0.12) << rate.rate_hz;
+    EXPECT_LE(figures.penetration, 0.05e-3) << rate.rate_hz;
+    EXPECT_GE(figures.energy_min, -0.5e-3) << rate.rate_hz;
+  }
+}
+
+TEST(Feel, longerDelaysStayStableWithTheirStiffness) {
+  for (const int delay : {1, 2, 3}) {
+    for (const bool released : {false, true}) {
+      config::DeviceProfile profile;
+      profile.delay_ticks = delay;
+      profile.weight = released ? 0.44 : profile.weight;
+      RendererOptions options;
+      options.delay = 1e-3 * delay;
+      for (const Case& c : {kCases[0], kCases[5]}) {
+        const auto scene = c.make();
+        FeelSession session(*scene, kRates[1], HandOptions::loose(), profile, options);
+        pressAtRest(session, *scene);
+        if (released) session.letGo(3.0);
+        EXPECT_LE(session.wobble(0.5), kCount) << c.name << ", " << delay << " ms, released " << released;
+      }
+    }
+  }
+}
+
+TEST(Feel, theMeasureSeesALimitCycle) {
+  // A stiffness for one millisecond of delay on a device that has four.
+  config::DeviceProfile profile;
+  profile.delay_ticks = 4;
+  profile.weight = 0.44;
+  RendererOptions options;
+  options.stiffness = 1490.0;
+  const auto scene = planeScene();
+  FeelSession session(*scene, kRates[1], HandOptions::loose(), profile, options);
+  pressAtRest(session, *scene);
+  session.letGo(3.0);
+  EXPECT_GT(session.wobble(0.5), 5.0 * kCount);
+}
+
+TEST(Feel, everyShippedProfileComesToRest) {
+  for (const char* name : {"phantom_desktop", "touch", "touch_x", "premium"}) {
+    const auto file = hapticell::test::sourceFile(std::string("config/devices/") + name + ".toml");
+    const auto profile = config::readDeviceProfile(file);
+    ASSERT_TRUE(profile.has_value()) << profile.error().message();
+    RendererOptions options;
+    options.stiffness = profile->stiffness;
+    options.damping = profile->damping;
+    options.peak_force = profile->peak_force;
+    for (const Case& c : {kCases[0], kCases[5]}) {
+      const auto scene = c.make();
+      FeelSession session(*scene, kRates[1], HandOptions::loose(), *profile, options);
+      pressAtRest(session, *scene);
+      EXPECT_GT(glm::length(session.safety().force_D), 0.8) << name;
+      EXPECT_LE(session.wobble(0.5), 1.5 * profile->resolution) << name << ", " << c.name;
+      session.letGo(3.0);
+      EXPECT_LE(session.wobble(0.5), 1.5 * profile->resolution) << name << ", " << c.name << ", let go";
+    }
+  }
+}
 
 TEST(Feel, freeMotionCostsExactlyNothing) {
   int ticks = 0;
