@@ -11,9 +11,9 @@ namespace hapticell {
 ///
 /// The document is untouched when one of these is returned. Broken contracts are not errors but assertions.
 struct Error {
-  std::string file;      ///< The file or address it is about; empty where there is none.
-  std::string place;     ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty where the file as a whole is meant.
-  std::string found;     ///< What stands there.
+  std::string file;   ///< The file or address it is about; empty where there is none.
+  std::string place;  ///< "line 12", "triangle 408 of 2 000", "joint 'A3'"; empty where the file as a whole is meant.
+  std::string found;  ///< What stands there.
   std::string expected;  ///< What should have stood there.
   std::string fix;       ///< What the user can do about it; a whole sentence or empty.
 
@@ -25,7 +25,9 @@ template <typename T>
 using Expected = tl::expected<T, Error>;
 
 /// Wraps an error for return from a function that returns Expected.
-inline tl::unexpected<Error> makeError(Error error) { return tl::unexpected<Error>(std::move(error)); }
+inline tl::unexpected<Error> makeError(Error error) {
+  return tl::unexpected<Error>(std::move(error));
+}
 
 /// Collects what a reader noticed but could live with: dropped triangles, an unknown tag, a guessed unit.
 struct Diagnostics {

@@ -8,7 +8,9 @@ namespace hapticell {
 
 namespace {
 
-bool finite(double value) { return std::isfinite(value); }
+bool finite(double value) {
+  return std::isfinite(value);
+}
 
 }  // namespace
 
@@ -18,13 +20,18 @@ Pose Pose::inverse() const {
 }
 
 bool Pose::isValid() const {
-  const bool all_finite = finite(p.x) && finite(p.y) && finite(p.z) && finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
+  const bool all_finite =
+      finite(p.x) && finite(p.y) && finite(p.z) && finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
   return all_finite && std::abs(glm::dot(q, q) - 1.0) < 2e-6;
 }
 
-Pose operator*(const Pose& X_AB, const Pose& X_BC) { return {X_AB.p + X_AB.q * X_BC.p, glm::normalize(X_AB.q * X_BC.q)}; }
+Pose operator*(const Pose& X_AB, const Pose& X_BC) {
+  return {X_AB.p + X_AB.q * X_BC.p, glm::normalize(X_AB.q * X_BC.q)};
+}
 
-dvec3 operator*(const Pose& X_AB, const dvec3& p_BQ) { return X_AB.p + X_AB.q * p_BQ; }
+dvec3 operator*(const Pose& X_AB, const dvec3& p_BQ) {
+  return X_AB.p + X_AB.q * p_BQ;
+}
 
 dvec3 rotationVector(const dquat& q) {
   const double sign = q.w < 0.0 ? -1.0 : 1.0;
@@ -44,7 +51,9 @@ dquat quaternionFromRotationVector(const dvec3& rotation_vector) {
   return {std::cos(0.5 * angle), v.x, v.y, v.z};
 }
 
-Twist difference(const Pose& X_AC, const Pose& X_AB) { return {X_AC.p - X_AB.p, rotationVector(X_AC.q * glm::conjugate(X_AB.q))}; }
+Twist difference(const Pose& X_AC, const Pose& X_AB) {
+  return {X_AC.p - X_AB.p, rotationVector(X_AC.q * glm::conjugate(X_AB.q))};
+}
 
 Pose displaced(const Pose& X_AB, const Twist& motion_A) {
   return {X_AB.p + motion_A.linear, glm::normalize(quaternionFromRotationVector(motion_A.angular) * X_AB.q)};

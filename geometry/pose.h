@@ -16,8 +16,8 @@ struct Twist {
 /// Stays orthonormal by construction: the rotation is a unit quaternion, never a matrix. Monogram notation: with
 /// `X_AB` and `X_BC`, `X_AC = X_AB * X_BC`, and a point `p_BQ` given in B is `p_AQ = X_AB * p_BQ` in A.
 struct Pose {
-  dvec3 p{0.0};                   ///< Position of B's origin in A, metres.
-  dquat q{1.0, 0.0, 0.0, 0.0};    ///< Rotation from B to A, unit, w first.
+  dvec3 p{0.0};                 ///< Position of B's origin in A, metres.
+  dquat q{1.0, 0.0, 0.0, 0.0};  ///< Rotation from B to A, unit, w first.
 
   static Pose identity() { return {}; }
   static Pose translation(const dvec3& p_AB) { return {p_AB, dquat(1.0, 0.0, 0.0, 0.0)}; }

@@ -34,11 +34,13 @@ struct TriangleHash {
 
 Cell cellOf(const dvec3& point, double size) {
   const dvec3 scaled = glm::floor(point / size);
-  return {static_cast<std::int64_t>(scaled.x), static_cast<std::int64_t>(scaled.y), static_cast<std::int64_t>(scaled.z)};
+  return {static_cast<std::int64_t>(scaled.x), static_cast<std::int64_t>(scaled.y),
+          static_cast<std::int64_t>(scaled.z)};
 }
 
 /// For each vertex the index of the first vertex within tolerance of it, found in a grid of cells of that size.
-std::vector<std::uint32_t> representatives(const std::vector<dvec3>& vertices, double tolerance, std::uint32_t& merged) {
+std::vector<std::uint32_t> representatives(const std::vector<dvec3>& vertices, double tolerance,
+                                           std::uint32_t& merged) {
   const double size = std::max(tolerance, 1e-300);
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> grid;
   grid.reserve(vertices.size());
@@ -87,7 +89,9 @@ void dropUnusedVertices(TriangleMesh& mesh) {
 
 }  // namespace
 
-Bounds TriangleMesh::bounds() const { return boundsOf(vertices); }
+Bounds TriangleMesh::bounds() const {
+  return boundsOf(vertices);
+}
 
 double weldTolerance(const TriangleMesh& mesh) {
   const Bounds box = mesh.bounds();
