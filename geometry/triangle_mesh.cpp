@@ -38,30 +38,68 @@ Cell cellOf(const dvec3& point, double size) {
           static_cast<std::int64_t>(scaled.z)};
 }
 
-/// For each vertex the index of the first vertex within tolerance of it, found in a grid of cells of that size.
-std::vector<std::uint32_t> representatives(const std::vector<dvec3>& vertices, double tolerance,
-                                           std::uint32_t& merged) {
-  const double size = std::max(tolerance, 1e-300);
-  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> grid;
-  grid.reserve(vertices.size());
-  std::vector<std::uint32_t> result(vertices.size());
-  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    const Cell home = cellOf(vertices[i], size);
+/// Kept vertices by the cell they stand in; those of one cell form a chain.
+class VertexGrid {
+ public:
+  VertexGrid(const std::vector<dvec3>& vertices, double tolerance, double size)
+      : vertices_(vertices), tolerance_(tolerance), size_(size), next_(vertices.size(), kUnused) {
+    first_.reserve(vertices.size() / 2);
+  }
+
+  /// The first kept vertex within tolerance of vertex i, looked for in the cells that the tolerance reaches (mostly
+  /// one).
+  std::uint32_t find(std::uint32_t i) const {
+    const Cell low = cellOf(vertices_[i] - tolerance_, size_), high = cellOf(vertices_[i] + tolerance_, size_);
     std::uint32_t found = kUnused;
-    for (int k = 0; k < 27 && found == kUnused; ++k) {
-      const auto it = grid.find({home.x + k % 3 - 1, home.y + (k / 3) % 3 - 1, home.z + k / 9 - 1});
-      if (it == grid.end()) continue;
-      for (std::uint32_t j : it->second) {
-        if (glm::distance(vertices[i], vertices[j]) <= tolerance) found = j;
+    for (std::int64_t x = low.x; x <= high.x; ++x) {
+      for (std::int64_t y = low.y; y <= high.y; ++y) {
+        for (std::int64_t z = low.z; z <= high.z; ++z) found = std::min(found, findIn({x, y, z}, i));
       }
     }
+    return found;
+  }
+
+  void keep(std::uint32_t i) {
+    const auto [it, is_new] = first_.try_emplace(cellOf(vertices_[i], size_), i);
+    if (is_new) return;
+    next_[i] = it->second;
+    it->second = i;
+  }
+
+ private:
+  std::uint32_t findIn(const Cell& cell, std::uint32_t i) const {
+    const auto it = first_.find(cell);
+    std::uint32_t found = kUnused;
+    for (std::uint32_t j = it == first_.end() ? kUnused : it->second; j != kUnused; j = next_[j]) {
+      if (glm::distance(vertices_[i], vertices_[j]) <= tolerance_) found = std::min(found, j);
+    }
+    return found;
+  }
+
+  const std::vector<dvec3>& vertices_;
+  double tolerance_;
+  double size_;
+  std::unordered_map<Cell, std::uint32_t, CellHash> first_;
+  std::vector<std::uint32_t> next_;
+};
+
+/// For each vertex the index of the first kept vertex within tolerance of it; itself where there is none.
+std::vector<std::uint32_t> representatives(const std::vector<dvec3>& vertices, double tolerance,
+                                           std::uint32_t& merged) {
+  const Bounds box = boundsOf(vertices);
+  const dvec3 largest = box.isEmpty() ? dvec3(0.0) : glm::max(glm::abs(box.min), glm::abs(box.max));
+  // Cells of a few tolerances; not so small that their number would not fit an integer.
+  const double size = std::max({4.0 * tolerance, 1e-12 * std::max({largest.x, largest.y, largest.z}), 1e-300});
+  VertexGrid grid(vertices, tolerance, size);
+  std::vector<std::uint32_t> result(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    const std::uint32_t found = grid.find(i);
     if (found == kUnused) {
-      grid[home].push_back(i);
-      found = i;
+      grid.keep(i);
     } else {
       ++merged;
     }
-    result[i] = found;
+    result[i] = found == kUnused ? i : found;
   }
   return result;
 }

@@ -106,6 +106,7 @@ TEST(Document, refusedCommandsChangeNothing) {
   const std::string before = bytes(document);
   const auto revision = document.revision();
   const double inf = std::numeric_limits<double>::infinity();
+  const AddEntity nothing;
   const Command refused[] = {
       SetPlacement{part, {}},
       SetPlacement{99, {}},
@@ -117,7 +118,7 @@ TEST(Document, refusedCommandsChangeNothing) {
       SetProperties{.id = part, .color = std::array<float, 3>{2.0f, 0.0f, 0.0f}},
       SetFrames{part, {{"a", {}}, {"a", {}}}},
       SetTool{part, "base", {}},
-      AddEntity{},
+      nothing,
       AddPairSet{{.name = "s", .safety_distance = -0.1}},
       AddPairSet{{.name = ""}},
       EditPairSet{"none", {.name = "s"}},
