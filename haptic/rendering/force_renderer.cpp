@@ -207,7 +207,12 @@ Adoption ForceRenderer::adopt(const ConstraintSet& set) {
   if (has_set_ && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
   if (started_ && norm(metricDifference(proxy_, set.X_DR)) >= set.zone_radius) return Adoption::kOutsideZone;
   StoredSet& stored = sets_[1 - current_];
-  stored.set = set;
+  stored.set.sequence = set.sequence;
+  stored.set.stamp_ns = set.stamp_ns;
+  stored.set.X_DR = set.X_DR;
+  stored.set.zone_radius = set.zone_radius;
+  stored.set.count = set.count;
+  std::copy_n(set.constraints.begin(), set.count, stored.set.constraints.begin());
   stored.groups = 0;
   std::array<std::uint32_t, kMaxConstraints> group{};
   for (std::size_t i = 0; i < set.count; ++i) {
