@@ -238,9 +238,9 @@ def locator(x, y):
 
 
 def stop_rail():
-    rail = box(0.105, 0.13, -0.13, 0.13, PLATE_TOP, PLATE_TOP + 0.075, 0.003)
+    rail = box(0.105, 0.13, -0.13, 0.13, PLATE_TOP, PLATE_TOP + 0.055, 0.003)
     for y in (-0.11, 0.11):
-        rail += box(0.125, 0.17, y - 0.012, y + 0.012, PLATE_TOP, PLATE_TOP + 0.05, 0.002)
+        rail += box(0.125, 0.17, y - 0.012, y + 0.012, PLATE_TOP, PLATE_TOP + 0.035, 0.002)
     return rail.moved(FIXTURE_X, FIXTURE_Y)
 
 
@@ -275,7 +275,7 @@ def conveyor():
 def fence():
     panels = Solid()
 
-    def panel(x0, x1, y):
+    def panel(x0, x1, y, posts_at):
         length = x1 - x0
         part = box(x0, x1, y - 0.012, y + 0.012, 0.15, 0.18) + box(x0, x1, y - 0.012, y + 0.012, 1.92, 1.95)
         count = int(length / 0.1)
@@ -285,13 +285,14 @@ def fence():
         for k in range(1, 9):
             z = 0.18 + k * 1.74 / 9
             part += box(x0, x1, y - 0.003, y + 0.003, z - 0.003, z + 0.003)
-        for x in (x0, x1):
+        for x in posts_at:
             part += box(x - 0.025, x + 0.025, y - 0.025, y + 0.025, 0.0, 2.0, 0.003)
         return part
 
     for k in range(3):
-        panels += panel(-1.05 + k * 1.2, 0.15 + k * 1.2, 1.72)
-    side = panel(-1.72, -0.1, 0).turned("z", 90).moved(-1.05, 1.72 + 0.1) + panel(-1.6, -0.15, 0).turned("z", 90).moved(-1.05, 0.1)
+        x0, x1 = -1.05 + k * 1.2, 0.15 + k * 1.2
+        panels += panel(x0, x1, 1.72, (x0, x1) if k == 0 else (x1,))
+    side = panel(-1.72, -0.1, 0, (-1.72,)).turned("z", 90).moved(-1.05, 1.72 + 0.1) + panel(-1.6, -0.15, 0, (-1.6, -0.15)).turned("z", 90).moved(-1.05, 0.1)
     return panels + side
 
 
