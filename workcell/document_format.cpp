@@ -82,7 +82,7 @@ Json jsonFromPairSet(const PairSet& set) {
 class StateReader {
  public:
   StateReader(const fs::path& folder, Diagnostics& diagnostics)
-      : folder_(folder), loader_(folder), diagnostics_(diagnostics) {}
+      : folder_(folder), loader_(folder, true), diagnostics_(diagnostics) {}
 
   Expected<DocumentState> read(const Json& json) {
     FieldReader fields(json, "the document", error_);

@@ -136,7 +136,7 @@ Expected<Entity> EntityLoader::loadMesh(const fs::path& file, double scale, Diag
   auto& known = meshes_[{file.string(), scale}];
   if (!known) {
     Diagnostics notes;
-    Expected<geometry::TriangleMesh> mesh = readMesh(file, {.scale = scale}, notes);
+    Expected<geometry::TriangleMesh> mesh = readMesh(file, {.scale = scale, .warn_about_unit = !unit_is_stated_}, notes);
     if (!mesh) return makeError(mesh.error());
     known = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
     for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);

@@ -17,8 +17,10 @@ namespace hapticell::workcell {
 /// "sphere:RADIUS" (sizes in the given unit). Files that are named twice are read once. One thread.
 class EntityLoader {
  public:
-  /// Files are looked for relative to `folder`.
-  explicit EntityLoader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
+  /// document), so a size that suggests another unit is no reason to warn.
+  explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false)
+      : folder_(std::move(folder)), unit_is_stated_(unit_is_stated) {}
 
   /// An entity with shape, source and a name that suggests itself (the file's stem); the rest as by default, joints
   /// empty. `scale` is metres per unit of the file; a robot's file is always in metres, another scale for it is an
@@ -33,6 +35,7 @@ class EntityLoader {
   Expected<Entity> loadMesh(const std::filesystem::path& file, double scale, Diagnostics& diagnostics);
 
   std::filesystem::path folder_;
+  bool unit_is_stated_ = false;
   std::map<std::pair<std::string, double>, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
   std::map<std::string, std::shared_ptr<const kinematics::RobotModel>> robots_;
 };
