@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptic/rendering/active_set_solver.h"
+#include "haptic/rendering/proxy_metric.h"
+
 namespace hapticell::haptic {
 
 namespace {
@@ -23,44 +26,9 @@ constexpr double kControllerLimit = 5.0;     // N s/m.
 constexpr double kDampingLimit = 8.0;        // N s/m an entry can ask for.
 constexpr double kStiffnessTime = 0.1;       // s for a whole change of stiffness in contact.
 
-dvec3 linear(const Vector6& v) {
-  return {v[0], v[1], v[2]};
-}
-dvec3 angular(const Vector6& v) {
-  return {v[3], v[4], v[5]};
-}
-
-Vector6 join(const dvec3& a, const dvec3& b) {
-  return {a.x, a.y, a.z, b.x, b.y, b.z};
-}
-
-double norm(const Vector6& v) {
-  double sum = 0.0;
-  for (const double number : v) sum += number * number;
-  return std::sqrt(sum);
-}
-
 dvec3 limited(const dvec3& v, double limit) {
   const double length = glm::length(v);
   return length > limit ? v * (limit / length) : v;
-}
-
-/// The way from one pose to another in the proxy's metric: rotation times its lever.
-Vector6 metricDifference(const Pose& X_DB, const Pose& X_DA) {
-  const Twist motion = difference(X_DB, X_DA);
-  return join(motion.linear, kRotationLever * motion.angular);
-}
-
-Pose moved(const Pose& X_DP, const Vector6& d) {
-  return displaced(X_DP, {linear(d), angular(d) / kRotationLever});
-}
-
-/// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
-/// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
-Vector6 inMetric(const Vector6& gradient, const dvec3& theta) {
-  const dvec3 g = angular(gradient);
-  const dvec3 once = glm::cross(theta, g);
-  return join(linear(gradient), (g + 0.5 * once + glm::cross(theta, once) / 12.0) / kRotationLever);
 }
 
 double lowPassGain(double dt) {
@@ -85,68 +53,6 @@ RendererOptions limitedByDelay(RendererOptions options) {
   return options;
 }
 
-/// The half-spaces of one set about one proxy pose. The trust row is the last one.
-struct ForceRenderer::Rows {
-  std::array<SolverRow, kMaxRows> row;
-  std::array<std::uint8_t, kMaxRows> entry{};
-  std::size_t count = 0;
-
-  std::span<const SolverRow> all() const { return {row.data(), count}; }
-  void gather(const StoredSet& stored, const Pose& X_DP);
-
- private:
-  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi);
-  void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
-};
-
-void ForceRenderer::Rows::gather(const StoredSet& stored, const Pose& X_DP) {
-  const Twist motion = difference(X_DP, stored.set.X_DR);
-  const Vector6 xi = join(motion.linear, motion.angular);
-  count = stored.groups;
-  for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
-  for (std::size_t i = 0; i < stored.set.count; ++i) offer(stored.row_of[i], i, stored.set.constraints[i], xi);
-  // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
-  for (std::size_t i = 0; i < count; ++i) {
-    if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};
-  }
-  addTrustRow(stored.set, join(motion.linear, kRotationLever * motion.angular));
-}
-
-void ForceRenderer::Rows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi) {
-  const dvec3 theta = angular(xi);
-  Vector6 gradient{};
-  double value = evaluateWithGradient(constraint, xi, gradient);
-  gradient = inMetric(gradient, theta);
-  double length = norm(gradient);
-  if (length < 1e-9) return;
-  double slack = value / length;
-  const bool equality = constraint.kind == ConstraintKind::kEquality;
-  if (constraint.has_trim && !equality) {
-    double trim = constraint.trim_gap;
-    for (std::size_t i = 0; i < 6; ++i) trim += constraint.trim_gradient[i] * xi[i];
-    const Vector6 trim_gradient = inMetric(constraint.trim_gradient, theta);
-    const double trim_length = norm(trim_gradient);
-    if (trim_length > 1e-9 && trim / trim_length < slack) {
-      gradient = trim_gradient;
-      length = trim_length;
-      slack = trim / trim_length;
-    }
-  }
-  if (slack <= row[slot].slack) return;
-  row[slot].slack = slack;
-  row[slot].equality = equality;
-  for (std::size_t i = 0; i < 6; ++i) row[slot].normal[i] = gradient[i] / length;
-  entry[slot] = static_cast<std::uint8_t>(index);
-}
-
-void ForceRenderer::Rows::addTrustRow(const ConstraintSet& set, const Vector6& from_reference) {
-  const double distance = norm(from_reference);
-  SolverRow& trust = row[count++];
-  trust = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, set.zone_radius - distance, false};
-  if (distance < 1e-9) return;
-  for (std::size_t i = 0; i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
-}
-
 /// Where one set lets the proxy go, and what holds it there.
 struct ForceRenderer::Solved {
   Pose X_DP;
@@ -158,21 +64,21 @@ struct ForceRenderer::Solved {
   double stiffness = 0.0;  ///< Least that an active row asks for, 0: none does.
   double damping = 0.0;    ///< Most that an active row asks for.
 
-  void note(const StoredSet& stored, const Rows& rows, const SolverResult& result);
+  void note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result);
 };
 
-void ForceRenderer::Solved::note(const StoredSet& stored, const Rows& rows, const SolverResult& result) {
+void ForceRenderer::Solved::note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result) {
   active_rows = result.active_count;
   const std::size_t last = rows.count - 1;
   trust = result.multiplier[last] != 0.0;
-  trust_D = result.multiplier[last] * linear(rows.row[last].normal);
+  trust_D = result.multiplier[last] * linearPart(rows.row[last].normal);
   contact = false;
   friction = stiffness = damping = 0.0;
   double pressed = 0.0;
   for (std::size_t i = 0; i < last; ++i) {
     const double press = std::abs(result.multiplier[i]);
     if (press <= 0.0) continue;
-    const Constraint& constraint = stored.set.constraints[rows.entry[i]];
+    const Constraint& constraint = grouped.set.constraints[rows.entry[i]];
     contact = true;
     pressed += press;
     friction += press * constraint.friction;
@@ -205,36 +111,22 @@ void ForceRenderer::reset(const Pose& X_DS) {
 Adoption ForceRenderer::adopt(const ConstraintSet& set) {
   if (!isWellFormed(set)) return Adoption::kMalformed;
   if (has_set_ && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
-  if (started_ && norm(metricDifference(proxy_, set.X_DR)) >= set.zone_radius) return Adoption::kOutsideZone;
-  StoredSet& stored = sets_[1 - current_];
-  stored.set.sequence = set.sequence;
-  stored.set.stamp_ns = set.stamp_ns;
-  stored.set.X_DR = set.X_DR;
-  stored.set.zone_radius = set.zone_radius;
-  stored.set.count = set.count;
-  std::copy_n(set.constraints.begin(), set.count, stored.set.constraints.begin());
-  stored.groups = 0;
-  std::array<std::uint32_t, kMaxConstraints> group{};
-  for (std::size_t i = 0; i < set.count; ++i) {
-    const auto begin = group.begin(), end = begin + static_cast<std::ptrdiff_t>(stored.groups);
-    const auto found = std::find(begin, end, set.constraints[i].group);
-    if (found == end) group[stored.groups++] = set.constraints[i].group;
-    stored.row_of[i] = static_cast<std::uint8_t>(found - begin);
-  }
+  if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= set.zone_radius) return Adoption::kOutsideZone;
+  sets_[1 - current_].take(set);
   offered_ = true;
   return Adoption::kAdopted;
 }
 
-ForceRenderer::Solved ForceRenderer::moveProxy(const StoredSet& stored, const Pose& X_DS) const {
+ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const Pose& X_DS) const {
   Solved solved;
   solved.X_DP = proxy_;
-  Rows rows;
+  ProxyRows rows;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    rows.gather(stored, solved.X_DP);
+    rows.gather(grouped, solved.X_DP);
     const SolverResult result = nearestFeasible(rows.all(), metricDifference(X_DS, solved.X_DP));
     Vector6 d = result.d;
-    const double length = norm(d);
-    solved.note(stored, rows, result);
+    const double length = lengthOf(d);
+    solved.note(grouped, rows, result);
     if (result.active_count == 0 && length <= kLongestMove) {
       solved.X_DP = X_DS;  // To the last bit, so that free motion costs exactly nothing.
       continue;
@@ -242,23 +134,23 @@ ForceRenderer::Solved ForceRenderer::moveProxy(const StoredSet& stored, const Po
     if (length > kLongestMove) {
       for (double& number : d) number *= kLongestMove / length;
     }
-    solved.X_DP = moved(solved.X_DP, d);
+    solved.X_DP = displacedInMetric(solved.X_DP, d);
   }
-  applyFriction(stored, X_DS, solved);
+  applyFriction(grouped, X_DS, solved);
   return solved;
 }
 
-void ForceRenderer::applyFriction(const StoredSet& stored, const Pose& X_DS, Solved& solved) const {
+void ForceRenderer::applyFriction(const GroupedSet& grouped, const Pose& X_DS, Solved& solved) const {
   if (!solved.contact || solved.friction <= 0.0) return;
   const dvec3 way = solved.X_DP.p - proxy_.p;
   const double length = glm::length(way);
   const double held = solved.friction * glm::length(solved.X_DP.p - X_DS.p);
   if (length <= 0.0 || held <= 0.0) return;
   solved.X_DP.p = proxy_.p + way * std::max(0.0, 1.0 - held / length);
-  Rows rows;
-  rows.gather(stored, solved.X_DP);
+  ProxyRows rows;
+  rows.gather(grouped, solved.X_DP);
   const SolverResult back = nearestFeasible(rows.all(), Vector6{});
-  if (back.active_count > 0) solved.X_DP = moved(solved.X_DP, back.d);
+  if (back.active_count > 0) solved.X_DP = displacedInMetric(solved.X_DP, back.d);
 }
 
 dvec3 ForceRenderer::springOf(const Solved& solved, const Pose& X_DS) const {
@@ -267,7 +159,7 @@ dvec3 ForceRenderer::springOf(const Solved& solved, const Pose& X_DS) const {
 }
 
 ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) {
-  const Solved solved = moveProxy(sets_[1 - current_], X_DS);
+  Solved solved = moveProxy(sets_[1 - current_], X_DS);
   jump_D = dvec3(0.0);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);

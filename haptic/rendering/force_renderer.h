@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "geometry/pose.h"
-#include "haptic/rendering/active_set_solver.h"
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/proxy_rows.h"
 
 namespace hapticell::haptic {
 
@@ -84,17 +84,10 @@ class ForceRenderer {
   const Pose& proxy() const { return proxy_; }
 
  private:
-  /// A set with the row that each of its entries competes for.
-  struct StoredSet {
-    ConstraintSet set;
-    std::array<std::uint8_t, kMaxConstraints> row_of{};
-    std::size_t groups = 0;
-  };
-  struct Rows;
   struct Solved;
 
-  Solved moveProxy(const StoredSet& stored, const Pose& X_DS) const;
-  void applyFriction(const StoredSet& stored, const Pose& X_DS, Solved& solved) const;
+  Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
+  void applyFriction(const GroupedSet& grouped, const Pose& X_DS, Solved& solved) const;
   Solved changeSet(const Pose& X_DS, dvec3& jump_D);
   dvec3 springOf(const Solved& solved, const Pose& X_DS) const;
   dvec3 takeOutJump(const Solved& solved, const dvec3& proxy_step, const dvec3& stylus_step);
@@ -105,7 +98,7 @@ class ForceRenderer {
   void observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt);
 
   RendererOptions options_;
-  std::array<StoredSet, 2> sets_{};
+  std::array<GroupedSet, 2> sets_{};
   std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
   bool has_set_ = false;
   bool offered_ = false;

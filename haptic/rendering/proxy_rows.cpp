@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/proxy_rows.h"
+
+#include <algorithm>
+
+#include "haptic/rendering/proxy_metric.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+/// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
+/// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
+Vector6 inMetric(const Vector6& gradient, const dvec3& theta) {
+  const dvec3 g = angularPart(gradient);
+  const dvec3 once = glm::cross(theta, g);
+  return joined(linearPart(gradient), (g + 0.5 * once + glm::cross(theta, once) / 12.0) / kRotationLever);
+}
+
+}  // namespace
+
+void GroupedSet::take(const ConstraintSet& wanted) {
+  set.sequence = wanted.sequence;
+  set.stamp_ns = wanted.stamp_ns;
+  set.X_DR = wanted.X_DR;
+  set.zone_radius = wanted.zone_radius;
+  set.count = wanted.count;
+  std::copy_n(wanted.constraints.begin(), wanted.count, set.constraints.begin());
+  groups = 0;
+  std::array<std::uint32_t, kMaxConstraints> group{};
+  for (std::size_t i = 0; i < set.count; ++i) {
+    const auto begin = group.begin(), end = begin + static_cast<std::ptrdiff_t>(groups);
+    const auto found = std::find(begin, end, set.constraints[i].group);
+    row_of[i] = static_cast<std::uint8_t>(found - begin);
+    if (found == end) group[groups++] = set.constraints[i].group;
+  }
+}
+
+void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
+  const Twist motion = difference(X_DP, grouped.set.X_DR);
+  const Vector6 xi = joined(motion.linear, motion.angular);
+  count = grouped.groups;
+  for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
+  for (std::size_t i = 0; i < grouped.set.count; ++i) offer(grouped.row_of[i], i, grouped.set.constraints[i], xi);
+  // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
+  for (std::size_t i = 0; i < count; ++i) {
+    if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};
+  }
+  addTrustRow(grouped.set, joined(motion.linear, kRotationLever * motion.angular));
+}
+
+void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi) {
+  const dvec3 theta = angularPart(xi);
+  Vector6 gradient{};
+  double value = evaluateWithGradient(constraint, xi, gradient);
+  gradient = inMetric(gradient, theta);
+  double length = lengthOf(gradient);
+  if (length < 1e-9) return;
+  double slack = value / length;
+  const bool equality = constraint.kind == ConstraintKind::kEquality;
+  if (constraint.has_trim && !equality) {
+    double trim = constraint.trim_gap;
+    for (std::size_t i = 0; i < 6; ++i) trim += constraint.trim_gradient[i] * xi[i];
+    const Vector6 trim_gradient = inMetric(constraint.trim_gradient, theta);
+    const double trim_length = lengthOf(trim_gradient);
+    if (trim_length > 1e-9 && trim / trim_length < slack) {
+      gradient = trim_gradient;
+      length = trim_length;
+      slack = trim / trim_length;
+    }
+  }
+  if (slack <= row[slot].slack) return;
+  row[slot].slack = slack;
+  row[slot].equality = equality;
+  for (std::size_t i = 0; i < 6; ++i) row[slot].normal[i] = gradient[i] / length;
+  entry[slot] = static_cast<std::uint8_t>(index);
+}
+
+void ProxyRows::addTrustRow(const ConstraintSet& set, const Vector6& from_reference) {
+  const double distance = lengthOf(from_reference);
+  SolverRow& trust = row[count++];
+  trust = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, set.zone_radius - distance, false};
+  if (distance < 1e-9) return;
+  for (std::size_t i = 0; i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
+}
+
+}  // namespace hapticell::haptic
