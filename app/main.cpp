@@ -5,6 +5,7 @@
 #include <QDebug>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <cstdio>
 
 #include "app/host/main_window.h"
 #include "app/style/fonts.h"
@@ -19,7 +20,7 @@ struct Options {
   QString file, screenshot, theme, configuration;
   QSize size{1600, 900};
   int delay_ms = 1500;
-  bool exit = false, module = true;
+  bool exit = false, module = true, measure = false;
 };
 
 Options parse(const QApplication& application) {
@@ -31,6 +32,7 @@ Options parse(const QApplication& application) {
   parser.addOptions({{"screenshot", "Saves a picture of the window once it stands still.", "file.png"},
                      {"exit", "Quits after the screenshot."},
                      {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
+                     {"measure-frames", "Prints the median time of a frame at each level of detail and quits."},
                      {"theme", "dark or light.", "name"},
                      {"size", "Size of the window.", "WIDTHxHEIGHT", "1600x900"},
                      {"config", "A hapticell.toml that is read over the shipped one.", "file"},
@@ -42,6 +44,7 @@ Options parse(const QApplication& application) {
   options.theme = parser.value("theme");
   options.configuration = parser.value("config");
   options.exit = parser.isSet("exit");
+  options.measure = parser.isSet("measure-frames");
   options.module = !parser.isSet("no-module");
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
   const QStringList sides = parser.value("size").split('x');
@@ -59,6 +62,12 @@ void openAtStart(MainWindow& window, const QString& wanted) {
   }
   const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
   if (demo) window.openFile(QString::fromStdString(*demo));
+}
+
+void printFrameTimes(MainWindow& window) {
+  const char* const names[]{"full", "no occlusion", "plain", "no edges", "half size", "boxes"};
+  const std::vector<double> medians = window.viewport().measureFrames(9);
+  for (std::size_t i = 0; i < medians.size(); ++i) std::printf("%-14s %7.1f ms\n", names[i], 1000.0 * medians[i]);
 }
 
 }  // namespace
@@ -91,6 +100,12 @@ int main(int argc, char** argv) {
         status = 2;
       }
       if (options.exit) QApplication::exit(status);
+    });
+  }
+  if (options.measure) {
+    QTimer::singleShot(options.delay_ms, &window, [&window] {
+      printFrameTimes(window);
+      QApplication::quit();
     });
   }
   const int ended = QApplication::exec();

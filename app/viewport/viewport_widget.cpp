@@ -3,6 +3,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
+#include <algorithm>
 #include <cmath>
 
 namespace hapticell::app {
@@ -245,6 +246,29 @@ QImage ViewportWidget::finishedPicture() {
   }
   doneCurrent();
   return {};
+}
+
+std::vector<double> ViewportWidget::measureFrames(int count) {
+  std::vector<double> medians;
+  makeCurrent();
+  Frame frame = makeFrame();
+  QOpenGLFramebufferObject target(frame.width, frame.height);
+  for (int level = 0; renderer_ && level <= static_cast<int>(DetailLevel::kBoxes); ++level) {
+    frame.detail = static_cast<DetailLevel>(level);
+    std::vector<double> times;
+    for (int i = 0; i <= count; ++i) {
+      frame.camera.azimuth += 0.01;
+      const qint64 start = clock_.nsecsElapsed();
+      renderer_->render(frame, target.handle());
+      gl_.glFinish();
+      if (i > 0) times.push_back(static_cast<double>(clock_.nsecsElapsed() - start) * 1e-9);
+    }
+    std::nth_element(times.begin(), times.begin() + count / 2, times.end());
+    medians.push_back(times[static_cast<std::size_t>(count / 2)]);
+  }
+  doneCurrent();
+  dirty_ = true;
+  return medians;
 }
 
 void ViewportWidget::changeEvent(QEvent* event) {

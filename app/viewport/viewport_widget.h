@@ -44,6 +44,8 @@ class ViewportWidget : public QOpenGLWidget {
   void refresh();
   /// All samples of the picture, overlay included, as an image of the widget's size.
   QImage finishedPicture();
+  /// Median seconds of `count` frames at each level of detail, every one waited for: what the machine can do.
+  std::vector<double> measureFrames(int count);
   const FrameMeter& meter() const { return meter_; }
   double lastFrameSeconds() const { return meter_.lastSeconds(); }
   DetailLevel detail() const { return governor_.level(); }

@@ -118,7 +118,11 @@ void VirtualDesktopController::postCamera() {
   const ViewportWidget& viewport = host_.viewport();
   const Camera& camera = viewport.camera();
   const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  loop_->post(command::SetCamera{cameraPose_W(), size.width * camera.metresPerPixel(camera.target_W, size)});
+  command::SetCamera seen;
+  seen.X_WCamera = cameraPose_W();
+  seen.visible_width = size.width * camera.metresPerPixel(camera.target_W, size);
+  seen.p_WFocus = camera.target_W;
+  loop_->post(seen);
 }
 
 void VirtualDesktopController::postSettings() {
