@@ -28,6 +28,7 @@ struct Frame {
   DetailLevel detail = DetailLevel::kFull;
   bool edges = true;
   bool shaded = true;                 ///< False: faces hidden, edges only.
+  bool refine = false;                ///< The picture stands still: its samples are averaged.
   int sample = 0;                     ///< 0: a new picture; n: one more sample of the same one, averaged into it.
 };
 

@@ -2,6 +2,7 @@
 #include "app/viewport/gl.h"
 
 #include <QDebug>
+#include <QFile>
 
 namespace hapticell::app {
 namespace {
@@ -24,15 +25,34 @@ PixelLayout layoutOf(GLenum internal) {
 
 }  // namespace
 
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertex, const char* fragment) {
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertex, const char* fragment,
+                                                  const std::vector<const char*>& switches) {
+  const auto source = [&switches](const QString& name) {
+    QFile file(":/hapticell/shaders/" + name);
+    if (!file.open(QIODevice::ReadOnly)) return QByteArray();
+    QByteArray text = file.readAll();
+    QByteArray defines;
+    for (const char* one : switches) defines += QByteArray("#define ") + one + " 1\n";
+    return text.insert(text.indexOf('\n') + 1, defines);  // Behind the line with the version.
+  };
   auto program = std::make_unique<QOpenGLShaderProgram>();
-  const QString folder = ":/hapticell/shaders/";
-  const bool good = program->addShaderFromSourceFile(QOpenGLShader::Vertex, folder + vertex + ".vert") &&
-                    program->addShaderFromSourceFile(QOpenGLShader::Fragment, folder + fragment + ".frag") &&
+  const bool good = program->addShaderFromSourceCode(QOpenGLShader::Vertex, source(QString(vertex) + ".vert")) &&
+                    program->addShaderFromSourceCode(QOpenGLShader::Fragment, source(QString(fragment) + ".frag")) &&
                     program->link();
   if (good) return program;
   qCritical().noquote() << "Shader" << vertex << fragment << program->log();
   return nullptr;
+}
+
+QOpenGLShaderProgram* ProgramFamily::of(unsigned set) {
+  auto& program = programs_[set];
+  if (!program) {
+    std::vector<const char*> on;
+    for (std::size_t i = 0; i < switches_.size(); ++i)
+      if (set >> i & 1u) on.push_back(switches_[i]);
+    program = loadProgram(vertex_, fragment_, on);
+  }
+  return program.get();
 }
 
 void setMatrix(Gl& gl, QOpenGLShaderProgram& program, const char* name, const glm::dmat4& value) {

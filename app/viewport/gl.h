@@ -15,7 +15,25 @@ using Gl = QOpenGLFunctions_3_3_Core;
 
 /// Compiles shaders/NAME.vert and shaders/NAME.frag from the resources. A fault of theirs is a fault of the program: it
 /// is written to the log and gives null.
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertex, const char* fragment);
+/// Each of `switches` is defined as 1.
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertex, const char* fragment,
+                                                  const std::vector<const char*>& switches = {});
+
+/// One program for each set of switches, compiled when it is first asked for. Software renderers run both sides of
+/// every `if`, so what a frame does not need is left out when compiling, not when drawing.
+class ProgramFamily {
+ public:
+  ProgramFamily(const char* vertex, const char* fragment, std::vector<const char*> switches)
+      : vertex_(vertex), fragment_(fragment), switches_(std::move(switches)), programs_(1u << switches_.size()) {}
+  /// Bit i of `set` turns the i-th switch on. Null where it does not compile.
+  QOpenGLShaderProgram* of(unsigned set);
+
+ private:
+  const char* vertex_;
+  const char* fragment_;
+  std::vector<const char*> switches_;
+  std::vector<std::unique_ptr<QOpenGLShaderProgram>> programs_;
+};
 
 void setMatrix(Gl& gl, QOpenGLShaderProgram& program, const char* name, const glm::dmat4& value);
 

@@ -14,6 +14,51 @@ void setColor(QOpenGLShaderProgram& program, const char* name, const fvec3& colo
   program.setUniformValue(name, color.x, color.y, color.z);
 }
 
+struct PixelArea {
+  int x = 0, y = 0, width = 0, height = 0;  // From below, as OpenGL counts.
+};
+
+/// Where marked items lie, with room for their outlines.
+PixelArea markedArea(const Frame& frame) {
+  const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
+  glm::dvec2 low(1e9);
+  glm::dvec2 high(-1e9);
+  for (const RenderItem& item : frame.items) {
+    if (item.state == kPlain || !item.mesh) continue;
+    const geometry::Bounds bounds = geometry::transformed(item.X_WM, item.mesh->bounds());
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 corner((i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y, (i & 4) ? bounds.max.z : bounds.min.z);
+      const auto pixel = frame.camera.project(corner, size);
+      if (!pixel) return {0, 0, frame.width, frame.height};  // Reaches behind the eye.
+      low = glm::min(low, *pixel);
+      high = glm::max(high, *pixel);
+    }
+  }
+  if (low.x > high.x) return {};
+  constexpr double kRoom = 6.0;
+  const int left = static_cast<int>(std::clamp(low.x - kRoom, 0.0, size.width));
+  const int right = static_cast<int>(std::clamp(high.x + kRoom, 0.0, size.width));
+  const int bottom = static_cast<int>(std::clamp(size.height - high.y - kRoom, 0.0, size.height));
+  const int top = static_cast<int>(std::clamp(size.height - low.y + kRoom, 0.0, size.height));
+  return {left, bottom, right - left, top - bottom};
+}
+
+void prepareComposite(Gl& gl, QOpenGLShaderProgram& program, const Frame& frame, RenderTarget& scene, GLuint openness) {
+  program.bind();
+  bindTexture(gl, program, "color_map", 0, scene.color(0));
+  bindTexture(gl, program, "id_map", 1, scene.color(1));
+  bindTexture(gl, program, "openness_map", 2, openness);
+  const glm::vec4& line = frame.colors.crease;
+  program.setUniformValue("silhouette_color", line.x, line.y, line.z);
+  setColor(program, "selected_color", frame.colors.selected);
+  setColor(program, "hovered_color", frame.colors.hovered);
+  setColor(program, "near_color", frame.colors.near_miss);
+  setColor(program, "contact_color", frame.colors.contact);
+  const double ratio = frame.detail >= DetailLevel::kHalfSize ? 0.5 * frame.pixel_ratio : frame.pixel_ratio;
+  program.setUniformValue("pixel_ratio", static_cast<float>(ratio));
+  program.setUniformValue("share", 1.0f / static_cast<float>(frame.sample + 1));
+}
+
 }  // namespace
 
 struct SceneRenderer::Passes {
@@ -26,10 +71,11 @@ struct SceneRenderer::Passes {
         triangle(gl),
         background(loadProgram("screen", "background")),
         occlusion(loadProgram("screen", "occlusion")),
-        composite(loadProgram("screen", "composite")),
         present(loadProgram("screen", "present")),
+        composite("screen", "composite", {"OCCLUDED", "SILHOUETTES", "STATES"}),
         scene(gl, {{GL_RGBA8, GL_R32UI}, true, false, false}),
         openness(gl, {{GL_R8}, false, false, true}),
+        quick(gl, {{GL_RGBA8}, false, false, true}),
         mean(gl, {{GL_RGBA16F}, false, false, true}) {}
   GpuMeshCache meshes;
   ShadowPass shadow;
@@ -37,10 +83,14 @@ struct SceneRenderer::Passes {
   EdgePass edge;
   FloorPass floor;
   ScreenTriangle triangle;
-  std::unique_ptr<QOpenGLShaderProgram> background, occlusion, composite, present;
-  RenderTarget scene, openness, mean;
+  std::unique_ptr<QOpenGLShaderProgram> background, occlusion, present;
+  ProgramFamily composite;
+  RenderTarget scene, openness;
+  RenderTarget quick;  // The first sample of a picture: as good as shown, and cheap.
+  RenderTarget mean;   // Of a picture that is refined.
+  bool refined = false;
   FrameView view;
-  bool complete() const { return background && occlusion && composite && present; }
+  bool complete() const { return background && occlusion && present; }
 };
 
 SceneRenderer::SceneRenderer(Gl& gl) : gl_(gl), passes_(std::make_unique<Passes>(gl)) {}
@@ -51,6 +101,8 @@ void SceneRenderer::drawScene(const Frame& frame) {
   const bool shadows = frame.detail <= DetailLevel::kNoOcclusion;
   // Without occlusion the shadows of the last full picture stay: the cell seldom changes, the eye does.
   if (frame.detail == DetailLevel::kFull || (shadows && !p.shadow.ready())) p.shadow.draw(frame, p.meshes);
+  
+  
   p.view = viewOf(frame);
   p.scene.bind();
   gl_.glDisable(GL_BLEND);
@@ -63,9 +115,15 @@ void SceneRenderer::drawScene(const Frame& frame) {
   setColor(*p.background, "top", frame.colors.background_top);
   setColor(*p.background, "bottom", frame.colors.background_bottom);
   p.triangle.draw();
+  
+  
   const ShadowPass* shadow = shadows ? &p.shadow : nullptr;
   p.surface.draw(frame, p.view, shadow, p.meshes);
+  
+  
   p.floor.draw(frame, p.view, shadow);
+  
+  
   if (frame.edges && frame.detail < DetailLevel::kNoEdges)
     p.edge.draw(frame, p.view, frame.detail != DetailLevel::kFull, p.meshes);
   gl_.glDisable(GL_DEPTH_TEST);
@@ -85,27 +143,31 @@ void SceneRenderer::composite(const Frame& frame) {
     p.occlusion->setUniformValue("turn", static_cast<float>(frame.sample));
     p.triangle.draw();
   }
-  p.mean.bind();
-  p.composite->bind();
-  bindTexture(gl_, *p.composite, "color_map", 0, p.scene.color(0));
-  bindTexture(gl_, *p.composite, "id_map", 1, p.scene.color(1));
-  bindTexture(gl_, *p.composite, "openness_map", 2, occluded ? p.openness.color(0) : p.scene.color(0));
-  p.composite->setUniformValue("occluded", occluded);
-  p.composite->setUniformValue("silhouettes", frame.edges && frame.detail < DetailLevel::kNoEdges);
-  p.composite->setUniformValue(
-      "states", std::any_of(frame.items.begin(), frame.items.end(), [](const RenderItem& i) { return i.state != 0; }));
-  const glm::vec4& line = frame.colors.crease;
-  p.composite->setUniformValue("silhouette_color", line.x, line.y, line.z);
-  setColor(*p.composite, "selected_color", frame.colors.selected);
-  setColor(*p.composite, "hovered_color", frame.colors.hovered);
-  setColor(*p.composite, "near_color", frame.colors.near_miss);
-  setColor(*p.composite, "contact_color", frame.colors.contact);
-  const double ratio = frame.detail >= DetailLevel::kHalfSize ? 0.5 * frame.pixel_ratio : frame.pixel_ratio;
-  p.composite->setUniformValue("pixel_ratio", static_cast<float>(ratio));
-  p.composite->setUniformValue("share", 1.0f / static_cast<float>(frame.sample + 1));
-  gl_.glEnable(GL_BLEND);
+  
+  
+  (p.refined ? p.mean : p.quick).bind();
+  if (frame.sample > 0) gl_.glEnable(GL_BLEND);
   gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  p.triangle.draw();
+  const unsigned set = (occluded ? 1u : 0u) | (frame.edges && frame.detail < DetailLevel::kNoEdges ? 2u : 0u);
+  // The outlines of states look at many pixels, so they are drawn only where marked parts are.
+  const PixelArea marked = markedArea(frame);
+  const auto pass = [&](const PixelArea& area, unsigned switches) {
+    if (area.width <= 0 || area.height <= 0) return;
+    QOpenGLShaderProgram* program = p.composite.of(switches);
+    if (!program) return;
+    prepareComposite(gl_, *program, frame, p.scene, occluded ? p.openness.color(0) : p.scene.color(0));
+    gl_.glScissor(area.x, area.y, area.width, area.height);
+    p.triangle.draw();
+  };
+  gl_.glEnable(GL_SCISSOR_TEST);
+  const int top = marked.y + marked.height;
+  const int right = marked.x + marked.width;
+  pass({0, 0, frame.width, marked.y}, set);
+  pass({0, top, frame.width, frame.height - top}, set);
+  pass({0, marked.y, marked.x, marked.height}, set);
+  pass({right, marked.y, frame.width - right, marked.height}, set);
+  pass(marked, set | 4u);
+  gl_.glDisable(GL_SCISSOR_TEST);
   gl_.glDisable(GL_BLEND);
 }
 
@@ -118,9 +180,11 @@ void SceneRenderer::render(const Frame& wanted, GLuint framebuffer) {
     frame.height = std::max(1, frame.height / 2);
   }
   p.scene.resize(frame.width, frame.height);
-  if (p.mean.resize(frame.width, frame.height)) frame.sample = 0;
+  p.refined = frame.refine;
+  if ((p.refined ? p.mean : p.quick).resize(frame.width, frame.height)) frame.sample = 0;
   drawScene(frame);
   composite(frame);
+
   if (frame.sample == 0) p.meshes.collect();
   present(wanted.width, wanted.height, framebuffer);
   last_ = std::move(frame);
@@ -132,13 +196,21 @@ void SceneRenderer::present(int width, int height, GLuint framebuffer) {
   gl_.glViewport(0, 0, width, height);
   gl_.glDisable(GL_DEPTH_TEST);
   gl_.glDisable(GL_BLEND);
-  if (!p.complete() || p.mean.width() == 0) {
+  const RenderTarget& picture = p.refined ? p.mean : p.quick;
+  if (!p.complete() || picture.width() == 0) {
     gl_.glClearColor(0.13f, 0.15f, 0.18f, 1.0f);
     gl_.glClear(GL_COLOR_BUFFER_BIT);
     return;
   }
+  if (!p.refined) {
+    gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
+    const GLenum filter = picture.width() == width ? GL_NEAREST : GL_LINEAR;
+    gl_.glBlitFramebuffer(0, 0, picture.width(), picture.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT, filter);
+    gl_.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    return;
+  }
   p.present->bind();
-  bindTexture(gl_, *p.present, "picture", 0, p.mean.color(0));
+  bindTexture(gl_, *p.present, "picture", 0, picture.color(0));
   p.triangle.draw();
   p.present->release();
   gl_.glActiveTexture(GL_TEXTURE0);

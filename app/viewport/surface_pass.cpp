@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/surface_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -19,7 +20,7 @@ std::shared_ptr<const geometry::TriangleMesh> unitBox() {
 }
 
 fvec3 linear(const std::array<float, 3>& srgb) {
-  return {std::pow(srgb[0], 2.2f), std::pow(srgb[1], 2.2f), std::pow(srgb[2], 2.2f)};
+  return {srgb[0] * srgb[0], srgb[1] * srgb[1], srgb[2] * srgb[2]};
 }
 
 }  // namespace
@@ -41,10 +42,10 @@ FrameView viewOf(const Frame& frame) {
   return view;
 }
 
-SurfacePass::SurfacePass(Gl& gl) : gl_(gl), program_(loadProgram("surface", "surface")), box_(unitBox()) {}
+SurfacePass::SurfacePass(Gl& gl) : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED"}), box_(unitBox()) {}
 
-void SurfacePass::drawItem(const RenderItem& item, std::uint32_t id, const Frame& frame, const FrameView& view,
-                           GpuMeshCache& meshes) {
+void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
+                           const FrameView& view, GpuMeshCache& meshes) {
   GpuMesh* mesh = &meshes.of(item.mesh);
   glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
   if (frame.detail == DetailLevel::kBoxes && mesh->triangles() > kHeavyTriangles) {
@@ -52,44 +53,56 @@ void SurfacePass::drawItem(const RenderItem& item, std::uint32_t id, const Frame
     mesh = &meshes.of(box_);
   }
   const glm::mat3 rotation = glm::mat3(glm::mat3_cast(item.X_WM.q));
-  setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
-  setMatrix(gl_, *program_, "view_from_model", view.view_from_world * world_from_model);
-  setMatrix(gl_, *program_, "light_from_model", light_from_world_ * world_from_model);
-  gl_.glUniformMatrix3fv(program_->uniformLocation("world_from_model"), 1, GL_FALSE, glm::value_ptr(rotation));
+  setMatrix(gl_, program, "clip_from_model", view.clip_from_world * world_from_model);
+  setMatrix(gl_, program, "view_from_model", view.view_from_world * world_from_model);
+  setMatrix(gl_, program, "light_from_model", light_from_world_ * world_from_model);
+  gl_.glUniformMatrix3fv(program.uniformLocation("world_from_model"), 1, GL_FALSE, glm::value_ptr(rotation));
   const fvec3 albedo = linear(item.color);
-  program_->setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
-  gl_.glUniform1ui(program_->uniformLocation("id"), id | item.state << 24);
-  program_->setUniformValue("hatched", (item.state & kContact) != 0);
+  program.setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
+  gl_.glUniform1ui(program.uniformLocation("id"), id | item.state << 24);
   mesh->drawFaces();
 }
 
-void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes) {
-  if (!program_) return;
-  program_->bind();
-  const dvec3 key = keyLightDirection_W();
-  const dvec3 eye = -frame.camera.forward_W();
+void SurfacePass::prepare(QOpenGLShaderProgram& program, const Frame& frame, const FrameView& view,
+                          const ShadowPass* shadow) {
+  program.bind();
+  const fvec3 key(keyLightDirection_W());
+  const fvec3 eye(-frame.camera.forward_W());
   const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.view_from_world));
-  program_->setUniformValue("key_direction", static_cast<float>(key.x), static_cast<float>(key.y), static_cast<float>(key.z));
-  program_->setUniformValue("eye_direction", static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
-  program_->setUniformValue("perspective", frame.camera.perspective);
-  program_->setUniformValue("pixel_ratio", static_cast<float>(frame.pixel_ratio));
-  gl_.glUniformMatrix3fv(program_->uniformLocation("world_from_view"), 1, GL_FALSE, glm::value_ptr(world_from_view));
+  program.setUniformValue("key_direction", key.x, key.y, key.z);
+  program.setUniformValue("eye_direction", eye.x, eye.y, eye.z);
+  program.setUniformValue("perspective", frame.camera.perspective);
+  program.setUniformValue("pixel_ratio", static_cast<float>(frame.pixel_ratio));
+  gl_.glUniformMatrix3fv(program.uniformLocation("world_from_view"), 1, GL_FALSE, glm::value_ptr(world_from_view));
   const fvec3& hatch = frame.colors.contact;
-  program_->setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
-  const bool shadowed = shadow && shadow->ready();
-  program_->setUniformValue("shadowed", shadowed);
-  program_->setUniformValue("shadow_map", 0);
-  if (shadowed) {
-    bindTexture(gl_, *program_, "shadow_map", 0, shadow->map());
-    light_from_world_ = shadow->lightFromWorld();
-  }
+  program.setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
+  if (shadow) bindTexture(gl_, program, "shadow_map", 0, shadow->map());
+}
+
+void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes) {
+  if (shadow && !shadow->ready()) shadow = nullptr;
+  if (shadow) light_from_world_ = shadow->lightFromWorld();
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_TRUE);
   gl_.glDisable(GL_BLEND);
-  std::uint32_t id = 0;
-  for (const RenderItem& item : frame.items) {
-    ++id;
-    if (item.mesh) drawItem(item, id, frame, view, meshes);
+  // Nearest first: what lies behind is not shaded then.
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
+    const RenderItem& item = frame.items[i];
+    if (!item.mesh) continue;
+    const geometry::Bounds& bounds = meshes.of(item.mesh).bounds();
+    const dvec3 p_WC = item.X_WM * (item.scale * bounds.center());
+    order.emplace_back(glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - item.scale * bounds.radius(), i);
+  }
+  std::sort(order.begin(), order.end());
+  for (const bool hatched : {false, true}) {
+    const auto wanted = [&](const auto& entry) { return ((frame.items[entry.second].state & kContact) != 0) == hatched; };
+    if (std::none_of(order.begin(), order.end(), wanted)) continue;
+    QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (hatched ? 2u : 0u));
+    if (!program) return;
+    prepare(*program, frame, view, shadow);
+    for (const auto& entry : order)
+      if (wanted(entry)) drawItem(*program, frame.items[entry.second], entry.second + 1, frame, view, meshes);
   }
 }
 
@@ -130,29 +143,28 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   gl_.glDepthMask(GL_TRUE);
 }
 
-FloorPass::FloorPass(Gl& gl) : gl_(gl), program_(loadProgram("grid", "grid")) { gl_.glGenVertexArrays(1, &vertex_array_); }
+FloorPass::FloorPass(Gl& gl) : gl_(gl), programs_("grid", "grid", {"SHADOWED"}) { gl_.glGenVertexArrays(1, &vertex_array_); }
 FloorPass::~FloorPass() { gl_.glDeleteVertexArrays(1, &vertex_array_); }
 
 void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow) {
-  if (!program_) return;
+  if (shadow && (!shadow->ready() || frame.camera.elevation <= 0.0)) shadow = nullptr;
+  QOpenGLShaderProgram* program = programs_.of(shadow ? 1u : 0u);
+  if (!program) return;
   const double cell = floorCell(frame.camera);
   const dvec3 target = frame.camera.target_W;
   const glm::dmat4 world_from_floor = glm::translate(glm::dmat4(1.0), dvec3(target.x, target.y, 0.0));
-  program_->bind();
-  setMatrix(gl_, *program_, "clip_from_floor", view.clip_from_world * world_from_floor);
-  const bool shadowed = shadow && shadow->ready() && frame.camera.elevation > 0.0;
-  setMatrix(gl_, *program_, "light_from_floor", (shadow ? shadow->lightFromWorld() : glm::dmat4(1.0)) * world_from_floor);
-  program_->setUniformValue("reach", static_cast<float>(13.0 * cell));
-  program_->setUniformValue("origin", static_cast<float>(-std::fmod(target.x, cell)), static_cast<float>(-std::fmod(target.y, cell)));
-  program_->setUniformValue("cell", static_cast<float>(cell));
-  program_->setUniformValue("fade_small", static_cast<float>(7.2 * cell));
-  program_->setUniformValue("fade_large", static_cast<float>(13.0 * cell));
+  program->bind();
+  setMatrix(gl_, *program, "clip_from_floor", view.clip_from_world * world_from_floor);
+  setMatrix(gl_, *program, "light_from_floor", (shadow ? shadow->lightFromWorld() : glm::dmat4(1.0)) * world_from_floor);
+  program->setUniformValue("reach", static_cast<float>(13.0 * cell));
+  program->setUniformValue("origin", static_cast<float>(-std::fmod(target.x, cell)), static_cast<float>(-std::fmod(target.y, cell)));
+  program->setUniformValue("cell", static_cast<float>(cell));
+  program->setUniformValue("fade_small", static_cast<float>(7.2 * cell));
+  program->setUniformValue("fade_large", static_cast<float>(13.0 * cell));
   const glm::vec4& color = frame.colors.grid;
-  program_->setUniformValue("line_color", color.x, color.y, color.z, color.w);
-  program_->setUniformValue("shadowed", shadowed);
-  program_->setUniformValue("shadow_strength", frame.colors.floor_shadow);
-  program_->setUniformValue("shadow_map", 0);
-  if (shadowed) bindTexture(gl_, *program_, "shadow_map", 0, shadow->map());
+  program->setUniformValue("line_color", color.x, color.y, color.z, color.w);
+  program->setUniformValue("shadow_strength", frame.colors.floor_shadow);
+  if (shadow) bindTexture(gl_, *program, "shadow_map", 0, shadow->map());
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_FALSE);
   gl_.glEnablei(GL_BLEND, 0);

@@ -25,9 +25,11 @@ class SurfacePass {
   void draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes);
 
  private:
-  void drawItem(const RenderItem& item, std::uint32_t id, const Frame& frame, const FrameView& view, GpuMeshCache& meshes);
+  void prepare(QOpenGLShaderProgram& program, const Frame& frame, const FrameView& view, const ShadowPass* shadow);
+  void drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
+                const FrameView& view, GpuMeshCache& meshes);
   Gl& gl_;
-  std::unique_ptr<QOpenGLShaderProgram> program_;
+  ProgramFamily programs_;
   std::shared_ptr<const geometry::TriangleMesh> box_;
   glm::dmat4 light_from_world_{1.0};
 };
@@ -52,7 +54,7 @@ class FloorPass {
 
  private:
   Gl& gl_;
-  std::unique_ptr<QOpenGLShaderProgram> program_;
+  ProgramFamily programs_;
   GLuint vertex_array_ = 0;
 };
 

@@ -155,6 +155,7 @@ void ViewportWidget::drawFrame() {
   DetailGovernor& governor = moved ? governor_ : live_ ? live_governor_ : still_governor_;
   frame.detail = governor.level();
   if (moved) sample_ = 0;
+  frame.refine = !moved;
   frame.sample = moved ? 0 : sample_++;
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
@@ -235,6 +236,7 @@ QImage ViewportWidget::finishedPicture() {
   if (renderer_) {
     Frame frame = makeFrame();
     QOpenGLFramebufferObject target(frame.width, frame.height);
+    frame.refine = true;
     for (frame.sample = 0; frame.sample < SceneRenderer::kSamples; ++frame.sample) renderer_->render(frame, target.handle());
     QImage picture = target.toImage();
     doneCurrent();

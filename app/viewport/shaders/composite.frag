@@ -1,13 +1,11 @@
 #version 330 core
 // SPDX-License-Identifier: Apache-2.0
-// Puts the picture together: faces and lines, occlusion, silhouettes, and the outlines of states.
+// Puts the picture together: faces and lines, occlusion (OCCLUDED), silhouettes (SILHOUETTES), and the outlines of
+// states (STATES).
 in vec2 place;
 uniform sampler2D color_map;
 uniform usampler2D id_map;
 uniform sampler2D openness_map;
-uniform bool occluded;
-uniform bool silhouettes;
-uniform bool states;            // Anything marked at all.
 uniform vec3 silhouette_color;
 uniform vec3 selected_color, hovered_color, near_color, contact_color;
 uniform float pixel_ratio;
@@ -19,21 +17,24 @@ uint stateOf(uint id) { return id >> 24; }
 uint itemOf(uint id) { return id & 0xffffffu; }
 
 void main() {
-  ivec2 here = ivec2(place * vec2(textureSize(id_map, 0)));
+  ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(id_map, 0) - 1;
   vec3 shown = texelFetch(color_map, here, 0).rgb;
   uint own = texelFetch(id_map, here, 0).r;
-  if (occluded && own != 0u) {
-    float open = texture(openness_map, place).r;
-    shown *= mix(0.30, 1.0, open);
-  }
-  if (silhouettes) {
+#ifdef OCCLUDED
+  float open = own != 0u ? texture(openness_map, place).r : 1.0;
+  shown *= mix(0.30, 1.0, open);
+#endif
+#ifdef SILHOUETTES
+  {
     uint right = itemOf(texelFetch(id_map, min(here + ivec2(1, 0), last), 0).r);
     uint above = itemOf(texelFetch(id_map, min(here + ivec2(0, 1), last), 0).r);
     uint item = itemOf(own);
     if (item != right || item != above) shown = mix(shown, silhouette_color, 0.72);
   }
-  if (states) {
+#endif
+#ifdef STATES
+  {
     int r = int(2.0 * pixel_ratio + 0.5);
     int d = max(1, int(1.5 * pixel_ratio));
     uint east = stateOf(texelFetch(id_map, clamp(here + ivec2(r, 0), ivec2(0), last), 0).r);
@@ -56,5 +57,6 @@ void main() {
     }
     if ((near_by & kContact) != 0u) shown = contact_color;
   }
+#endif
   color = vec4(shown, share);
 }

@@ -7,7 +7,6 @@ uniform float cell;        // Metres of a large cell; the small ones are a fifth
 uniform float fade_small;
 uniform float fade_large;
 uniform vec4 line_color;
-uniform bool shadowed;
 uniform float shadow_strength;
 uniform sampler2DShadow shadow_map;
 layout(location = 0) out vec4 color;
@@ -25,24 +24,23 @@ float lines(float size, float width) {
 
 void main() {
   float away = length(floor_place);
+  if (away > fade_large) discard;
   float large = lines(cell, 1.0) * (1.0 - smoothstep(0.35 * fade_large, fade_large, away));
   float small = lines(0.2 * cell, 1.0) * 0.4 * (1.0 - smoothstep(0.35 * fade_small, fade_small, away));
   float alpha = line_color.a * max(large, small);
   vec3 shown = line_color.rgb;
-  if (shadowed) {
+#ifdef SHADOWED
+  {
     vec3 p = light_position.xyz / light_position.w * 0.5 + 0.5;
     bool inside = all(greaterThan(p, vec3(0.0))) && all(lessThan(p, vec3(1.0)));
-    vec2 texel = 0.75 / vec2(textureSize(shadow_map, 0));
-    float sum = texture(shadow_map, vec3(p.xy + vec2(-texel.x, -texel.y), p.z)) +
-                texture(shadow_map, vec3(p.xy + vec2(texel.x, -texel.y), p.z)) +
-                texture(shadow_map, vec3(p.xy + vec2(-texel.x, texel.y), p.z)) +
-                texture(shadow_map, vec3(p.xy + vec2(texel.x, texel.y), p.z));
-    float shade = inside ? shadow_strength * (1.0 - 0.25 * sum) * (1.0 - smoothstep(0.8 * fade_large, fade_large, away)) : 0.0;
+    float lit = texture(shadow_map, p);
+    float shade = inside ? shadow_strength * (1.0 - lit) * (1.0 - smoothstep(0.8 * fade_large, fade_large, away)) : 0.0;
     // Shadow below, line above it.
     float both = alpha + shade * (1.0 - alpha);
     shown = both > 0.0 ? shown * alpha / both : shown;
     alpha = both;
   }
+#endif
   color = vec4(shown, alpha);
   identity = 0u;
 }

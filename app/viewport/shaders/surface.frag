@@ -3,15 +3,13 @@
 in vec3 world_normal;
 in vec3 view_position;
 in vec4 light_position;
-uniform vec3 albedo;            // Linear.
+uniform vec3 albedo;            // Linear, with a gamma of 2: a square root is cheap where there is no graphics card.
 uniform vec3 eye_direction;     // World; from the scene to the eye, for the orthographic view.
 uniform mat3 world_from_view;
 uniform bool perspective;
 uniform vec3 key_direction;     // World, towards the light.
-uniform bool shadowed;
 uniform sampler2DShadow shadow_map;
 uniform uint id;
-uniform bool hatched;
 uniform vec3 hatch_color;       // sRGB.
 uniform float pixel_ratio;
 layout(location = 0) out vec4 color;
@@ -21,15 +19,12 @@ const vec3 kSky = vec3(1.0);
 const vec3 kGround = vec3(0.144, 0.174, 0.216);  // #6A7480, linear.
 
 float lit() {
-  if (!shadowed) return 1.0;
+#ifdef SHADOWED
   vec3 p = light_position.xyz / light_position.w * 0.5 + 0.5;
-  vec2 texel = 0.75 / vec2(textureSize(shadow_map, 0));
-  float sum = 0.0;
-  sum += texture(shadow_map, vec3(p.xy + vec2(-texel.x, -texel.y), p.z));
-  sum += texture(shadow_map, vec3(p.xy + vec2(texel.x, -texel.y), p.z));
-  sum += texture(shadow_map, vec3(p.xy + vec2(-texel.x, texel.y), p.z));
-  sum += texture(shadow_map, vec3(p.xy + vec2(texel.x, texel.y), p.z));
-  return 0.25 * sum;
+  return texture(shadow_map, p);  // Borders are softened by the samples of a still picture.
+#else
+  return 1.0;
+#endif
 }
 
 void main() {
@@ -38,17 +33,19 @@ void main() {
   if (dot(n, to_eye) < 0.0) n = -n;
   vec3 light = 1.55 * mix(kGround, kSky, 0.5 + 0.5 * n.z);
   float key = max(dot(n, key_direction), 0.0);
-  if (key > 0.0) key *= lit();
+  key *= lit();
   light += 1.55 * key;
   light += 0.55 * max(dot(n, to_eye), 0.0);
   vec3 linear = albedo * light * 0.31831;
-  vec3 shown = pow(linear, vec3(1.0 / 2.2));
-  if (hatched) {
+  vec3 shown = sqrt(linear);
+#ifdef HATCHED
+  {
     float period = 8.0 * pixel_ratio;
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, period) / period;
     float shade = dot(shown, vec3(0.3, 0.55, 0.15));
     shown = stripe < 0.34 ? hatch_color : hatch_color * (0.35 + 0.45 * shade);
   }
+#endif
   color = vec4(shown, 1.0);
   identity = id;
 }
