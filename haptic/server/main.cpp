@@ -48,6 +48,8 @@ NetworkOptions networkOptions(const ServerOptions& asked, const config::Configur
   options.port = asked.port.value_or(static_cast<std::uint16_t>(configuration.server.port));
   options.allow_unprotected_network = asked.allow_unprotected_network;
   options.state_rate_hz = asked.state_rate_hz;
+  // A busy machine must not keep a lost client from being noticed.
+  options.priority = asked.real_time ? 40 : 0;
   options.report = [](const std::string& sentence) { spdlog::info("{}", sentence); };
   return options;
 }

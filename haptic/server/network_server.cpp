@@ -99,6 +99,11 @@ class NetworkServer::Implementation {
   void run() {
     pthread_setname_np(pthread_self(), "network");
     prctl(PR_SET_TIMERSLACK, 1);
+    if (options_.priority > 0) {
+      sched_param parameter{};
+      parameter.sched_priority = options_.priority;
+      pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter);  // Not granted: the runner says so already.
+    }
     while (!context_.stopped()) {
       try {
         context_.run();
