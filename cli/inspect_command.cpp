@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/entity_report.h"
+#include "geometry/topology.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/length_unit.h"
@@ -39,10 +40,13 @@ void warnAboutTriangles(const workcell::MeshFile& file, const ordered_json& repo
   geometry::TriangleMesh welded = file.mesh;
   const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
   const auto say = [&](std::uint32_t count, const char* what) {
-    if (count > 0) notes.warn(std::to_string(count) + what);
+    if (count > 0) notes.warn(what + (": " + std::to_string(count)));
   };
-  say(dropped.degenerate_triangles, " triangles have no area; they are left out in a workcell");
-  say(dropped.duplicate_triangles, " triangles are there twice; they are left out in a workcell");
+  say(dropped.degenerate_triangles, "triangles without area, left out in a workcell");
+  say(dropped.duplicate_triangles, "triangles that are there twice, left out once in a workcell");
+  const geometry::Topology topology = geometry::topologyOf(welded);
+  say(topology.rejected_triangles, "triangles at an edge of more than two faces, or turned over");
+  say(topology.holes, "holes in the surface");
   if (!report["closed"].get<bool>()) notes.warn("the surface is not closed, so the volume means little");
   if (report["volume"].get<double>() < 0.0) notes.warn("the triangles face inward, so the volume is negative");
 }

@@ -125,7 +125,7 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diag
   Entity entity;
   entity.kind = EntityKind::kRobot;
   entity.robot = known;
-  entity.name = file.stem().string();
+  entity.name = known->name.empty() ? file.stem().string() : known->name;
   entity.source = {file.string(), 1.0};
   const int tip = known->defaultTip();
   if (tip >= 0) entity.tip_link = known->links[static_cast<std::size_t>(tip)].name;

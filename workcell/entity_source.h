@@ -22,10 +22,10 @@ class EntityLoader {
   explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false)
       : folder_(std::move(folder)), unit_is_stated_(unit_is_stated) {}
 
-  /// An entity with shape, source and a name that suggests itself (the file's stem); the rest as by default, joints
-  /// empty. `scale` is metres per unit of the file; a robot's file is always in metres, another scale for it is an
-  /// error. What is missing, broken or not known is an error that names it. Mannequins come in a later version and are
-  /// refused.
+  /// An entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
+  /// by default, joints empty. `scale` is metres per unit of the file; a robot's file is always in metres, another
+  /// scale for it is an error. What is missing, broken or not known is an error that names it. Mannequins come in a
+  /// later version and are refused.
   Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
 
  private:
