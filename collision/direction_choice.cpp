@@ -153,7 +153,10 @@ void chooseDirections(std::vector<PieceGroup>& groups, const DirectionLimits& li
     if (!space.isFree(d)) continue;
     const double tolerance = 1e-6 + 0.005 * glm::length(d);
     for (PieceGroup& group : groups) {
-      if (!isCovered(group, d, tolerance)) group.chosen.push_back(bestAt(group, d, kTouch));
+      if (isCovered(group, d, tolerance)) continue;
+      // Rounding may leave a place uncovered whose best direction is chosen already.
+      const std::uint32_t best = bestAt(group, d, kTouch);
+      if (std::find(group.chosen.begin(), group.chosen.end(), best) == group.chosen.end()) group.chosen.push_back(best);
     }
   }
 }

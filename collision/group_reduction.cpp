@@ -142,6 +142,14 @@ bool GroupReducer::imply(std::uint32_t j, std::uint32_t k, std::uint32_t i) {
       tighten_k[b] = std::max(tighten_k[b], least);
     }
   }
+  const auto bears = [&](const PieceGroup& group, const std::vector<double>& by) {
+    for (std::size_t a = 0; a < by.size(); ++a) {
+      const double room = std::max(0.0, group.directions[group.chosen[a]].gap - tolerance_.boundary);
+      if (by[a] > tolerance_.absolute + tolerance_.relative * room) return false;
+    }
+    return true;
+  };
+  if (!bears(groups_[j], tighten_j) || !bears(groups_[k], tighten_k)) return false;
   const auto apply = [](PieceGroup& group, const std::vector<double>& by) {
     for (std::size_t a = 0; a < by.size(); ++a) {
       double& tightened = group.directions[group.chosen[a]].tightened;

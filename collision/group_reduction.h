@@ -9,8 +9,9 @@ namespace hapticell::collision {
 
 struct ReductionTolerance {
   double absolute = 1e-6;  ///< Metres.
-  double relative = 0.0;   ///< Of the gap that the removed group has.
+  double relative = 0.0;   ///< Of the gap that the removed group has, and of what a tightened one has above `boundary`.
   double turning = 1.0;  ///< Share of the turning that is looked at; below 1 turned bodies may be called free wrongly.
+  double boundary = 0.0;   ///< m: the gap that is felt as contact. What is touched is never tightened.
 };
 
 /// Removes groups that others imply within the tolerance, for translations up to the reach and turns up to the

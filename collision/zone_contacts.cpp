@@ -28,6 +28,7 @@ constexpr Effort kEfforts[] = {{8, {1e-6, 0.0, 1.0}}, {4, {3e-6, 0.02, 1.0}}, {2
 constexpr Effort kCrowded = {2, {1e-5, 0.08, 0.0}};  // turning is left out of what implies what
 constexpr double kLeastShare = 0.05;                 // of the wanted radius, before kCrowded is tried
 constexpr double kCrowdedShare = 0.25;
+constexpr double kNear = 0.0005;                     // m above the boundary: directions with all their corners
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -214,9 +215,15 @@ std::optional<ZoneContacts> ZoneQuery::written(const std::vector<std::vector<Pie
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     std::vector<PieceGroup> reduced = groups[m];
     for (PieceGroup& group : reduced) {
-      for (SeparatingDirection& direction : group.directions) thinOut(direction.supports, effort.supports);
+      for (SeparatingDirection& direction : group.directions) {
+        // What is about to touch keeps its corners: over a missing one the body would tilt into the obstacle.
+        const bool near = direction.gap < options_.safety_distance + kNear;
+        thinOut(direction.supports, near ? kEfforts[0].supports : effort.supports);
+      }
     }
-    reduceGroups(reduced, limits(m, radius), moving_[m].bounds().center(), effort.tolerance);
+    ReductionTolerance tolerance = effort.tolerance;
+    tolerance.boundary = options_.safety_distance;
+    reduceGroups(reduced, limits(m, radius), moving_[m].bounds().center(), tolerance);
     for (const PieceGroup& group : reduced) write(m, group, result);
     if (result.contacts.size() > options_.max_entries) return std::nullopt;
   }

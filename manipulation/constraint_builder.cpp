@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "manipulation/symmetric.h"
+
 namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kTurnAhead = 0.3;  ///< rad that the entity is expected to turn at most before the next set.
-
 /// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
-double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W) {
+double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W, double turn_ahead) {
   double gain = 0.0, turn_gain = 0.0, swing = 0.0, turn_swing = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const dvec3 v = pointVelocity(part, p_WS, i), w = part.velocity[i].angular;
@@ -23,7 +23,7 @@ double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, d
     turn_swing = std::max(turn_swing, glm::length(w_turn));
   }
   const double moved = zone_W * (gain + radius * std::sqrt(turn_gain));
-  return moved + kTurnAhead * (std::sqrt(swing) + radius * turn_swing);
+  return moved + turn_ahead * (std::sqrt(swing) + radius * turn_swing);
 }
 
 dmat3 outer(const dvec3& a, const dvec3& b) {
@@ -92,9 +92,27 @@ std::vector<collision::ZonePart> movingParts(const Assembly& assembly, double zo
     moving[k].pieces = in.parts[k];
     moving[k].X_W = X_WP[k];
     moving[k].key = k + 1;
-    moving[k].reach = reachOf(assembly.differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W);
+    moving[k].reach =
+        reachOf(assembly.differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W, in.turn_ahead);
   }
   return moving;
+}
+
+}  // namespace
+
+namespace {
+
+/// The set is complete only for small turns: a row that keeps the proxy within them, f = l (a^2 - |theta|^2) / 2a. It
+/// has no part in translation, so no force comes of it; the picture lags a wrist that turns faster.
+void appendTurnBound(const ConstraintInputs& inputs, BuiltConstraints& built) {
+  if (built.set.count == 0 || !inputs.mapping.rotates()) return;
+  const double angle = inputs.turn_ahead * std::min(1.0, built.set.zone_radius / inputs.zone_radius);
+  haptic::Constraint bound;
+  bound.group = built.set.constraints[built.set.count - 1].group + 1;
+  bound.id = (std::uint64_t{1} << 63) | (std::uint64_t{1} << 62);
+  bound.gap = 0.5 * haptic::kRotationLever * angle;
+  for (std::size_t i = 3; i < 6; ++i) bound.curvature[packedIndex(i, i)] = -haptic::kRotationLever / angle;
+  append(built, bound, {});
 }
 
 }  // namespace
@@ -117,9 +135,9 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
     options.safety_distance = std::max(options.safety_distance, inputs.feel[i].boundary);
   }
   options.radius = zone_W;
-  options.max_rotation = kTurnAhead;
-  // Room for the limits and one for whoever adds a row of its own.
-  options.max_entries = haptic::kMaxConstraints - 1 - std::min<std::size_t>(built.limits.size(), 16);
+  options.max_rotation = inputs.turn_ahead;
+  // Room for the limits, the bound of turning and one for whoever adds a row of its own.
+  options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16);
   options.pair_mask = mask;
   const collision::ZoneContacts found =
       collision::zoneContacts(movingParts(assembly, zone_W), inputs.obstacles, options);
@@ -135,6 +153,7 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
     inputs.mapping.toDevice(constraint);
     append(built, constraint, {-1, static_cast<int>(i)});
   }
+  appendTurnBound(inputs, built);
   return built;
 }
 

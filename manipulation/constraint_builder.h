@@ -28,7 +28,8 @@ struct ConstraintInputs {
   const EntityConfiguration& configuration;  ///< Accepted: the reference of the set.
   const MotionMapping& mapping;
   Pose X_DNear;  ///< The proxy: supplies what the mapping's filters hide of the reference.
-  double zone_radius = haptic::kWantedZoneRadius;         ///< Hand space, m.
+  double zone_radius = haptic::kWantedZoneRadius;  ///< Hand space, m.
+  double turn_ahead = 0.1;  ///< rad that the entity is expected to turn at most before the next set.
   std::span<const collision::ConvexPieces* const> parts;  ///< One a part.
   std::span<const collision::ZonePart> obstacles;
   std::span<const MotionPair> pairs;

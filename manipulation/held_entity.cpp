@@ -21,6 +21,7 @@ using workcell::OnContact;
 constexpr double kSkin = 20e-6;            ///< m: least boundary, so that the exact check has room to work in.
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
 constexpr int kSlides = 6;
+constexpr double kPushOut = 0.1;
 constexpr double kArrived = 1e-9;  ///< m: less is not worth another slide.
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
@@ -202,8 +203,8 @@ void HeldEntity::startBoundaries() {
   if (!motion_->anySoft()) return;
   MotionMapping here;
   here.anchor(movedFrame(), movedFrame());
-  const BuiltConstraints built =
-      buildConstraints({*manipulator_, accepted_, here, movedFrame(), 0.01, parts_, obstacles_, motion_pairs_, feel_});
+  const BuiltConstraints built = buildConstraints(
+      {*manipulator_, accepted_, here, movedFrame(), 0.01, 0.01, parts_, obstacles_, motion_pairs_, feel_});
   pairGaps(built, built.set.X_DR, gaps_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     if (motion_->isSoft(i) && gaps_[i] < 0.0) feel_[i].boundary += gaps_[i];
@@ -229,10 +230,11 @@ void HeldEntity::raiseBoundaries() {
   }
 }
 
-BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius) {
+BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius,
+                                         double turn_ahead) {
   raiseBoundaries();
   return buildConstraints(
-      {*manipulator_, accepted_, mapping, X_DProxy, zone_radius, parts_, obstacles_, motion_pairs_, feel_});
+      {*manipulator_, accepted_, mapping, X_DProxy, zone_radius, turn_ahead, parts_, obstacles_, motion_pairs_, feel_});
 }
 
 void HeldEntity::distances(double limit, std::vector<FreeMotion::PairDistance>& near) {
@@ -258,14 +260,18 @@ void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping&
   }
 }
 
-void HeldEntity::addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, Rows& rows) const {
+void HeldEntity::addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest,
+                               Rows& rows) const {
   const std::vector<PartDifferential> parts = manipulator_->differentiate(accepted_);
   PointCondition condition;
   condition.p_WQ = answer.contact.p_WA;
   condition.nhat_W = answer.contact.nhat_BA_W;
   haptic::Constraint constraint;
   applyCondition(parts[motion_pairs_[answer.pair].part], condition, constraint);
-  constraint.gap = answer.contact.distance - kSkin;
+  // Out to its boundary, but by a small part of the way that is left: the way bends, a bare tangent would be blocked
+  // again.
+  const double outwards = std::clamp(kPushOut * rest, kSkin, std::max(kSkin, feel_[answer.pair].boundary));
+  constraint.gap = answer.contact.distance - outwards;
   mapping.toDevice(constraint);
   rows.add(rowOf(constraint.gradient, constraint.gap));
 }
@@ -296,7 +302,7 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
     result.blocked = true;
     result.stopped = pairs_[answer.pair].on_contact == OnContact::kStop;
     if (result.stopped) break;
-    addContactRow(answer, mapping, rows);
+    addContactRow(answer, mapping, glm::length(X_WWanted.p - movedFrame().p), rows);
   }
   return result;
 }

@@ -64,7 +64,8 @@ class HeldEntity {
   FollowResult follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built);
 
   /// The constraint set about the accepted configuration.
-  BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius);
+  BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius,
+                               double turn_ahead);
 
   /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
@@ -78,7 +79,7 @@ class HeldEntity {
   void raiseBoundaries();
   struct Rows;
   void addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const;
-  void addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, Rows& rows) const;
+  void addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest, Rows& rows) const;
 
   std::shared_ptr<const PreparedScene> scene_;
   workcell::EntityId id_ = 0;

@@ -12,14 +12,15 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr std::uint32_t kGrabButton = 1, kClutchButton = 2;
-constexpr double kFreeZone = 10.0;                       ///< m: nothing held, nothing to be met.
-constexpr double kRefreshMoved = 0.3e-3;                 ///< m in hand space: worth a new set ...
-constexpr double kRefreshAge = 8e-3;                     ///< ... after so many seconds,
-constexpr double kOldestSet = 50e-3;                     ///< and in any case after so many.
-constexpr double kZoneShare = 0.3;                       ///< At once when so much of the zone is used up.
-constexpr double kContactIn = 5e-5, kContactOut = 2e-4;  ///< m of gap.
-constexpr double kLag = 0.5e-3;                          ///< m the accepted pose may stay behind before that is felt.
-constexpr double kTipReach = 0.010;                      ///< m of hand space within which the tip touches something.
+constexpr double kFreeZone = 10.0;                              ///< m: nothing held, nothing to be met.
+constexpr double kLeastTurnAhead = 0.06, kMostTurnAhead = 0.4;  ///< rad that a set is good for.
+constexpr double kRefreshMoved = 1e-3;                          ///< m in hand space: worth a new set ...
+constexpr double kRefreshAge = 25e-3;                           ///< ... after so many seconds,
+constexpr double kOldestSet = 100e-3;                           ///< and in any case after so many.
+constexpr double kZoneShare = 0.3;                              ///< At once when so much of the zone is used up.
+constexpr double kContactIn = 5e-5, kContactOut = 2e-4;         ///< m of gap.
+constexpr double kLag = 0.5e-3;      ///< m the accepted pose may stay behind before that is felt.
+constexpr double kTipReach = 0.010;  ///< m of hand space within which the tip touches something.
 
 double metric(const Pose& a, const Pose& b) {
   const Twist t = difference(a, b);
@@ -282,7 +283,10 @@ void ManipulationEngine::addLagRow() {
   haptic::ConstraintSet& set = built_.set;
   const Twist lag = difference(state_->X_DP, set.X_DR);
   const double length = metric(state_->X_DP, set.X_DR);
-  if (length < kLag || set.count >= haptic::kMaxConstraints) return;
+  const double moved = metric(set.X_DR, X_DLag_);
+  X_DLag_ = set.X_DR;
+  // An entity that is on its way is given time to come.
+  if (length < kLag || moved > kLag || set.count >= haptic::kMaxConstraints) return;
   // Only where nothing in the set says why the entity stays behind: the inverse model's branch, a motion that the exact
   // check refuses.
   pairGaps(built_, state_->X_DP, gaps_);
@@ -310,7 +314,11 @@ void ManipulationEngine::updateSet() {
   set_wanted_ = false;
   set_ns_ = now_ns_;
   if (held_ && !clutched_) {
-    built_ = held_->constraints(mapping_, state_->X_DP, configuration_.manipulation.zone_radius);
+    // A wrist that turns fast needs a set that knows more of turning, at the cost of its radius.
+    const double turned = glm::length(difference(state_->X_DS, X_DSeen_).angular);
+    X_DSeen_ = state_->X_DS;
+    const double turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
+    built_ = held_->constraints(mapping_, state_->X_DP, configuration_.manipulation.zone_radius, turn_ahead);
     addLagRow();
   } else {
     built_ = {};

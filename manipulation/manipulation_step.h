@@ -105,6 +105,8 @@ class ManipulationEngine {
   std::int64_t set_ns_ = 0;
   bool set_wanted_ = true;
   BuiltConstraints built_;
+  Pose X_DSeen_;  ///< The stylus at the set before.
+  Pose X_DLag_;   ///< Reference of the set before.
   std::vector<double> gaps_;
   std::vector<std::size_t> contacts_;
   std::vector<Result> results_;

@@ -69,7 +69,12 @@ void ForceMeter::add(const MeteredTick& tick) {
   last_ = tick;
   const dvec3 turned = unshownTorque(tick) / haptic::kRotationLever;
   const double stretched = glm::dot(tick.spring_D, tick.spring_D) + glm::dot(turned, turned);
-  const double balance = work_ - tick.share * stretched / (2.0 * tick.stiffness);
+  // Where less than the wanted force is let through (ramp, limits, heat), a change of the spring's energy counts by
+  // that share; what is left when the spring is slack was lost to the limit, what is missing was made.
+  const double energy = stretched / (2.0 * tick.stiffness);
+  stored_ = energy > 0.0 ? std::max(0.0, stored_ + tick.share * (energy - energy_)) : 0.0;
+  energy_ = energy;
+  const double balance = work_ - stored_;
   while (!highest_.empty() && highest_.front().first < tick.t - kWindow) highest_.pop_front();
   while (!highest_.empty() && highest_.back().second <= balance) highest_.pop_back();
   highest_.emplace_back(tick.t, balance);

@@ -42,7 +42,7 @@ class ForceMeter {
   bool started_ = false;
   MeteredTick last_;
   double last_t_ = 0.0;
-  double max_force_ = 0.0, max_step_ = 0.0, least_ = 0.0, work_ = 0.0;
+  double max_force_ = 0.0, max_step_ = 0.0, least_ = 0.0, work_ = 0.0, energy_ = 0.0, stored_ = 0.0;
   std::deque<std::pair<double, double>> highest_;  ///< Falling balances of the last second: the window's maximum first.
 };
 
