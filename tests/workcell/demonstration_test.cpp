@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "collision/proximity_query.h"
 #include "geometry/mass_properties.h"
 #include "tests/support/test_data.h"
@@ -31,6 +34,13 @@ class Demonstration : public ::testing::Test {
 };
 
 TEST_F(Demonstration, opensWithoutAWord) { EXPECT_TRUE(diagnostics_.warnings.empty()) << diagnostics_.warnings.front(); }
+
+TEST_F(Demonstration, savingItChangesNoByte) {
+  const auto path = test::sourceFile("config/workcells/demo.hcell");
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(documentText(document_.state(), path.parent_path()), text);
+}
 
 TEST_F(Demonstration, robotHoldsThePartSixtyMillimetresOverItsSeatWithTheToolDown) {
   EXPECT_EQ(robot_->robot->dof(), 6u);

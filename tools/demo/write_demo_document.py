@@ -3,6 +3,8 @@
 """Writes the demonstration workcell document around the meshes of make_demo_workcell.py.
 
 usage: write_demo_document.py config/workcells/demo.hcell
+
+The shipped file has then been opened and saved once in HaptiCell, which writes every key in the program's own layout.
 """
 import json
 import math
