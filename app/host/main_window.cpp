@@ -160,10 +160,15 @@ void MainWindow::removeDock(QDockWidget* dock) {
 void MainWindow::addToToolBar(QWidget* widget) { actions_->tool_bar->addWidget(widget); }
 
 void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
+  const std::uint64_t before = viewport_->scene().revision();
   viewport_->scene().setSnapshot(snapshot);
-  viewport_->setLive(snapshot && snapshot->connected);
-  viewport_->refresh();
-  updateStatus();
+  // Numbers change ten times a second; what moves, in the next frame.
+  const bool numbers = !snapshot || !since_numbers_.isValid() || since_numbers_.elapsed() >= 100;
+  if (numbers) {
+    since_numbers_.start();
+    updateStatus();
+  }
+  if (numbers || viewport_->scene().revision() != before) viewport_->refresh();
 }
 
 void MainWindow::setDeviceText(const QString& text) { status_->setDevice(text); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMainWindow>
 #include <memory>
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<Actions> actions_;
   std::unique_ptr<ModuleLoader> modules_;
   double gui_rate_ = 0.0;
+  QElapsedTimer since_numbers_;
 };
 
 }  // namespace hapticell::app

@@ -29,6 +29,7 @@ struct Frame {
   bool edges = true;
   bool shaded = true;                 ///< False: faces hidden, edges only.
   bool refine = false;                ///< The picture stands still: its samples are averaged.
+  int band = 0, bands = 1;            ///< A refined sample may be drawn in horizontal bands, one a call.
   int sample = 0;                     ///< 0: a new picture; n: one more sample of the same one, averaged into it.
 };
 

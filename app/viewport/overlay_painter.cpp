@@ -289,6 +289,28 @@ QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size) {
   return {std::round(0.5 * (size.width - width)), size.height - 14.0 - kStripHeight, width, kStripHeight};
 }
 
+std::vector<QRectF> overlayPieces(const Overlay& overlay) {
+  const double reach = 2.9 * overlay.cube.halfEdge();
+  std::vector<QRectF> pieces{{overlay.cube.center().x - reach, overlay.cube.center().y - reach, 2 * reach, 2 * reach}};
+  pieces.emplace_back(0, overlay.size.height - 100, overlay.size.width, 100);
+  if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
+  if (!overlay.scene || !overlay.scene->snapshot()) return pieces;
+  QRectF middle;
+  const auto add = [&middle](const QPointF& p, double room) { middle = middle.united(QRectF(p.x() - room, p.y() - room, 2 * room, 2 * room)); };
+  for (const PlacedLabel& place : overlay.places) {
+    add(point(place.anchor), 20);
+    middle = middle.united(QRectF(point(place.box.min), point(place.box.max)).adjusted(-4, -4, 4, 4));
+  }
+  for (const auto& pair : overlay.scene->snapshot()->pairs)
+    for (const dvec3& p_WQ : {pair.p_WA, pair.p_WB})
+      if (const auto p = overlay.camera.project(p_WQ, overlay.size)) add(point(*p), 20);
+  const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
+  if (forceArrowOpacity(snapshot.force_n) > 0.0)
+    if (const auto p = overlay.camera.project(forceArrowStart_W(snapshot), overlay.size)) add(point(*p), 300);
+  if (!middle.isEmpty()) pieces.push_back(middle.intersected(QRectF(0, 0, overlay.size.width, overlay.size.height - 100)));
+  return pieces;
+}
+
 void paintOverlay(QPainter& painter, const Overlay& overlay) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   if (overlay.empty) paintEmpty(painter, overlay);

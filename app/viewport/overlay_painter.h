@@ -40,6 +40,9 @@ QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size);
 /// Paints cube, labels, leaders, points, arrow, strip and grid size. Plain QPainter; no widgets, no OpenGL.
 void paintOverlay(QPainter& painter, const Overlay& overlay);
 
+/// Boxes that together hold all that paintOverlay() paints.
+std::vector<QRectF> overlayPieces(const Overlay& overlay);
+
 /// The mark of a state, as everywhere: a filled diamond, an open triangle, an H.
 void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size, const Theme& theme);
 QColor markColor(Mark mark, const Theme& theme);

@@ -2,6 +2,7 @@
 #include "app/viewport/scene_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics/robot_model.h"
 
@@ -9,12 +10,14 @@ namespace hapticell::app {
 namespace {
 
 bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSnapshot& b) {
-  constexpr double kSeen = 1e-6;  // Metres and unit quaternions: nobody sees less.
+  constexpr double kSeen = 5e-5;  // Metres and radians: a stylus that is held still trembles by its encoder's steps.
   const auto samePose = [](const Pose& x, const Pose& y) {
-    return glm::length(x.p - y.p) < kSeen && std::abs(glm::dot(x.q, y.q)) > 1.0 - 1e-10;
+    return glm::length(x.p - y.p) < kSeen && std::abs(glm::dot(x.q, y.q)) > 1.0 - 1e-7;
   };
+  const auto sameJoint = [](double x, double y) { return std::abs(x - y) < kSeen; };
   const auto sameEntity = [&](const manipulation::EntityState& x, const manipulation::EntityState& y) {
-    return x.id == y.id && samePose(x.X_WE, y.X_WE) && x.joints == y.joints;
+    return x.id == y.id && samePose(x.X_WE, y.X_WE) &&
+           std::equal(x.joints.begin(), x.joints.end(), y.joints.begin(), y.joints.end(), sameJoint);
   };
   const auto samePair = [](const manipulation::PairState& x, const manipulation::PairState& y) {
     return x.other == y.other && x.other_part == y.other_part && x.contact == y.contact && x.near_miss == y.near_miss;
@@ -34,9 +37,12 @@ void SceneModel::setEntities(std::vector<workcell::Entity> entities) {
 }
 
 void SceneModel::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
-  const bool same = snapshot.has_value() == snapshot_.has_value() && (!snapshot || sameScene(*snapshot, *snapshot_));
+  // Against what was shown, not against the one before: slow motion adds up.
+  const bool same = snapshot.has_value() == shown_.has_value() && (!snapshot || sameScene(*snapshot, *shown_));
   snapshot_ = snapshot;
-  if (!same) ++revision_;
+  if (same) return;
+  shown_ = snapshot;
+  ++revision_;
 }
 
 void SceneModel::setSelected(std::vector<workcell::EntityId> entities) {

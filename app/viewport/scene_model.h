@@ -50,7 +50,7 @@ class SceneModel {
   std::uint32_t marks(const workcell::Entity& entity, const std::string& part) const;
   void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
   std::vector<workcell::Entity> entities_;
-  std::optional<manipulation::SceneSnapshot> snapshot_;
+  std::optional<manipulation::SceneSnapshot> snapshot_, shown_;
   std::vector<workcell::EntityId> selected_;
   workcell::EntityId hovered_ = 0;
   StylusMesh stylus_;

@@ -18,6 +18,17 @@ struct PixelArea {
   int x = 0, y = 0, width = 0, height = 0;  // From below, as OpenGL counts.
 };
 
+PixelArea bandArea(const Frame& frame) {
+  const int low = frame.height * frame.band / frame.bands;
+  const int high = frame.height * (frame.band + 1) / frame.bands;
+  return {0, low, frame.width, high - low};
+}
+
+PixelArea common(const PixelArea& a, const PixelArea& b) {
+  const int left = std::max(a.x, b.x), low = std::max(a.y, b.y);
+  return {left, low, std::min(a.x + a.width, b.x + b.width) - left, std::min(a.y + a.height, b.y + b.height) - low};
+}
+
 /// Where marked items lie, with room for their outlines.
 PixelArea markedArea(const Frame& frame) {
   const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
@@ -100,11 +111,15 @@ void SceneRenderer::drawScene(const Frame& frame) {
   Passes& p = *passes_;
   const bool shadows = frame.detail <= DetailLevel::kNoOcclusion;
   // Without occlusion the shadows of the last full picture stay: the cell seldom changes, the eye does.
-  if (frame.detail == DetailLevel::kFull || (shadows && !p.shadow.ready())) p.shadow.draw(frame, p.meshes);
+  const bool due = frame.detail == DetailLevel::kFull && frame.band == 0;
+  if (due || (shadows && !p.shadow.ready())) p.shadow.draw(frame, p.meshes);
   
   
   p.view = viewOf(frame);
   p.scene.bind();
+  const PixelArea band = bandArea(frame);
+  gl_.glEnable(GL_SCISSOR_TEST);
+  gl_.glScissor(band.x, band.y, band.width, band.height);
   gl_.glDisable(GL_BLEND);
   gl_.glDisable(GL_CULL_FACE);
   const GLfloat far_away = 1.0f;
@@ -126,6 +141,7 @@ void SceneRenderer::drawScene(const Frame& frame) {
   
   if (frame.edges && frame.detail < DetailLevel::kNoEdges)
     p.edge.draw(frame, p.view, frame.detail != DetailLevel::kFull, p.meshes);
+  gl_.glDisable(GL_SCISSOR_TEST);
   gl_.glDisable(GL_DEPTH_TEST);
 }
 
@@ -135,6 +151,9 @@ void SceneRenderer::composite(const Frame& frame) {
   if (occluded) {
     p.openness.resize((frame.width + 1) / 2, (frame.height + 1) / 2);
     p.openness.bind();
+    const PixelArea band = bandArea(frame);
+    gl_.glEnable(GL_SCISSOR_TEST);
+    gl_.glScissor(0, band.y / 2, p.openness.width(), band.height / 2 + 2);
     p.occlusion->bind();
     bindTexture(gl_, *p.occlusion, "depth_map", 0, p.scene.depth());
     setMatrix(gl_, *p.occlusion, "clip_from_view", p.view.clip_from_view);
@@ -142,6 +161,7 @@ void SceneRenderer::composite(const Frame& frame) {
     p.occlusion->setUniformValue("radius", static_cast<float>(kOcclusionRadius));
     p.occlusion->setUniformValue("turn", static_cast<float>(frame.sample));
     p.triangle.draw();
+    gl_.glDisable(GL_SCISSOR_TEST);
   }
   
   
@@ -151,7 +171,8 @@ void SceneRenderer::composite(const Frame& frame) {
   const unsigned set = (occluded ? 1u : 0u) | (frame.edges && frame.detail < DetailLevel::kNoEdges ? 2u : 0u);
   // The outlines of states look at many pixels, so they are drawn only where marked parts are.
   const PixelArea marked = markedArea(frame);
-  const auto pass = [&](const PixelArea& area, unsigned switches) {
+  const auto pass = [&](const PixelArea& wanted, unsigned switches) {
+    const PixelArea area = common(wanted, bandArea(frame));
     if (area.width <= 0 || area.height <= 0) return;
     QOpenGLShaderProgram* program = p.composite.of(switches);
     if (!program) return;

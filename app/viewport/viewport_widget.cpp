@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTurnSeconds = 0.25;
 constexpr double kSettleSeconds = 0.16;   // After so long without motion the picture is refined.
+constexpr double kBandSeconds = 0.04;      // What a piece of a still picture may take.
 constexpr double kStylusPixels = 150.0;
 
 fvec3 rgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
@@ -141,7 +142,7 @@ Frame ViewportWidget::makeFrame() const {
 }
 
 void ViewportWidget::drawFrame() {
-  const double now = clock_.nsecsElapsed() * 1e-9;
+  const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   const bool moved = dirty_ || scene_.revision() != drawn_revision_ || !sameCamera(camera_, drawn_camera_);
   if (moved) last_motion_s_ = now;
   const bool settled = now - last_motion_s_ > kSettleSeconds;
@@ -151,23 +152,44 @@ void ViewportWidget::drawFrame() {
     if (!settled) refine_.start(static_cast<int>(1000 * kSettleSeconds));
     return;
   }
+  if (moved)
+    drawMoving(now);
+  else
+    refine(now);
+}
+
+void ViewportWidget::drawMoving(double now) {
   Frame frame = makeFrame();
-  DetailGovernor& governor = moved ? governor_ : live_ ? live_governor_ : still_governor_;
-  frame.detail = governor.level();
-  if (moved) sample_ = 0;
-  frame.refine = !moved;
-  frame.sample = moved ? 0 : sample_++;
+  frame.detail = governor_.level();
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
-  const double took = clock_.nsecsElapsed() * 1e-9 - now;
-  governor.frameTook(took);
-  // A level that changes while a still picture is refined would mix two pictures.
-  if (!moved && governor.level() != frame.detail) sample_ = 0;
+  governor_.frameTook(static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now);
   drawn_items_ = std::move(frame.items);
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
   dirty_ = false;
-  refine_.start(moved ? static_cast<int>(1000 * kSettleSeconds) + 10 : 5);
+  sample_ = band_ = 0;
+  refine_.start(static_cast<int>(1000 * kSettleSeconds) + 10);
+}
+
+void ViewportWidget::refine(double now) {
+  Frame frame = makeFrame();
+  frame.refine = true;
+  frame.sample = sample_;
+  frame.band = band_;
+  frame.bands = bands_;
+  renderer_->render(frame, defaultFramebufferObject());
+  gl_.glFinish();
+  const double took = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now;
+  drawn_items_ = std::move(frame.items);
+  slowest_band_s_ = band_ == 0 ? took : std::max(slowest_band_s_, took);
+  if (++band_ >= bands_) {
+    band_ = 0;
+    ++sample_;
+    if (slowest_band_s_ > kBandSeconds) bands_ = std::min(2 * bands_, 32);
+    if (slowest_band_s_ < 0.3 * kBandSeconds) bands_ = std::max(bands_ / 2, 1);
+  }
+  refine_.start(2);
 }
 
 std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLabel>& labels) {
@@ -185,7 +207,7 @@ std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLa
   if (scene_.snapshot() && forceArrowOpacity(scene_.snapshot()->force_n) > 0.0)
     if (const auto start = camera_.project(forceArrowStart_W(*scene_.snapshot()), viewSize()))
       keep_free.push_back({*start - glm::dvec2(24, 200), *start + glm::dvec2(80, 12)});
-  const double now = clock_.nsecsElapsed() * 1e-9;
+  const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   const double seconds = now - last_overlay_s_;
   last_overlay_s_ = now;
   return label_layout_.place(wishes, keep_free, viewSize(), seconds, motion_);
@@ -208,24 +230,31 @@ Overlay ViewportWidget::makeOverlay() {
 }
 
 void ViewportWidget::paintOverlayImage() {
-  // Painted by the raster engine: the one on OpenGL smooths lines only with multisampling.
-  QImage image(size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
-  image.setDevicePixelRatio(devicePixelRatioF());
-  image.fill(Qt::transparent);
-  {
-    QPainter painter(&image);
-    paintOverlay(painter, makeOverlay());
-  }
+  const Overlay overlay = makeOverlay();
   QPainter onto(this);
-  onto.drawImage(QPointF(0, 0), image);
+  // Painted by the raster engine (the one on OpenGL smooths lines only with multisampling), and only where there is
+  // something: each piece is uploaded.
+  for (const QRectF& piece : overlayPieces(overlay)) {
+    const QRect box = piece.toAlignedRect().intersected(rect());
+    if (box.isEmpty()) continue;
+    QImage image(box.size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(devicePixelRatioF());
+    image.fill(Qt::transparent);
+    {
+      QPainter painter(&image);
+      painter.translate(-box.topLeft());
+      paintOverlay(painter, overlay);
+    }
+    onto.drawImage(box.topLeft(), image);
+  }
 }
 
 void ViewportWidget::paintGL() {
-  const double start = clock_.nsecsElapsed() * 1e-9;
+  const double start = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   advanceAnimation();
   if (renderer_) drawFrame();
   paintOverlayImage();
-  meter_.frame(start, clock_.nsecsElapsed() * 1e-9 - start);
+  meter_.frame(start, static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - start);
   if (turn_.active || label_layout_.moving()) refine_.start(0);
 }
 

@@ -38,8 +38,6 @@ class ViewportWidget : public QOpenGLWidget {
   void setPointerTool(PointerTool* tool);
   void setStrip(const StripContext& context) { strip_ = context; }
   void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
-  /// While true the cell is live: pictures are held to a tenth of a second even where nothing moves.
-  void setLive(bool live) { live_ = live; }
   /// The scene changed: draws when Qt finds time.
   void refresh();
   /// All samples of the picture, overlay included, as an image of the widget's size.
@@ -72,6 +70,8 @@ class ViewportWidget : public QOpenGLWidget {
   ViewSize viewSize() const;
   Frame makeFrame() const;
   void drawFrame();
+  void drawMoving(double now);
+  void refine(double now);
   void paintOverlayImage();
   std::vector<PlacedLabel> placeLabels(const std::vector<OverlayLabel>& labels);
   Overlay makeOverlay();
@@ -93,7 +93,8 @@ class ViewportWidget : public QOpenGLWidget {
     QElapsedTimer clock;
     bool active = false;
   } turn_;
-  DetailGovernor governor_, still_governor_{0.25}, live_governor_{0.085};
+  DetailGovernor governor_;
+  int band_ = 0, bands_ = 6;      ///< A sample of a still picture is drawn in bands, so that the window answers.
   FrameMeter meter_;
   QElapsedTimer clock_;
   LabelLayout label_layout_;
@@ -102,13 +103,13 @@ class ViewportWidget : public QOpenGLWidget {
   Camera drawn_camera_;
   bool dirty_ = true;             ///< Size or theme changed.
   int sample_ = 0;
-  double last_motion_s_ = 0.0;
+  double last_motion_s_ = 0.0, slowest_band_s_ = 0.0;
   QTimer refine_;
   PointerTool* tool_ = nullptr;
   bool tool_active_ = false;
   StripContext strip_;
   std::optional<EmptyState> empty_;
-  bool edges_ = true, motion_ = true, live_ = false;
+  bool edges_ = true, motion_ = true;
   std::optional<ViewCubeSpot> cube_hover_;
   QPointF press_place_, last_place_;
   dvec3 pivot_W_{0.0};

@@ -16,6 +16,7 @@ namespace {
 namespace command = manipulation::command;
 
 constexpr int kServerPatience = 700;     // Milliseconds without an answer until a server is started.
+constexpr int kLeastPress = 90;           // Milliseconds that a press of the stylus's button lasts at least.
 constexpr double kPenPixels = 150.0;     // As the viewport draws it.
 
 }  // namespace
@@ -32,9 +33,7 @@ QString scaleName(manipulation::ScaleLevel level) {
 }
 
 VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
-    : QObject(parent), host_(host), mouse_([this](const haptic::HandTarget& target) {
-        if (loop_) loop_->post(command::SetHandTarget{target});
-      }) {
+    : QObject(parent), host_(host), mouse_([this](const haptic::HandTarget& target) { postHand(target); }) {
   clock_.start();
   connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
   connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopController::postDocument);
@@ -98,6 +97,21 @@ QString VirtualDesktopController::deviceLine() const {
   }
   const QString problem = QString::fromStdString(link_->problem());
   return problem.isEmpty() ? tr("Connecting") : problem;
+}
+
+void VirtualDesktopController::postHand(const haptic::HandTarget& target) {
+  if (!loop_) return;
+  const bool pressed = (target.buttons & 1u) != 0;
+  if (pressed && !pressed_.isValid()) pressed_.start();
+  haptic::HandTarget sent = target;
+  // Newest wins on the way: a press must last, or its release overtakes it where the window is slow.
+  if (!pressed && pressed_.isValid() && pressed_.elapsed() < kLeastPress) {
+    sent.buttons |= 1u;
+    QTimer::singleShot(kLeastPress, this, [this] { postHand(mouse_.target()); });
+  } else if (!pressed) {
+    pressed_.invalidate();
+  }
+  loop_->post(command::SetHandTarget{sent});
 }
 
 double VirtualDesktopController::guiRate() const { return ticks_.rate(static_cast<double>(clock_.nsecsElapsed()) * 1e-9); }
@@ -226,7 +240,10 @@ void VirtualDesktopController::tick() {
       host_.setDeviceText(QString::fromStdString(device_->name) + (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
     else
       host_.setDeviceText(deviceLine());
-    emit snapshotChanged();
+    if (!told_.isValid() || told_.elapsed() >= 100) {
+      told_.start();
+      emit snapshotChanged();
+    }
   }
 }
 

@@ -44,7 +44,7 @@ class VirtualDesktopController : public QObject {
   double guiRate() const;
 
  signals:
-  void snapshotChanged();     ///< At the window's rate.
+  void snapshotChanged();     ///< Ten times a second: for numbers. The scene itself is handed to the host each time.
   void settingsChanged();
   void connectionChanged();
 
@@ -55,6 +55,7 @@ class VirtualDesktopController : public QObject {
   void postDocument();
   void postCamera();
   void postSettings();
+  void postHand(const haptic::HandTarget& target);
   void helpServer();
   void updateMouse();
   void updateStrip();
@@ -69,7 +70,7 @@ class VirtualDesktopController : public QObject {
   manipulation::SceneSnapshot snapshot_;
   std::optional<haptic::DeviceDescription> device_;
   QTimer timer_;
-  QElapsedTimer clock_, connecting_;
+  QElapsedTimer clock_, connecting_, pressed_, told_;
   FrameMeter ticks_;
   bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
 };
