@@ -53,6 +53,11 @@ RendererOptions limitedByDelay(RendererOptions options) {
   return options;
 }
 
+double storedEnergy(double spring, double stiffness, double limit) {
+  const double acting = std::min(spring, limit);
+  return acting * (spring - 0.5 * acting) / stiffness;
+}
+
 /// Where one set lets the proxy go, and what holds it there.
 struct ForceRenderer::Solved {
   Pose X_DP;
@@ -96,11 +101,19 @@ void ForceRenderer::setOptions(const RendererOptions& options) {
   damping_ = options_.damping;
 }
 
+void ForceRenderer::noteApplied(const dvec3& force_D) {
+  applied_D_ = force_D;
+  const double applied = glm::length(force_D);
+  if (applied < 0.999 * glm::length(wanted_D_)) limit_ = applied;
+}
+
 void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
   offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
+  wanted_D_ = dvec3(0.0);
+  limit_ = std::numeric_limits<double>::infinity();
   energy_ = balance_ = controller_damping_ = 0.0;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
@@ -235,8 +248,8 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
 void ForceRenderer::observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt) {
   energy_ -= glm::dot(applied_D_, stylus_motion.linear) + glm::dot(torque_D_, stylus_motion.angular);
   torque_D_ = torque_D;
-  const double turn = glm::dot(torque_D, torque_D) / (kRotationLever * kRotationLever);
-  const double stored = (glm::dot(spring_D_, spring_D_) + turn) / (2.0 * stiffness_);
+  const double turn = glm::length(torque_D) / kRotationLever;
+  const double stored = storedEnergy(glm::length(spring_D_), stiffness_, limit_) + turn * turn / (2.0 * stiffness_);
   balance_ = std::min(0.0, energy_ - stored);
   energy_ = stored + balance_;
   const double step = kControllerStep * dt / kMillisecond;
@@ -289,7 +302,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   result.stiffness = stiffness_;
   result.controller_damping = controller_damping_;
   result.adopted_set = has_set_ ? sets_[current_].set.sequence : 0;
-  applied_D_ = result.force_D;
+  applied_D_ = wanted_D_ = result.force_D;
+  limit_ = std::numeric_limits<double>::infinity();
   return result;
 }
 

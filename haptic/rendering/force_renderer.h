@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "geometry/pose.h"
 #include "haptic/rendering/constraint_set.h"
@@ -42,6 +43,10 @@ struct RenderResult {
   std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
 };
 
+/// What a coupling of `stiffness` K holds when its spring would pull with `spring` newtons but at most `limit` can act:
+/// the work that the hand gets back, |F| s - |F|^2 / 2K at stretch s. Without a limit the familiar |F|^2 / 2K. Joules.
+double storedEnergy(double spring, double stiffness, double limit);
+
 /// What became of a set that was offered.
 enum class Adoption : std::uint8_t {
   kAdopted,
@@ -79,7 +84,7 @@ class ForceRenderer {
 
   /// Tells what the safety chain let through of the last tick's force, so that the energy account is of the real force.
   /// Without this call the account takes the wanted force.
-  void noteApplied(const dvec3& force_D) { applied_D_ = force_D; }
+  void noteApplied(const dvec3& force_D);
 
   const Pose& proxy() const { return proxy_; }
 
@@ -112,8 +117,10 @@ class ForceRenderer {
   dvec3 v_stylus_D_{0.0};
   dvec3 v_proxy_D_{0.0};
   dvec3 spring_D_{0.0};
-  dvec3 applied_D_{0.0};  ///< Force of the last tick, N.
-  dvec3 torque_D_{0.0};   ///< Of the last tick, N m.
+  dvec3 applied_D_{0.0};                                    ///< Force of the last tick, N.
+  dvec3 wanted_D_{0.0};                                     ///< Of the last tick, N.
+  double limit_ = std::numeric_limits<double>::infinity();  ///< What the safety chain let through at most, N.
+  dvec3 torque_D_{0.0};                                     ///< Of the last tick, N m.
   double stiffness_ = 1000.0;
   double damping_ = 2.0;
   double energy_ = 0.0;   ///< Taken up and not forgotten, J.
