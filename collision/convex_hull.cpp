@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -52,6 +53,7 @@ class QuickHull {
     facet.corners = {a, b, c};
     facet.plane.nhat = normal / length;
     facet.plane.offset = glm::dot(facet.plane.nhat, points_[a]);
+    alive_.push_back(static_cast<std::uint32_t>(facets_.size()));
     facets_.push_back(std::move(facet));
     return true;
   }
@@ -63,6 +65,7 @@ class QuickHull {
   std::span<const dvec3> points_;
   double tolerance_;
   std::vector<Facet> facets_;
+  std::vector<std::uint32_t> alive_;
 };
 
 bool QuickHull::makeFirstTetrahedron() {
@@ -123,8 +126,13 @@ void QuickHull::hand(std::span<const std::uint32_t> loose, std::size_t first_fac
 bool QuickHull::addPoint(std::uint32_t point) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> rim;
   std::vector<std::uint32_t> loose;
-  for (Facet& facet : facets_) {
-    if (!facet.alive || height(facet, point) <= 0.5 * tolerance_) continue;
+  std::vector<std::uint32_t> alive;
+  for (const std::uint32_t index : alive_) {
+    Facet& facet = facets_[index];
+    if (height(facet, point) <= 0.5 * tolerance_) {
+      alive.push_back(index);
+      continue;
+    }
     facet.alive = false;
     loose.insert(loose.end(), facet.outside.begin(), facet.outside.end());
     facet.outside.clear();
@@ -134,6 +142,7 @@ bool QuickHull::addPoint(std::uint32_t point) {
       if (rim.erase({to, from}) == 0) rim[{from, to}] = 1;
     }
   }
+  alive_ = std::move(alive);
   const std::size_t first_facet = facets_.size();
   for (const auto& [edge, unused] : rim) {
     if (!addFacet(edge.first, edge.second, point)) return false;
@@ -188,6 +197,28 @@ ConvexHull QuickHull::result() const {
   return hull;
 }
 
+/// The corners of the hull in counter-clockwise order, none on a straight line between others.
+std::vector<glm::dvec2> planarHull(std::vector<glm::dvec2> points) {
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  const auto turnsLeft = [](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    const glm::dvec2 ab = b - a;
+    const glm::dvec2 bc = c - b;
+    return ab.x * bc.y - ab.y * bc.x > 1e-12 * glm::length(ab) * glm::length(bc);
+  };
+  std::vector<glm::dvec2> rim;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t first = rim.size();
+    for (const glm::dvec2& p : points) {
+      while (rim.size() >= first + 2 && !turnsLeft(rim[rim.size() - 2], rim.back(), p)) rim.pop_back();
+      rim.push_back(p);
+    }
+    rim.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return rim;
+}
+
 }  // namespace
 
 std::optional<ConvexHull> convexHull(std::span<const dvec3> points, double tolerance) {
@@ -199,6 +230,34 @@ std::optional<ConvexHull> convexHull(std::span<const dvec3> points, double toler
     for (const dvec3& point : points) {
       if (glm::dot(plane.nhat, point) > plane.offset + 8.0 * tolerance) return std::nullopt;
     }
+  }
+  return hull;
+}
+
+std::optional<ConvexHull> convexPrism(std::span<const dvec3> points, const dvec3& nhat, double thickness) {
+  const dvec3 u = glm::normalize(glm::cross(nhat, std::abs(nhat.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
+  const dvec3 v = glm::cross(nhat, u);
+  std::vector<glm::dvec2> flat;
+  double front = -std::numeric_limits<double>::infinity();
+  for (const dvec3& p : points) {
+    flat.emplace_back(glm::dot(u, p), glm::dot(v, p));
+    front = std::max(front, glm::dot(nhat, p));
+  }
+  const std::vector<glm::dvec2> rim = planarHull(std::move(flat));
+  const auto count = static_cast<std::uint32_t>(rim.size());
+  if (count < 3) return std::nullopt;
+  ConvexHull hull;
+  hull.planes = {{nhat, front}, {-nhat, thickness - front}};
+  for (const double height : {front, front - thickness}) {
+    for (const glm::dvec2& p : rim) hull.vertices.push_back(p.x * u + p.y * v + height * nhat);
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t next = (i + 1) % count;
+    const dvec3 side = glm::normalize(glm::cross(hull.vertices[next] - hull.vertices[i], nhat));
+    hull.planes.push_back({side, std::max(glm::dot(side, hull.vertices[i]), glm::dot(side, hull.vertices[next]))});
+    hull.edges.push_back({{i, next}, {0, 2 + i}});
+    hull.edges.push_back({{count + i, count + next}, {1, 2 + i}});
+    hull.edges.push_back({{next, count + next}, {2 + i, 2 + next}});
   }
   return hull;
 }

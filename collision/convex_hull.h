@@ -36,4 +36,9 @@ struct ConvexHull {
 /// tolerance, or where rounding spoils the result (every point is checked against every plane).
 std::optional<ConvexHull> convexHull(std::span<const dvec3> points, double tolerance);
 
+/// The prism over the planar convex hull (Andrew's monotone chain, 1979) of points that lie in about one plane with
+/// unit normal nhat: its front face goes through the foremost of them, its back is `thickness` (m) behind that. Nothing
+/// where they span no area.
+std::optional<ConvexHull> convexPrism(std::span<const dvec3> points, const dvec3& nhat, double thickness);
+
 }  // namespace hapticell::collision

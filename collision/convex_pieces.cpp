@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "collision/patch_merger.h"
 #include "collision/surface_patches.h"
@@ -27,6 +29,19 @@ std::vector<std::uint8_t> realPlanes(const SurfaceGraph& graph, const Patch& pat
   return real;
 }
 
+std::optional<ConvexPiece> pieceOf(const SurfaceGraph& graph, const Patch& patch) {
+  auto hull = hullOfPatch(graph, patch);
+  if (!hull && isConvexSurface(graph, patch)) hull = hullOfConvexSurface(graph, patch);
+  if (!hull) return std::nullopt;
+  ConvexPiece piece;
+  piece.hull = std::move(*hull);
+  piece.real_plane = realPlanes(graph, patch, piece.hull, 2.0 * graph.tolerance());
+  piece.beyond_edges = graph.normalsBeyond(patch);
+  piece.bounds = geometry::boundsOf(piece.hull.vertices);
+  for (const auto triangle : patch.triangles) piece.triangles.push_back(graph.originalTriangle(triangle));
+  return piece;
+}
+
 }  // namespace
 
 std::shared_ptr<const ConvexPieces> ConvexPieces::build(const geometry::TriangleMesh& mesh, double tolerance) {
@@ -35,17 +50,15 @@ std::shared_ptr<const ConvexPieces> ConvexPieces::build(const geometry::Triangle
   result->tolerance_ = tolerance > 0.0 ? tolerance : std::max(1e-6, 1e-5 * size);
   const SurfaceGraph graph(mesh, result->tolerance_);
   for (const Patch& patch : convexPatches(graph)) {
-    auto hull = hullOfPatch(graph, patch);
-    if (!hull) continue;
-    ConvexPiece piece;
-    piece.hull = std::move(*hull);
-    piece.real_plane = realPlanes(graph, patch, piece.hull, 2.0 * result->tolerance_);
-    piece.beyond_edges = graph.normalsBeyond(patch);
-    piece.bounds = geometry::boundsOf(piece.hull.vertices);
-    for (const auto triangle : patch.triangles) piece.triangles.push_back(graph.originalTriangle(triangle));
-    result->bounds_.add(piece.bounds);
-    result->pieces_.push_back(std::move(piece));
+    if (auto piece = pieceOf(graph, patch)) {
+      result->pieces_.push_back(std::move(*piece));
+      continue;
+    }
+    for (const auto triangle : patch.triangles) {
+      if (auto piece = pieceOf(graph, graph.patchOf({triangle}))) result->pieces_.push_back(std::move(*piece));
+    }
   }
+  for (const ConvexPiece& piece : result->pieces_) result->bounds_.add(piece.bounds);
   return result;
 }
 

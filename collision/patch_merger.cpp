@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -16,8 +18,9 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr std::size_t kMostVertices = 400;  // of one merged patch
+constexpr std::size_t kMostVertices = 150;  // of one merged patch
 constexpr int kPasses = 3;
+constexpr double kSameFace = 0.999;  // cosine
 
 struct MergeEdge {
   std::uint32_t triangle_a = 0, triangle_b = 0;
@@ -204,15 +207,57 @@ bool isConvexSurface(const SurfaceGraph& graph, const Patch& patch) {
 std::optional<ConvexHull> hullOfPatch(const SurfaceGraph& graph, const Patch& patch) {
   std::vector<dvec3> points;
   for (const auto vertex : patch.vertices) points.push_back(graph.mesh().vertices[vertex]);
-  const double fine = 0.01 * graph.tolerance();
   if (!graph.isFlat(patch)) {
-    if (auto hull = convexHull(points, fine)) return hull;
+    if (auto hull = convexHull(points, 0.01 * graph.tolerance())) return hull;
+    return std::nullopt;
   }
   // A flat patch becomes a thin shell inside the material.
-  const std::size_t count = points.size();
-  const dvec3 inward = -4.0 * graph.tolerance() * graph.normal(patch.triangles.front());
-  for (std::size_t i = 0; i < count; ++i) points.push_back(points[i] + inward);
-  return convexHull(points, fine);
+  return convexPrism(points, graph.normal(patch.triangles.front()), 4.0 * graph.tolerance());
+}
+
+std::optional<ConvexHull> hullOfConvexSurface(const SurfaceGraph& graph, const Patch& patch) {
+  const auto& mesh = graph.mesh();
+  ConvexHull hull;
+  std::map<std::uint32_t, std::uint32_t> vertex_of;
+  for (const auto vertex : patch.vertices) {
+    vertex_of[vertex] = static_cast<std::uint32_t>(hull.vertices.size());
+    hull.vertices.push_back(mesh.vertices[vertex]);
+  }
+  std::vector<std::uint32_t> by_area = patch.triangles;
+  std::stable_sort(by_area.begin(), by_area.end(), [&](auto a, auto b) { return graph.area(a) > graph.area(b); });
+  std::map<std::uint32_t, std::uint32_t> plane_of;
+  for (const auto triangle : by_area) {
+    std::uint32_t plane = 0;
+    for (; plane < hull.planes.size(); ++plane) {
+      const HullPlane& known = hull.planes[plane];
+      if (glm::dot(known.nhat, graph.normal(triangle)) < kSameFace) continue;
+      bool same = true;
+      for (int k = 0; k < 3; ++k) {
+        same =
+            same && std::abs(glm::dot(known.nhat, mesh.corner(triangle, k)) - known.offset) <= 0.5 * graph.tolerance();
+      }
+      if (same) break;
+    }
+    if (plane == hull.planes.size()) {
+      hull.planes.push_back({graph.normal(triangle), glm::dot(graph.normal(triangle), mesh.corner(triangle, 0))});
+    }
+    plane_of[triangle] = plane;
+  }
+  for (const auto triangle : patch.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const auto other = graph.neighbour(triangle, k);
+      if (other == SurfaceGraph::kNone) return std::nullopt;
+      if (other < triangle || plane_of[other] == plane_of[triangle]) continue;
+      const auto& corners = mesh.triangles[triangle];
+      const auto from = vertex_of[corners[static_cast<std::size_t>(k)]];
+      const auto to = vertex_of[corners[static_cast<std::size_t>((k + 1) % 3)]];
+      hull.edges.push_back({{from, to}, {plane_of[triangle], plane_of[other]}});
+    }
+  }
+  for (HullPlane& plane : hull.planes) {
+    for (const dvec3& p : hull.vertices) plane.offset = std::max(plane.offset, glm::dot(plane.nhat, p));
+  }
+  return hull.planes.size() < 4 ? std::nullopt : std::optional(std::move(hull));
 }
 
 std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider) {

@@ -13,8 +13,13 @@ namespace hapticell::collision {
 /// Every triangle of the patch lies on the convex hull of the patch, facing outward.
 bool isConvexSurface(const SurfaceGraph& graph, const Patch& patch);
 
-/// The hull of a patch; a flat one gets a thickness of four tolerances behind its surface. Nothing for slivers.
+/// The hull of a patch; a flat one gets a thickness of four tolerances behind its surface. Nothing where rounding
+/// spoils it.
 std::optional<ConvexHull> hullOfPatch(const SurfaceGraph& graph, const Patch& patch);
+
+/// The same for a closed patch that isConvexSurface, straight from its triangles: for large ones that quickhull is too
+/// slow or not robust enough for. Nothing where the patch has a border.
+std::optional<ConvexHull> hullOfConvexSurface(const SurfaceGraph& graph, const Patch& patch);
 
 /// Cuts one connected component that is not convex: starts from single triangles and joins neighbours across edges that
 /// are not concave (flat ones first, then the sharpest, then the longest) as long as all joined triangles stay on the

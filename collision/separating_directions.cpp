@@ -35,11 +35,14 @@ bool meets(const geometry::Bounds& box, const dvec3& a, const dvec3& b) {
          glm::all(glm::lessThanEqual(glm::min(a, b), box.max));
 }
 
-/// The lowest of the points along nhat; of equal ones the first that lies in `near`.
-Extreme lowest(const std::vector<dvec3>& points, const dvec3& nhat, const geometry::Bounds& near) {
+/// The lowest of the points along nhat; of equal ones the first that lies in `near`. Ends early below `floor`.
+Extreme lowest(const std::vector<dvec3>& points, const dvec3& nhat, const geometry::Bounds& near, double floor) {
   Extreme best{kInfinity, 0};
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (const double value = glm::dot(nhat, points[i]); value < best.value) best = {value, i};
+    if (const double value = glm::dot(nhat, points[i]); value < best.value) {
+      best = {value, i};
+      if (value < floor) return best;
+    }
   }
   if (contains(near, points[best.vertex])) return best;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -180,7 +183,7 @@ void DirectionFinder::joinEqual() {
 }
 
 void DirectionFinder::addObstacleFace(const dvec3& nhat, double offset, DirectionRank rank, std::uint32_t feature) {
-  const Extreme support = lowest(a_.vertices_W, nhat, near_b_);
+  const Extreme support = lowest(a_.vertices_W, nhat, near_b_, offset - limits_.reach);
   const double gap = support.value - offset;
   if (gap < -limits_.reach) return;
   SeparatingDirection direction{nhat, gap, rank, support.vertex, feature};
@@ -191,7 +194,7 @@ void DirectionFinder::addObstacleFace(const dvec3& nhat, double offset, Directio
 }
 
 void DirectionFinder::addMovingFace(const dvec3& outward, double offset, DirectionRank rank, std::uint32_t feature) {
-  const Extreme support = lowest(b_.vertices_W, outward, near_a_);
+  const Extreme support = lowest(b_.vertices_W, outward, near_a_, offset - limits_.reach);
   const double gap = support.value - offset;
   if (gap < -limits_.reach) return;
   SeparatingDirection direction{-outward, gap, rank, feature, support.vertex};
@@ -256,10 +259,12 @@ void completeSupports(SeparatingDirection& direction, const PlacedPiece& moving,
                       const DirectionLimits& limits) {
   direction.supports = {direction.support};
   if (direction.on_obstacle_face) {
-    SupportCollector(moving, direction, limits.max_rotation).collect(grown(obstacle.bounds_W, limits.reach), true, direction.supports);
+    SupportCollector(moving, direction, limits.max_rotation)
+        .collect(grown(obstacle.bounds_W, limits.reach), true, direction.supports);
   }
   if (direction.on_moving_face) {
-    SupportCollector(obstacle, direction, limits.max_rotation).collect(grown(moving.bounds_W, limits.reach), false, direction.supports);
+    SupportCollector(obstacle, direction, limits.max_rotation)
+        .collect(grown(moving.bounds_W, limits.reach), false, direction.supports);
   }
   thinOut(direction.supports, limits.max_supports);
 }

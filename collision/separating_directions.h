@@ -48,7 +48,8 @@ struct SeparatingDirection {
   bool on_obstacle_face = false;  ///< A corner of A on a face of B; both may hold where faces are parallel.
   bool on_moving_face = false;    ///< A corner of B on a face of A; neither: two edges.
   SupportPoint support{};         ///< Holds the gap.
-  std::vector<SupportPoint> supports{};  ///< Filled by completeSupports: `support` and those that turning could bring up.
+  std::vector<SupportPoint>
+      supports{};  ///< Filled by completeSupports: `support` and those that turning could bring up.
 };
 
 struct DirectionLimits {

@@ -2,8 +2,8 @@
 // Zone contacts of real parts: read from the shared test data, skipped where it is not there.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include "tests/collision/zone_scenes.h"
 #include "tests/support/test_data.h"
@@ -38,6 +38,28 @@ TEST(ZoneContactsOfRealParts, PegInHole) {
   std::puts(line(report).c_str());
   EXPECT_TRUE(report.complete);
   EXPECT_EQ(report.holes, 0);
+}
+
+TEST(ZoneContactsOfRealParts, LoadTimes) {
+  for (const char* name : {"cad/obj/industreal_gear_base.obj", "cad/stl/odri_transmission_pulley_at3_t30_output.stl",
+                           "cad/stl/odri_hip_aa_module_shell_base.stl",
+                           "robots/kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision/link_2.stl",
+                           "robots/kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision/link_5.stl",
+                           "robots/kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision/link_6.stl"}) {
+    HAPTICELL_SHARED_DATA_OR_SKIP(path, name);
+    const auto mesh = read(path);
+    const std::clock_t start = std::clock();
+    const auto pieces = collision::ConvexPieces::build(mesh);
+    std::size_t triangles = 0, vertices = 0;
+    for (const auto& piece : pieces->pieces()) {
+      triangles += piece.triangles.size();
+      vertices += piece.hull.vertices.size();
+    }
+    std::printf("%s: %zu triangles, size %.3f m, %zu pieces (%zu triangles, %zu vertices), %.2f s\n", name,
+                mesh.triangles.size(), glm::length(mesh.bounds().size()), pieces->pieces().size(), triangles, vertices,
+                static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    std::fflush(stdout);
+  }
 }
 
 }  // namespace
