@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "collision/feature_blocks.h"
 #include "collision/patch_merger.h"
 #include "collision/surface_patches.h"
 
@@ -39,6 +40,7 @@ std::optional<ConvexPiece> pieceOf(const SurfaceGraph& graph, const Patch& patch
   piece.beyond_edges = graph.normalsBeyond(patch);
   piece.bounds = geometry::boundsOf(piece.hull.vertices);
   for (const auto triangle : patch.triangles) piece.triangles.push_back(graph.originalTriangle(triangle));
+  sortIntoBlocks(piece);
   return piece;
 }
 

@@ -11,6 +11,13 @@
 
 namespace hapticell::collision {
 
+/// A run of neighbouring planes or edges of a hull and a box about them, for leaving out what is far away.
+struct FeatureBlock {
+  geometry::Bounds bounds;  ///< In the mesh's frame M.
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;  ///< One past the last.
+};
+
 /// A patch of a mesh's surface that fills no free room when its convex hull is taken: what lies outside the hull of one
 /// piece is decided by one group of separating directions (OR).
 struct ConvexPiece {
@@ -18,6 +25,8 @@ struct ConvexPiece {
   std::vector<std::uint8_t>
       real_plane;  ///< Per plane of the hull: 1 where it is a face of the mesh, 0 where it only closes it.
   std::vector<dvec3> beyond_edges;  ///< Unit normals of the mesh's faces across convex edges of the patch.
+  std::vector<FeatureBlock> plane_blocks;
+  std::vector<FeatureBlock> edge_blocks;
   geometry::Bounds bounds;
   std::vector<std::uint32_t> triangles;  ///< Of the mesh given to build().
 };

@@ -11,6 +11,7 @@ namespace hapticell::collision {
 namespace {
 
 constexpr std::uint32_t kObstacleFeature = 0x80000000u;
+constexpr std::uint32_t kBeyondFeature = 0x10000000u;
 constexpr std::uint32_t kEdgeFeature = 0x40000000u;
 constexpr double kEqualHeight = 1e-9;  // metres
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -76,6 +77,23 @@ std::pair<double, double> clipped(const geometry::Bounds& box, const dvec3& p, c
   return {enter, leave};
 }
 
+/// Calls back with the planes or edges whose block comes near a box in the world.
+template <typename Callback>
+void forNear(const PlacedPiece& piece, const std::vector<FeatureBlock>& blocks, const geometry::Bounds& near_W,
+             Callback&& callback) {
+  const bool all = blocks.size() <= 1;
+  const geometry::Bounds near_M = all ? geometry::Bounds{} : geometry::transformed(piece.X_MW, near_W);
+  for (const FeatureBlock& block : blocks) {
+    if (!all && !meets(near_M, block.bounds.min, block.bounds.max)) continue;
+    for (std::uint32_t i = block.first; i < block.end; ++i) callback(i);
+  }
+}
+
+bool isInsideHull(const dvec3& p_W, const PlacedPiece& piece) {
+  return std::all_of(piece.planes_W.begin(), piece.planes_W.end(),
+                     [&](const HullPlane& plane) { return glm::dot(plane.nhat, p_W) < plane.offset; });
+}
+
 /// Collects the support points of one side's corners that turning could bring up.
 class SupportCollector {
  public:
@@ -85,19 +103,20 @@ class SupportCollector {
   /// Points of the moving piece over the obstacle's plane, or of the obstacle under the moving piece's plane.
   void collect(const geometry::Bounds& near, bool of_moving, std::vector<SupportPoint>& supports) {
     of_moving_ = of_moving;
-    for (std::uint32_t i = 0; i < piece_.vertices_W.size(); ++i) {
-      if (contains(near, piece_.vertices_W[i])) consider(piece_.vertices_W[i], i, supports);
-    }
-    // Where an edge leaves the neighbourhood its end stands for the corner that is too far away to be met.
-    for (std::uint32_t i = 0; i < piece_.piece->hull.edges.size(); ++i) {
+    std::vector<std::uint32_t> corners;
+    forNear(piece_, piece_.piece->edge_blocks, near, [&](std::uint32_t i) {
       const auto& v = piece_.piece->hull.edges[i].vertices;
       const dvec3& p = piece_.vertices_W[v[0]];
       const dvec3& q = piece_.vertices_W[v[1]];
       const auto [enter, leave] = clipped(near, p, q);
-      if (enter >= leave) continue;
-      if (enter > 0.0) consider(p + enter * (q - p), kEdgeFeature + 2 * i, supports);
-      if (leave < 1.0) consider(p + leave * (q - p), kEdgeFeature + 2 * i + 1, supports);
-    }
+      if (enter >= leave) return;
+      // Where an edge leaves the neighbourhood its end stands for the corner that is too far away to be met.
+      enter > 0.0 ? consider(p + enter * (q - p), kEdgeFeature + 2 * i, supports) : corners.push_back(v[0]);
+      leave < 1.0 ? consider(p + leave * (q - p), kEdgeFeature + 2 * i + 1, supports) : corners.push_back(v[1]);
+    });
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const auto vertex : corners) consider(piece_.vertices_W[vertex], vertex, supports);
   }
 
  private:
@@ -128,23 +147,23 @@ class DirectionFinder {
         near_b_(grown(obstacle.bounds_W, limits.reach)) {}
 
   std::vector<SeparatingDirection> run() {
-    for (std::uint32_t i = 0; i < b_.planes_W.size(); ++i) {
-      const bool real = b_.piece->real_plane[i] != 0;
-      addObstacleFace(b_.planes_W[i].nhat, b_.planes_W[i].offset, real ? DirectionRank::kFace : DirectionRank::kVirtual,
-                      i);
-    }
+    const auto rank = [](const PlacedPiece& piece, std::uint32_t plane) {
+      return piece.piece->real_plane[plane] != 0 ? DirectionRank::kFace : DirectionRank::kVirtual;
+    };
+    forNear(b_, b_.piece->plane_blocks, near_a_, [&](std::uint32_t i) {
+      addObstacleFace(b_.planes_W[i].nhat, b_.planes_W[i].offset, rank(b_, i), i);
+    });
+    forNear(a_, a_.piece->plane_blocks, near_b_, [&](std::uint32_t i) {
+      addMovingFace(a_.planes_W[i].nhat, a_.planes_W[i].offset, rank(a_, i), i);
+    });
+    addEdgePairs();
+    if (found_.empty()) return {};
     for (std::uint32_t i = 0; i < b_.beyond_W.size(); ++i) {
-      addObstacleFace(b_.beyond_W[i], highest(b_.vertices_W, b_.beyond_W[i]), DirectionRank::kBeyond, 0x10000000u + i);
-    }
-    for (std::uint32_t i = 0; i < a_.planes_W.size(); ++i) {
-      const bool real = a_.piece->real_plane[i] != 0;
-      addMovingFace(a_.planes_W[i].nhat, a_.planes_W[i].offset, real ? DirectionRank::kFace : DirectionRank::kVirtual,
-                    i);
+      addObstacleFace(b_.beyond_W[i], highest(b_.vertices_W, b_.beyond_W[i]), DirectionRank::kBeyond, kBeyondFeature + i);
     }
     for (std::uint32_t i = 0; i < a_.beyond_W.size(); ++i) {
-      addMovingFace(a_.beyond_W[i], highest(a_.vertices_W, a_.beyond_W[i]), DirectionRank::kBeyond, 0x10000000u + i);
+      addMovingFace(a_.beyond_W[i], highest(a_.vertices_W, a_.beyond_W[i]), DirectionRank::kBeyond, kBeyondFeature + i);
     }
-    addEdgePairs();
     joinEqual();
     return std::move(found_);
   }
@@ -205,16 +224,19 @@ void DirectionFinder::addMovingFace(const dvec3& outward, double offset, Directi
 }
 
 void DirectionFinder::addEdgePairs() {
-  std::vector<std::uint32_t> edges_b;
-  for (std::uint32_t i = 0; i < b_.piece->hull.edges.size(); ++i) {
-    const auto& v = b_.piece->hull.edges[i].vertices;
-    if (meets(near_a_, b_.vertices_W[v[0]], b_.vertices_W[v[1]])) edges_b.push_back(i);
-  }
-  if (edges_b.empty()) return;
-  for (std::uint32_t i = 0; i < a_.piece->hull.edges.size(); ++i) {
-    const HullEdge& edge = a_.piece->hull.edges[i];
-    if (!meets(near_b_, a_.vertices_W[edge.vertices[0]], a_.vertices_W[edge.vertices[1]])) continue;
-    for (const auto j : edges_b) addEdgePair(edge, b_.piece->hull.edges[j], i, j);
+  const auto nearEdges = [](const PlacedPiece& piece, const geometry::Bounds& near) {
+    std::vector<std::uint32_t> edges;
+    forNear(piece, piece.piece->edge_blocks, near, [&](std::uint32_t i) {
+      const auto& v = piece.piece->hull.edges[i].vertices;
+      if (meets(near, piece.vertices_W[v[0]], piece.vertices_W[v[1]])) edges.push_back(i);
+    });
+    return edges;
+  };
+  const auto edges_a = nearEdges(a_, near_b_);
+  if (edges_a.empty()) return;
+  const auto edges_b = nearEdges(b_, near_a_);
+  for (const auto i : edges_a) {
+    for (const auto j : edges_b) addEdgePair(a_.piece->hull.edges[i], b_.piece->hull.edges[j], i, j);
   }
 }
 
@@ -289,6 +311,7 @@ void thinOut(std::vector<SupportPoint>& supports, std::size_t count) {
 PlacedPiece placed(const ConvexPiece& piece, const Pose& X_W) {
   PlacedPiece result;
   result.piece = &piece;
+  result.X_MW = X_W.inverse();
   const dmat3 R = X_W.R();
   for (const dvec3& p : piece.hull.vertices) result.vertices_W.push_back(R * p + X_W.p);
   for (const HullPlane& plane : piece.hull.planes) {
@@ -298,6 +321,56 @@ PlacedPiece placed(const ConvexPiece& piece, const Pose& X_W) {
   for (const dvec3& nhat : piece.beyond_edges) result.beyond_W.push_back(R * nhat);
   result.bounds_W = geometry::boundsOf(result.vertices_W);
   return result;
+}
+
+bool mayMeet(const PlacedPiece& moving, const PlacedPiece& obstacle, double reach) {
+  const auto hasNear = [](const PlacedPiece& piece, const geometry::Bounds& near_W) {
+    if (piece.piece->plane_blocks.size() <= 1) return true;
+    const geometry::Bounds near_M = geometry::transformed(piece.X_MW, near_W);
+    return std::any_of(piece.piece->plane_blocks.begin(), piece.piece->plane_blocks.end(),
+                       [&](const FeatureBlock& block) { return meets(near_M, block.bounds.min, block.bounds.max); });
+  };
+  if (hasNear(moving, grown(obstacle.bounds_W, reach)) && hasNear(obstacle, grown(moving.bounds_W, reach))) return true;
+  return isInside(moving, obstacle);
+}
+
+SeparatingDirection nearestDirection(const PlacedPiece& moving, const PlacedPiece& obstacle, double enough) {
+  constexpr int kIterations = 60;
+  const geometry::Bounds nowhere;
+  SeparatingDirection best;
+  best.gap = -kInfinity;
+  best.rank = DirectionRank::kVirtual;
+  const dvec3 middle = obstacle.bounds_W.center();
+  dvec3 v = moving.vertices_W.front() - middle;
+  for (const dvec3& p : moving.vertices_W) {
+    if (glm::dot(p - middle, p - middle) < glm::dot(v, v)) v = p - middle;
+  }
+  for (int i = 0; i < kIterations; ++i) {
+    const double length = glm::length(v);
+    if (length < 1e-12) break;
+    const dvec3 nhat = v / length;
+    const Extreme low = lowest(moving.vertices_W, nhat, nowhere, -kInfinity);
+    const Extreme high = lowest(obstacle.vertices_W, -nhat, nowhere, -kInfinity);
+    const dvec3& p = moving.vertices_W[low.vertex];
+    const double gap = low.value + high.value;
+    if (gap > best.gap) {
+      best.nhat_W = nhat;
+      best.gap = gap;
+      best.feature_A = low.vertex;
+      best.feature_B = high.vertex;
+      best.support = {p, p - gap * nhat, gap, false, low.vertex};
+    }
+    if (best.gap > enough || length - gap < 0.02 * length) break;
+    const dvec3 w = p - obstacle.vertices_W[high.vertex];
+    const dvec3 step = w - v;
+    v += std::clamp(-glm::dot(v, step) / glm::dot(step, step), 0.0, 1.0) * step;
+  }
+  return best;
+}
+
+bool isInside(const PlacedPiece& moving, const PlacedPiece& obstacle) {
+  return isInsideHull(moving.bounds_W.center(), obstacle) || isInsideHull(obstacle.bounds_W.center(), moving) ||
+         isInsideHull(moving.vertices_W.front(), obstacle) || isInsideHull(obstacle.vertices_W.front(), moving);
 }
 
 std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,

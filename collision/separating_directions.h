@@ -12,6 +12,7 @@ namespace hapticell::collision {
 /// A convex piece placed in the world.
 struct PlacedPiece {
   const ConvexPiece* piece = nullptr;
+  Pose X_MW;  ///< Of the world in the mesh's frame.
   std::vector<dvec3> vertices_W;
   std::vector<HullPlane> planes_W;
   std::vector<dvec3> beyond_W;
@@ -61,9 +62,21 @@ struct DirectionLimits {
 /// The faces of the Minkowski difference of two convex pieces which a motion within the limits can meet (Gauss-map
 /// test for edge pairs: Gregorius, "The separating axis test between convex polyhedra", GDC 2013), plus the planes
 /// beyond the pieces' convex borders. For a translation d the pieces are apart exactly where some direction has
-/// gap + nhat . d > 0; every direction found is sound whether or not all are found. Largest gap first.
+/// gap + nhat . d > 0; every direction found is sound whether or not all are found. Largest gap first; none where the
+/// pieces are too far apart to meet (or overlap so deeply that no face is near, see isInside).
 std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,
                                                       const DirectionLimits& limits);
+
+/// Faces of both come within the reach of the other's box, or one is inside the other; false for most pairs that cannot meet.
+bool mayMeet(const PlacedPiece& moving, const PlacedPiece& obstacle, double reach);
+
+/// The direction of the nearest points, nearly: its gap is never more than the distance, and close to it where the
+/// pieces are apart. Ends early once the gap is above `enough`. Gilbert, "An iterative procedure for computing the minimum
+/// of a quadratic form on a convex set" (1966), on the Minkowski difference. The result has rank kVirtual.
+SeparatingDirection nearestDirection(const PlacedPiece& moving, const PlacedPiece& obstacle, double enough);
+
+/// Some corner or the middle of one piece lies inside the other.
+bool isInside(const PlacedPiece& moving, const PlacedPiece& obstacle);
 
 /// Finds the further corners (and ends of edges at the rim of the neighbourhood) of a direction's faces.
 void completeSupports(SeparatingDirection& direction, const PlacedPiece& moving, const PlacedPiece& obstacle,

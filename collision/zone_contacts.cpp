@@ -86,6 +86,25 @@ class PlacedPart {
   std::vector<std::optional<PlacedPiece>> placed_;
 };
 
+struct NearPair {
+  std::uint32_t environment_part = 0;
+  std::uint32_t moving_piece = 0;
+  std::uint32_t environment_piece = 0;
+  SeparatingDirection nearest;
+};
+
+PieceGroup groupOf(const PlacedPiece& a, const PlacedPiece& b, const NearPair& pair, const DirectionLimits& limits) {
+  PieceGroup group{pair.environment_part, pair.moving_piece, pair.environment_piece, separatingDirections(a, b, limits), {}};
+  if (group.directions.empty() && isInside(a, b)) {
+    DirectionLimits endless = limits;  // they overlap deeper than the zone
+    endless.reach = 1e9;
+    group.directions = separatingDirections(a, b, endless);
+  }
+  const bool apart = !group.directions.empty() && group.directions.front().gap > 0.0;
+  if (!apart && pair.nearest.gap > 0.0) group.directions.insert(group.directions.begin(), pair.nearest);
+  return group;
+}
+
 class ZoneQuery {
  public:
   ZoneQuery(std::span<const ZonePart> moving, std::span<const ZonePart> environment, const ZoneOptions& options)
@@ -101,8 +120,8 @@ class ZoneQuery {
   bool counts(std::size_t moving_part, std::size_t environment_part) const;
   /// False: more pairs than can be looked at; the zone must shrink.
   bool collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups);
-  bool collectPair(std::size_t moving_part, std::size_t environment_part, const DirectionLimits& limits,
-                   std::vector<PieceGroup>& groups);
+  /// Pairs of pieces that come within the reach, as far as that is known quickly.
+  std::vector<NearPair> nearPairs(std::size_t moving_part, const DirectionLimits& limits);
   /// One after the other until the entries fit.
   std::optional<ZoneContacts> attempt(double radius, std::span<const Effort> efforts);
   std::optional<ZoneContacts> written(const std::vector<std::vector<PieceGroup>>& groups, double radius,
@@ -129,37 +148,37 @@ bool ZoneQuery::counts(std::size_t moving_part, std::size_t environment_part) co
   return options_.pair_mask.empty() || options_.pair_mask[moving_part * environment_.size() + environment_part] != 0;
 }
 
-bool ZoneQuery::collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups) {
-  for (std::size_t e = 0; e < environment_.size(); ++e) {
-    if (!counts(moving_part, e)) continue;
-    if (!overlap(grown(moving_[moving_part].bounds(), limits.reach), environment_[e].bounds())) continue;
-    if (!collectPair(moving_part, e, limits, groups)) return false;
+std::vector<NearPair> ZoneQuery::nearPairs(std::size_t moving_part, const DirectionLimits& limits) {
+  std::vector<NearPair> pairs;
+  PlacedPart& a = moving_[moving_part];
+  for (std::uint32_t e = 0; e < environment_.size(); ++e) {
+    PlacedPart& b = environment_[e];
+    if (!counts(moving_part, e) || !overlap(grown(a.bounds(), limits.reach), b.bounds())) continue;
+    const auto pieces_a = a.near(grown(b.bounds(), limits.reach));
+    const auto pieces_b = b.near(grown(a.bounds(), limits.reach));
+    for (const auto i : pieces_a) {
+      const geometry::Bounds box = grown(a.piece(i).bounds_W, limits.reach);
+      for (const auto j : pieces_b) {
+        if (!overlap(box, b.piece(j).bounds_W) || !mayMeet(a.piece(i), b.piece(j), limits.reach)) continue;
+        NearPair pair{e, i, j, nearestDirection(a.piece(i), b.piece(j), limits.reach)};
+        if (pair.nearest.gap <= limits.reach) pairs.push_back(std::move(pair));
+      }
+    }
   }
-  return true;
+  return pairs;
 }
 
-bool ZoneQuery::collectPair(std::size_t moving_part, std::size_t environment_part, const DirectionLimits& limits,
-                            std::vector<PieceGroup>& groups) {
-  PlacedPart& a = moving_[moving_part];
-  PlacedPart& b = environment_[environment_part];
-  DirectionLimits endless = limits;  // for pieces that overlap deeper than the zone
-  endless.reach = 1e9;
+bool ZoneQuery::collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups) {
+  const std::vector<NearPair> pairs = nearPairs(moving_part, limits);
+  if (pairs.size() > 2 * kMostPairs) return false;
   std::size_t directions = 0;
-  const auto pieces_a = a.near(grown(b.bounds(), limits.reach));
-  const auto pieces_b = b.near(grown(a.bounds(), limits.reach));
-  for (const auto i : pieces_a) {
-    const geometry::Bounds box = grown(a.piece(i).bounds_W, limits.reach);
-    for (const auto j : pieces_b) {
-      if (!overlap(box, b.piece(j).bounds_W)) continue;
-      if (groups.size() >= kMostPairs) return false;
-      PieceGroup group{static_cast<std::uint32_t>(environment_part), i, j, {}, {}};
-      group.directions = separatingDirections(a.piece(i), b.piece(j), limits);
-      if (group.directions.empty()) group.directions = separatingDirections(a.piece(i), b.piece(j), endless);
-      if (group.directions.empty() || group.directions.front().gap > limits.reach) continue;
-      directions += group.directions.size();
-      if (directions > most_directions_) return false;
-      groups.push_back(std::move(group));
-    }
+  for (const NearPair& pair : pairs) {
+    PieceGroup group = groupOf(moving_[moving_part].piece(pair.moving_piece),
+                               environment_[pair.environment_part].piece(pair.environment_piece), pair, limits);
+    if (group.directions.empty() || group.directions.front().gap > limits.reach) continue;
+    directions += group.directions.size();
+    groups.push_back(std::move(group));
+    if (directions > most_directions_ || groups.size() > kMostPairs) return false;
   }
   return true;
 }
@@ -257,11 +276,15 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
   result.radius = radius;
   result.complete = false;
   for (std::size_t m = 0; m < moving_.size(); ++m) {
-    std::vector<PieceGroup> groups;
-    collect(m, limits(m, radius), groups);
-    for (const PieceGroup& group : groups) {
-      const SeparatingDirection& best = group.directions.front();
-      result.contacts.push_back(entry(m, group, best, best.support));
+    const DirectionLimits part_limits = limits(m, radius);
+    std::vector<NearPair> pairs = nearPairs(m, part_limits);
+    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.nearest.gap < b.nearest.gap; });
+    if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
+    for (const NearPair& pair : pairs) {
+      const PieceGroup group = groupOf(moving_[m].piece(pair.moving_piece),
+                                       environment_[pair.environment_part].piece(pair.environment_piece), pair, part_limits);
+      if (group.directions.empty()) continue;
+      result.contacts.push_back(entry(m, group, group.directions.front(), group.directions.front().support));
     }
   }
   std::stable_sort(result.contacts.begin(), result.contacts.end(),

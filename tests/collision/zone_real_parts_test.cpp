@@ -62,5 +62,36 @@ TEST(ZoneContactsOfRealParts, LoadTimes) {
   }
 }
 
+TEST(ZoneContactsOfRealParts, RobotLinkAtHousing) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(link, "robots/kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision/link_6.stl");
+  HAPTICELL_SHARED_DATA_OR_SKIP(big_link, "robots/kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision/link_5.stl");
+  HAPTICELL_SHARED_DATA_OR_SKIP(shell, "cad/stl/odri_hip_aa_module_shell_base.stl");
+  const auto housing = read(shell, 0.001);
+  for (const auto& path : {link, big_link}) {
+    ZoneScene scene{"link at housing", read(path), housing, {}, 0.06};
+    // From far on six sides along a line to the housing's middle, stopped a little before touch.
+    const auto a = collision::MeshCollider::build(scene.moving);
+    const auto b = collision::MeshCollider::build(scene.environment);
+    const dvec3 start_M = a->bounds().center();
+    for (int k = 0; k < 6; ++k) {
+      dvec3 from(0.1, 0.2, 0.15);
+      from[k % 3] = k < 3 ? 1.0 : -1.0;
+      double clearance = 0.0;
+      Pose X_WM;
+      const dvec3 way = glm::normalize(from);
+      for (double s = 1.0; s > 0.0; s -= clearance) {
+        X_WM = Pose{b->bounds().center() + s * way - start_M, dquat(1, 0, 0, 0)};
+        clearance = collision::distance(a, X_WM, b, Pose::identity()).distance;
+        if (clearance < 0.003) break;
+      }
+      scene.places.push_back(X_WM);
+    }
+    ZoneBench bench(scene);
+    const ZoneReport report = bench.compare(200, 0.1);
+    std::puts(line(report).c_str());
+    EXPECT_EQ(report.holes, 0);
+  }
+}
+
 }  // namespace
 }  // namespace hapticell::test
