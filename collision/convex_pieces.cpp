@@ -30,7 +30,7 @@ std::vector<std::uint8_t> realPlanes(const SurfaceGraph& graph, const Patch& pat
   return real;
 }
 
-std::optional<ConvexPiece> pieceOf(const SurfaceGraph& graph, const Patch& patch) {
+std::optional<ConvexPiece> pieceFrom(const SurfaceGraph& graph, const Patch& patch) {
   auto hull = hullOfPatch(graph, patch);
   if (!hull && isConvexSurface(graph, patch)) hull = hullOfConvexSurface(graph, patch);
   if (!hull) return std::nullopt;
@@ -51,14 +51,20 @@ std::shared_ptr<const ConvexPieces> ConvexPieces::build(const geometry::Triangle
   const double size = glm::length(mesh.bounds().size());
   result->tolerance_ = tolerance > 0.0 ? tolerance : std::max(1e-6, 1e-5 * size);
   const SurfaceGraph graph(mesh, result->tolerance_);
-  for (const Patch& patch : convexPatches(graph)) {
-    if (auto piece = pieceOf(graph, patch)) {
-      result->pieces_.push_back(std::move(*piece));
-      continue;
-    }
+  result->surface_ = MeshCollider::build(graph.mesh());
+  result->piece_of_.assign(graph.mesh().triangles.size(), 0);
+  const auto add = [&](const Patch& patch) {
+    auto piece = pieceFrom(graph, patch);
+    if (!piece) return false;
     for (const auto triangle : patch.triangles) {
-      if (auto piece = pieceOf(graph, graph.patchOf({triangle}))) result->pieces_.push_back(std::move(*piece));
+      result->piece_of_[triangle] = static_cast<std::uint32_t>(result->pieces_.size());
     }
+    result->pieces_.push_back(std::move(*piece));
+    return true;
+  };
+  for (const Patch& patch : convexPatches(graph, *result->surface_)) {
+    if (add(patch)) continue;
+    for (const auto triangle : patch.triangles) add(graph.patchOf({triangle}));
   }
   for (const ConvexPiece& piece : result->pieces_) result->bounds_.add(piece.bounds);
   return result;

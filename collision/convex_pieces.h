@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/convex_hull.h"
+#include "collision/mesh_collider.h"
 #include "geometry/bounds.h"
 #include "geometry/triangle_mesh.h"
 
@@ -42,11 +43,17 @@ class ConvexPieces {
 
   const std::vector<ConvexPiece>& pieces() const { return pieces_; }
   const geometry::Bounds& bounds() const { return bounds_; }
+  /// The welded surface that the pieces were cut from; null for an empty mesh.
+  const MeshCollider* surface() const { return surface_.get(); }
+  /// The piece that holds a triangle of the surface.
+  std::uint32_t pieceOf(std::uint32_t surface_triangle) const { return piece_of_[surface_triangle]; }
   double tolerance() const { return tolerance_; }
 
  private:
   std::vector<ConvexPiece> pieces_;
   geometry::Bounds bounds_;
+  std::shared_ptr<const MeshCollider> surface_;
+  std::vector<std::uint32_t> piece_of_;
   double tolerance_ = 0.0;
 };
 

@@ -30,7 +30,8 @@ std::vector<std::uint32_t> curveOrder(const std::vector<geometry::Bounds>& boxes
   return order;
 }
 
-std::vector<FeatureBlock> blocksOf(const std::vector<geometry::Bounds>& boxes, const std::vector<std::uint32_t>& order) {
+std::vector<FeatureBlock> blocksOf(const std::vector<geometry::Bounds>& boxes,
+                                   const std::vector<std::uint32_t>& order) {
   std::vector<FeatureBlock> blocks;
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     if (i % kBlock == 0) blocks.push_back({{}, i, i});

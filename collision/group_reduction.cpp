@@ -10,6 +10,8 @@
 namespace hapticell::collision {
 namespace {
 
+constexpr double kEqualGap = 1e-5;  // metres
+constexpr double kEqualShare = 0.1;
 constexpr double kLeastCosine = 0.5;  // groups pointing farther apart are not tried as a pair
 
 /// gap + linear . dx + angular . turn >= 0, both parts weighed with what the zone allows.
@@ -69,17 +71,22 @@ GroupReducer::GroupReducer(std::vector<PieceGroup>& groups, const DirectionLimit
 }
 
 std::vector<std::uint32_t> GroupReducer::order() const {
-  // Nearest first, then always the one whose direction is farthest from those before.
+  // Nearest first, then always the one whose direction is farthest from those before. Gaps that are nearly equal do not
+  // decide, so that a small motion keeps the choice.
   const auto gap = [&](std::uint32_t i) { return groups_[i].directions[groups_[i].chosen.front()].gap; };
+  const auto isNearer = [&](std::uint32_t a, std::uint32_t b) {
+    return gap(a) < gap(b) - kEqualGap - kEqualShare * std::abs(gap(b));
+  };
   std::vector<std::uint32_t> left(groups_.size());
   for (std::uint32_t i = 0; i < left.size(); ++i) left[i] = i;
   std::vector<double> closeness(groups_.size(), -2.0);
   std::vector<std::uint32_t> result;
   while (!left.empty()) {
-    const auto next = std::min_element(left.begin(), left.end(), [&](auto a, auto b) {
-      if (std::abs(closeness[a] - closeness[b]) > 1e-6) return closeness[a] < closeness[b];
-      return gap(a) < gap(b);
-    });
+    auto next = left.begin();
+    for (auto i = left.begin(); i != left.end(); ++i) {
+      const double less = closeness[*next] - closeness[*i];
+      if (less > 1e-6 || (less > -1e-6 && isNearer(*i, *next))) next = i;
+    }
     const auto chosen = *next;
     result.push_back(chosen);
     left.erase(next);

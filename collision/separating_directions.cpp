@@ -45,7 +45,6 @@ Extreme lowest(const std::vector<dvec3>& points, const dvec3& nhat, const geomet
       if (value < floor) return best;
     }
   }
-  if (contains(near, points[best.vertex])) return best;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (glm::dot(nhat, points[i]) <= best.value + kEqualHeight && contains(near, points[i])) return {best.value, i};
   }
@@ -150,16 +149,15 @@ class DirectionFinder {
     const auto rank = [](const PlacedPiece& piece, std::uint32_t plane) {
       return piece.piece->real_plane[plane] != 0 ? DirectionRank::kFace : DirectionRank::kVirtual;
     };
-    forNear(b_, b_.piece->plane_blocks, near_a_, [&](std::uint32_t i) {
-      addObstacleFace(b_.planes_W[i].nhat, b_.planes_W[i].offset, rank(b_, i), i);
-    });
-    forNear(a_, a_.piece->plane_blocks, near_b_, [&](std::uint32_t i) {
-      addMovingFace(a_.planes_W[i].nhat, a_.planes_W[i].offset, rank(a_, i), i);
-    });
+    forNear(b_, b_.piece->plane_blocks, near_a_,
+            [&](std::uint32_t i) { addObstacleFace(b_.planes_W[i].nhat, b_.planes_W[i].offset, rank(b_, i), i); });
+    forNear(a_, a_.piece->plane_blocks, near_b_,
+            [&](std::uint32_t i) { addMovingFace(a_.planes_W[i].nhat, a_.planes_W[i].offset, rank(a_, i), i); });
     addEdgePairs();
     if (found_.empty()) return {};
     for (std::uint32_t i = 0; i < b_.beyond_W.size(); ++i) {
-      addObstacleFace(b_.beyond_W[i], highest(b_.vertices_W, b_.beyond_W[i]), DirectionRank::kBeyond, kBeyondFeature + i);
+      addObstacleFace(b_.beyond_W[i], highest(b_.vertices_W, b_.beyond_W[i]), DirectionRank::kBeyond,
+                      kBeyondFeature + i);
     }
     for (std::uint32_t i = 0; i < a_.beyond_W.size(); ++i) {
       addMovingFace(a_.beyond_W[i], highest(a_.vertices_W, a_.beyond_W[i]), DirectionRank::kBeyond, kBeyondFeature + i);
@@ -191,6 +189,7 @@ void DirectionFinder::joinEqual() {
     for (std::size_t i = kept.size(); i-- > 0 && kept[i].gap - direction.gap <= kEqualHeight;) {
       if (glm::dot(kept[i].nhat_W, direction.nhat_W) < 1.0 - 1e-12) continue;
       if (direction.rank < kept[i].rank) std::swap(kept[i], direction);
+      if (direction.on_obstacle_face && !kept[i].on_obstacle_face) kept[i].feature_B = direction.feature_B;
       kept[i].on_obstacle_face = kept[i].on_obstacle_face || direction.on_obstacle_face;
       kept[i].on_moving_face = kept[i].on_moving_face || direction.on_moving_face;
       known = true;
@@ -335,7 +334,7 @@ bool mayMeet(const PlacedPiece& moving, const PlacedPiece& obstacle, double reac
 }
 
 SeparatingDirection nearestDirection(const PlacedPiece& moving, const PlacedPiece& obstacle, double enough) {
-  constexpr int kIterations = 60;
+  constexpr int kIterations = 24;
   const geometry::Bounds nowhere;
   SeparatingDirection best;
   best.gap = -kInfinity;

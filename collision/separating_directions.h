@@ -67,12 +67,13 @@ struct DirectionLimits {
 std::vector<SeparatingDirection> separatingDirections(const PlacedPiece& moving, const PlacedPiece& obstacle,
                                                       const DirectionLimits& limits);
 
-/// Faces of both come within the reach of the other's box, or one is inside the other; false for most pairs that cannot meet.
+/// Faces of both come within the reach of the other's box, or one is inside the other; false for most pairs that cannot
+/// meet.
 bool mayMeet(const PlacedPiece& moving, const PlacedPiece& obstacle, double reach);
 
 /// The direction of the nearest points, nearly: its gap is never more than the distance, and close to it where the
-/// pieces are apart. Ends early once the gap is above `enough`. Gilbert, "An iterative procedure for computing the minimum
-/// of a quadratic form on a convex set" (1966), on the Minkowski difference. The result has rank kVirtual.
+/// pieces are apart. Ends early once the gap is above `enough`. Gilbert, "An iterative procedure for computing the
+/// minimum of a quadratic form on a convex set" (1966), on the Minkowski difference. The result has rank kVirtual.
 SeparatingDirection nearestDirection(const PlacedPiece& moving, const PlacedPiece& obstacle, double enough);
 
 /// Some corner or the middle of one piece lies inside the other.

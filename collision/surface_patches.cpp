@@ -155,17 +155,15 @@ std::vector<std::vector<std::uint32_t>> SurfaceGraph::components() const {
   return result;
 }
 
-std::vector<Patch> convexPatches(const SurfaceGraph& graph) {
+std::vector<Patch> convexPatches(const SurfaceGraph& graph, const MeshCollider& collider) {
   std::vector<Patch> patches;
-  std::shared_ptr<const MeshCollider> collider;
   for (auto& component : graph.components()) {
     Patch whole = graph.patchOf(std::move(component));
     if (isConvexSurface(graph, whole)) {
       patches.push_back(std::move(whole));
       continue;
     }
-    if (!collider) collider = MeshCollider::build(graph.mesh());
-    for (Patch& patch : mergedPatches(graph, whole, *collider)) patches.push_back(std::move(patch));
+    for (Patch& patch : mergedPatches(graph, whole, collider)) patches.push_back(std::move(patch));
   }
   return patches;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "collision/mesh_collider.h"
 #include "geometry/triangle_mesh.h"
 
 namespace hapticell::collision {
@@ -64,6 +65,7 @@ class SurfaceGraph {
 };
 
 /// Every triangle in one patch whose convex hull holds no other part of the surface deeper than the tolerance.
-std::vector<Patch> convexPatches(const SurfaceGraph& graph);
+/// `collider` is that of graph.mesh().
+std::vector<Patch> convexPatches(const SurfaceGraph& graph, const MeshCollider& collider);
 
 }  // namespace hapticell::collision

@@ -8,6 +8,7 @@
 
 #include "collision/direction_choice.h"
 #include "collision/group_reduction.h"
+#include "collision/mesh_search.h"
 #include "collision/separating_directions.h"
 #include "geometry/assertion.h"
 
@@ -16,6 +17,10 @@ namespace {
 
 constexpr double kShrink = 0.65;
 constexpr std::size_t kMostPairs = 600;
+constexpr std::size_t kHopelessPairs = 20000;
+constexpr std::size_t kFewPieces = 256;       // of a part; with more its triangles are searched
+constexpr std::size_t kManyPieces = 300;      // of all parts; with more the zone is grown from small
+constexpr std::size_t kFewVertices = 200;     // of a pair; with more its directions are sought at once
 constexpr std::size_t kFewDirections = 2000;  // with more the zone is not tried as a whole at first but grown
 constexpr std::size_t kMostDirections = 20000;
 
@@ -80,6 +85,18 @@ class PlacedPart {
     return found;
   }
 
+  /// Pieces with a triangle within `reach` of the other part's surface; those near its box where there are few.
+  std::vector<std::uint32_t> near(const PlacedPart& other, double reach) {
+    if (placed_.size() <= kFewPieces) return near(grown(other.bounds(), reach));
+    std::vector<std::uint32_t> found;
+    trianglesWithin(*part_.pieces->surface(), *other.part_.pieces->surface(), part_.X_W.inverse() * other.part_.X_W,
+                    reach, found);
+    for (auto& triangle : found) triangle = part_.pieces->pieceOf(triangle);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
  private:
   ZonePart part_;
   geometry::Bounds bounds_W_;
@@ -94,7 +111,8 @@ struct NearPair {
 };
 
 PieceGroup groupOf(const PlacedPiece& a, const PlacedPiece& b, const NearPair& pair, const DirectionLimits& limits) {
-  PieceGroup group{pair.environment_part, pair.moving_piece, pair.environment_piece, separatingDirections(a, b, limits), {}};
+  PieceGroup group{
+      pair.environment_part, pair.moving_piece, pair.environment_piece, separatingDirections(a, b, limits), {}};
   if (group.directions.empty() && isInside(a, b)) {
     DirectionLimits endless = limits;  // they overlap deeper than the zone
     endless.reach = 1e9;
@@ -154,14 +172,19 @@ std::vector<NearPair> ZoneQuery::nearPairs(std::size_t moving_part, const Direct
   for (std::uint32_t e = 0; e < environment_.size(); ++e) {
     PlacedPart& b = environment_[e];
     if (!counts(moving_part, e) || !overlap(grown(a.bounds(), limits.reach), b.bounds())) continue;
-    const auto pieces_a = a.near(grown(b.bounds(), limits.reach));
-    const auto pieces_b = b.near(grown(a.bounds(), limits.reach));
+    const auto pieces_a = a.near(b, limits.reach);
+    const auto pieces_b = b.near(a, limits.reach);
     for (const auto i : pieces_a) {
       const geometry::Bounds box = grown(a.piece(i).bounds_W, limits.reach);
       for (const auto j : pieces_b) {
         if (!overlap(box, b.piece(j).bounds_W) || !mayMeet(a.piece(i), b.piece(j), limits.reach)) continue;
-        NearPair pair{e, i, j, nearestDirection(a.piece(i), b.piece(j), limits.reach)};
-        if (pair.nearest.gap <= limits.reach) pairs.push_back(std::move(pair));
+        NearPair pair{e, i, j, {}};
+        if (a.piece(i).vertices_W.size() + b.piece(j).vertices_W.size() <= kFewVertices) {
+          pair.nearest = nearestDirection(a.piece(i), b.piece(j), limits.reach);
+        }
+        if (pair.nearest.gap > limits.reach) continue;
+        pairs.push_back(std::move(pair));
+        if (pairs.size() > kHopelessPairs) return pairs;
       }
     }
   }
@@ -196,8 +219,11 @@ ZoneContact ZoneQuery::entry(std::size_t moving_part, const PieceGroup& group, c
   contact.t1_W = glm::normalize(
       glm::cross(direction.nhat_W, std::abs(direction.nhat_W.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   std::uint64_t id = mixed(moving_[moving_part].part().key, environment_[group.environment_part].part().key);
+  // Which corner of a face is the nearest changes easily; the face does not.
+  const std::uint32_t feature_a = direction.on_obstacle_face ? 0 : direction.feature_A;
+  const std::uint32_t feature_b = !direction.on_obstacle_face && direction.on_moving_face ? 0 : direction.feature_B;
   for (const std::uint32_t part :
-       {group.moving_piece, group.environment_piece, direction.feature_A, direction.feature_B, support.feature}) {
+       {group.moving_piece, group.environment_piece, feature_a, feature_b, support.feature}) {
     id = mixed(id, part);
   }
   contact.id = id;
@@ -278,11 +304,13 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     const DirectionLimits part_limits = limits(m, radius);
     std::vector<NearPair> pairs = nearPairs(m, part_limits);
-    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.nearest.gap < b.nearest.gap; });
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const auto& a, const auto& b) { return a.nearest.gap < b.nearest.gap; });
     if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
     for (const NearPair& pair : pairs) {
-      const PieceGroup group = groupOf(moving_[m].piece(pair.moving_piece),
-                                       environment_[pair.environment_part].piece(pair.environment_piece), pair, part_limits);
+      const PieceGroup group =
+          groupOf(moving_[m].piece(pair.moving_piece),
+                  environment_[pair.environment_part].piece(pair.environment_piece), pair, part_limits);
       if (group.directions.empty()) continue;
       result.contacts.push_back(entry(m, group, group.directions.front(), group.directions.front().support));
     }
@@ -297,7 +325,12 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
 ZoneContacts ZoneQuery::run() {
   std::vector<double> radii{options_.radius};
   while (radii.back() * kShrink >= options_.min_radius) radii.push_back(radii.back() * kShrink);
-  if (auto result = attempt(radii.front(), kEfforts)) return std::move(*result);
+  std::size_t pieces = 0;
+  for (const PlacedPart& part : moving_) pieces += part.part().pieces->pieces().size();
+  for (const PlacedPart& part : environment_) pieces += part.part().pieces->pieces().size();
+  if (pieces <= kManyPieces) {
+    if (auto result = attempt(radii.front(), kEfforts)) return std::move(*result);
+  }
   most_directions_ = kMostDirections;
   // Small zones are quick to try, so the largest that fits is sought from below.
   const auto grow = [&](std::span<const Effort> efforts, double least, double most) {
@@ -310,7 +343,7 @@ ZoneContacts ZoneQuery::run() {
     }
     return best;
   };
-  if (auto result = grow(kEfforts, kLeastShare * options_.radius, radii.front() * kShrink)) return std::move(*result);
+  if (auto result = grow(kEfforts, kLeastShare * options_.radius, radii.front())) return std::move(*result);
   if (auto result = grow({&kCrowded, 1}, 0.0, kCrowdedShare * options_.radius)) return std::move(*result);
   return nearestOnly(options_.min_radius);
 }
