@@ -74,6 +74,18 @@ void Document::moveStep(std::vector<Step>& from, std::vector<Step>& to) {
   ++revision_;
 }
 
+std::vector<std::string> Document::undoTexts() const {
+  std::vector<std::string> texts;
+  for (const Step& step : undo_) texts.push_back(step.text);
+  return texts;
+}
+
+std::vector<std::string> Document::redoTexts() const {
+  std::vector<std::string> texts;
+  for (auto step = redo_.rbegin(); step != redo_.rend(); ++step) texts.push_back(step->text);
+  return texts;
+}
+
 bool Document::undo() {
   if (!canUndo()) return false;
   moveStep(undo_, redo_);

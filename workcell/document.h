@@ -51,6 +51,10 @@ class Document {
   std::string undoText() const { return undo_.empty() ? "" : undo_.back().text; }
   std::string redoText() const { return redo_.empty() ? "" : redo_.back().text; }
 
+  /// What can be undone, oldest first, and what can be done again, next first: the history as a list.
+  std::vector<std::string> undoTexts() const;
+  std::vector<std::string> redoTexts() const;
+
   /// Grows with every change, undo and redo too: what is drawn or checked is stale when it differs.
   std::uint64_t revision() const { return revision_; }
   /// True when the state is not the one last saved or read; undoing back to that makes it false.

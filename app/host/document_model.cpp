@@ -33,6 +33,28 @@ void DocumentModel::redo() {
   if (document_.redo()) emit changed();
 }
 
+void DocumentModel::goTo(int steps) {
+  bool moved = false;
+  const auto done = [this] { return static_cast<int>(document_.undoTexts().size()); };
+  while (done() > steps && document_.undo()) moved = true;
+  while (done() < steps && document_.redo()) moved = true;
+  if (moved) emit changed();
+}
+
+void DocumentModel::beginStep(const QString& text) { document_.beginCompound(text.toStdString()); }
+
+void DocumentModel::endStep() {
+  if (!document_.inCompound()) return;
+  document_.endCompound();
+  emit changed();
+}
+
+void DocumentModel::cancelStep() {
+  if (!document_.inCompound()) return;
+  document_.cancelCompound();
+  emit changed();
+}
+
 void DocumentModel::clear() {
   document_ = workcell::Document();
   emit opened();

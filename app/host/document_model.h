@@ -21,6 +21,13 @@ class DocumentModel : public QObject {
   bool execute(const workcell::Command& command);
   void undo();
   void redo();
+  /// Undoes or does again until `steps` steps are done: what a click into the history asks for.
+  void goTo(int steps);
+
+  /// From here to endStep() all commands are one step of undo with this text: a drag. cancelStep() takes them back.
+  void beginStep(const QString& text);
+  void endStep();
+  void cancelStep();
 
   /// An empty document in place of this one.
   void clear();

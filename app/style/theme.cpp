@@ -87,7 +87,7 @@ QPalette paletteOf(const Theme& theme) {
   palette.setColor(QPalette::Highlight, theme.on);
   palette.setColor(QPalette::HighlightedText, theme.on_text);
   palette.setColor(QPalette::Link, theme.selection);
-  palette.setColor(QPalette::LinkVisited, theme.selection);
+  palette.setColor(kQuietText, theme.text2);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, theme.text3);
   palette.setColor(QPalette::Disabled, QPalette::Highlight, theme.line);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/form.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/style/theme.h"
+
+namespace hapticell::app {
+
+QLabel* makeLabel(const QString& text, TextRole role, bool quiet) {
+  auto* label = new QLabel(text);
+  label->setFont(textFont(role));
+  if (quiet) label->setForegroundRole(kQuietText);
+  return label;
+}
+
+QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading) {
+  auto* section = new QVBoxLayout;
+  section->setContentsMargins(12, 10, 12, 10);
+  section->setSpacing(6);
+  if (!heading.isEmpty()) section->addWidget(makeLabel(heading, TextRole::kSection, true));
+  column.addLayout(section);
+  auto* line = new QFrame;
+  line->setFixedHeight(1);
+  line->setBackgroundRole(QPalette::Mid);
+  line->setAutoFillBackground(true);
+  column.addWidget(line);
+  return section;
+}
+
+QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field) {
+  auto* holder = new QWidget;
+  auto* row = new QHBoxLayout(holder);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  auto* label = makeLabel(name, TextRole::kText, true);
+  label->setFixedWidth(kLabelColumn);
+  label->setBuddy(field);
+  field->setAccessibleName(name);
+  row->addWidget(label);
+  row->addWidget(field, 1);
+  section.addWidget(holder);
+  return holder;
+}
+
+QWidget* sideBySide(std::initializer_list<QWidget*> fields) {
+  auto* holder = new QWidget;
+  auto* row = new QHBoxLayout(holder);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  for (QWidget* field : fields) row->addWidget(field, 1);
+  return holder;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/joint_row.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "app/style/fonts.h"
+#include "app/style/theme.h"
+
+namespace hapticell::app {
+
+JointRow::JointRow(const Scale& scale, QWidget* parent) : QWidget(parent), scale_(scale) {
+  setFixedHeight(22);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(scale.name);
+  setToolTip(
+      tr("%1, %2 to %3 %4").arg(scale.name).arg(scale.lower, 0, 'f', 1).arg(scale.upper, 0, 'f', 1).arg(scale.unit));
+}
+
+void JointRow::setValue(double value) {
+  if (std::abs(value - value_) < 1e-9) return;
+  value_ = value;
+  setAccessibleDescription(valueText());
+  update();
+}
+
+bool JointRow::isAtLimit() const {
+  const double near = std::min(2.0, 0.01 * (scale_.upper - scale_.lower));
+  return value_ <= scale_.lower + near || value_ >= scale_.upper - near;
+}
+
+QString JointRow::valueText() const {
+  const double shown = std::abs(value_) < 0.05 ? 0.0 : value_;
+  return QString::number(shown, 'f', 1) +
+         (scale_.unit == QStringLiteral("°") ? scale_.unit : QLatin1Char(' ') + scale_.unit);
+}
+
+QRect JointRow::track() const {
+  return {40, height() / 2, std::max(20, width() - 40 - 74), 1};
+}
+
+int JointRow::pixelOf(double value) const {
+  const QRect rail = track();
+  const double share = (value - scale_.lower) / std::max(1e-9, scale_.upper - scale_.lower);
+  return rail.left() + static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * rail.width()));
+}
+
+void JointRow::paintEvent(QPaintEvent*) {
+  const Theme& theme = themeOf(palette());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(textFont(TextRole::kText));
+  painter.setPen(isEnabled() ? theme.text1 : theme.text3);
+  painter.drawText(QRect(0, 0, 38, height()), Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(scale_.name, Qt::ElideRight, 38));
+  painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignRight, valueText());
+  const QRect rail = track();
+  const double y = rail.top() + 0.5;
+  const bool limit = isAtLimit();
+  painter.fillRect(QRectF(rail.left(), y - 1.0, rail.width(), 2.0), theme.line);
+  for (const double end : {scale_.lower, scale_.upper}) {
+    const bool hit = limit && std::abs(value_ - end) < 0.5 * (scale_.upper - scale_.lower);
+    painter.fillRect(QRectF(pixelOf(end) - 1.0, y - 6.0, 2.0, 12.0), hit ? theme.limit : theme.text3);
+  }
+  if (scale_.lower < 0.0 && scale_.upper > 0.0)
+    painter.fillRect(QRectF(pixelOf(0.0) - 0.5, y - 3.0, 1.0, 6.0), theme.text3);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(!isEnabled() ? theme.text3 : limit ? theme.limit : theme.selection);
+  painter.drawEllipse(QPointF(pixelOf(value_), y), 4.5, 4.5);
+  if (!hasFocus()) return;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.selection, 1.5));
+  painter.drawEllipse(QPointF(pixelOf(value_), y), 7.5, 7.5);
+}
+
+void JointRow::moveTo(double pixel) {
+  const QRect rail = track();
+  const double share = std::clamp((pixel - rail.left()) / rail.width(), 0.0, 1.0);
+  setValue(scale_.lower + share * (scale_.upper - scale_.lower));
+  emit moved(value_);
+}
+
+void JointRow::mousePressEvent(QMouseEvent* event) {
+  const QRect rail = track();
+  if (event->button() != Qt::LeftButton || !rail.adjusted(-8, -12, 8, 12).contains(event->pos())) return;
+  dragged_ = true;
+  emit began();
+  if (std::abs(event->position().x() - pixelOf(value_)) > 7.0) moveTo(event->position().x());
+}
+
+void JointRow::mouseMoveEvent(QMouseEvent* event) {
+  if (dragged_) moveTo(event->position().x());
+}
+
+void JointRow::mouseReleaseEvent(QMouseEvent*) {
+  if (!dragged_) return;
+  dragged_ = false;
+  emit ended(true);
+}
+
+void JointRow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && dragged_) {
+    dragged_ = false;
+    emit ended(false);
+    return;
+  }
+  const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up    ? 1
+                   : event->key() == Qt::Key_Left || event->key() == Qt::Key_Down ? -1
+                                                                                  : 0;
+  if (step == 0 || dragged_) return QWidget::keyPressEvent(event);
+  emit began();
+  setValue(std::clamp(value_ + step, scale_.lower, scale_.upper));
+  emit moved(value_);
+  emit ended(true);
+}
+
+}  // namespace hapticell::app

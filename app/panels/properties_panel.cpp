@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/properties_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/panels/form.h"
+#include "app/panels/pose_text.h"
+#include "app/panels/swatch_row.h"
+#include "app/style/segmented.h"
+#include "app/style/value_field.h"
+#include "app/viewport/viewport_widget.h"
+#include "kinematics/numeric_inverse.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+double unitOf(const kinematics::Joint& joint) {
+  return joint.type == kinematics::JointType::kPrismatic ? 0.001 : kDegree;
+}
+
+JointRow::Scale scaleOf(const kinematics::Joint& joint, std::size_t number) {
+  const double unit = unitOf(joint);
+  const double full = joint.type == kinematics::JointType::kPrismatic ? 1000.0 : 360.0;
+  const double lower = std::isfinite(joint.lower) ? joint.lower / unit : -full;
+  const double upper = std::isfinite(joint.upper) ? joint.upper / unit : full;
+  const bool linear = joint.type == kinematics::JointType::kPrismatic;
+  const QString name =
+      joint.name.size() <= 4 ? QString::fromStdString(joint.name) : QStringLiteral("A%1").arg(number + 1);
+  return {name, linear ? QStringLiteral("mm") : QStringLiteral("°"), lower, upper};
+}
+
+std::vector<QColor> quietColors() {
+  return {QColor("#B8BDC2"), QColor("#8D949B"), QColor("#4D545C"),
+          QColor("#A99A86"), QColor("#7F93A8"), QColor("#93A48C")};
+}
+
+QColor colorOf(const workcell::Entity& entity) {
+  return QColor::fromRgbF(entity.color[0], entity.color[1], entity.color[2]);
+}
+
+}  // namespace
+
+PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  nothing_ = makeLabel(tr("Nothing is selected. Click a part in the scene or in the tree."), TextRole::kText, true);
+  nothing_->setWordWrap(true);
+  nothing_->setContentsMargins(12, 12, 12, 12);
+  column->addWidget(nothing_);
+  content_ = new QWidget;
+  column->addWidget(content_);
+  column->addStretch(1);
+  auto* inside = new QVBoxLayout(content_);
+  inside->setContentsMargins(12, 10, 12, 10);
+  inside->setSpacing(6);
+  tool_ = addPose(*inside, "tool");
+  joints_holder_ = new QWidget;
+  joints_column_ = new QVBoxLayout(joints_holder_);
+  joints_column_->setContentsMargins(0, 4, 0, 4);
+  joints_column_->setSpacing(0);
+  inside->addWidget(joints_holder_);
+  place_ = addPose(*inside, "place");
+  addChoices(*inside);
+  for (ValueField* field : tool_.fields) connect(field, &ValueField::edited, this, [this] { placeTool(typed(tool_)); });
+  for (ValueField* field : place_.fields)
+    connect(field, &ValueField::edited, this, [this] { placeEntity(typed(place_)); });
+  connect(&host_.selection(), &Selection::changed, this, &PropertiesPanel::rebuild);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, &PropertiesPanel::rebuild);
+  rebuild();
+}
+
+PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const char* name) {
+  PoseBlock block;
+  block.holder = new QWidget;
+  auto* rows = new QVBoxLayout(block.holder);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(6);
+  auto* top = new QHBoxLayout;
+  block.heading = makeLabel({}, TextRole::kSection);
+  auto* units = makeLabel(tr("X Y Z in mm · A B C in °"), TextRole::kSecond, true);
+  top->addWidget(block.heading, 1);
+  top->addWidget(units);
+  rows->addLayout(top);
+  const char* const axes[6]{"X", "Y", "Z", "A", "B", "C"};
+  for (std::size_t line = 0; line < 2; ++line) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    auto* letter = makeLabel(line == 0 ? tr("P") : tr("R"), TextRole::kText, true);
+    letter->setFixedWidth(24);
+    row->addWidget(letter);
+    for (std::size_t i = 3 * line; i < 3 * line + 3; ++i) {
+      const double range = line == 0 ? 1e6 : 360.0;
+      block.fields[i] = new ValueField({{}, 1, -range, range, 1.0});
+      block.fields[i]->setObjectName(QStringLiteral("field_%1_%2").arg(QLatin1String(name), QLatin1String(axes[i])));
+      block.fields[i]->setAccessibleName(QString::fromLatin1(axes[i]) +
+                                         (line == 0 ? tr(" in millimetres") : tr(" in degrees")));
+      row->addWidget(block.fields[i], 1);
+    }
+    rows->addLayout(row);
+  }
+  column.addWidget(block.holder);
+  return block;
+}
+
+void PropertiesPanel::addChoices(QVBoxLayout& column) {
+  on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
+  on_contact_->setObjectName("segmentsEntityOnContact");
+  column.addSpacing(2);
+  addRow(column, tr("On contact"), on_contact_);
+  force_class_ = new Segmented({tr("Constant"), tr("Contact"), tr("Dynamics")});
+  force_class_->setObjectName("segmentsEntityForce");
+  addRow(column, tr("Force"), force_class_);
+  material_ = new QComboBox;
+  for (const auto& [key, material] : host_.configuration().materials)
+    material_->addItem(QString::fromStdString(key).replace(0, 1, QString::fromStdString(key).left(1).toUpper()) +
+                           tr(", µ %1").arg(material.friction, 0, 'f', 2),
+                       QString::fromStdString(key));
+  addRow(column, tr("Material"), material_);
+  mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
+  mass_row_ = addRow(column, tr("Mass felt"), mass_);
+  swatches_ = new SwatchRow(quietColors());
+  addRow(column, tr("Colour"), swatches_);
+  checked_ = new QCheckBox(tr("Checked for collision"));
+  locked_ = new QCheckBox(tr("Locked in place"));
+  for (QCheckBox* box : {checked_, locked_}) {
+    box->setProperty("switch", true);
+    box->setMinimumHeight(24);
+    column.addWidget(box);
+  }
+  const auto execute = [this](auto&& edit) {
+    if (!entity()) return;
+    workcell::SetProperties change;
+    change.id = entity()->id;
+    edit(change);
+    if (!host_.documentModel().execute(change)) showChoices();
+  };
+  connect(on_contact_, &Segmented::chosen, this,
+          [=](int i) { execute([&](auto& c) { c.on_contact = static_cast<workcell::OnContact>(i); }); });
+  connect(force_class_, &Segmented::chosen, this,
+          [=](int i) { execute([&](auto& c) { c.force_class = static_cast<workcell::ForceClass>(i); }); });
+  connect(material_, &QComboBox::activated, this, [=, this](int i) {
+    execute([&](auto& c) { c.material = material_->itemData(i).toString().toStdString(); });
+  });
+  connect(mass_, &ValueField::edited, this, [=](double kg) { execute([&](auto& c) { c.mass = kg; }); });
+  connect(swatches_, &SwatchRow::chosen, this, [=](const QColor& color) {
+    execute([&](auto& c) {
+      c.color = {static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
+                 static_cast<float>(color.blueF())};
+    });
+  });
+  connect(checked_, &QCheckBox::clicked, this, [=](bool on) { execute([&](auto& c) { c.checked = on; }); });
+  connect(locked_, &QCheckBox::clicked, this, [=](bool on) { execute([&](auto& c) { c.locked = on; }); });
+}
+
+const workcell::Entity* PropertiesPanel::entity() const {
+  return host_.documentModel().document().find(host_.selection().current());
+}
+
+bool PropertiesPanel::isHeld() const {
+  return entity() && host_.snapshot() && host_.snapshot()->held == entity()->id;
+}
+
+std::vector<double> PropertiesPanel::joints() const {
+  return entity() ? host_.viewport().scene().joints(*entity()) : std::vector<double>{};
+}
+
+void PropertiesPanel::rebuild() {
+  const workcell::Entity* now = entity();
+  nothing_->setVisible(!now);
+  content_->setVisible(now);
+  if (!now) return;
+  const bool robot = now->robot != nullptr;
+  tool_.holder->setVisible(robot && !now->tip_link.empty());
+  tool_.heading->setText(tr("TCP in world"));
+  place_.heading->setText(robot ? tr("Base in world") : tr("Origin in world"));
+  joints_holder_->setVisible(robot);
+  const void* model = now->robot.get();
+  if (model != shown_model_) rebuildJoints();
+  showChoices();
+  showNow();
+}
+
+void PropertiesPanel::rebuildJoints() {
+  while (QLayoutItem* item = joints_column_->takeAt(0)) {
+    if (item->widget()) item->widget()->deleteLater();
+    delete item;
+  }
+  rows_.clear();
+  const workcell::Entity* now = entity();
+  shown_model_ = now->robot.get();
+  if (!now->robot) return;
+  auto* heading = makeLabel(tr("Joints"), TextRole::kSection);
+  heading->setFixedHeight(24);
+  joints_column_->addWidget(heading);
+  for (std::size_t i = 0; i < now->robot->dof(); ++i) {
+    const auto& joint = now->robot->joints[static_cast<std::size_t>(now->robot->moving[i])];
+    auto* row = new JointRow(scaleOf(joint, i));
+    row->setObjectName(QStringLiteral("joint%1").arg(i + 1));
+    connect(row, &JointRow::began, this, [this, row] {
+      host_.documentModel().beginStep(
+          tr("Turn %1 of %2")
+              .arg(row->accessibleName(), entity() ? QString::fromStdString(entity()->name) : QString()));
+    });
+    connect(row, &JointRow::moved, this, [this, i](double value) { moveJoint(i, value); });
+    connect(row, &JointRow::ended, this,
+            [this](bool keep) { keep ? host_.documentModel().endStep() : host_.documentModel().cancelStep(); });
+    joints_column_->addWidget(row);
+    rows_.push_back(row);
+  }
+}
+
+void PropertiesPanel::moveJoint(std::size_t variable, double value) {
+  const workcell::Entity* now = entity();
+  if (!now || !now->robot || variable >= now->joints.size()) return;
+  std::vector<double> all = now->joints;
+  all[variable] = value * unitOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[variable])]);
+  host_.documentModel().execute(workcell::SetJoints{now->id, all});
+}
+
+void PropertiesPanel::showChoices() {
+  const workcell::Entity* now = entity();
+  if (!now) return;
+  on_contact_->setCurrent(static_cast<int>(now->on_contact));
+  force_class_->setCurrent(static_cast<int>(now->force_class));
+  material_->setCurrentIndex(material_->findData(QString::fromStdString(now->material)));
+  mass_->setValue(now->mass);
+  mass_row_->setVisible(now->force_class == workcell::ForceClass::kDynamics);
+  swatches_->setCurrent(colorOf(*now));
+  swatches_->parentWidget()->setVisible(!now->robot);
+  checked_->setChecked(now->checked);
+  locked_->setChecked(now->locked);
+}
+
+void PropertiesPanel::show(const PoseBlock& block, const Pose& X) {
+  const auto numbers = poseNumbers(X);
+  const bool free = entity() && !entity()->locked && !isHeld();
+  for (std::size_t i = 0; i < 6; ++i) {
+    block.fields[i]->setEnabled(free);
+    if (!block.fields[i]->hasFocus()) block.fields[i]->setValue(numbers[i]);
+  }
+}
+
+Pose PropertiesPanel::typed(const PoseBlock& block) const {
+  std::array<double, 6> numbers{};
+  for (std::size_t i = 0; i < 6; ++i) numbers[i] = block.fields[i]->value();
+  return poseFromNumbers(numbers);
+}
+
+void PropertiesPanel::showNow() {
+  const workcell::Entity* now = entity();
+  if (!now || !isVisible()) return;
+  const Pose X_WE = host_.viewport().scene().placement_W(*now);
+  show(place_, X_WE);
+  if (!now->robot) return;
+  const std::vector<double> q = joints();
+  show(tool_, tcpPose_W(*now, X_WE, q));
+  for (std::size_t i = 0; i < rows_.size() && i < q.size(); ++i) {
+    rows_[i]->setEnabled(!now->locked && !isHeld());
+    if (!rows_[i]->isDragged())
+      rows_[i]->setValue(q[i] / unitOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[i])]));
+  }
+}
+
+void PropertiesPanel::placeEntity(const Pose& X_WE) {
+  if (entity()) host_.documentModel().execute(workcell::SetPlacement{entity()->id, X_WE});
+  showNow();
+}
+
+void PropertiesPanel::placeTool(const Pose& X_WT) {
+  const workcell::Entity* now = entity();
+  if (!now || !now->robot) return;
+  const auto model = kinematics::NumericInverse::create(*now->robot, now->robot->findLink(now->tip_link), now->X_LT);
+  if (!model) return host_.messages().tell(Severity::kWarning, QString::fromStdString(model.error().message()));
+  const auto solution = (*model)->solve(now->X_WE.inverse() * X_WT, now->joints);
+  if (solution.status == kinematics::InverseStatus::kSolved) {
+    host_.documentModel().execute(workcell::SetJoints{now->id, solution.q});
+  } else {
+    const QString why = solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit is in the way")
+                                                                             : tr("It is out of reach");
+    host_.messages().tell(Severity::kWarning, tr("The TCP stays where it is"),
+                          tr("%1: the nearest that %2 comes to is %3 mm away.")
+                              .arg(why, QString::fromStdString(now->name))
+                              .arg(1000.0 * solution.position_error, 0, 'f', 1));
+  }
+  showNow();
+}
+
+}  // namespace hapticell::app

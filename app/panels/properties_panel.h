@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "app/panels/joint_row.h"
+#include "workcell/entity.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class Host;
+class Segmented;
+class SwatchRow;
+class ValueField;
+
+/// Pose, joints and choices of the selected entity. Typed values are commands of the document; shown is where the
+/// entity stands now, also while it is held.
+class PropertiesPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PropertiesPanel(Host& host, QWidget* parent = nullptr);
+  /// Takes the newest numbers; called a few times a second.
+  void showNow();
+
+ private:
+  /// Six fields of one pose.
+  struct PoseBlock {
+    QWidget* holder = nullptr;
+    QLabel* heading = nullptr;
+    std::array<ValueField*, 6> fields{};
+  };
+  PoseBlock addPose(QVBoxLayout& column, const char* name);
+  void addChoices(QVBoxLayout& column);
+  void rebuild();
+  void rebuildJoints();
+  void showChoices();
+  void show(const PoseBlock& block, const Pose& X);
+  Pose typed(const PoseBlock& block) const;
+  void placeEntity(const Pose& X_WE);
+  void placeTool(const Pose& X_WT);
+  void moveJoint(std::size_t variable, double value);
+  const workcell::Entity* entity() const;
+  std::vector<double> joints() const;
+  bool isHeld() const;
+
+  Host& host_;
+  QLabel* nothing_;
+  QWidget* content_;
+  PoseBlock tool_, place_;
+  QWidget *joints_holder_, *mass_row_;
+  QVBoxLayout* joints_column_;
+  std::vector<JointRow*> rows_;
+  const void* shown_model_ = nullptr;
+  Segmented *on_contact_, *force_class_;
+  QComboBox* material_;
+  ValueField* mass_;
+  SwatchRow* swatches_;
+  QCheckBox *checked_, *locked_;
+};
+
+}  // namespace hapticell::app

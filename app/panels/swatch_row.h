@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+#include <vector>
+
+namespace hapticell::app {
+
+/// A few quiet colours to choose from, side by side; the chosen one is framed. Arrow keys move in it.
+class SwatchRow : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SwatchRow(std::vector<QColor> colors, QWidget* parent = nullptr);
+  /// Frames the swatch of that colour; another colour is shown in front of the others.
+  void setCurrent(const QColor& color);
+  QColor current() const { return current_; }
+  QSize sizeHint() const override { return {160, 26}; }
+
+ signals:
+  void chosen(const QColor& color);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QRect swatch(int index) const;
+  int currentIndex() const;
+  std::vector<QColor> colors_;
+  QColor current_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/workcell_panel.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "app/host/host.h"
+#include "app/host/selection.h"
+#include "app/style/fonts.h"
+#include "app/style/icon.h"
+#include "app/style/style_painting.h"
+#include "app/style/theme.h"
+#include "app/viewport/overlay_painter.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+using Role = WorkcellTreeModel::Role;
+constexpr int kEyeColumn = 26;  // From the right edge, the eye's box.
+constexpr int kMarkColumn = 22;
+
+/// Paints a row's icon, name, suffix and marks.
+class RowDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {120, kRowHeight}; }
+
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    editor->setGeometry(option.rect.adjusted(20, 0, -2 * kMarkColumn, 0));
+  }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const Theme& theme = themeOf(option.palette);
+    const auto* view = static_cast<const WorkcellTreeView*>(option.widget);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    const bool shown = index.data(Role::kVisibleRole).toBool();
+    const QRect r = option.rect;
+    const QColor text = shown ? theme.text1 : theme.text3;
+    icon(index.data(Role::kIconRole).toString(), shown ? theme.text2 : theme.text3)
+        .paint(painter, QRect(r.left(), r.center().y() - 7, 16, 16));
+    const bool open = view->isExpanded(index);
+    const Mark mark = static_cast<Mark>(index.data(open ? Role::kMarkRole : Role::kInnerMarkRole).toInt());
+    const bool locked = index.data(Role::kLockedRole).toBool();
+    int right = r.right() - kEyeColumn;
+    if (locked) {
+      icon("lock", theme.text2).paint(painter, view->lockRect(index));
+      right -= kMarkColumn;
+    }
+    if (mark != Mark::kNone) {
+      paintMark(*painter, mark, QPointF(right - 9.0, r.center().y() + 0.5), 11, theme);
+      right -= kMarkColumn;
+    }
+    if (index.data(Role::kCanHideRole).toBool())
+      icon(shown ? "eye" : "eye_closed", shown ? theme.text2 : theme.text3).paint(painter, view->eyeRect(index));
+    paintName(*painter, QRect(r.left() + 24, r.top(), right - r.left() - 24, r.height()), index, text);
+    painter->restore();
+  }
+
+ private:
+  static void paintName(QPainter& painter, const QRect& rect, const QModelIndex& index, const QColor& color) {
+    const Theme& theme = themeOf(static_cast<QWidget*>(painter.device())->palette());
+    painter.setFont(textFont(TextRole::kText));
+    painter.setPen(color);
+    const QString name = painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, rect.width());
+    painter.drawText(rect, Qt::AlignVCenter | Qt::AlignLeft, name);
+    const QString suffix = index.data(Role::kSuffixRole).toString();
+    if (suffix.isEmpty()) return;
+    painter.setPen(theme.text3);
+    painter.drawText(rect.adjusted(painter.fontMetrics().horizontalAdvance(name) + 5, 0, 0, 0),
+                     Qt::AlignVCenter | Qt::AlignLeft, suffix);
+  }
+};
+
+}  // namespace
+
+WorkcellTreeView::WorkcellTreeView(QWidget* parent) : QTreeView(parent) {
+  setObjectName("treeWorkcell");
+  setAccessibleName(tr("Workcell"));
+  setHeaderHidden(true);
+  setUniformRowHeights(true);
+  setIndentation(18);
+  setFrameShape(QFrame::NoFrame);
+  setEditTriggers(EditKeyPressed | DoubleClicked);
+  setExpandsOnDoubleClick(false);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setContextMenuPolicy(Qt::CustomContextMenu);
+  setMouseTracking(true);
+  setItemDelegate(new RowDelegate(this));
+  setBackgroundRole(QPalette::Window);
+  viewport()->setBackgroundRole(QPalette::Window);
+}
+
+QRect WorkcellTreeView::eyeRect(const QModelIndex& index) const {
+  const QRect row = visualRect(index);
+  return {viewport()->width() - kEyeColumn + 1, row.center().y() - 7, 16, 16};
+}
+
+QRect WorkcellTreeView::lockRect(const QModelIndex& index) const {
+  return eyeRect(index).translated(-kMarkColumn, 0);
+}
+
+void WorkcellTreeView::drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const Theme& theme = themeOf(palette());
+  const QRect row(0, option.rect.top(), viewport()->width(), option.rect.height());
+  const bool selected = selectionModel()->isSelected(index);
+  const bool hover = row.contains(viewport()->mapFromGlobal(QCursor::pos()));
+  if (selected) {
+    painter->fillRect(row, theme.selected_row);
+    painter->fillRect(QRect(0, row.top(), 2, row.height()), theme.selection);
+  } else if (hover) {
+    painter->fillRect(row, theme.header);
+  }
+  QTreeView::drawRow(painter, option, index);
+}
+
+bool WorkcellTreeView::pressedMark(const QPoint& place) {
+  const QModelIndex index = indexAt(place);
+  if (!index.isValid()) return false;
+  if (index.data(Role::kCanHideRole).toBool() && eyeRect(index).adjusted(-3, -4, 4, 4).contains(place)) {
+    emit eyeClicked(index);
+    return true;
+  }
+  if (index.data(Role::kLockedRole).toBool() && lockRect(index).adjusted(-3, -4, 3, 4).contains(place)) {
+    emit lockClicked(index);
+    return true;
+  }
+  return false;
+}
+
+void WorkcellTreeView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && pressedMark(event->pos())) return;
+  QTreeView::mousePressEvent(event);
+}
+
+void WorkcellTreeView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && pressedMark(event->pos())) return;
+  QTreeView::mouseDoubleClickEvent(event);
+}
+
+WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
+    : QWidget(parent), host_(host), model_(host.documentModel()), filter_(new QLineEdit), tree_(new WorkcellTreeView) {
+  setMinimumWidth(240);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 8, 0, 0);
+  column->setSpacing(8);
+  auto* top = new QVBoxLayout;
+  top->setContentsMargins(8, 0, 8, 0);
+  filter_->setObjectName("fieldFilter");
+  filter_->setPlaceholderText(tr("Filter by name or state"));
+  filter_->setClearButtonEnabled(true);
+  filter_->addAction(icon("search", QColor()), QLineEdit::LeadingPosition);
+  top->addWidget(filter_);
+  column->addLayout(top);
+  column->addWidget(tree_, 1);
+  filter_model_.setSourceModel(&model_);
+  filter_model_.setFilterRole(Role::kFilterRole);
+  filter_model_.setFilterCaseSensitivity(Qt::CaseInsensitive);
+  filter_model_.setRecursiveFilteringEnabled(true);
+  tree_->setModel(&filter_model_);
+  keepExpanded();
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_model_.setFilterFixedString(text);
+    text.isEmpty() ? keepExpanded() : tree_->expandAll();
+  });
+  connect(&model_, &QAbstractItemModel::modelReset, this, &WorkcellPanel::keepExpanded, Qt::QueuedConnection);
+  connect(tree_, &QTreeView::collapsed, this, [this](const QModelIndex& index) {
+    if (!restoring_) collapsed_.insert(keyOf(index)), expanded_.remove(keyOf(index));
+  });
+  connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& index) {
+    if (!restoring_) collapsed_.remove(keyOf(index)), expanded_.insert(keyOf(index));
+  });
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
+    if (!restoring_ && index.isValid()) host_.selection().set(index.data(Role::kEntityRole).toULongLong());
+  });
+  connect(&host_.selection(), &Selection::changed, this, &WorkcellPanel::selectEntity);
+  connect(tree_, &WorkcellTreeView::eyeClicked, this, [this](const QModelIndex& index) {
+    model_.setShown(source(index), !index.data(Role::kVisibleRole).toBool());
+  });
+  connect(tree_, &WorkcellTreeView::lockClicked, this,
+          [this](const QModelIndex& index) { model_.setLocked(source(index), false); });
+  connect(tree_, &QWidget::customContextMenuRequested, this, &WorkcellPanel::openMenu);
+}
+
+QString WorkcellPanel::keyOf(const QModelIndex& index) const {
+  return index.parent().isValid() ? keyOf(index.parent()) + QLatin1Char('/') + index.data().toString()
+                                  : QStringLiteral("cell");
+}
+
+void WorkcellPanel::keepExpanded() {
+  restoring_ = true;
+  const auto restore = [this](const auto& self, const QModelIndex& parent) -> void {
+    for (int row = 0; row < filter_model_.rowCount(parent); ++row) {
+      const QModelIndex index = filter_model_.index(row, 0, parent);
+      const auto kind = model_.kindOf(source(index));
+      const bool open_at_first = kind != WorkcellTreeModel::Kind::kPairSets;
+      const QString key = keyOf(index);
+      tree_->setExpanded(index, expanded_.contains(key) || (open_at_first && !collapsed_.contains(key)));
+      self(self, index);
+    }
+  };
+  restore(restore, {});
+  restoring_ = false;
+  selectEntity(host_.selection().current());
+}
+
+void WorkcellPanel::selectEntity(workcell::EntityId entity) {
+  const QModelIndex now = tree_->currentIndex();
+  if (entity != 0 && now.isValid() && now.data(Role::kEntityRole).toULongLong() == entity) return;
+  restoring_ = true;
+  const QModelIndex index = entity ? filter_model_.mapFromSource(model_.indexOf(entity)) : QModelIndex();
+  if (index.isValid()) {
+    tree_->setCurrentIndex(index);
+    tree_->scrollTo(index);
+  } else if (entity == 0 && !(now.isValid() && now.data(Role::kEntityRole).toULongLong() == 0)) {
+    tree_->selectionModel()->clear();
+  }
+  restoring_ = false;
+}
+
+void WorkcellPanel::openMenu(const QPoint& place) {
+  const QModelIndex index = tree_->indexAt(place);
+  if (!index.isValid()) return;
+  const QPersistentModelIndex row = source(index);
+  const bool shown = index.data(Role::kVisibleRole).toBool();
+  const bool locked = index.data(Role::kLockedRole).toBool();
+  const bool has_entities = !model_.entitiesOf(row).empty();
+  const workcell::EntityId entity = index.data(Role::kEntityRole).toULongLong();
+  QMenu menu(this);
+  menu.addAction(icon("fit"), tr("Fit"), this,
+                 [&] {
+                   geometry::Bounds bounds;
+                   for (const auto id : model_.entitiesOf(row)) bounds.add(host_.viewport().scene().boundsOf_W(id));
+                   if (!bounds.isEmpty()) host_.viewport().fit(bounds);
+                 })
+      ->setEnabled(has_entities);
+  menu.addAction(icon(shown ? "eye_closed" : "eye"), shown ? tr("Hide") : tr("Show"), this,
+                 [&] { model_.setShown(row, !shown); })
+      ->setEnabled(has_entities);
+  menu.addAction(icon(locked ? "unlock" : "lock"), locked ? tr("Unlock") : tr("Lock"), this,
+                 [&] { model_.setLocked(row, !locked); })
+      ->setEnabled(has_entities);
+  menu.addSeparator();
+  menu.addAction(tr("Rename"), this, [&] { tree_->edit(filter_model_.mapFromSource(row)); })
+      ->setEnabled(model_.flags(row) & Qt::ItemIsEditable);
+  menu.addAction(icon("delete"), tr("Remove from the cell"), this,
+                 [&] { host_.documentModel().execute(workcell::RemoveEntity{entity}); })
+      ->setEnabled(model_.kindOf(row) == WorkcellTreeModel::Kind::kEntity);
+  menu.exec(tree_->viewport()->mapToGlobal(place));
+}
+
+}  // namespace hapticell::app

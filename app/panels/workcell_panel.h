@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QSet>
+#include <QSortFilterProxyModel>
+#include <QTreeView>
+#include <QWidget>
+
+#include "app/panels/workcell_tree_model.h"
+
+class QLineEdit;
+
+namespace hapticell::app {
+
+class Host;
+
+/// The tree view of the workcell: rows with icon, name, state mark, lock and eye.
+class WorkcellTreeView : public QTreeView {
+  Q_OBJECT
+ public:
+  explicit WorkcellTreeView(QWidget* parent = nullptr);
+  /// Where the eye and the lock of a row are, in the viewport's pixels.
+  QRect eyeRect(const QModelIndex& index) const;
+  QRect lockRect(const QModelIndex& index) const;
+
+ signals:
+  void eyeClicked(const QModelIndex& index);
+  void lockClicked(const QModelIndex& index);
+
+ protected:
+  void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+ private:
+  bool pressedMark(const QPoint& place);
+};
+
+/// The dock's content: filter, tree, in step with the selection of the window.
+class WorkcellPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit WorkcellPanel(Host& host, QWidget* parent = nullptr);
+  void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) { model_.setSnapshot(snapshot); }
+  WorkcellTreeModel& model() { return model_; }
+  WorkcellTreeView& tree() { return *tree_; }
+
+ private:
+  void selectEntity(workcell::EntityId entity);
+  void openMenu(const QPoint& place);
+  void keepExpanded();
+  QString keyOf(const QModelIndex& index) const;
+  QModelIndex source(const QModelIndex& index) const { return filter_model_.mapToSource(index); }
+
+  Host& host_;
+  WorkcellTreeModel model_;
+  QSortFilterProxyModel filter_model_;
+  QLineEdit* filter_;
+  WorkcellTreeView* tree_;
+  QSet<QString> collapsed_, expanded_;
+  bool restoring_ = false;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/workcell_tree_model.h"
+
+#include <algorithm>
+#include <map>
+
+namespace hapticell::app {
+namespace {
+
+int strength(Mark mark) {
+  switch (mark) {
+    case Mark::kContact:
+      return 3;
+    case Mark::kLimit:
+      return 2;
+    case Mark::kNearMiss:
+      return 1;
+    case Mark::kNone:
+      break;
+  }
+  return 0;
+}
+
+Mark stronger(Mark a, Mark b) {
+  return strength(a) >= strength(b) ? a : b;
+}
+
+QString markWord(Mark mark) {
+  switch (mark) {
+    case Mark::kContact:
+      return QObject::tr("contact");
+    case Mark::kNearMiss:
+      return QObject::tr("near miss");
+    case Mark::kLimit:
+      return QObject::tr("limit");
+    case Mark::kNone:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+WorkcellTreeModel::WorkcellTreeModel(DocumentModel& document, QObject* parent)
+    : QAbstractItemModel(parent), document_(document) {
+  nodes_ = build(document_);
+  connect(&document_, &DocumentModel::changed, this, &WorkcellTreeModel::documentChanged);
+}
+
+int WorkcellTreeModel::append(std::vector<Node>& nodes, int parent, Node node) {
+  const int index = static_cast<int>(nodes.size());
+  node.parent = parent;
+  if (parent >= 0) {
+    node.row = static_cast<int>(nodes[static_cast<std::size_t>(parent)].children.size());
+    nodes[static_cast<std::size_t>(parent)].children.push_back(index);
+  }
+  nodes.push_back(std::move(node));
+  return index;
+}
+
+void WorkcellTreeModel::appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity) {
+  if (!entity.tip_link.empty()) {
+    const QString tip = QString::fromStdString(entity.tip_link);
+    append(nodes, row, {Kind::kTcp, QStringLiteral("TCP · ") + tip, tip, entity.id, -1, 0, {}, {}});
+  }
+  for (const auto& link : entity.robot->links) {
+    if (link.visuals.empty() && link.collisions.empty()) continue;
+    const QString name = QString::fromStdString(link.name);
+    append(nodes, row, {Kind::kLink, name, name, entity.id, -1, 0, {}, {}});
+  }
+}
+
+std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build(const DocumentModel& document) {
+  std::vector<Node> nodes;
+  const auto& state = document.document().state();
+  const int cell = append(nodes, -1, {Kind::kCell, document.title(), {}, 0, -1, 0, {}, {}});
+  std::map<std::string, int> folders;
+  for (const auto& entity : state.entities) {
+    int parent = cell;
+    if (!entity->parent.empty()) {
+      const auto [place, added] = folders.try_emplace(entity->parent, -1);
+      if (added)
+        place->second =
+            append(nodes, cell, {Kind::kFolder, QString::fromStdString(entity->parent), {}, 0, -1, 0, {}, {}});
+      parent = place->second;
+    }
+    const int row =
+        append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity->name), {}, entity->id, -1, 0, {}, {}});
+    if (entity->robot) appendRobot(nodes, row, *entity);
+  }
+  if (!state.pair_sets.empty()) {
+    const int sets = append(nodes, cell, {Kind::kPairSets, tr("Pair sets"), {}, 0, -1, 0, {}, {}});
+    for (const auto& set : state.pair_sets)
+      append(nodes, sets, {Kind::kPairSet, QString::fromStdString(set.name), {}, 0, -1, 0, {}, {}});
+  }
+  return nodes;
+}
+
+void WorkcellTreeModel::documentChanged() {
+  std::vector<Node> fresh = build(document_);
+  if (fresh == nodes_) {
+    for (const Node& node : nodes_)
+      if (!node.children.empty()) {
+        const int first = node.children.front(), last = node.children.back();
+        emit dataChanged(indexOfNode(first), indexOfNode(last));
+      }
+    return;
+  }
+  beginResetModel();
+  nodes_ = std::move(fresh);
+  for (Node& node : nodes_) node.mark = markOf(node);
+  endResetModel();
+}
+
+void WorkcellTreeModel::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
+  const workcell::EntityId held_before = snapshot_ ? snapshot_->held : 0;
+  snapshot_ = snapshot;
+  const workcell::EntityId held = snapshot_ ? snapshot_->held : 0;
+  updateMarks();
+  if (held == held_before) return;
+  for (const workcell::EntityId id : {held, held_before})
+    if (const QModelIndex row = indexOf(id); row.isValid()) emit dataChanged(row, row);
+}
+
+void WorkcellTreeModel::updateMarks() {
+  bool any = false;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Mark mark = markOf(nodes_[i]);
+    if (mark == nodes_[i].mark) continue;
+    nodes_[i].mark = mark;
+    any = true;
+    const QModelIndex row = indexOfNode(static_cast<int>(i));
+    emit dataChanged(row, row);
+  }
+  if (!any) return;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (!nodes_[i].children.empty())
+      emit dataChanged(indexOfNode(static_cast<int>(i)), indexOfNode(static_cast<int>(i)));
+}
+
+Mark WorkcellTreeModel::markOf(const Node& node) const {
+  if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp) return Mark::kNone;
+  Mark mark = Mark::kNone;
+  for (const auto& pair : snapshot_->pairs) {
+    const Mark of_pair = pair.contact ? Mark::kContact : pair.near_miss ? Mark::kNearMiss : Mark::kNone;
+    const std::string part = node.part.toStdString();
+    const bool first = pair.moved == node.entity && (node.part.isEmpty() || pair.moved_part == part);
+    const bool second = pair.other == node.entity && (node.part.isEmpty() || pair.other_part == part);
+    if (first || second) mark = stronger(mark, of_pair);
+  }
+  if (mark == Mark::kNone && node.kind == Kind::kEntity && node.entity == snapshot_->held && !snapshot_->limits.empty())
+    mark = Mark::kLimit;
+  return mark;
+}
+
+Mark WorkcellTreeModel::innerMark(int index) const {
+  const Node& node = nodes_[static_cast<std::size_t>(index)];
+  Mark mark = node.mark;
+  for (const int child : node.children) mark = stronger(mark, innerMark(child));
+  return mark;
+}
+
+QModelIndex WorkcellTreeModel::indexOfNode(int node) const {
+  return createIndex(nodes_[static_cast<std::size_t>(node)].row, 0, static_cast<quintptr>(node));
+}
+
+QModelIndex WorkcellTreeModel::indexOf(workcell::EntityId entity) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].kind == Kind::kEntity && nodes_[i].entity == entity) return indexOfNode(static_cast<int>(i));
+  return {};
+}
+
+WorkcellTreeModel::Kind WorkcellTreeModel::kindOf(const QModelIndex& index) const {
+  return nodes_[index.internalId()].kind;
+}
+
+QModelIndex WorkcellTreeModel::index(int row, int column, const QModelIndex& parent) const {
+  if (column != 0 || row < 0) return {};
+  if (!parent.isValid()) return row == 0 ? createIndex(0, 0, quintptr{0}) : QModelIndex();
+  const auto& children = nodes_[parent.internalId()].children;
+  if (row >= static_cast<int>(children.size())) return {};
+  return createIndex(row, 0, static_cast<quintptr>(children[static_cast<std::size_t>(row)]));
+}
+
+QModelIndex WorkcellTreeModel::parent(const QModelIndex& child) const {
+  if (!child.isValid()) return {};
+  const int parent = nodes_[child.internalId()].parent;
+  return parent < 0 ? QModelIndex() : indexOfNode(parent);
+}
+
+int WorkcellTreeModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? static_cast<int>(nodes_[parent.internalId()].children.size()) : 1;
+}
+
+const workcell::Entity* WorkcellTreeModel::entityOf(const Node& node) const {
+  return document_.document().find(node.entity);
+}
+
+void WorkcellTreeModel::collect(int index, std::vector<workcell::EntityId>& entities) const {
+  const Node& node = nodes_[static_cast<std::size_t>(index)];
+  if (node.kind == Kind::kEntity) entities.push_back(node.entity);
+  if (node.kind == Kind::kCell || node.kind == Kind::kFolder)
+    for (const int child : node.children) collect(child, entities);
+}
+
+std::vector<workcell::EntityId> WorkcellTreeModel::entitiesOf(const QModelIndex& index) const {
+  std::vector<workcell::EntityId> entities;
+  if (index.isValid()) collect(static_cast<int>(index.internalId()), entities);
+  return entities;
+}
+
+QString WorkcellTreeModel::stateWords(const Node& node) const {
+  QStringList words;
+  const workcell::Entity* entity = node.kind == Kind::kEntity ? entityOf(node) : nullptr;
+  if (node.mark != Mark::kNone) words << markWord(node.mark);
+  if (entity && snapshot_ && snapshot_->held == entity->id) words << tr("held");
+  if (entity && entity->locked) words << tr("locked");
+  if (entity && !entity->visible) words << tr("hidden");
+  return words.join(QStringLiteral(", "));
+}
+
+QString WorkcellTreeModel::accessibleText(const Node& node) const {
+  const QString words = stateWords(node);
+  QString text = words.isEmpty() ? node.name : node.name + QStringLiteral(", ") + words;
+  if (!snapshot_ || node.mark != Mark::kNearMiss) return text;
+  for (const auto& pair : snapshot_->pairs)
+    if (pair.near_miss && (pair.moved == node.entity || pair.other == node.entity))
+      return text + tr(", %1 millimetres").arg(1000.0 * pair.distance, 0, 'f', 1);
+  return text;
+}
+
+QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Node& node = nodes_[index.internalId()];
+  const auto entities = [&] { return entitiesOf(index); };
+  const auto all = [&](auto&& holds) {
+    const auto ids = entities();
+    return !ids.empty() &&
+           std::all_of(ids.begin(), ids.end(), [&](auto id) { return holds(*document_.document().find(id)); });
+  };
+  const workcell::Entity* entity = node.kind == Kind::kEntity ? entityOf(node) : nullptr;
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return node.name;
+    case Qt::AccessibleTextRole:
+      return accessibleText(node);
+    case kEntityRole:
+      return static_cast<qulonglong>(node.entity);
+    case kPartRole:
+      return node.part;
+    case kMarkRole:
+      return static_cast<int>(node.mark);
+    case kInnerMarkRole:
+      return static_cast<int>(innerMark(static_cast<int>(index.internalId())));
+    case kSuffixRole:
+      return entity && snapshot_ && snapshot_->held == entity->id ? tr("held") : QString();
+    case kCanHideRole:
+      return node.kind == Kind::kCell || node.kind == Kind::kFolder || node.kind == Kind::kEntity;
+    case kVisibleRole:
+      return entity ? entity->visible : !all([](const auto& e) { return !e.visible; });
+    case kLockedRole:
+      return entity ? entity->locked : node.kind == Kind::kFolder && all([](const auto& e) { return e.locked; });
+    case kFilterRole:
+      return QString(node.name + QLatin1Char(' ') + stateWords(node));
+    case kIconRole:
+      switch (node.kind) {
+        case Kind::kCell:
+          return QStringLiteral("cell");
+        case Kind::kFolder:
+          return QStringLiteral("folder");
+        case Kind::kEntity:
+          return entity && entity->robot ? QStringLiteral("robot") : QStringLiteral("cube");
+        case Kind::kTcp:
+          return QStringLiteral("frame");
+        case Kind::kLink:
+          return QStringLiteral("cube");
+        case Kind::kPairSets:
+          return QStringLiteral("measure");
+        case Kind::kPairSet:
+          return QStringLiteral("near_miss");
+      }
+      return {};
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags WorkcellTreeModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  const Kind kind = kindOf(index);
+  Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kPairSet) result |= Qt::ItemIsEditable;
+  return result;
+}
+
+bool WorkcellTreeModel::renameFolder(const Node& node, const QString& name) {
+  workcell::SetProperties change;
+  change.parent = name.toStdString();
+  return applyAll(indexOfNode(static_cast<int>(&node - nodes_.data())), tr("Rename %1").arg(node.name), change);
+}
+
+bool WorkcellTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::EditRole) return false;
+  const Node node = nodes_[index.internalId()];
+  const QString name = value.toString().trimmed();
+  if (name.isEmpty() || name == node.name) return false;
+  if (node.kind == Kind::kEntity) return document_.execute(workcell::RenameEntity{node.entity, name.toStdString()});
+  if (node.kind == Kind::kFolder) return renameFolder(nodes_[index.internalId()], name);
+  if (node.kind != Kind::kPairSet) return false;
+  const workcell::PairSet* set = document_.document().state().findPairSet(node.name.toStdString());
+  if (!set) return false;
+  workcell::PairSet renamed = *set;
+  renamed.name = name.toStdString();
+  return document_.execute(workcell::EditPairSet{node.name.toStdString(), renamed});
+}
+
+bool WorkcellTreeModel::applyAll(const QModelIndex& index, const QString& text, const workcell::SetProperties& change) {
+  const auto ids = entitiesOf(index);
+  if (ids.empty()) return false;
+  document_.beginStep(text);
+  bool done = true;
+  for (const auto id : ids) {
+    workcell::SetProperties one = change;
+    one.id = id;
+    done = document_.execute(one) && done;
+  }
+  document_.endStep();
+  return done;
+}
+
+bool WorkcellTreeModel::setShown(const QModelIndex& index, bool shown) {
+  workcell::SetProperties change;
+  change.visible = shown;
+  return applyAll(index, (shown ? tr("Show %1") : tr("Hide %1")).arg(index.data().toString()), change);
+}
+
+bool WorkcellTreeModel::setLocked(const QModelIndex& index, bool locked) {
+  workcell::SetProperties change;
+  change.locked = locked;
+  return applyAll(index, (locked ? tr("Lock %1") : tr("Unlock %1")).arg(index.data().toString()), change);
+}
+
+}  // namespace hapticell::app

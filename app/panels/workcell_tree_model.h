@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractItemModel>
+#include <optional>
+#include <vector>
+
+#include "app/host/document_model.h"
+#include "app/viewport/strip_text.h"
+#include "manipulation/scene_snapshot.h"
+
+namespace hapticell::app {
+
+/// The workcell as a tree: the cell, its folders with their entities, robots with tool centre point and links, pair
+/// sets.
+///
+/// Names, visibility and lock are changed through the document's commands, each one step of undo. State marks come from
+/// the newest snapshot and are a role of their own, so that a screen reader can say them. GUI thread.
+class WorkcellTreeModel : public QAbstractItemModel {
+  Q_OBJECT
+ public:
+  enum Role {
+    kEntityRole = Qt::UserRole,  ///< EntityId as qulonglong; 0 for folders.
+    kPartRole,                   ///< Link name; empty for others.
+    kIconRole,                   ///< Name of an icon.
+    kMarkRole,                   ///< Mark as int, of the row itself.
+    kInnerMarkRole,              ///< The strongest mark of the rows below: for collapsed rows.
+    kSuffixRole,                 ///< "held", else empty.
+    kVisibleRole,                ///< bool.
+    kLockedRole,                 ///< bool.
+    kCanHideRole,                ///< bool: the row has an eye.
+    kFilterRole,                 ///< Name and state words.
+  };
+  enum class Kind { kCell, kFolder, kEntity, kTcp, kLink, kPairSets, kPairSet };
+
+  explicit WorkcellTreeModel(DocumentModel& document, QObject* parent = nullptr);
+
+  /// Marks and what is held; nothing: no marks.
+  void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
+  QModelIndex indexOf(workcell::EntityId entity) const;
+  Kind kindOf(const QModelIndex& index) const;
+  /// Shows or hides, locks or unlocks the entities of the row and below it, as one step of undo.
+  bool setShown(const QModelIndex& index, bool shown);
+  bool setLocked(const QModelIndex& index, bool locked);
+  /// The entities of the row and below it.
+  std::vector<workcell::EntityId> entitiesOf(const QModelIndex& index) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent) const override;
+  int columnCount(const QModelIndex&) const override { return 1; }
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+ private:
+  struct Node {
+    Kind kind = Kind::kEntity;
+    QString name, part;
+    workcell::EntityId entity = 0;
+    int parent = -1, row = 0;
+    std::vector<int> children;
+    Mark mark = Mark::kNone;
+    bool operator==(const Node& other) const {
+      return kind == other.kind && name == other.name && part == other.part && entity == other.entity &&
+             parent == other.parent;
+    }
+  };
+  static std::vector<Node> build(const DocumentModel& document);
+  static int append(std::vector<Node>& nodes, int parent, Node node);
+  static void appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity);
+  void documentChanged();
+  void updateMarks();
+  Mark markOf(const Node& node) const;
+  Mark innerMark(int node) const;
+  void collect(int node, std::vector<workcell::EntityId>& entities) const;
+  const workcell::Entity* entityOf(const Node& node) const;
+  QString accessibleText(const Node& node) const;
+  QString stateWords(const Node& node) const;
+  QModelIndex indexOfNode(int node) const;
+  bool renameFolder(const Node& node, const QString& name);
+  bool applyAll(const QModelIndex& index, const QString& text, const workcell::SetProperties& change);
+
+  DocumentModel& document_;
+  std::vector<Node> nodes_;
+  std::optional<manipulation::SceneSnapshot> snapshot_;
+};
+
+}  // namespace hapticell::app
