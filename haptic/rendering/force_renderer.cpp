@@ -111,7 +111,7 @@ void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
+  offset_D_ = yield_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
   wanted_D_ = dvec3(0.0);
   limit_ = std::numeric_limits<double>::infinity();
   energy_ = balance_ = controller_damping_ = 0.0;
@@ -176,9 +176,7 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
   jump_D = dvec3(0.0);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);
-    const dvec3 f_before = limited(springOf(before, X_DS), options_.peak_force);
-    const dvec3 f_after = limited(springOf(solved, X_DS), options_.peak_force);
-    offset_D_ += (f_before - f_after) / stiffness_;
+    offset_D_ += (springOf(before, X_DS) - springOf(solved, X_DS)) / stiffness_;
     jump_D = solved.X_DP.p - before.X_DP.p;
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
@@ -243,6 +241,25 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   return along < 0.0 ? force - along * outward : force;
 }
 
+/// The stretch that is left to a spring that yields like a ductile metal at the force limit: beyond it the rest point
+/// follows, and back it unloads along the full stiffness to nothing, never to a pull.
+dvec3 ForceRenderer::yielded(const dvec3& stretch_D) {
+  const double length = glm::length(stretch_D);
+  if (length <= 0.0) {
+    yield_D_ = dvec3(0.0);
+    return stretch_D;
+  }
+  if (yield_D_ != dvec3(0.0)) {
+    yield_D_ = limited(yield_D_, length);
+    const dvec3 outward = stretch_D / length;
+    yield_D_ -= std::min(0.0, glm::dot(stretch_D + yield_D_, outward)) * outward;
+  }
+  const dvec3 left = stretch_D + yield_D_;
+  const dvec3 borne = limited(left, std::min(force_limit_, options_.peak_force) / stiffness_);
+  yield_D_ += borne - left;
+  return borne;
+}
+
 /// The account of what the hand put in, less what the coupling holds. Turning the stylus counts with the torque that
 /// the device cannot show: else a wrist that turns a part against an obstacle would look like energy made.
 void ForceRenderer::observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt) {
@@ -281,6 +298,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
 
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
   spring_D_ = free ? dvec3(0.0) : springOf(solved, X_DS) + stiffness_ * offset_D_;
+  spring_D_ = stiffness_ * yielded(spring_D_ / stiffness_);
   const double turning = stiffness_ * kRotationLever * kRotationLever;
   const dvec3 torque_D = free ? dvec3(0.0) : turning * difference(solved.X_DP, X_DS).angular;
   observeEnergy(stylus_motion, torque_D, solved.contact, dt);

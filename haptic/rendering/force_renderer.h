@@ -86,10 +86,17 @@ class ForceRenderer {
   /// Without this call the account takes the wanted force.
   void noteApplied(const dvec3& force_D);
 
+  /// What the motors bear now, N: the options' peak force, or less when they are warm. A spring that would pull harder
+  /// *yields*: its rest point creeps after the stylus, so that the force stays there and falls at once when the hand
+  /// withdraws. Scaling the force instead would stiffen the spring under load as the motors cool, and so make energy.
+  /// What is no positive number counts as no further limit.
+  void setForceLimit(double newtons) { force_limit_ = newtons > 0.0 ? newtons : kNoLimit; }
+
   const Pose& proxy() const { return proxy_; }
 
  private:
   struct Solved;
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
   void applyFriction(const GroupedSet& grouped, const Pose& X_DS, Solved& solved) const;
@@ -100,6 +107,7 @@ class ForceRenderer {
   void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
   dvec3 couplingForce(const Solved& solved) const;
+  dvec3 yielded(const dvec3& stretch_D);
   void observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt);
 
   RendererOptions options_;
@@ -114,6 +122,8 @@ class ForceRenderer {
   Pose proxy_;
   Pose stylus_;
   dvec3 offset_D_{0.0};
+  dvec3 yield_D_{0.0};  ///< By how much the spring has yielded, m; against the stretch.
+  double force_limit_ = kNoLimit;
   dvec3 v_stylus_D_{0.0};
   dvec3 v_proxy_D_{0.0};
   dvec3 spring_D_{0.0};

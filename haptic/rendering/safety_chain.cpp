@@ -94,6 +94,7 @@ SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
   result.ramp = ramp_;
   result.fade = fade_;
   result.temperature = temperature_;
+  result.force_limit = thermalLimit();
   return result;
 }
 

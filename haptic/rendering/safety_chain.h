@@ -47,6 +47,7 @@ struct SafetyResult {
   double ramp = 0.0;          ///< 0 closed .. 1 open.
   double fade = 1.0;          ///< 1 while the link lives .. 0.
   double temperature = 0.0;   ///< Motor model, 0 cold .. 1 at the limit.
+  double force_limit = 0.0;   ///< N that the motors bear now: the peak force, towards the continuous one when warm.
   bool input_fault = false;   ///< This tick's wanted force was not a plausible number; it counted as zero.
   bool slew_limited = false;  ///< The wanted force moved faster than the slew limit.
   bool derated = false;       ///< Thermal derating bites.

@@ -185,6 +185,7 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   const dvec3 command_D = device_fault_ ? dvec3(0.0) : safety_result_.force_D;
   if (device_.write(command_D, dvec3(0.0)) != DeviceStatus::kOk && !device_fault_) safety_.trip();
   renderer_.noteApplied(command_D);
+  renderer_.setForceLimit(safety_result_.force_limit);
   log_.add({tick_, now, command_D, input.link_open, input.link_silence, safety_result_.gate == GateState::kOpen});
 }
 
