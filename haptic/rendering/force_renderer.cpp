@@ -176,7 +176,11 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
   jump_D = dvec3(0.0);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);
-    offset_D_ += (springOf(before, X_DS) - springOf(solved, X_DS)) / stiffness_;
+    const dvec3 f_before = springOf(before, X_DS), f_after = springOf(solved, X_DS);
+    const double limit = std::min(force_limit_, options_.peak_force);
+    const dvec3 blended_D = (limited(f_before, limit) - limited(f_after, limit)) / stiffness_;
+    offset_D_ += blended_D;
+    yield_D_ += (f_before - f_after) / stiffness_ - blended_D;
     jump_D = solved.X_DP.p - before.X_DP.p;
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
@@ -255,7 +259,7 @@ dvec3 ForceRenderer::yielded(const dvec3& stretch_D) {
     yield_D_ -= std::min(0.0, glm::dot(stretch_D + yield_D_, outward)) * outward;
   }
   const dvec3 left = stretch_D + yield_D_;
-  const dvec3 borne = limited(left, std::min(force_limit_, options_.peak_force) / stiffness_);
+  const dvec3 borne = limited(left, force_limit_ / stiffness_);
   yield_D_ += borne - left;
   return borne;
 }

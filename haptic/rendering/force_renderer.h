@@ -86,11 +86,13 @@ class ForceRenderer {
   /// Without this call the account takes the wanted force.
   void noteApplied(const dvec3& force_D);
 
-  /// What the motors bear now, N: the options' peak force, or less when they are warm. A spring that would pull harder
+  /// What warm motors bear now, N, where that is less than the peak force. A spring that would pull harder
   /// *yields*: its rest point creeps after the stylus, so that the force stays there and falls at once when the hand
   /// withdraws. Scaling the force instead would stiffen the spring under load as the motors cool, and so make energy.
   /// What is no positive number counts as no further limit.
-  void setForceLimit(double newtons) { force_limit_ = newtons > 0.0 ? newtons : kNoLimit; }
+  void setForceLimit(double newtons) {
+    force_limit_ = newtons > 0.0 && newtons < options_.peak_force ? newtons : kNoLimit;
+  }
 
   const Pose& proxy() const { return proxy_; }
 

@@ -6,14 +6,14 @@ the stop rail and along it, lift it out, let go.
 usage: make_hand_path.py config/workcells/demo-hand.csv
 
 Device frame: origin in the middle of the workspace, x to the right, y away from the user, z up; metres. The path is what
-the hand intends: it presses 12 mm deeper than the contacts allow. Between the stations it moves by minimum jerk.
+the hand intends: it presses some 7 mm deeper than the contacts allow. Between the stations it moves by minimum jerk.
 """
 import sys
 
 # time at the station, x, y, z, button
 STATIONS = [(0.0, -0.025, 0.0, 0.030, 0), (0.5, -0.025, 0.0, 0.030, 0), (0.6, -0.025, 0.0, 0.030, 1),
-            (0.8, -0.025, 0.0, 0.030, 0), (3.3, -0.025, 0.0, -0.042, 0), (3.6, -0.025, 0.0, -0.042, 0),
-            (6.0, 0.032, 0.0, -0.042, 0), (7.8, 0.032, 0.045, -0.042, 0), (9.0, 0.032, -0.010, -0.042, 0),
+            (0.8, -0.025, 0.0, 0.030, 0), (3.3, -0.025, 0.0, -0.036, 0), (3.6, -0.025, 0.0, -0.036, 0),
+            (6.0, 0.026, 0.0, -0.036, 0), (7.8, 0.026, 0.045, -0.036, 0), (9.0, 0.026, -0.010, -0.036, 0),
             (10.6, 0.000, 0.0, 0.040, 0), (10.9, 0.0, 0.0, 0.040, 0), (11.0, 0.0, 0.0, 0.040, 1),
             (11.2, 0.0, 0.0, 0.040, 0), (12.0, 0.0, 0.0, 0.040, 0)]
 STEP = 0.01
