@@ -2,7 +2,7 @@
 #include "app/style/style_painting.h"
 
 #include <QPainterPath>
-#include <QWidget>
+#include <QToolButton>
 #include <algorithm>
 
 #include "app/style/fonts.h"
@@ -34,7 +34,7 @@ void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QCo
 void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidget* widget) {
   const Theme& theme = themeOf(option->palette);
   const bool main = widget && widget->property("main").toBool();
-  const bool quiet = widget && widget->property("quiet").toBool();
+  const bool quiet = widget && (widget->property("quiet").toBool() || qobject_cast<const QToolButton*>(widget));
   const bool enabled = has(option, QStyle::State_Enabled);
   const bool down = has(option, QStyle::State_Sunken);
   const bool on = has(option, QStyle::State_On);
@@ -54,7 +54,8 @@ void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidge
   if (down) fill = blended(fill, theme.window, 0.35);
   if (!enabled && !main) fill = theme.dock;
   if (!enabled && main) fill = blended(theme.dock, theme.on, 0.35), frame = fill;
-  drawBox(painter, option->rect, fill, frame);
+  const bool pill = widget && widget->property("pill").toBool();
+  drawBox(painter, option->rect, fill, frame, pill ? 0.5 * option->rect.height() : kRadius);
 }
 
 void drawSwitch(QPainter* painter, const QStyleOption* option) {

@@ -9,6 +9,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kOcclusionRadius = 0.16;  // Metres.
+constexpr int kBandRoom = 6;               // Pixels.
 
 void setColor(QOpenGLShaderProgram& program, const char* name, const fvec3& color) {
   program.setUniformValue(name, color.x, color.y, color.z);
@@ -119,7 +120,8 @@ void SceneRenderer::drawScene(const Frame& frame) {
   p.scene.bind();
   const PixelArea band = bandArea(frame);
   gl_.glEnable(GL_SCISSOR_TEST);
-  gl_.glScissor(band.x, band.y, band.width, band.height);
+  // A little more than the band: occlusion and outlines look at their neighbours.
+  gl_.glScissor(0, std::max(band.y - kBandRoom, 0), band.width, band.height + 2 * kBandRoom);
   gl_.glDisable(GL_BLEND);
   gl_.glDisable(GL_CULL_FACE);
   const GLfloat far_away = 1.0f;
@@ -153,7 +155,7 @@ void SceneRenderer::composite(const Frame& frame) {
     p.openness.bind();
     const PixelArea band = bandArea(frame);
     gl_.glEnable(GL_SCISSOR_TEST);
-    gl_.glScissor(0, band.y / 2, p.openness.width(), band.height / 2 + 2);
+    gl_.glScissor(0, band.y / 2, p.openness.width(), (band.y + band.height + 1) / 2 - band.y / 2);
     p.occlusion->bind();
     bindTexture(gl_, *p.occlusion, "depth_map", 0, p.scene.depth());
     setMatrix(gl_, *p.occlusion, "clip_from_view", p.view.clip_from_view);
@@ -213,6 +215,13 @@ void SceneRenderer::render(const Frame& wanted, GLuint framebuffer) {
 
 void SceneRenderer::present(int width, int height, GLuint framebuffer) {
   Passes& p = *passes_;
+  // QPainter goes on from here and expects the state as it is by default.
+  gl_.glUseProgram(0);
+  for (const GLenum unit : {GL_TEXTURE2, GL_TEXTURE1, GL_TEXTURE0}) {
+    gl_.glActiveTexture(unit);
+    gl_.glBindTexture(GL_TEXTURE_2D, 0);
+  }
+  gl_.glBindVertexArray(0);
   gl_.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl_.glViewport(0, 0, width, height);
   gl_.glDisable(GL_DEPTH_TEST);
@@ -234,7 +243,7 @@ void SceneRenderer::present(int width, int height, GLuint framebuffer) {
   bindTexture(gl_, *p.present, "picture", 0, picture.color(0));
   p.triangle.draw();
   p.present->release();
-  gl_.glActiveTexture(GL_TEXTURE0);
+  gl_.glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 std::optional<PickedPoint> SceneRenderer::pick(int x, int y) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/strip_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -36,10 +37,12 @@ std::string scaleText(double motion_scale) {
 
 std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context) {
   const bool contact = !snapshot.pairs.empty() && snapshot.pairs.front().contact;
-  const bool gap_known = std::isfinite(snapshot.free_gap_m) && (snapshot.free_gap_m > 0.0 || contact || !snapshot.pairs.empty());
+  // The nearest pair that does not touch: what touches is told by the force.
+  const auto free = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return !pair.contact; });
+  const bool known = free != snapshot.pairs.end();
   std::vector<StripCell> cells;
-  StripCell gap{Mark::kNone, gap_known ? millimetres(snapshot.free_gap_m) : "none near", "free gap"};
-  if (gap_known && snapshot.free_gap_m <= context.near_miss_distance) gap.mark = Mark::kNearMiss;
+  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : "none near", "free gap"};
+  if (known && (free->near_miss || free->distance <= context.near_miss_distance)) gap.mark = Mark::kNearMiss;
   cells.push_back(gap);
   const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : "off";
   cells.push_back({contact ? Mark::kContact : Mark::kNone, force, "force"});

@@ -68,7 +68,7 @@ bool MouseStylus::press(const PointerEvent& event) {
   }
   if (event.button != Qt::LeftButton || !hitsPen(event)) return false;
   if (!target_.holding) hold(true);
-  dragging_ = true;
+  dragging_ = has_last_ = true;
   last_ = event.pixel;
   return true;
 }

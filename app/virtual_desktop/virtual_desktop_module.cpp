@@ -99,7 +99,9 @@ void VirtualDesktopModule::addPill() {
   pill_button_ = new QPushButton(icon("forces"), {});
   pill_button_->setObjectName("pillForces");
   pill_button_->setCheckable(true);
-  pill_button_->setMinimumHeight(32);
+  pill_button_->setProperty("pill", true);
+  pill_button_->setFont(textFont(TextRole::kSection));
+  pill_button_->setFixedSize(118, 32);
   pill_button_->setIconSize(QSize(18, 18));
   pill_words_ = new QLabel;
   pill_words_->setFont(textFont(TextRole::kSecond));

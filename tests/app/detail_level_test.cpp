@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/detail_level.h"
+
+#include <gtest/gtest.h>
+
+namespace hapticell::app {
+namespace {
+
+/// A machine on which a frame of each level takes so long.
+double cost(DetailLevel level, double full) {
+  const double shares[]{1.0, 0.5, 0.4, 0.25, 0.1, 0.05};
+  return full * shares[static_cast<int>(level)];
+}
+
+TEST(DetailGovernor, KeepsTheFullPictureWhereItFits) {
+  DetailGovernor governor(0.05);
+  for (int i = 0; i < 200; ++i) governor.frameTook(0.02);
+  EXPECT_EQ(governor.level(), DetailLevel::kFull);
+}
+
+TEST(DetailGovernor, ComesBelowTheBudgetWithinAFewFramesHoweverHeavyTheScene) {
+  for (const double full : {0.06, 0.1, 0.3, 0.9}) {
+    DetailGovernor governor(0.05);
+    int slow = 0;
+    for (int i = 0; i < 300; ++i) {
+      const double took = cost(governor.level(), full);
+      if (took > 0.05) ++slow;
+      governor.frameTook(took);
+    }
+    EXPECT_LE(slow, 12) << "full frame " << full;
+    EXPECT_LE(cost(governor.level(), full), 0.05) << "full frame " << full;
+  }
+}
+
+TEST(DetailGovernor, GivesDetailBackWhenTheLoadIsGone) {
+  DetailGovernor governor(0.05);
+  for (int i = 0; i < 10; ++i) governor.frameTook(0.4);
+  EXPECT_EQ(governor.level(), DetailLevel::kBoxes);
+  for (int i = 0; i < 2000; ++i) governor.frameTook(0.005);
+  EXPECT_EQ(governor.level(), DetailLevel::kFull);
+}
+
+TEST(FrameMeter, CountsTheFramesOfTheLastSecond) {
+  FrameMeter meter;
+  for (int i = 0; i < 100; ++i) meter.frame(0.05 * i, 0.01 + 0.001 * (i % 5));
+  EXPECT_NEAR(meter.rate(0.05 * 99), 20.0, 1.5);
+  EXPECT_EQ(meter.rate(100.0), 0.0);
+  EXPECT_DOUBLE_EQ(meter.worstSeconds(), 0.014);
+}
+
+}  // namespace
+}  // namespace hapticell::app

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/overlay_labels.h"
+
+#include <gtest/gtest.h>
+
+namespace hapticell::app {
+namespace {
+
+SceneModel sceneWith(manipulation::SceneSnapshot snapshot) {
+  SceneModel scene;
+  workcell::Entity gripper;
+  gripper.id = 1;
+  gripper.name = "Gripper G2";
+  workcell::Entity tower;
+  tower.id = 2;
+  tower.name = "Clamp tower B";
+  scene.setEntities({gripper, tower});
+  scene.setSnapshot(snapshot);
+  return scene;
+}
+
+manipulation::PairState pair(double distance, bool contact) {
+  manipulation::PairState result;
+  result.moved = 1;
+  result.other = 2;
+  result.distance = distance;
+  result.contact = contact;
+  result.near_miss = true;
+  result.p_WB = dvec3(distance, 0, 0);
+  return result;
+}
+
+TEST(OverlayLabels, OneEachOfContactNearMissAndLimit) {
+  manipulation::SceneSnapshot snapshot;
+  for (int i = 0; i < 4; ++i) snapshot.pairs.push_back(pair(0.001 * i, i < 2));
+  snapshot.limits = {{"A5 is 1.2° from its limit", 4}, {"A3 is 0.1° from its limit", 2}};
+  const auto labels = overlayLabels(sceneWith(snapshot));
+  ASSERT_EQ(labels.size(), 3u);
+  EXPECT_EQ(labels[0].mark, Mark::kContact);
+  EXPECT_EQ(labels[0].names, "Gripper G2 – Clamp tower B");
+  EXPECT_EQ(labels[1].number, "2.0 mm");
+  EXPECT_EQ(labels[2].names, "A5 is 1.2° from its limit");
+}
+
+TEST(OverlayLabels, NoneWithoutASnapshot) { EXPECT_TRUE(overlayLabels(SceneModel()).empty()); }
+
+TEST(ForceArrow, LengthAndOpacityAreAsTheVisualLanguageSays) {
+  EXPECT_DOUBLE_EQ(forceArrowLength(1.0), 120.0);
+  EXPECT_DOUBLE_EQ(forceArrowLength(6.4), 200.0);
+  EXPECT_DOUBLE_EQ(forceArrowOpacity(0.05), 1.0);
+  EXPECT_DOUBLE_EQ(forceArrowOpacity(0.0), 0.0);
+}
+
+TEST(ForceArrow, StartsAtTheContact) {
+  manipulation::SceneSnapshot snapshot;
+  snapshot.X_WStylus = Pose::translation({9, 9, 9});
+  EXPECT_EQ(forceArrowStart_W(snapshot), dvec3(9, 9, 9));
+  snapshot.pairs = {pair(0.004, false), pair(0.5, true)};
+  EXPECT_EQ(forceArrowStart_W(snapshot), dvec3(0.5, 0, 0));
+}
+
+}  // namespace
+}  // namespace hapticell::app

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/scene_model.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/shapes.h"
+
+namespace hapticell::app {
+namespace {
+
+std::shared_ptr<const geometry::TriangleMesh> box() {
+  return std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.2)));
+}
+
+workcell::Entity solid(workcell::EntityId id) {
+  workcell::Entity entity;
+  entity.id = id;
+  entity.name = "solid " + std::to_string(id);
+  entity.mesh = box();
+  entity.color = {1.0f, 0.0f, 0.0f};
+  return entity;
+}
+
+/// One link that turns about z and carries a box half a metre away along x.
+workcell::Entity turntable(workcell::EntityId id) {
+  auto model = std::make_shared<kinematics::RobotModel>();
+  model->links.resize(2);
+  model->links[0].name = "base";
+  model->links[1].name = "arm";
+  model->links[1].parent_joint = 0;
+  model->links[1].visuals.push_back({box(), Pose::translation({0.5, 0, 0}), {0.5f, 0.5f, 0.5f, 1.0f}, "box"});
+  kinematics::Joint joint;
+  joint.type = kinematics::JointType::kRevolute;
+  joint.parent_link = 0;
+  joint.child_link = 1;
+  joint.variable = 0;
+  joint.lower = -3.0;
+  joint.upper = 3.0;
+  model->joints.push_back(joint);
+  model->moving = {0};
+  workcell::Entity entity;
+  entity.id = id;
+  entity.name = "robot";
+  entity.kind = workcell::EntityKind::kRobot;
+  entity.robot = model;
+  entity.joints = {0.0};
+  return entity;
+}
+
+TEST(SceneModel, SnapshotMovesSolidsAndJoints) {
+  SceneModel scene;
+  scene.setEntities({solid(1), turntable(2)});
+  manipulation::SceneSnapshot snapshot;
+  snapshot.entities.push_back({1, Pose::translation({0, 0, 1}), {}, false, false});
+  snapshot.entities.push_back({2, Pose::identity(), {1.5707963267948966}, false, false});
+  scene.setSnapshot(snapshot);
+  const auto items = scene.items({});
+  ASSERT_EQ(items.size(), 2u);
+  EXPECT_EQ(items[0].X_WM.p, dvec3(0, 0, 1));
+  EXPECT_LT(glm::length(items[1].X_WM.p - dvec3(0, 0.5, 0)), 1e-12) << "turned by a quarter";
+  EXPECT_EQ(items[1].link, 1);
+}
+
+TEST(SceneModel, MarksAreOnWhatIsTouchedAndWhatIsHeld) {
+  SceneModel scene;
+  scene.setEntities({solid(1), turntable(2), solid(3)});
+  manipulation::SceneSnapshot snapshot;
+  snapshot.held = 1;
+  manipulation::PairState touching;
+  touching.moved = 1;
+  touching.other = 2;
+  touching.other_part = "arm";
+  touching.contact = true;
+  touching.near_miss = true;
+  manipulation::PairState near = touching;
+  near.other = 3;
+  near.other_part.clear();
+  near.contact = false;
+  snapshot.pairs = {touching, near};
+  scene.setSnapshot(snapshot);
+  const auto items = scene.items({});
+  EXPECT_EQ(items[0].state, kSelected);
+  EXPECT_EQ(items[1].state, kContact);
+  EXPECT_EQ(items[2].state, kNearMiss);
+}
+
+TEST(SceneModel, RevisionTellsWhetherAPictureWouldDiffer) {
+  SceneModel scene;
+  scene.setEntities({solid(1)});
+  manipulation::SceneSnapshot snapshot;
+  scene.setSnapshot(snapshot);
+  const auto before = scene.revision();
+  snapshot.time_s = 3.0;
+  snapshot.X_WStylus.p.x = 1e-5;
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(scene.revision(), before) << "a tremble of the encoder is not seen";
+  for (int i = 0; i < 20; ++i) {
+    snapshot.X_WStylus.p.x += 1e-5;
+    scene.setSnapshot(snapshot);
+  }
+  EXPECT_GT(scene.revision(), before) << "slow motion adds up";
+}
+
+TEST(SceneModel, HiddenEntitiesAreNeitherDrawnNorFitted) {
+  SceneModel scene;
+  workcell::Entity far_away = solid(2);
+  far_away.X_WE = Pose::translation({100, 0, 0});
+  far_away.visible = false;
+  scene.setEntities({solid(1), far_away});
+  EXPECT_EQ(scene.items({}).size(), 1u);
+  EXPECT_LT(scene.bounds_W().max.x, 1.0);
+}
+
+TEST(SceneModel, ColoursAreQuietAndTheStylusIsDrawnOnlyWhileConnected) {
+  SceneModel scene;
+  scene.setEntities({solid(1)});
+  const auto color = scene.items({})[0].color;
+  EXPECT_NEAR(color[1] / color[0], 0.75f, 1e-5f) << "saturation 25 %";
+  SceneModel::StylusLook look;
+  look.length = 0.1;
+  manipulation::SceneSnapshot snapshot;
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(scene.items(look).size(), 1u);
+  snapshot.connected = true;
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(scene.items(look).size(), 3u);
+}
+
+}  // namespace
+}  // namespace hapticell::app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+
+#include "app/host/main_window.h"
+
+namespace hapticell::app {
+
+/// What a user does with the window, so that tests do not know its widgets.
+class WindowPage {
+ public:
+  explicit WindowPage(const config::Configuration& configuration = {}) : window_(configuration) {
+    window_.resize(1200, 800);
+    window_.show();
+    settle();
+  }
+  MainWindow& window() { return window_; }
+  void trigger(const char* action) {
+    auto* found = window_.findChild<QAction*>(action);
+    ASSERT_NE(found, nullptr) << action;
+    found->trigger();
+    settle();
+  }
+  bool enabled(const char* action) const {
+    const auto* found = window_.findChild<QAction*>(action);
+    return found && found->isEnabled();
+  }
+  /// A click of the left button at parts of the viewport's width and height.
+  void clickScene(double right, double down) {
+    ViewportWidget& viewport = window_.viewport();
+    const QPointF place(right * viewport.width(), down * viewport.height());
+    for (const auto type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+      const auto held = type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton;
+      QMouseEvent event(type, place, viewport.mapToGlobal(place), Qt::LeftButton, held, Qt::NoModifier);
+      QApplication::sendEvent(&viewport, &event);
+    }
+    settle();
+  }
+  bool hasDock(const char* name) const { return window_.findChild<QDockWidget*>(name) != nullptr; }
+  QString sentence() const { return window_.statusLine().sentence(); }
+  std::size_t entities() { return window_.documentModel().document().state().entities.size(); }
+  /// Lets the window work off its events.
+  static void settle() {
+    for (int i = 0; i < 5; ++i) QApplication::processEvents(QEventLoop::AllEvents, 50);
+  }
+  /// Works until `done` or for `limit_ms` at most; whether it was done.
+  template <typename Condition>
+  static bool until(Condition done, int limit_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!done() && clock.elapsed() < limit_ms) QApplication::processEvents(QEventLoop::AllEvents, 20);
+    return done();
+  }
+
+ private:
+  MainWindow window_;
+};
+
+}  // namespace hapticell::app

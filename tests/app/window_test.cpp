@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole window under a virtual display, driven through WindowPage.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "app/style/proxy_style.h"
+#include "app/style/theme.h"
+#include "tests/app/window_page.h"
+
+namespace hapticell::app {
+namespace {
+
+/// A tetrahedron with edges of a decimetre as an ASCII OFF file.
+QString writeSolid(const QTemporaryDir& folder, const char* name) {
+  const QString path = folder.filePath(name);
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("OFF\n4 4 6\n0 0 0\n0.1 0 0\n0 0.1 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  return path;
+}
+
+TEST(Window, AnEmptyCellSaysHowToBegin) {
+  WindowPage page;
+  EXPECT_EQ(page.sentence(), "The cell is empty.");
+  EXPECT_FALSE(page.enabled("actionUndo"));
+}
+
+TEST(Window, ImportIsOneStepOfUndo) {
+  QTemporaryDir folder;
+  WindowPage page;
+  ASSERT_TRUE(page.window().addFile(writeSolid(folder, "corner.off")));
+  EXPECT_EQ(page.entities(), 1u);
+  EXPECT_NE(page.window().selection().current(), 0u);
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.entities(), 0u);
+  EXPECT_EQ(page.window().selection().current(), 0u) << "what is gone is not selected";
+  page.trigger("actionRedo");
+  EXPECT_EQ(page.entities(), 1u);
+}
+
+TEST(Window, ABadFileIsASentenceAndTheCellIsAsItWas) {
+  QTemporaryDir folder;
+  WindowPage page;
+  page.window().addFile(writeSolid(folder, "corner.off"));
+  QFile bad(folder.filePath("broken.stl"));
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("solid broken\nfacet normal 0 0 1\nouter loop\nvertex 0 0");
+  bad.close();
+  EXPECT_FALSE(page.window().addFile(bad.fileName()));
+  EXPECT_EQ(page.entities(), 1u);
+  ASSERT_FALSE(page.window().messages().messages().empty());
+  const Message& told = page.window().messages().messages().back();
+  EXPECT_EQ(told.severity, Severity::kProblem);
+  EXPECT_TRUE(told.text.contains("broken.stl")) << told.text.toStdString();
+}
+
+TEST(Window, SavesAndOpensAgain) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath("cell.hcell");
+  {
+    WindowPage page;
+    page.window().addFile(writeSolid(folder, "corner.off"));
+    ASSERT_TRUE(page.window().documentModel().save(path));
+  }
+  WindowPage page;
+  ASSERT_TRUE(page.window().openFile(path));
+  EXPECT_EQ(page.entities(), 1u);
+  EXPECT_FALSE(page.window().documentModel().document().isDirty());
+  EXPECT_FALSE(page.window().openFile(folder.filePath("missing.hcell")));
+  EXPECT_EQ(page.entities(), 1u);
+}
+
+TEST(Window, ThePictureShowsThePartAndAClickFindsIt) {
+  QTemporaryDir folder;
+  WindowPage page;
+  page.window().viewport().setMotion(false);
+  page.window().addFile(writeSolid(folder, "corner.off"));
+  const QImage empty = [] {
+    WindowPage other;
+    return other.window().viewport().finishedPicture();
+  }();
+  const QImage picture = page.window().viewport().finishedPicture();
+  ASSERT_EQ(picture.size(), empty.size());
+  const QPoint middle(picture.width() / 2, picture.height() / 2);
+  EXPECT_NE(picture.pixel(middle), empty.pixel(middle));
+  const workcell::EntityId solid = page.window().selection().current();
+  page.window().selection().set(0);
+  page.clickScene(0.5, 0.5);
+  EXPECT_EQ(page.window().selection().current(), solid);
+  page.clickScene(0.02, 0.3);
+  EXPECT_EQ(page.window().selection().current(), 0u) << "a click beside it selects nothing";
+}
+
+TEST(Window, FrameTimesFallFromFullToBoxes) {
+  QTemporaryDir folder;
+  WindowPage page;
+  page.window().addFile(writeSolid(folder, "corner.off"));
+  const auto medians = page.window().viewport().measureFrames(3);
+  ASSERT_EQ(medians.size(), 6u);
+  for (const double seconds : medians) EXPECT_GT(seconds, 0.0);
+}
+
+TEST(Window, WorksWithoutModulesAndStartsTheOneThatIsThere) {
+  config::Configuration configuration;
+  configuration.server.port = 47479;  // Not one that a user's server listens on.
+  WindowPage page(configuration);
+  page.window().loadModules({"/nowhere"});
+  EXPECT_FALSE(page.window().startModule("Virtual Desktop"));
+  page.window().loadModules(ModuleLoader::defaultFolders());
+  // The test stands beside the program, so the modules' folder is there too.
+  if (page.window().startModule("Virtual Desktop")) {
+    EXPECT_TRUE(page.hasDock("dockVirtualDesktop"));
+    EXPECT_FALSE(page.window().snapshot() && page.window().snapshot()->forces_on) << "forces are never on by a start";
+  } else {
+    ADD_FAILURE() << "the module was not found";
+  }
+}
+
+TEST(Window, ThemesChangeAllColours) {
+  WindowPage page;
+  page.window().setTheme(false);
+  WindowPage::settle();
+  EXPECT_FALSE(themeOf(page.window().viewport().palette()).dark);
+  page.window().setTheme(true);
+  WindowPage::settle();
+  EXPECT_TRUE(themeOf(page.window().viewport().palette()).dark);
+}
+
+}  // namespace
+}  // namespace hapticell::app
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setStyle(new hapticell::app::ProxyStyle);
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
