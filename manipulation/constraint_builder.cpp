@@ -115,6 +115,16 @@ void appendTurnBound(const ConstraintInputs& inputs, BuiltConstraints& built) {
   append(built, bound, {});
 }
 
+void appendLimits(const ConstraintInputs& inputs, std::uint32_t first_group, BuiltConstraints& built) {
+  for (std::size_t i = 0; i < built.limits.size(); ++i) {
+    haptic::Constraint constraint = built.limits[i].constraint_W;
+    constraint.group = first_group + static_cast<std::uint32_t>(i);
+    constraint.id |= std::uint64_t{1} << 63;
+    inputs.mapping.toDevice(constraint);
+    append(built, constraint, {-1, static_cast<int>(i)});
+  }
+}
+
 }  // namespace
 
 BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
@@ -146,13 +156,39 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   built.set.zone_radius = std::max(1e-4, std::min(found.radius, zone_W) / scale);
   built.complete = found.complete;
   for (const collision::ZoneContact& contact : found.contacts) appendContact(assembly, contact);
-  for (std::size_t i = 0; i < built.limits.size(); ++i) {
-    haptic::Constraint constraint = built.limits[i].constraint_W;
-    constraint.group = found.groups + static_cast<std::uint32_t>(i);
-    constraint.id |= std::uint64_t{1} << 63;
+  appendLimits(inputs, found.groups, built);
+  appendTurnBound(inputs, built);
+  return built;
+}
+
+BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span<const FreeMotion::PairDistance> near) {
+  BuiltConstraints built;
+  built.complete = false;
+  const double scale = inputs.mapping.scale();
+  built.limits =
+      inputs.manipulator.limits(inputs.configuration, inputs.zone_radius * scale, haptic::kRotationLever * scale);
+  const std::vector<PartDifferential> parts = inputs.manipulator.differentiate(inputs.configuration);
+  built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);
+  built.set.zone_radius = inputs.zone_radius;
+  std::uint32_t group = 0;
+  for (const auto& [pair, found] : near) {
+    const PairFeel& feel = inputs.feel[pair];
+    if (!feel.felt || found.colliding || group + 20 > haptic::kMaxConstraints) continue;
+    haptic::Constraint constraint;
+    PointCondition condition;
+    condition.p_WQ = found.p_WA;
+    condition.nhat_W = found.nhat_BA_W;
+    condition.gap = found.distance - feel.boundary;
+    applyCondition(parts[inputs.pairs[pair].part], condition, constraint);
+    constraint.group = group++;
+    constraint.id = pair + 1;
+    constraint.stiffness = feel.stiffness;
+    constraint.damping = feel.damping;
+    constraint.friction = feel.friction;
     inputs.mapping.toDevice(constraint);
-    append(built, constraint, {-1, static_cast<int>(i)});
+    append(built, constraint, {static_cast<int>(pair), -1});
   }
+  appendLimits(inputs, group, built);
   appendTurnBound(inputs, built);
   return built;
 }

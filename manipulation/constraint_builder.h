@@ -53,6 +53,11 @@ struct BuiltConstraints {
 /// all mapped to the hand's space about the device pose that means this configuration (gap less the pair's boundary).
 BuiltConstraints buildConstraints(const ConstraintInputs& inputs);
 
+/// A plainer set for shapes too crowded for a complete one: a plane at the nearest points of each near pair (the
+/// paper's own way, several pairs at once), good for `zone_radius`. What it does not know the exact motion check still
+/// stops.
+BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span<const FreeMotion::PairDistance> near);
+
 /// Smallest value (hand space, m) of any of a pair's groups for the stylus (or proxy) at X_DP: the entry with the
 /// largest value counts for its group. Infinite for pairs that are not in the set. One entry for each pair.
 void pairGaps(const BuiltConstraints& built, const Pose& X_DP, std::span<double> gaps);

@@ -22,7 +22,10 @@ constexpr double kSkin = 20e-6;            ///< m: least boundary, so that the e
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
 constexpr int kSlides = 6;
 constexpr double kPushOut = 0.1;
-constexpr double kArrived = 1e-9;  ///< m: less is not worth another slide.
+constexpr double kLeastZone = 0.003;     ///< m: a complete set that is good for less holds the hand back in free air.
+constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is used for instead.
+constexpr double kCrowdedStays = 0.010;  ///< m of hand until a complete set is tried again.
+constexpr double kArrived = 1e-9;        ///< m: less is not worth another slide.
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
   return {.file = {},
@@ -233,8 +236,22 @@ void HeldEntity::raiseBoundaries() {
 BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius,
                                          double turn_ahead) {
   raiseBoundaries();
-  return buildConstraints(
-      {*manipulator_, accepted_, mapping, X_DProxy, zone_radius, turn_ahead, parts_, obstacles_, motion_pairs_, feel_});
+  ConstraintInputs inputs{*manipulator_, accepted_, mapping,    X_DProxy,      zone_radius,
+                          turn_ahead,    parts_,    obstacles_, motion_pairs_, feel_};
+  const Pose X_DHere = mapping.toDevice(movedFrame(), X_DProxy);
+  if (crowded_ && glm::length(X_DHere.p - X_DCrowded_.p) < kCrowdedStays) return plainConstraints(inputs);
+  BuiltConstraints built = buildConstraints(inputs);
+  crowded_ = built.set.zone_radius < kLeastZone || !built.complete;
+  X_DCrowded_ = X_DHere;
+  return crowded_ ? plainConstraints(inputs) : built;
+}
+
+BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
+  inputs.zone_radius = kPlainZone;
+  motion_->distances(2.0 * kPlainZone * inputs.mapping.scale(), near_);
+  std::sort(near_.begin(), near_.end(),
+            [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
+  return buildPlainConstraints(inputs, near_);
 }
 
 void HeldEntity::distances(double limit, std::vector<FreeMotion::PairDistance>& near) {

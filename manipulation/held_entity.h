@@ -77,6 +77,7 @@ class HeldEntity {
                    const config::Configuration& configuration);
   void startBoundaries();
   void raiseBoundaries();
+  BuiltConstraints plainConstraints(ConstraintInputs inputs);
   struct Rows;
   void addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const;
   void addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest, Rows& rows) const;
@@ -92,6 +93,8 @@ class HeldEntity {
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;
+  bool crowded_ = false;  ///< The last complete set was too small to be of use.
+  Pose X_DCrowded_;       ///< Where that was.
   std::vector<double> gaps_;
   std::vector<FreeMotion::PairDistance> near_;
 };
