@@ -59,5 +59,104 @@ TEST_P(SessionAtRate, BoxPressedOnTableSlidesAndLeaves) {
   EXPECT_NEAR(report->X_WMFinal.p.z, 0.06, 0.003);
 }
 
+TEST_P(SessionAtRate, NothingIsTunnelledThroughAtOneMetrePerSecond) {
+  // A sheet of 1 mm lies across the way; the hand sweeps 110 mm through it in about 0.15 s.
+  const std::vector<workcell::Entity> cell{
+      test::solid(1, "sheet", geometry::makeBox({1.0, 1.0, 0.001}), Pose::translation({0, 0, 0})),
+      test::solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({0, 0, 0.06}))};
+  const auto report = runSession(sessionOf(
+      cell, "box",
+      handThrough({{0.0, {0, 0, 0.055}}, {1.2, {0, 0, 0.055}}, {1.35, {0, 0, -0.055}}, {2.0, {0, 0, -0.055}}}),
+      GetParam().hz, GetParam().latency_s));
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_LE(report->penetration_max_m, 1e-4);
+  EXPECT_GT(report->X_WMFinal.p.z, 0.0105);
+  EXPECT_LE(report->force_max_n, 6.4);
+}
+
+TEST_P(SessionAtRate, StopHoldsWhereSlideGoesOn) {
+  const auto end = [&](workcell::OnContact on_contact) {
+    SessionOptions options = sessionOf(boxOverTable(0.02), "box",
+                                       handThrough({{0.0, {0, 0, 0.02}},
+                                                    {1.0, {0, 0, 0.02}},
+                                                    {2.0, {0, 0, -0.006}},
+                                                    {3.0, {0.03, 0, -0.006}},
+                                                    {3.2, {0.03, 0, -0.006}}}),
+                                       GetParam().hz, GetParam().latency_s);
+    options.on_contact = on_contact;
+    const auto report = runSession(options);
+    EXPECT_TRUE(report);
+    EXPECT_LE(report->penetration_max_m, on_contact == workcell::OnContact::kPass ? 1.0 : 1e-4);
+    return report->X_WMFinal.p;
+  };
+  EXPECT_GT(end(workcell::OnContact::kSlide).x, 0.015);
+  EXPECT_LT(end(workcell::OnContact::kStop).x, 0.002);
+  EXPECT_LT(end(workcell::OnContact::kPass).z, 0.026);
+}
+
+TEST_P(SessionAtRate, AnEntityThatLiesOnTheTableCanBeLiftedAndNotPressedIn) {
+  const auto report = runSession(sessionOf(
+      boxOverTable(0.0), "box",
+      handThrough(
+          {{0.0, {0, 0, 0}}, {1.0, {0, 0, 0}}, {1.8, {0, 0, -0.005}}, {3.0, {0.01, 0, 0.03}}, {3.3, {0.01, 0, 0.03}}}),
+      GetParam().hz, GetParam().latency_s));
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_LE(report->penetration_max_m, 1e-4);
+  EXPECT_NEAR(report->X_WMFinal.p.z, 0.06, 0.003);
+}
+
+TEST(Session, WithForcesOffItIsAThreeDimensionalMouseThatNeverPenetrates) {
+  SessionOptions options = sessionOf(boxOverTable(0.02), "box", pressAndSlide(), 60.0, 0.01);
+  options.forces = false;
+  const auto report = runSession(options);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->force_max_n, 0.0);
+  EXPECT_EQ(report->penetration_max_m, 0.0);
+  EXPECT_NEAR(report->X_WMFinal.p.x, 0.05, 0.001);
+}
+
+TEST(Session, TheSameInputGivesTheSameTrace) {
+  const auto rows = [] {
+    std::vector<double> numbers;
+    const auto report =
+        runSession(sessionOf(boxOverTable(0.02), "box", pressAndSlide(), 100.0, 0.005), [&](const TraceRow& row) {
+          for (int i = 0; i < 3; ++i) {
+            numbers.push_back(row.X_DS.p[i]);
+            numbers.push_back(row.force_D[i]);
+            numbers.push_back(row.X_WM.p[i]);
+          }
+        });
+    EXPECT_TRUE(report);
+    return numbers;
+  };
+  const std::vector<double> first = rows();
+  EXPECT_GT(first.size(), 40000U);
+  EXPECT_EQ(first, rows());
+}
+
+TEST(Session, ScaleMultipliesTranslationOnly) {
+  SessionOptions options = sessionOf(
+      boxOverTable(0.2), "box",
+      handThrough(
+          {{0.0, {0, 0, 0}}, {1.0, {0, 0, 0}}, {2.0, {0.02, 0, 0}, {0, 0, 0.3}}, {2.4, {0.02, 0, 0}, {0, 0, 0.3}}}),
+      60.0, 0.001);
+  options.scale = {ScaleLevel::kRough, 1.0};
+  const auto report = runSession(options);
+  ASSERT_TRUE(report);
+  EXPECT_NEAR(report->X_WMFinal.p.x, 0.02 * options.configuration.scale.rough, 0.002);
+  EXPECT_NEAR(rotationVector(report->X_WMFinal.q).z, 0.3, 0.02);
+}
+
+TEST(Session, UnknownNamesAreToldWithWhatThereIs) {
+  const auto unknown = runSession(sessionOf(boxOverTable(0.1), "bix", pressAndSlide(), 60.0, 0.0));
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().message().find("table, box"), std::string::npos);
+  SessionOptions options = sessionOf(boxOverTable(0.1), "box", pressAndSlide(), 60.0, 0.0);
+  options.moved_by = {MovedBy::Kind::kTcp, {}};
+  const auto unfit = runSession(options);
+  ASSERT_FALSE(unfit);
+  EXPECT_NE(unfit.error().message().find("self_origin"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/manipulation_step.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/manipulation/test_cells.h"
+
+namespace hapticell::manipulation {
+namespace {
+
+/// A link whose stylus stands where the test puts it; the proxy is the stylus.
+class HandLink final : public haptic::HapticLink {
+ public:
+  haptic::LinkState linkState() const override { return haptic::LinkState::kConnected; }
+  std::string problem() const override { return {}; }
+  std::optional<haptic::DeviceDescription> device() const override {
+    haptic::DeviceDescription description;
+    description.workspace_min = dvec3(-0.08);
+    description.workspace_max = dvec3(0.08);
+    return description;
+  }
+  std::optional<haptic::HapticState> latestState() override { return state; }
+  std::optional<haptic::ServerStatistics> latestStatistics() override { return std::nullopt; }
+  void sendSet(const haptic::ConstraintSet& sent) override { set = sent; }
+  void sendControl(const haptic::HapticControl& sent) override { control = sent; }
+  void sendHandTarget(const haptic::HandTarget&) override {}
+
+  haptic::HapticState state;
+  haptic::ConstraintSet set;
+  haptic::HapticControl control;
+};
+
+class EngineTest : public testing::Test {
+ protected:
+  EngineTest() : engine(link, {}) {
+    engine.apply(command::SetDocument{test::boxOverTable(0.02), {}});
+    engine.apply(command::ChooseEntity{2});
+  }
+  void moveTo(const dvec3& p, std::uint32_t buttons = 0) {
+    link.state.X_DS.p = link.state.X_DP.p = p;
+    link.state.buttons = buttons;
+    now += 10'000'000;
+    engine.step(now);
+  }
+  void click(const dvec3& p) {
+    moveTo(p, 1);
+    moveTo(p, 0);
+  }
+  dvec3 box() const { return engine.placement(2).X_WE.p; }
+
+  HandLink link;
+  ManipulationEngine engine;
+  std::int64_t now = 0;
+};
+
+TEST_F(EngineTest, ButtonTakesAndLetsGo) {
+  moveTo({0, 0, 0});
+  moveTo({0.01, 0, 0});
+  EXPECT_EQ(engine.held(), nullptr);
+  click({0.01, 0, 0});
+  ASSERT_NE(engine.held(), nullptr);
+  moveTo({0.03, 0, 0});
+  EXPECT_NEAR(box().x, 0.02, 1e-12);
+  click({0.03, 0, 0});
+  EXPECT_EQ(engine.held(), nullptr);
+  moveTo({0.05, 0, 0});
+  EXPECT_NEAR(box().x, 0.02, 1e-12);
+  const std::vector<Result> results = engine.takeResults();
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<result::Grabbed>(results[0]));
+  EXPECT_NEAR(std::get<result::Moved>(results[1]).X_WE.p.x, 0.02, 1e-12);
+}
+
+TEST_F(EngineTest, ClutchMovesTheHandWithoutTheEntity) {
+  click({0, 0, 0});
+  moveTo({0.01, 0, 0});
+  engine.apply(command::SetClutch{true});
+  moveTo({0.05, 0.02, 0.01});
+  EXPECT_NEAR(box().x, 0.01, 1e-12);
+  engine.apply(command::SetClutch{false});
+  moveTo({0.05, 0.02, 0.01});
+  EXPECT_NEAR(box().x, 0.01, 1e-12);
+  moveTo({0.06, 0.02, 0.01});
+  EXPECT_NEAR(box().x, 0.02, 1e-12);
+  EXPECT_NEAR(box().y, 0.0, 1e-12);
+}
+
+TEST_F(EngineTest, SetIsSentBeforeTouchAboutTheAcceptedPose) {
+  click({0, 0, 0});
+  moveTo({0, 0, -0.01});
+  moveTo({0, 0, -0.01});
+  now += 200'000'000;
+  moveTo({0, 0, -0.01});
+  ASSERT_TRUE(haptic::isWellFormed(link.set));
+  EXPECT_NEAR(link.set.X_DR.p.z, -0.01, 1e-9);
+  // 10 mm are left to the table, 1 mm of that is the safety distance.
+  const auto table = std::find_if(link.set.active().begin(), link.set.active().end(), [](const auto& c) {
+    return c.gradient[2] > 0.999 && std::abs(c.gap - 0.009) < 1e-5;
+  });
+  EXPECT_NE(table, link.set.active().end());
+  EXPECT_GT(link.set.zone_radius, 0.02);
+}
+
+TEST_F(EngineTest, AProxyThatJumpsThroughTheTableIsNotFollowed) {
+  click({0, 0, 0});
+  moveTo({0.04, 0, -0.06});
+  EXPECT_GT(box().z, 0.03);
+  EXPECT_NEAR(box().x, 0.04, 1e-3);  // It slid.
+}
+
+TEST_F(EngineTest, DocumentChangeKeepsWhatIsHeld) {
+  click({0, 0, 0});
+  moveTo({0.01, 0, 0});
+  engine.apply(command::SetDocument{test::boxOverTable(0.02), {}});
+  ASSERT_NE(engine.held(), nullptr);
+  EXPECT_NEAR(box().x, 0.01, 1e-12);
+  moveTo({0.02, 0, 0});
+  EXPECT_NEAR(box().x, 0.02, 1e-12);
+  engine.apply(command::SetDocument{{test::boxOverTable(0.02)[0]}, {}});
+  EXPECT_EQ(engine.held(), nullptr);
+}
+
+TEST_F(EngineTest, TipTakesWhatItTouches) {
+  engine.apply(command::ChooseEntity{0});
+  moveTo({0.0, 0.0, 0.0});
+  command::SetCamera camera;
+  camera.p_WFocus = {0, 0, 0.084};  // 4 mm over the box.
+  engine.apply(camera);
+  moveTo({0.0, 0.0, 0.0}, 1);
+  ASSERT_NE(engine.held(), nullptr);
+  EXPECT_EQ(engine.held()->id(), 2U);
+}
+
+TEST_F(EngineTest, SnapshotShowsTheNearestPair) {
+  click({0, 0, 0});
+  moveTo({0, 0, -0.005});
+  SceneSnapshot snapshot;
+  engine.fillSnapshot(snapshot);
+  EXPECT_EQ(snapshot.held, 2U);
+  ASSERT_FALSE(snapshot.pairs.empty());
+  EXPECT_NEAR(snapshot.pairs[0].distance, 0.015, 1e-9);
+  EXPECT_NE(snapshot.status.find("15.0 mm from table"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hapticell::manipulation
