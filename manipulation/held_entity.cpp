@@ -21,6 +21,9 @@ using workcell::OnContact;
 constexpr double kSkin = 20e-6;            ///< m: least boundary, so that the exact check has room to work in.
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
 constexpr int kSlides = 6;
+/// m: rotation is dearer here than for the proxy, so that a far target slides and does not tilt beyond what a tangent
+/// tells.
+constexpr double kSlideLever = 10.0 * haptic::kRotationLever;
 constexpr double kPushOut = 0.1;
 constexpr double kLeastZone = 0.003;     ///< m: a complete set that is good for less holds the hand back in free air.
 constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is used for instead.
@@ -53,12 +56,12 @@ void blend(const config::Configuration& configuration, const Entity& a, const En
 }
 
 haptic::Vector6 inMetric(const Twist& t) {
-  const dvec3 turned = haptic::kRotationLever * t.angular;
+  const dvec3 turned = kSlideLever * t.angular;
   return {t.linear.x, t.linear.y, t.linear.z, turned.x, turned.y, turned.z};
 }
 
 Twist outOfMetric(const haptic::Vector6& d) {
-  return {{d[0], d[1], d[2]}, dvec3(d[3], d[4], d[5]) / haptic::kRotationLever};
+  return {{d[0], d[1], d[2]}, dvec3(d[3], d[4], d[5]) / kSlideLever};
 }
 
 /// A gradient over (dx, dtheta) with its value, as a half-space of the metric.
@@ -66,7 +69,7 @@ haptic::SolverRow rowOf(const haptic::Vector6& gradient, double slack) {
   haptic::SolverRow row;
   double length = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
-    row.normal[i] = i < 3 ? gradient[i] : gradient[i] / haptic::kRotationLever;
+    row.normal[i] = i < 3 ? gradient[i] : gradient[i] / kSlideLever;
     length += row.normal[i] * row.normal[i];
   }
   length = std::sqrt(std::max(length, 1e-24));

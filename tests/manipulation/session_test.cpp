@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "tests/manipulation/test_cells.h"
+#include "tests/support/test_data.h"
+#include "workcell/document_io.h"
 
 namespace hapticell::manipulation {
 namespace {
@@ -57,6 +59,21 @@ TEST_P(SessionAtRate, BoxPressedOnTableSlidesAndLeaves) {
   EXPECT_NEAR(report->X_WMFinal.p.x, 0.05, 0.002);
   EXPECT_NEAR(report->X_WMFinal.p.y, 0.03, 0.002);
   EXPECT_NEAR(report->X_WMFinal.p.z, 0.06, 0.003);
+}
+
+TEST_P(SessionAtRate, DemonstrationFeelsRight) {
+  Diagnostics diagnostics;
+  const auto document = workcell::loadDocument(test::sourceFile("config/workcells/demo.hcell"), diagnostics);
+  ASSERT_TRUE(document) << document.error().message();
+  const auto hand = haptic::readHandPath(test::sourceFile("config/workcells/demo-hand.csv"));
+  ASSERT_TRUE(hand) << hand.error().message();
+  SessionOptions options = sessionOf(document->snapshotEntities(), "robot", *hand, GetParam().hz, GetParam().latency_s);
+  options.pair_sets = document->state().pair_sets;
+  const auto report = runSession(options);
+  ASSERT_TRUE(report) << report.error().message();
+  expectFeelsRight(*report);
+  EXPECT_GE(report->contacts.size(), 2U);
+  EXPECT_GT(report->force_max_n, 1.0);
 }
 
 TEST_P(SessionAtRate, NothingIsTunnelledThroughAtOneMetrePerSecond) {
