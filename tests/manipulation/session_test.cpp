@@ -63,9 +63,9 @@ TEST_P(SessionAtRate, BoxPressedOnTableSlidesAndLeaves) {
 
 TEST_P(SessionAtRate, DemonstrationFeelsRight) {
   Diagnostics diagnostics;
-  const auto document = workcell::loadDocument(test::sourceFile("config/workcells/demo.hcell"), diagnostics);
+  const auto document = workcell::loadDocument(hapticell::test::sourceFile("config/workcells/demo.hcell"), diagnostics);
   ASSERT_TRUE(document) << document.error().message();
-  const auto hand = haptic::readHandPath(test::sourceFile("config/workcells/demo-hand.csv"));
+  const auto hand = haptic::readHandPath(hapticell::test::sourceFile("config/workcells/demo-hand.csv"));
   ASSERT_TRUE(hand) << hand.error().message();
   SessionOptions options = sessionOf(document->snapshotEntities(), "robot", *hand, GetParam().hz, GetParam().latency_s);
   options.pair_sets = document->state().pair_sets;
