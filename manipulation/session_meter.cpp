@@ -111,6 +111,13 @@ double PenetrationMeter::measure(const ManipulationEngine& engine) {
   const HeldEntity* held = engine.held();
   const PreparedScene* scene = engine.scene();
   if (held == nullptr || scene == nullptr) return 0.0;
+  const EntityConfiguration& now = held->accepted();
+  if (measured_id_ == held->id() && now.X_WE.p == measured_.X_WE.p && now.X_WE.q == measured_.X_WE.q &&
+      now.joints == measured_.joints) {
+    return last_;  // Nothing has moved since.
+  }
+  measured_id_ = held->id();
+  measured_ = now;
   const auto bodyOf = [&](workcell::EntityId id, const std::string& part_name) {
     const EntityConfiguration at = engine.placement(id);
     for (const ScenePart& part : scene->parts()) {
@@ -125,6 +132,7 @@ double PenetrationMeter::measure(const ManipulationEngine& engine) {
     const Body moved = bodyOf(held->id(), pair.moved_part), other = bodyOf(pair.other, pair.other_part);
     if (moved.collider && other.collider) deepest = std::max(deepest, depthOf(moved, other));
   }
+  last_ = deepest;
   worst_ = std::max(worst_, deepest);
   return deepest;
 }

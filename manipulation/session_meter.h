@@ -79,7 +79,9 @@ class PenetrationMeter {
   double worst() const { return worst_; }
 
  private:
-  double worst_ = 0.0;
+  double worst_ = 0.0, last_ = 0.0;
+  workcell::EntityId measured_id_ = 0;
+  EntityConfiguration measured_;
 };
 
 }  // namespace hapticell::manipulation
