@@ -48,7 +48,8 @@ Options parse(const QApplication& application) {
   options.module = !parser.isSet("no-module");
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
   const QStringList sides = parser.value("size").split('x');
-  if (sides.size() == 2 && sides[0].toInt() >= 640 && sides[1].toInt() >= 400) options.size = QSize(sides[0].toInt(), sides[1].toInt());
+  if (sides.size() == 2 && sides[0].toInt() >= 640 && sides[1].toInt() >= 400)
+    options.size = QSize(sides[0].toInt(), sides[1].toInt());
   return options;
 }
 

@@ -14,9 +14,13 @@
 namespace hapticell::app {
 namespace {
 
-QKeySequence pad(Qt::Key key) { return QKeySequence(QKeyCombination(Qt::KeypadModifier, key)); }
+QKeySequence pad(Qt::Key key) {
+  return QKeySequence(QKeyCombination(Qt::KeypadModifier, key));
+}
 
-QString tr(const char* text) { return QObject::tr(text); }
+QString tr(const char* text) {
+  return QObject::tr(text);
+}
 
 }  // namespace
 
@@ -42,7 +46,8 @@ Actions::Actions(QMainWindow& window) {
   save = make({"actionSave", tr("Save"), "save", QKeySequence::Save, {}});
   save_as = make({"actionSaveAs", tr("Save as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), {}});
   import_mesh = make({"actionImport", tr("Import solid…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
-  add_robot = make({"actionAddRobot", tr("Add robot…"), "robot", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), tr("Robot")});
+  add_robot =
+      make({"actionAddRobot", tr("Add robot…"), "robot", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), tr("Robot")});
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});

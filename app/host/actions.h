@@ -14,23 +14,24 @@ namespace hapticell::app {
 
 /// What an action is called, looks like and is pressed by.
 struct ActionFace {
-  const char* name;      ///< objectName, for tests and for key settings.
-  QString text;          ///< As the menu says it; "…" where more input follows.
-  QString icon;          ///< Empty for none.
+  const char* name;  ///< objectName, for tests and for key settings.
+  QString text;      ///< As the menu says it; "…" where more input follows.
+  QString icon;      ///< Empty for none.
   QKeySequence key;
-  QString word;          ///< Below the icon in the tool bar; empty: the text.
+  QString word;  ///< Below the icon in the tool bar; empty: the text.
 };
 
 /// Makes an action with a tool tip that names its key.
 QAction* makeAction(QObject* parent, const ActionFace& face);
 
-/// All actions of the host window, in menus and tool bar of `window`. They only exist here; who listens connects to them.
+/// All actions of the host window, in menus and tool bar of `window`. They only exist here; who listens connects to
+/// them.
 struct Actions {
   explicit Actions(QMainWindow& window);
   QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *quit;
   QAction *undo, *redo, *remove;
   QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *side_docks, *dark, *light;
-  QAction *about;
+  QAction* about;
   QMenu *applications, *windows;
   QToolBar* tool_bar;
 };

@@ -41,7 +41,9 @@ void DocumentModel::goTo(int steps) {
   if (moved) emit changed();
 }
 
-void DocumentModel::beginStep(const QString& text) { document_.beginCompound(text.toStdString()); }
+void DocumentModel::beginStep(const QString& text) {
+  document_.beginCompound(text.toStdString());
+}
 
 void DocumentModel::endStep() {
   if (!document_.inCompound()) return;

@@ -39,9 +39,9 @@ class DocumentModel : public QObject {
   Expected<workcell::EntityId> addRobot(const QString& path, Diagnostics& diagnostics);
 
  signals:
-  void changed();                       ///< The document differs from before; undo and redo included.
+  void changed();  ///< The document differs from before; undo and redo included.
   void refused(const QString& sentence);
-  void opened();                        ///< Another document stands in its place.
+  void opened();  ///< Another document stands in its place.
 
  private:
   workcell::Document document_;

@@ -36,7 +36,8 @@ class Host {
   /// A place at the right end of the tool bar; the widget is owned by the tool bar until removed by its maker's delete.
   virtual void addToToolBar(QWidget* widget) = 0;
 
-  /// The newest state of the cell from a running module; nothing: the document alone is shown. Cheap; call it each frame.
+  /// The newest state of the cell from a running module; nothing: the document alone is shown. Cheap; call it each
+  /// frame.
   virtual void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) = 0;
   virtual const std::optional<manipulation::SceneSnapshot>& snapshot() const = 0;
   /// The device part of the status bar, e.g. "Phantom Desktop, simulated · forces off". Empty: no device.

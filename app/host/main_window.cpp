@@ -19,7 +19,10 @@
 namespace hapticell::app {
 
 MainWindow::MainWindow(const config::Configuration& configuration, QWidget* parent)
-    : QMainWindow(parent), configuration_(configuration), viewport_(new ViewportWidget(this)), status_(new StatusLine(this)) {
+    : QMainWindow(parent),
+      configuration_(configuration),
+      viewport_(new ViewportWidget(this)),
+      status_(new StatusLine(this)) {
   setObjectName("mainWindow");
   setWindowIcon(icon("cell"));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -37,7 +40,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
   file_label_->setMinimumHeight(28);
   menuBar()->setCornerWidget(file_label_, Qt::TopRightCorner);
   viewport_->setMotion(configuration_.gui.motion);
-  viewport_->setEmptyState(EmptyState{tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
+  viewport_->setEmptyState(EmptyState{
+      tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
   connectFileActions();
   connectViewActions();
   connectScene();
@@ -72,18 +76,21 @@ void MainWindow::connectViewActions() {
         dock->setVisible(checked);
   });
   on(actions_->about, [this] {
-    QMessageBox::about(this, tr("About HaptiCell"),
-                       tr("HaptiCell %1\nMove solids and robots in a CAD workcell, and feel the contacts.\nApache License 2.0")
-                           .arg(QApplication::applicationVersion()));
+    QMessageBox::about(
+        this, tr("About HaptiCell"),
+        tr("HaptiCell %1\nMove solids and robots in a CAD workcell, and feel the contacts.\nApache License 2.0")
+            .arg(QApplication::applicationVersion()));
   });
 }
 
 void MainWindow::connectScene() {
   connect(&document_, &DocumentModel::changed, this, &MainWindow::documentChanged);
-  connect(&document_, &DocumentModel::refused, this, [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
+  connect(&document_, &DocumentModel::refused, this,
+          [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
   connect(&document_, &DocumentModel::opened, this, [this] { selection_.set(0); });
   connect(&selection_, &Selection::changed, this, [this](workcell::EntityId entity) {
-    viewport_->scene().setSelected(entity ? std::vector<workcell::EntityId>{entity} : std::vector<workcell::EntityId>{});
+    viewport_->scene().setSelected(entity ? std::vector<workcell::EntityId>{entity}
+                                          : std::vector<workcell::EntityId>{});
     actions_->remove->setEnabled(entity != 0);
     viewport_->refresh();
   });
@@ -123,7 +130,8 @@ void MainWindow::updateStatus() {
   const auto& now = snapshot();
   if (!now) {
     const auto count = document_.document().state().entities.size();
-    status_->setSentence(Mark::kNone, count == 0 ? tr("The cell is empty.") : tr("%n entities in the cell.", nullptr, static_cast<int>(count)));
+    status_->setSentence(Mark::kNone, count == 0 ? tr("The cell is empty.")
+                                                 : tr("%n entities in the cell.", nullptr, static_cast<int>(count)));
     StatusLine::Rates idle;
     status_->setRates(idle);
     return;
@@ -157,7 +165,9 @@ void MainWindow::removeDock(QDockWidget* dock) {
   removeDockWidget(dock);
 }
 
-void MainWindow::addToToolBar(QWidget* widget) { actions_->tool_bar->addWidget(widget); }
+void MainWindow::addToToolBar(QWidget* widget) {
+  actions_->tool_bar->addWidget(widget);
+}
 
 void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
   const std::uint64_t before = viewport_->scene().revision();
@@ -171,8 +181,12 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
   if (numbers || viewport_->scene().revision() != before) viewport_->refresh();
 }
 
-void MainWindow::setDeviceText(const QString& text) { status_->setDevice(text); }
-void MainWindow::setGuiRate(double hertz) { gui_rate_ = hertz; }
+void MainWindow::setDeviceText(const QString& text) {
+  status_->setDevice(text);
+}
+void MainWindow::setGuiRate(double hertz) {
+  gui_rate_ = hertz;
+}
 
 void MainWindow::loadModules(const QStringList& folders) {
   modules_ = std::make_unique<ModuleLoader>();

@@ -24,15 +24,18 @@ void MainWindow::connectFileActions() {
 }
 
 void MainWindow::tellError(const QString& title, const Error& error) {
-  messages_.tell(Severity::kProblem, title, QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
+  messages_.tell(Severity::kProblem, title,
+                 QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
 }
 
 void MainWindow::tellNotices(const QString& title, const Diagnostics& diagnostics) {
-  for (const std::string& warning : diagnostics.warnings) messages_.tell(Severity::kWarning, title, QString::fromStdString(warning));
+  for (const std::string& warning : diagnostics.warnings)
+    messages_.tell(Severity::kWarning, title, QString::fromStdString(warning));
 }
 
 void MainWindow::importFromDialog() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Import a solid"), {}, tr("Meshes (*.stl *.obj *.ply *.off);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Import a solid"), {},
+                                                    tr("Meshes (*.stl *.obj *.ply *.off);;All files (*)"));
   if (!path.isEmpty()) addFile(path);
 }
 
@@ -43,7 +46,8 @@ void MainWindow::addRobotFromDialog() {
 
 void MainWindow::openFromDialog() {
   if (!mayDiscard()) return;
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
   if (!path.isEmpty()) openFile(path);
 }
 
@@ -72,12 +76,13 @@ void MainWindow::showSavedView() {
 bool MainWindow::saveDocument(bool ask_where) {
   QString path = QString::fromStdString(document_.document().path().string());
   if (path.isEmpty() || ask_where)
-    path = QFileDialog::getSaveFileName(this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path,
-                                        tr("Workcells (*.hcell)"));
+    path = QFileDialog::getSaveFileName(
+        this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path, tr("Workcells (*.hcell)"));
   if (path.isEmpty()) return false;
   const auto saved = document_.save(path);
   if (!saved) {
-    messages_.tell(Severity::kProblem, tr("The workcell was not saved"), QString::fromStdString(saved.error().message()));
+    messages_.tell(Severity::kProblem, tr("The workcell was not saved"),
+                   QString::fromStdString(saved.error().message()));
     return false;
   }
   messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));

@@ -70,7 +70,8 @@ int StatusLine::paintRate(QPainter& painter, int right, const QString& name, dou
   painter.drawRoundedRect(bar, 2, 2);
   if (value > 0.0) {
     painter.setBrush(theme.axis_z);
-    painter.drawRoundedRect(QRectF(bar.left(), bar.top(), bar.width() * std::clamp(value / full, 0.08, 1.0), bar.height()), 2, 2);
+    painter.drawRoundedRect(
+        QRectF(bar.left(), bar.top(), bar.width() * std::clamp(value / full, 0.08, 1.0), bar.height()), 2, 2);
   }
   return left;
 }
@@ -93,7 +94,8 @@ void StatusLine::paintSentence(QPainter& painter, const QRect& rect) const {
   const QString text = telling ? message_ : sentence_;
   const QRect text_rect = rect.adjusted(24, 0, 0, 0);
   painter.setPen(theme.text1);
-  painter.drawText(text_rect, Qt::AlignVCenter | Qt::AlignLeft, painter.fontMetrics().elidedText(text, Qt::ElideRight, text_rect.width()));
+  painter.drawText(text_rect, Qt::AlignVCenter | Qt::AlignLeft,
+                   painter.fontMetrics().elidedText(text, Qt::ElideRight, text_rect.width()));
 }
 
 void StatusLine::paintEvent(QPaintEvent*) {

@@ -15,7 +15,9 @@ constexpr double kMinDistance = 0.01;
 constexpr double kMaxDistance = 2000.0;
 constexpr double kFitMargin = 1.12;
 
-double wrapped(double angle) { return std::remainder(angle, 2.0 * glm::pi<double>()); }
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * glm::pi<double>());
+}
 
 }  // namespace
 
@@ -24,9 +26,15 @@ dvec3 Camera::forward_W() const {
   return {-std::sin(azimuth) * c, std::cos(azimuth) * c, -std::sin(elevation)};
 }
 
-dvec3 Camera::right_W() const { return {std::cos(azimuth), std::sin(azimuth), 0.0}; }
-dvec3 Camera::up_W() const { return glm::cross(right_W(), forward_W()); }
-dvec3 Camera::eye_W() const { return target_W - distance * forward_W(); }
+dvec3 Camera::right_W() const {
+  return {std::cos(azimuth), std::sin(azimuth), 0.0};
+}
+dvec3 Camera::up_W() const {
+  return glm::cross(right_W(), forward_W());
+}
+dvec3 Camera::eye_W() const {
+  return target_W - distance * forward_W();
+}
 
 glm::dmat4 Camera::viewMatrix() const {
   const dvec3 r = right_W();
@@ -115,13 +123,20 @@ Camera Camera::fitted(const geometry::Bounds& bounds_W, const ViewSize& size) co
 
 Camera Camera::turnedTo(StandardView view) const {
   switch (view) {
-    case StandardView::kFront: return turnedTo(dvec3(0, 1, 0));
-    case StandardView::kBack: return turnedTo(dvec3(0, -1, 0));
-    case StandardView::kRight: return turnedTo(dvec3(-1, 0, 0));
-    case StandardView::kLeft: return turnedTo(dvec3(1, 0, 0));
-    case StandardView::kTop: return turnedTo(dvec3(0, 0, -1));
-    case StandardView::kBottom: return turnedTo(dvec3(0, 0, 1));
-    case StandardView::kIsometric: return turnedTo(dvec3(-1, 1, -1));
+    case StandardView::kFront:
+      return turnedTo(dvec3(0, 1, 0));
+    case StandardView::kBack:
+      return turnedTo(dvec3(0, -1, 0));
+    case StandardView::kRight:
+      return turnedTo(dvec3(-1, 0, 0));
+    case StandardView::kLeft:
+      return turnedTo(dvec3(1, 0, 0));
+    case StandardView::kTop:
+      return turnedTo(dvec3(0, 0, -1));
+    case StandardView::kBottom:
+      return turnedTo(dvec3(0, 0, 1));
+    case StandardView::kIsometric:
+      return turnedTo(dvec3(-1, 1, -1));
   }
   return *this;
 }

@@ -24,21 +24,21 @@ enum class StandardView { kFront, kBack, kRight, kLeft, kTop, kBottom, kIsometri
 
 /// Where the eye stands: a turntable about a target with Z up. A value; all arithmetic of looking, no OpenGL.
 ///
-/// Azimuth 0 looks along +Y (front), positive turns the eye to the right (towards +X). Elevation is that of the eye above
-/// the target, within ±90 degrees. Screen axes: x to the right, y up, z towards the eye.
+/// Azimuth 0 looks along +Y (front), positive turns the eye to the right (towards +X). Elevation is that of the eye
+/// above the target, within ±90 degrees. Screen axes: x to the right, y up, z towards the eye.
 class Camera {
  public:
   dvec3 target_W{0.0};
-  double azimuth = 0.6;      ///< rad
-  double elevation = 0.45;   ///< rad
-  double distance = 4.0;     ///< m, from the eye to the target.
+  double azimuth = 0.6;         ///< rad
+  double elevation = 0.45;      ///< rad
+  double distance = 4.0;        ///< m, from the eye to the target.
   double field_of_view = 0.61;  ///< rad, vertical; also gives the size of the orthographic view at the target.
   bool perspective = true;
 
   dvec3 eye_W() const;
   dvec3 right_W() const;
   dvec3 up_W() const;
-  dvec3 forward_W() const;   ///< Unit, from the eye into the scene.
+  dvec3 forward_W() const;  ///< Unit, from the eye into the scene.
 
   glm::dmat4 viewMatrix() const;
   /// Depth range that just encloses `scene_W`, so that depth keeps its precision.

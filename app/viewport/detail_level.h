@@ -7,18 +7,18 @@ namespace hapticell::app {
 
 /// How much of the picture is drawn. Each step drops what is missed least; the last one draws boxes for heavy parts.
 enum class DetailLevel {
-  kFull,          ///< Occlusion, shadows, all edges, outlines.
-  kNoOcclusion,   ///< Without ambient occlusion; shadows of what stood still.
-  kPlain,         ///< Without shadows.
-  kNoEdges,       ///< Faces only; states stay marked.
-  kHalfSize,      ///< The same at half the resolution.
-  kBoxes          ///< Heavy parts as boxes.
+  kFull,         ///< Occlusion, shadows, all edges, outlines.
+  kNoOcclusion,  ///< Without ambient occlusion; shadows of what stood still.
+  kPlain,        ///< Without shadows.
+  kNoEdges,      ///< Faces only; states stay marked.
+  kHalfSize,     ///< The same at half the resolution.
+  kBoxes         ///< Heavy parts as boxes.
 };
 
 /// Chooses the detail while things move, from the time that frames take, so that the window keeps its rate.
 ///
-/// Sheds at once, restores slowly: a frame slower than the budget drops a step, a long run of frames that would also fit
-/// with more detail takes one back.
+/// Sheds at once, restores slowly: a frame slower than the budget drops a step, a long run of frames that would also
+/// fit with more detail takes one back.
 class DetailGovernor {
  public:
   /// `budget_s`: what one frame may take while moving; 10 Hz guaranteed leaves 0.1 s for everything in the GUI thread.

@@ -17,12 +17,14 @@ struct PositionHash {
   }
 };
 
-/// For each vertex, the lowest index that has the same position: files without shared vertices are smoothed all the same.
+/// For each vertex, the lowest index that has the same position: files without shared vertices are smoothed all the
+/// same.
 std::vector<std::uint32_t> representatives(const geometry::TriangleMesh& mesh) {
   std::unordered_map<dvec3, std::uint32_t, PositionHash> first;
   first.reserve(mesh.vertices.size());
   std::vector<std::uint32_t> result(mesh.vertices.size());
-  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) result[i] = first.try_emplace(mesh.vertices[i], i).first->second;
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+    result[i] = first.try_emplace(mesh.vertices[i], i).first->second;
   return result;
 }
 

@@ -25,12 +25,12 @@ struct DisplayEdge {
 
 /// A mesh made ready for drawing. No OpenGL in here.
 struct DisplayMesh {
-  dvec3 center{0.0};                  ///< p_MC; positions are relative to it, so that large coordinates keep their digits.
-  geometry::Bounds bounds;            ///< In M.
+  dvec3 center{0.0};        ///< p_MC; positions are relative to it, so that large coordinates keep their digits.
+  geometry::Bounds bounds;  ///< In M.
   std::vector<DisplayVertex> vertices;
   std::vector<std::uint32_t> indices;  ///< Three a triangle.
-  std::vector<DisplayEdge> edges;     ///< Creases and borders first, then the smooth ones.
-  std::size_t creases = 0;            ///< How many of `edges` are creases or borders.
+  std::vector<DisplayEdge> edges;      ///< Creases and borders first, then the smooth ones.
+  std::size_t creases = 0;             ///< How many of `edges` are creases or borders.
 };
 
 /// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.

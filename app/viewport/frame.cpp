@@ -25,7 +25,9 @@ double floorCell(const Camera& camera) {
   return cell;
 }
 
-dvec3 keyLightDirection_W() { return glm::normalize(dvec3(-0.55, -0.62, 1.15)); }
+dvec3 keyLightDirection_W() {
+  return glm::normalize(dvec3(-0.55, -0.62, 1.15));
+}
 
 glm::dmat4 worldFromDisplay(const RenderItem& item, const dvec3& center_M) {
   glm::dmat4 result = glm::mat4_cast(item.X_WM.q);

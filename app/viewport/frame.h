@@ -20,17 +20,17 @@ struct FrameColors {
 /// All that one picture of the scene depends on.
 struct Frame {
   Camera camera;
-  int width = 1, height = 1;          ///< Device pixels.
+  int width = 1, height = 1;  ///< Device pixels.
   double pixel_ratio = 1.0;
   FrameColors colors;
   std::vector<RenderItem> items;
-  geometry::Bounds bounds_W;          ///< Of the whole scene.
+  geometry::Bounds bounds_W;  ///< Of the whole scene.
   DetailLevel detail = DetailLevel::kFull;
   bool edges = true;
-  bool shaded = true;                 ///< False: faces hidden, edges only.
-  bool refine = false;                ///< The picture stands still: its samples are averaged.
-  int band = 0, bands = 1;            ///< A refined sample may be drawn in horizontal bands, one a call.
-  int sample = 0;                     ///< 0: a new picture; n: one more sample of the same one, averaged into it.
+  bool shaded = true;       ///< False: faces hidden, edges only.
+  bool refine = false;      ///< The picture stands still: its samples are averaged.
+  int band = 0, bands = 1;  ///< A refined sample may be drawn in horizontal bands, one a call.
+  int sample = 0;           ///< 0: a new picture; n: one more sample of the same one, averaged into it.
 };
 
 /// Device pixels of the picture's large floor cells, metres: 0.5, or a decade more where the eye is far away.

@@ -15,11 +15,16 @@ struct PixelLayout {
 
 PixelLayout layoutOf(GLenum internal) {
   switch (internal) {
-    case GL_R32UI: return {GL_RED_INTEGER, GL_UNSIGNED_INT, true};
-    case GL_R8: return {GL_RED, GL_UNSIGNED_BYTE, false};
-    case GL_RGBA16F: return {GL_RGBA, GL_HALF_FLOAT, false};
-    case GL_RGBA32F: return {GL_RGBA, GL_FLOAT, false};
-    default: return {GL_RGBA, GL_UNSIGNED_BYTE, false};
+    case GL_R32UI:
+      return {GL_RED_INTEGER, GL_UNSIGNED_INT, true};
+    case GL_R8:
+      return {GL_RED, GL_UNSIGNED_BYTE, false};
+    case GL_RGBA16F:
+      return {GL_RGBA, GL_HALF_FLOAT, false};
+    case GL_RGBA32F:
+      return {GL_RGBA, GL_FLOAT, false};
+    default:
+      return {GL_RGBA, GL_UNSIGNED_BYTE, false};
   }
 }
 
@@ -60,7 +65,9 @@ void setMatrix(Gl& gl, QOpenGLShaderProgram& program, const char* name, const gl
   gl.glUniformMatrix4fv(program.uniformLocation(name), 1, GL_FALSE, glm::value_ptr(single));
 }
 
-RenderTarget::~RenderTarget() { release(); }
+RenderTarget::~RenderTarget() {
+  release();
+}
 
 void RenderTarget::release() {
   if (framebuffer_) gl_.glDeleteFramebuffers(1, &framebuffer_);
@@ -90,7 +97,8 @@ bool RenderTarget::resize(int width, int height) {
     gl_.glGenTextures(1, &texture);
     const PixelLayout layout = layoutOf(internal);
     setUp(texture, format_.linear && !layout.integer);
-    gl_.glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), width, height, 0, layout.format, layout.type, nullptr);
+    gl_.glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), width, height, 0, layout.format, layout.type,
+                     nullptr);
     const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(colors_.size());
     gl_.glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
     colors_.push_back(texture);
@@ -99,7 +107,8 @@ bool RenderTarget::resize(int width, int height) {
   if (format_.depth) {
     gl_.glGenTextures(1, &depth_);
     setUp(depth_, format_.depth_compare);
-    gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                     nullptr);
     if (format_.depth_compare) {
       gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
       gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
@@ -112,7 +121,8 @@ bool RenderTarget::resize(int width, int height) {
   } else {
     gl_.glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
   }
-  if (gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) qCritical() << "A frame buffer is not complete";
+  if (gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    qCritical() << "A frame buffer is not complete";
   return true;
 }
 
@@ -121,8 +131,12 @@ void RenderTarget::bind() {
   gl_.glViewport(0, 0, width_, height_);
 }
 
-ScreenTriangle::ScreenTriangle(Gl& gl) : gl_(gl) { gl_.glGenVertexArrays(1, &vertex_array_); }
-ScreenTriangle::~ScreenTriangle() { gl_.glDeleteVertexArrays(1, &vertex_array_); }
+ScreenTriangle::ScreenTriangle(Gl& gl) : gl_(gl) {
+  gl_.glGenVertexArrays(1, &vertex_array_);
+}
+ScreenTriangle::~ScreenTriangle() {
+  gl_.glDeleteVertexArrays(1, &vertex_array_);
+}
 
 void ScreenTriangle::draw() {
   gl_.glBindVertexArray(vertex_array_);

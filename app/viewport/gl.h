@@ -10,7 +10,8 @@
 
 namespace hapticell::app {
 
-/// OpenGL 3.3 core. All classes that take it are used on one thread with one current context, and are destroyed with it.
+/// OpenGL 3.3 core. All classes that take it are used on one thread with one current context, and are destroyed with
+/// it.
 using Gl = QOpenGLFunctions_3_3_Core;
 
 /// Compiles shaders/NAME.vert and shaders/NAME.frag from the resources. A fault of theirs is a fault of the program: it
@@ -53,7 +54,7 @@ class RenderTarget {
 
   /// Makes the textures anew when the size differs. True when they are new.
   bool resize(int width, int height);
-  void bind();                          ///< For drawing, viewport set to its size.
+  void bind();  ///< For drawing, viewport set to its size.
   GLuint color(std::size_t index) const { return colors_[index]; }
   GLuint depth() const { return depth_; }
   GLuint framebuffer() const { return framebuffer_; }

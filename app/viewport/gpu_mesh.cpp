@@ -4,7 +4,9 @@
 namespace hapticell::app {
 namespace {
 
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+const void* offset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);
+}
 
 }  // namespace
 
@@ -55,8 +57,12 @@ void GpuMesh::drawEdges(GLsizei count) {
   gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
 }
 
-void GpuMesh::drawCreases() { drawEdges(crease_count_); }
-void GpuMesh::drawAllEdges() { drawEdges(edge_count_); }
+void GpuMesh::drawCreases() {
+  drawEdges(crease_count_);
+}
+void GpuMesh::drawAllEdges() {
+  drawEdges(edge_count_);
+}
 
 GpuMesh& GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
   Entry& entry = entries_[mesh.get()];

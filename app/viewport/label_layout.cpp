@@ -16,7 +16,8 @@ PixelBox boxAt(const LabelWish& wish, const glm::dvec2& offset) {
 }
 
 bool fits(const PixelBox& box, const LabelWish& wish, const std::vector<PixelBox>& taken, const ViewSize& size) {
-  if (box.min.x < kBorder || box.min.y < kBorder || box.max.x > size.width - kBorder || box.max.y > size.height - kBorder)
+  if (box.min.x < kBorder || box.min.y < kBorder || box.max.x > size.width - kBorder ||
+      box.max.y > size.height - kBorder)
     return false;
   const PixelBox point{wish.anchor - kPointRoom, wish.anchor + kPointRoom};
   if (box.overlaps(point)) return false;
@@ -40,8 +41,9 @@ std::vector<Candidate> candidates(const LabelWish& wish, bool right_first) {
 
 }  // namespace
 
-std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelWish>& wishes, const std::vector<PixelBox>& keep_free,
-                                            const ViewSize& size, double seconds, bool motion) {
+std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelWish>& wishes,
+                                            const std::vector<PixelBox>& keep_free, const ViewSize& size,
+                                            double seconds, bool motion) {
   std::vector<PixelBox> taken = keep_free;
   std::vector<Memory> next;
   std::vector<PlacedLabel> result;
@@ -49,7 +51,8 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelWish>& wishes
   // The labels' own points are kept free for all of them.
   for (const LabelWish& wish : wishes) taken.push_back({wish.anchor - kPointRoom, wish.anchor + kPointRoom});
   for (const LabelWish& wish : wishes) {
-    const auto old = std::find_if(memories_.begin(), memories_.end(), [&](const Memory& m) { return m.key == wish.key; });
+    const auto old =
+        std::find_if(memories_.begin(), memories_.end(), [&](const Memory& m) { return m.key == wish.key; });
     const bool known = old != memories_.end();
     Memory memory;
     memory.key = wish.key;

@@ -21,9 +21,9 @@ struct PixelBox {
 
 /// A label that wants a place near its point.
 struct LabelWish {
-  std::uint64_t key = 0;       ///< The same label has the same key in the next frame.
-  glm::dvec2 anchor{0.0};      ///< Pixel of the point that it speaks of.
-  glm::dvec2 size{0.0};        ///< Pixels.
+  std::uint64_t key = 0;   ///< The same label has the same key in the next frame.
+  glm::dvec2 anchor{0.0};  ///< Pixel of the point that it speaks of.
+  glm::dvec2 size{0.0};    ///< Pixels.
 };
 
 struct PlacedLabel {
@@ -47,8 +47,8 @@ class LabelLayout {
  private:
   struct Memory {
     std::uint64_t key = 0;
-    glm::dvec2 offset{0.0};          // Of the box's corner from the anchor: where it shall be.
-    glm::dvec2 shown{0.0};           // Where it is drawn.
+    glm::dvec2 offset{0.0};  // Of the box's corner from the anchor: where it shall be.
+    glm::dvec2 shown{0.0};   // Where it is drawn.
     bool right = true;
   };
   std::vector<Memory> memories_;

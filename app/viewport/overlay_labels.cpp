@@ -18,10 +18,12 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
   std::vector<OverlayLabel> labels;
   if (!scene.snapshot()) return labels;
   const manipulation::SceneSnapshot& snapshot = *scene.snapshot();
-  const auto contact = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
+  const auto contact =
+      std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
   if (contact != snapshot.pairs.end())
     labels.push_back({kContactKey, Mark::kContact, "Contact", pairNames(scene, *contact), contact->p_WB});
-  const auto near = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.near_miss && !p.contact; });
+  const auto near = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(),
+                                 [](const auto& p) { return p.near_miss && !p.contact; });
   if (near != snapshot.pairs.end())
     labels.push_back({kNearMissKey, Mark::kNearMiss, millimetres(near->distance), pairNames(scene, *near),
                       0.5 * (near->p_WA + near->p_WB)});
@@ -30,12 +32,17 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
   return labels;
 }
 
-double forceArrowLength(double newtons) { return std::clamp(40.0 + 80.0 * newtons, 0.0, 200.0); }
+double forceArrowLength(double newtons) {
+  return std::clamp(40.0 + 80.0 * newtons, 0.0, 200.0);
+}
 
-double forceArrowOpacity(double newtons) { return std::clamp((newtons - 0.02) / 0.03, 0.0, 1.0); }
+double forceArrowOpacity(double newtons) {
+  return std::clamp((newtons - 0.02) / 0.03, 0.0, 1.0);
+}
 
 dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot) {
-  const auto contact = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
+  const auto contact =
+      std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
   return contact != snapshot.pairs.end() ? contact->p_WB : snapshot.X_WStylus.p;
 }
 

@@ -14,9 +14,9 @@ namespace hapticell::app {
 struct OverlayLabel {
   std::uint64_t key = 0;
   Mark mark = Mark::kNone;
-  std::string number;       ///< "6.4 mm", "Contact"
-  std::string names;        ///< "Gripper G2 – Clamp tower B"
-  dvec3 p_WQ{0.0};          ///< What the leader points at.
+  std::string number;  ///< "6.4 mm", "Contact"
+  std::string names;   ///< "Gripper G2 – Clamp tower B"
+  dvec3 p_WQ{0.0};     ///< What the leader points at.
 };
 
 /// At most three: the contact, the nearest free pair, the limit.

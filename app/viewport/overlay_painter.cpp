@@ -13,11 +13,17 @@ namespace {
 constexpr double kStripHeight = 42.0;
 constexpr double kCellPadding = 14.0;
 
-QPointF point(const glm::dvec2& p) { return {p.x, p.y}; }
+QPointF point(const glm::dvec2& p) {
+  return {p.x, p.y};
+}
 
-QFont bold15() { return textFont(TextRole::kNumberOverScene); }
+QFont bold15() {
+  return textFont(TextRole::kNumberOverScene);
+}
 
-double textWidth(const QFont& text_font, const QString& text) { return QFontMetricsF(text_font).horizontalAdvance(text); }
+double textWidth(const QFont& text_font, const QString& text) {
+  return QFontMetricsF(text_font).horizontalAdvance(text);
+}
 
 /// A line with its halo below it.
 void haloLine(QPainter& painter, const QPolygonF& line, const QColor& color, double width, const QColor& halo) {
@@ -69,7 +75,8 @@ void paintCube(QPainter& painter, const Overlay& overlay) {
     const char* name;
     QColor color;
   };
-  const Axis axes[]{{{1.55, -1, -1}, "X", theme.axis_x}, {{-1, 1.55, -1}, "Y", theme.axis_y}, {{-1, -1, 1.55}, "Z", theme.axis_z}};
+  const Axis axes[]{
+      {{1.55, -1, -1}, "X", theme.axis_x}, {{-1, 1.55, -1}, "Y", theme.axis_y}, {{-1, -1, 1.55}, "Z", theme.axis_z}};
   const auto paintAxis = [&](const Axis& axis) {
     const QPointF from = point(overlay.cube.project(corner, overlay.camera));
     const QPointF to = point(overlay.cube.project(axis.end, overlay.camera));
@@ -141,15 +148,17 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
   const QPointF v(-along.y, along.x);
   const double head = std::min(26.0, 0.6 * length);
   QPolygonF arrow;
-  arrow << from + v * 4 << from + u * (length - head) + v * 4 << from + u * (length - head) + v * 11 << from + u * length
-        << from + u * (length - head) - v * 11 << from + u * (length - head) - v * 4 << from - v * 4;
+  arrow << from + v * 4 << from + u * (length - head) + v * 4 << from + u * (length - head) + v * 11
+        << from + u * length << from + u * (length - head) - v * 11 << from + u * (length - head) - v * 4
+        << from - v * 4;
   painter.setOpacity(opacity);
   painter.setBrush(theme.force);
   painter.setPen(QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolygon(arrow);
   const QString number = QString::fromStdString(newtons(snapshot.force_n));
   const QFont number_font = bold15();
-  const QRectF box(from.x() + along.x * length + 18, from.y() + along.y * length - 12, textWidth(number_font, number) + 16, 24);
+  const QRectF box(from.x() + along.x * length + 18, from.y() + along.y * length - 12,
+                   textWidth(number_font, number) + 16, 24);
   paintBox(painter, box, theme);
   painter.setFont(number_font);
   painter.setPen(theme.text1);
@@ -176,7 +185,8 @@ void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel&
 }
 
 double cellWidth(const StripCell& cell) {
-  const double value = textWidth(bold15(), QString::fromStdString(cell.value)) + (cell.mark == Mark::kNone ? 0.0 : 20.0);
+  const double value =
+      textWidth(bold15(), QString::fromStdString(cell.value)) + (cell.mark == Mark::kNone ? 0.0 : 20.0);
   const double meaning = textWidth(textFont(TextRole::kSecond), QString::fromStdString(cell.meaning));
   // Whole steps of 8, so that the strip does not breathe with every digit.
   return std::ceil(std::max(value, meaning) / 8.0) * 8.0 + 2.0 * kCellPadding;
@@ -201,7 +211,8 @@ void paintStrip(QPainter& painter, const Overlay& overlay) {
     }
     painter.setFont(bold15());
     painter.setPen(theme.text1);
-    painter.drawText(QRectF(text_x, box.top() + 4, width, 20), Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(cell.value));
+    painter.drawText(QRectF(text_x, box.top() + 4, width, 20), Qt::AlignVCenter | Qt::AlignLeft,
+                     QString::fromStdString(cell.value));
     painter.setFont(textFont(TextRole::kSecond));
     painter.setPen(theme.text2);
     painter.drawText(QRectF(x + kCellPadding, box.top() + 22, width, 16), Qt::AlignVCenter | Qt::AlignLeft,
@@ -213,7 +224,8 @@ void paintStrip(QPainter& painter, const Overlay& overlay) {
 void paintQuietText(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
   const double cell = floorCell(overlay.camera);
-  const QString grid = cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
+  const QString grid =
+      cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   painter.drawText(QRectF(14, overlay.size.height - 30, 160, 18), Qt::AlignVCenter | Qt::AlignLeft, grid);
@@ -232,7 +244,8 @@ void paintEmpty(QPainter& painter, const Overlay& overlay) {
   painter.setPen(QPen(theme.text3, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   const QPointF c = middle - QPointF(0, 60);
-  painter.drawPolygon(QPolygonF({c + QPointF(0, -34), c + QPointF(32, -16), c + QPointF(32, 20), c + QPointF(0, 38), c + QPointF(-32, 20), c + QPointF(-32, -16)}));
+  painter.drawPolygon(QPolygonF({c + QPointF(0, -34), c + QPointF(32, -16), c + QPointF(32, 20), c + QPointF(0, 38),
+                                 c + QPointF(-32, 20), c + QPointF(-32, -16)}));
   painter.drawPolyline(QPolygonF({c + QPointF(-32, -16), c + QPointF(0, 2), c + QPointF(32, -16)}));
   painter.drawLine(c + QPointF(0, 2), c + QPointF(0, 38));
   painter.setFont(textFont(TextRole::kPanelState));
@@ -240,17 +253,22 @@ void paintEmpty(QPainter& painter, const Overlay& overlay) {
   painter.drawText(QRectF(middle.x() - 300, middle.y(), 600, 24), Qt::AlignCenter, overlay.empty->title);
   painter.setFont(textFont(TextRole::kText));
   painter.setPen(theme.text2);
-  painter.drawText(QRectF(middle.x() - 300, middle.y() + 26, 600, 44), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, overlay.empty->how);
+  painter.drawText(QRectF(middle.x() - 300, middle.y() + 26, 600, 44),
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, overlay.empty->how);
 }
 
 }  // namespace
 
 QColor markColor(Mark mark, const Theme& theme) {
   switch (mark) {
-    case Mark::kContact: return theme.contact;
-    case Mark::kNearMiss: return theme.near_miss;
-    case Mark::kLimit: return theme.limit;
-    case Mark::kNone: break;
+    case Mark::kContact:
+      return theme.contact;
+    case Mark::kNearMiss:
+      return theme.near_miss;
+    case Mark::kLimit:
+      return theme.limit;
+    case Mark::kNone:
+      break;
   }
   return theme.text2;
 }
@@ -265,9 +283,11 @@ void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size,
   if (mark == Mark::kContact) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
-    painter.drawPolygon(QPolygonF({center + QPointF(0, -r), center + QPointF(r, 0), center + QPointF(0, r), center + QPointF(-r, 0)}));
+    painter.drawPolygon(
+        QPolygonF({center + QPointF(0, -r), center + QPointF(r, 0), center + QPointF(0, r), center + QPointF(-r, 0)}));
   } else if (mark == Mark::kNearMiss) {
-    painter.drawPolygon(QPolygonF({center + QPointF(0, -r * 0.9), center + QPointF(r, r * 0.8), center + QPointF(-r, r * 0.8)}));
+    painter.drawPolygon(
+        QPolygonF({center + QPointF(0, -r * 0.9), center + QPointF(r, r * 0.8), center + QPointF(-r, r * 0.8)}));
   } else if (mark == Mark::kLimit) {
     painter.drawLine(center + QPointF(-r, -r), center + QPointF(-r, r));
     painter.drawLine(center + QPointF(r, -r), center + QPointF(r, r));
@@ -296,7 +316,9 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
   if (!overlay.scene || !overlay.scene->snapshot()) return pieces;
   QRectF middle;
-  const auto add = [&middle](const QPointF& p, double room) { middle = middle.united(QRectF(p.x() - room, p.y() - room, 2 * room, 2 * room)); };
+  const auto add = [&middle](const QPointF& p, double room) {
+    middle = middle.united(QRectF(p.x() - room, p.y() - room, 2 * room, 2 * room));
+  };
   for (const PlacedLabel& place : overlay.places) {
     add(point(place.anchor), 20);
     middle = middle.united(QRectF(point(place.box.min), point(place.box.max)).adjusted(-4, -4, 4, 4));
@@ -307,7 +329,8 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
   if (forceArrowOpacity(snapshot.force_n) > 0.0)
     if (const auto p = overlay.camera.project(forceArrowStart_W(snapshot), overlay.size)) add(point(*p), 300);
-  if (!middle.isEmpty()) pieces.push_back(middle.intersected(QRectF(0, 0, overlay.size.width, overlay.size.height - 100)));
+  if (!middle.isEmpty())
+    pieces.push_back(middle.intersected(QRectF(0, 0, overlay.size.width, overlay.size.height - 100)));
   return pieces;
 }
 

@@ -13,20 +13,20 @@ namespace hapticell::app {
 
 /// What to write over an empty scene.
 struct EmptyState {
-  QString title;    ///< What is missing.
-  QString how;      ///< How to begin, with a key.
+  QString title;  ///< What is missing.
+  QString how;    ///< How to begin, with a key.
 };
 
 /// All that is painted over one picture of the scene.
 struct Overlay {
   const Theme* theme = nullptr;
   Camera camera;
-  ViewSize size;                            ///< Pixels at 100 %.
+  ViewSize size;  ///< Pixels at 100 %.
   const SceneModel* scene = nullptr;
   std::vector<OverlayLabel> labels;
   std::vector<PlacedLabel> places;
-  std::vector<StripCell> strip;             ///< Empty: no stylus, no strip.
-  QString hint;                             ///< One quiet line above the strip: what the mouse does now.
+  std::vector<StripCell> strip;  ///< Empty: no stylus, no strip.
+  QString hint;                  ///< One quiet line above the strip: what the mouse does now.
   ViewCube cube{{0, 0}, 1};
   std::optional<ViewCubeSpot> cube_hover;
   std::optional<EmptyState> empty;

@@ -15,7 +15,7 @@ struct PointerEvent {
   Qt::MouseButton button = Qt::NoButton;  ///< That caused it.
   Qt::MouseButtons buttons;               ///< Held now.
   Qt::KeyboardModifiers modifiers;
-  double wheel_steps = 0.0;               ///< Away from the user positive.
+  double wheel_steps = 0.0;  ///< Away from the user positive.
   Camera camera;
   ViewSize size;
 };

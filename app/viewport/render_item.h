@@ -24,10 +24,10 @@ enum ItemState : std::uint32_t {
 struct RenderItem {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
   Pose X_WM;
-  double scale = 1.0;                          ///< Only the drawn stylus is scaled.
+  double scale = 1.0;                            ///< Only the drawn stylus is scaled.
   std::array<float, 3> color{0.7f, 0.7f, 0.7f};  ///< sRGB, already quietened.
-  workcell::EntityId entity = 0;               ///< 0: not of the document (the stylus), cannot be picked.
-  int link = -1;                               ///< Robots: index of the link.
+  workcell::EntityId entity = 0;                 ///< 0: not of the document (the stylus), cannot be picked.
+  int link = -1;                                 ///< Robots: index of the link.
   std::uint32_t state = kPlain;
   bool casts_shadow = true;
 };

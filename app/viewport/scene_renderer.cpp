@@ -39,7 +39,8 @@ PixelArea markedArea(const Frame& frame) {
     if (item.state == kPlain || !item.mesh) continue;
     const geometry::Bounds bounds = geometry::transformed(item.X_WM, item.mesh->bounds());
     for (int i = 0; i < 8; ++i) {
-      const dvec3 corner((i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y, (i & 4) ? bounds.max.z : bounds.min.z);
+      const dvec3 corner((i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y,
+                         (i & 4) ? bounds.max.z : bounds.min.z);
       const auto pixel = frame.camera.project(corner, size);
       if (!pixel) return {0, 0, frame.width, frame.height};  // Reaches behind the eye.
       low = glm::min(low, *pixel);
@@ -114,8 +115,7 @@ void SceneRenderer::drawScene(const Frame& frame) {
   // Without occlusion the shadows of the last full picture stay: the cell seldom changes, the eye does.
   const bool due = frame.detail == DetailLevel::kFull && frame.band == 0;
   if (due || (shadows && !p.shadow.ready())) p.shadow.draw(frame, p.meshes);
-  
-  
+
   p.view = viewOf(frame);
   p.scene.bind();
   const PixelArea band = bandArea(frame);
@@ -132,15 +132,12 @@ void SceneRenderer::drawScene(const Frame& frame) {
   setColor(*p.background, "top", frame.colors.background_top);
   setColor(*p.background, "bottom", frame.colors.background_bottom);
   p.triangle.draw();
-  
-  
+
   const ShadowPass* shadow = shadows ? &p.shadow : nullptr;
   p.surface.draw(frame, p.view, shadow, p.meshes);
-  
-  
+
   p.floor.draw(frame, p.view, shadow);
-  
-  
+
   if (frame.edges && frame.detail < DetailLevel::kNoEdges)
     p.edge.draw(frame, p.view, frame.detail != DetailLevel::kFull, p.meshes);
   gl_.glDisable(GL_SCISSOR_TEST);
@@ -165,8 +162,7 @@ void SceneRenderer::composite(const Frame& frame) {
     p.triangle.draw();
     gl_.glDisable(GL_SCISSOR_TEST);
   }
-  
-  
+
   (p.refined ? p.mean : p.quick).bind();
   if (frame.sample > 0) gl_.glEnable(GL_BLEND);
   gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -261,9 +257,11 @@ std::optional<PickedPoint> SceneRenderer::pick(int x, int y) {
   gl_.glReadBuffer(GL_COLOR_ATTACHMENT0);
   id &= 0xffffffu;
   if (id == 0 || id > last_.items.size()) return std::nullopt;
-  const glm::dvec4 clip(2.0 * (x + 0.5) / last_.width - 1.0, 2.0 * (row + 0.5) / last_.height - 1.0, 2.0 * depth - 1.0, 1.0);
+  const glm::dvec4 clip(2.0 * (x + 0.5) / last_.width - 1.0, 2.0 * (row + 0.5) / last_.height - 1.0, 2.0 * depth - 1.0,
+                        1.0);
   const glm::dvec4 world = glm::inverse(p.view.clip_from_world) * clip;
-  return PickedPoint{id - 1, dvec3(world) / world.w};
+  const RenderItem& item = last_.items[id - 1];
+  return PickedPoint{item.entity, item.link, dvec3(world) / world.w};
 }
 
 }  // namespace hapticell::app

@@ -11,7 +11,8 @@ namespace hapticell::app {
 
 /// What lies under a pixel.
 struct PickedPoint {
-  std::size_t item = 0;     ///< Index into the items of the last frame.
+  workcell::EntityId entity = 0;  ///< 0: the drawn stylus.
+  int link = -1;                  ///< Robots: index of the link.
   dvec3 p_WQ{0.0};
 };
 

@@ -11,7 +11,8 @@ namespace hapticell::app {
 class ShadowPass {
  public:
   explicit ShadowPass(Gl& gl);
-  /// Draws the map anew. In samples after the first the light stands a little aside each time, which makes soft borders.
+  /// Draws the map anew. In samples after the first the light stands a little aside each time, which makes soft
+  /// borders.
   void draw(const Frame& frame, GpuMeshCache& meshes);
   bool ready() const { return ready_; }
   GLuint map() const { return target_.depth(); }

@@ -17,7 +17,9 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
-std::string shortNumber(double value) { return fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1); }
+std::string shortNumber(double value) {
+  return fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
+}
 
 }  // namespace
 
@@ -27,7 +29,9 @@ std::string millimetres(double metres) {
   return fixed(metres * 1000.0, 1) + " mm";
 }
 
-std::string newtons(double value) { return fixed(value, 1) + " N"; }
+std::string newtons(double value) {
+  return fixed(value, 1) + " N";
+}
 
 std::string scaleText(double motion_scale) {
   if (!(motion_scale > 0.0)) return "none";
@@ -38,7 +42,8 @@ std::string scaleText(double motion_scale) {
 std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, const StripContext& context) {
   const bool contact = !snapshot.pairs.empty() && snapshot.pairs.front().contact;
   // The nearest pair that does not touch: what touches is told by the force.
-  const auto free = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return !pair.contact; });
+  const auto free =
+      std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return !pair.contact; });
   const bool known = free != snapshot.pairs.end();
   std::vector<StripCell> cells;
   StripCell gap{Mark::kNone, known ? millimetres(free->distance) : "none near", "free gap"};

@@ -22,8 +22,8 @@ struct StripCell {
 struct StripContext {
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   std::string free_axes = "X Y Z";
-  std::string scale_name;                 ///< "Fine"; empty where a number was chosen.
-  double near_miss_distance = 0.010;      ///< m
+  std::string scale_name;             ///< "Fine"; empty where a number was chosen.
+  double near_miss_distance = 0.010;  ///< m
 };
 
 /// The stylus strip: free gap, force, scale, on contact, free axes, distance to the device's edge.

@@ -29,8 +29,8 @@ FrameView viewOf(const Frame& frame) {
   FrameView view;
   const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
   const glm::dvec2 place = samplePlace(frame.sample);
-  const glm::dmat4 shift = glm::translate(
-      glm::dmat4(1.0), dvec3(2.0 * place.x / frame.width, 2.0 * place.y / frame.height, 0.0));
+  const glm::dmat4 shift =
+      glm::translate(glm::dmat4(1.0), dvec3(2.0 * place.x / frame.width, 2.0 * place.y / frame.height, 0.0));
   geometry::Bounds reach = frame.bounds_W;
   // The floor belongs to what must be seen.
   const double floor = 13.0 * floorCell(frame.camera);
@@ -92,11 +92,14 @@ void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPa
     if (!item.mesh) continue;
     const geometry::Bounds& bounds = meshes.of(item.mesh).bounds();
     const dvec3 p_WC = item.X_WM * (item.scale * bounds.center());
-    order.emplace_back(glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - item.scale * bounds.radius(), i);
+    order.emplace_back(glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - item.scale * bounds.radius(),
+                       i);
   }
   std::sort(order.begin(), order.end());
   for (const bool hatched : {false, true}) {
-    const auto wanted = [&](const auto& entry) { return ((frame.items[entry.second].state & kContact) != 0) == hatched; };
+    const auto wanted = [&](const auto& entry) {
+      return ((frame.items[entry.second].state & kContact) != 0) == hatched;
+    };
     if (std::none_of(order.begin(), order.end(), wanted)) continue;
     QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (hatched ? 2u : 0u));
     if (!program) return;
@@ -132,7 +135,8 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
     const glm::dmat4 model_from_world = glm::inverse(world_from_model);
     const glm::dvec4 eye = frame.camera.perspective ? model_from_world * glm::dvec4(frame.camera.eye_W(), 1.0)
                                                     : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
-    program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y), static_cast<float>(eye.z));
+    program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y),
+                              static_cast<float>(eye.z));
     if (creases_only)
       mesh.drawCreases();
     else
@@ -143,8 +147,12 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   gl_.glDepthMask(GL_TRUE);
 }
 
-FloorPass::FloorPass(Gl& gl) : gl_(gl), programs_("grid", "grid", {"SHADOWED"}) { gl_.glGenVertexArrays(1, &vertex_array_); }
-FloorPass::~FloorPass() { gl_.glDeleteVertexArrays(1, &vertex_array_); }
+FloorPass::FloorPass(Gl& gl) : gl_(gl), programs_("grid", "grid", {"SHADOWED"}) {
+  gl_.glGenVertexArrays(1, &vertex_array_);
+}
+FloorPass::~FloorPass() {
+  gl_.glDeleteVertexArrays(1, &vertex_array_);
+}
 
 void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow) {
   if (shadow && (!shadow->ready() || frame.camera.elevation <= 0.0)) shadow = nullptr;
@@ -155,9 +163,11 @@ void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass
   const glm::dmat4 world_from_floor = glm::translate(glm::dmat4(1.0), dvec3(target.x, target.y, 0.0));
   program->bind();
   setMatrix(gl_, *program, "clip_from_floor", view.clip_from_world * world_from_floor);
-  setMatrix(gl_, *program, "light_from_floor", (shadow ? shadow->lightFromWorld() : glm::dmat4(1.0)) * world_from_floor);
+  setMatrix(gl_, *program, "light_from_floor",
+            (shadow ? shadow->lightFromWorld() : glm::dmat4(1.0)) * world_from_floor);
   program->setUniformValue("reach", static_cast<float>(13.0 * cell));
-  program->setUniformValue("origin", static_cast<float>(-std::fmod(target.x, cell)), static_cast<float>(-std::fmod(target.y, cell)));
+  program->setUniformValue("origin", static_cast<float>(-std::fmod(target.x, cell)),
+                           static_cast<float>(-std::fmod(target.y, cell)));
   program->setUniformValue("cell", static_cast<float>(cell));
   program->setUniformValue("fade_small", static_cast<float>(7.2 * cell));
   program->setUniformValue("fade_large", static_cast<float>(13.0 * cell));

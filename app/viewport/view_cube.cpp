@@ -26,8 +26,8 @@ const std::array<FaceDefinition, 6>& faceDefinitions() {
   return faces;
 }
 
-constexpr double kEye = 5.5;           // Of the cube's own little perspective, in half edges.
-constexpr double kEdgeShare = 0.68;    // Beyond this share of a face lies its edge.
+constexpr double kEye = 5.5;         // Of the cube's own little perspective, in half edges.
+constexpr double kEdgeShare = 0.68;  // Beyond this share of a face lies its edge.
 
 }  // namespace
 
@@ -45,8 +45,9 @@ std::vector<ViewCubeFace> ViewCube::visibleFaces(const Camera& camera) const {
     const double facing = glm::dot(face.normal, to_eye);
     if (facing <= 1e-3) continue;
     ViewCubeFace seen{face.view, face.name, face.normal, {}, facing};
-    seen.corners = {project(face.normal - face.right + face.up, camera), project(face.normal + face.right + face.up, camera),
-                    project(face.normal + face.right - face.up, camera), project(face.normal - face.right - face.up, camera)};
+    seen.corners = {
+        project(face.normal - face.right + face.up, camera), project(face.normal + face.right + face.up, camera),
+        project(face.normal + face.right - face.up, camera), project(face.normal - face.right - face.up, camera)};
     result.push_back(seen);
   }
   return result;

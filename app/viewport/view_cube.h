@@ -12,10 +12,11 @@ namespace hapticell::app {
 /// One face of the view cube as seen now.
 struct ViewCubeFace {
   StandardView view{};
-  const char* name = "";                   ///< "Front"
+  const char* name = "";  ///< "Front"
   dvec3 normal_W{0.0};
-  std::array<glm::dvec2, 4> corners{};     ///< Pixels; in reading order of the name: top left, top right, bottom right, bottom left.
-  double facing = 0.0;                     ///< 1 while looked at squarely, 0 edge-on.
+  std::array<glm::dvec2, 4>
+      corners{};        ///< Pixels; in reading order of the name: top left, top right, bottom right, bottom left.
+  double facing = 0.0;  ///< 1 while looked at squarely, 0 edge-on.
 };
 
 /// What a click on the cube means: the direction from the cube's middle to the face, edge or corner that was hit, with

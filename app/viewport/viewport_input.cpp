@@ -13,11 +13,15 @@ constexpr double kCubeHalfEdge = 31.0;
 constexpr double kClickPixels = 4.0;
 constexpr double kZoomPerStep = 0.85;
 
-glm::dvec2 vec(const QPointF& p) { return {p.x(), p.y()}; }
+glm::dvec2 vec(const QPointF& p) {
+  return {p.x(), p.y()};
+}
 
 }  // namespace
 
-ViewCube ViewportWidget::viewCube() const { return ViewCube({width() - 78.0, 72.0}, kCubeHalfEdge); }
+ViewCube ViewportWidget::viewCube() const {
+  return ViewCube({width() - 78.0, 72.0}, kCubeHalfEdge);
+}
 
 PointerEvent ViewportWidget::eventFrom(const QMouseEvent& event) const {
   PointerEvent result;
@@ -34,15 +38,14 @@ std::optional<PickedPoint> ViewportWidget::pickAt(const QPointF& position) {
   if (!renderer_) return std::nullopt;
   makeCurrent();
   const double ratio = devicePixelRatioF();
-  auto picked = renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
+  const auto picked = renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
   doneCurrent();
-  if (picked && picked->item >= drawn_items_.size()) picked.reset();
   return picked;
 }
 
 workcell::EntityId ViewportWidget::entityAt(const QPointF& position) {
   const auto picked = pickAt(position);
-  return picked ? drawn_items_[picked->item].entity : 0;
+  return picked ? picked->entity : 0;
 }
 
 dvec3 ViewportWidget::pointUnder(const QPointF& position) {
@@ -85,13 +88,20 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   }
   const bool far_enough = (event->position() - press_place_).manhattanLength() > kClickPixels;
   switch (drag_) {
-    case Drag::kOrbit: camera_.orbit(vec(step), pivot_W_); break;
-    case Drag::kPan: camera_.pan(vec(step), pivot_W_, viewSize()); break;
+    case Drag::kOrbit:
+      camera_.orbit(vec(step), pivot_W_);
+      break;
+    case Drag::kPan:
+      camera_.pan(vec(step), pivot_W_, viewSize());
+      break;
     case Drag::kCube:
       if (far_enough) camera_.orbit(vec(step), camera_.target_W);
       break;
-    case Drag::kClick: return;
-    case Drag::kNone: hover(event->position()); return;
+    case Drag::kClick:
+      return;
+    case Drag::kNone:
+      hover(event->position());
+      return;
   }
   emit cameraChanged();
   update();

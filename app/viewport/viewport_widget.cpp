@@ -10,13 +10,19 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kTurnSeconds = 0.25;
-constexpr double kSettleSeconds = 0.16;   // After so long without motion the picture is refined.
-constexpr double kBandSeconds = 0.04;      // What a piece of a still picture may take.
+constexpr double kSettleSeconds = 0.16;  // After so long without motion the picture is refined.
+constexpr double kBandSeconds = 0.04;    // What a piece of a still picture may take.
 constexpr double kStylusPixels = 150.0;
 
-fvec3 rgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
-glm::vec4 rgba(const QColor& color) { return {color.redF(), color.greenF(), color.blueF(), color.alphaF()}; }
-std::array<float, 3> triple(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
+fvec3 rgb(const QColor& color) {
+  return {color.redF(), color.greenF(), color.blueF()};
+}
+glm::vec4 rgba(const QColor& color) {
+  return {color.redF(), color.greenF(), color.blueF(), color.alphaF()};
+}
+std::array<float, 3> triple(const QColor& color) {
+  return {color.redF(), color.greenF(), color.blueF()};
+}
 
 bool sameCamera(const Camera& a, const Camera& b) {
   return a.target_W == b.target_W && a.azimuth == b.azimuth && a.elevation == b.elevation && a.distance == b.distance &&
@@ -72,9 +78,13 @@ void ViewportWidget::initializeGL() {
   });
 }
 
-ViewSize ViewportWidget::viewSize() const { return {static_cast<double>(width()), static_cast<double>(height())}; }
+ViewSize ViewportWidget::viewSize() const {
+  return {static_cast<double>(width()), static_cast<double>(height())};
+}
 
-void ViewportWidget::refresh() { update(); }
+void ViewportWidget::refresh() {
+  update();
+}
 
 void ViewportWidget::setCamera(const Camera& camera, bool animated) {
   if (animated && motion_) {
@@ -94,7 +104,9 @@ void ViewportWidget::fit(const geometry::Bounds& bounds_W, bool animated) {
   setCamera((turn_.active ? turn_.to : camera_).fitted(bounds_W, viewSize()), animated);
 }
 
-void ViewportWidget::setStandardView(StandardView view) { setCamera((turn_.active ? turn_.to : camera_).turnedTo(view)); }
+void ViewportWidget::setStandardView(StandardView view) {
+  setCamera((turn_.active ? turn_.to : camera_).turnedTo(view));
+}
 
 void ViewportWidget::setPerspective(bool on) {
   camera_.perspective = on;
@@ -132,7 +144,8 @@ Frame ViewportWidget::makeFrame() const {
   const Theme& theme = themeOf(palette());
   frame.colors = colorsOf(theme);
   SceneModel::StylusLook look;
-  if (scene_.snapshot()) look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
+  if (scene_.snapshot())
+    look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
   look.body = theme.dark ? std::array<float, 3>{0.96f, 0.96f, 0.96f} : std::array<float, 3>{0.16f, 0.18f, 0.21f};
   look.band = triple(theme.selection);
   frame.items = scene_.items(look);
@@ -164,7 +177,6 @@ void ViewportWidget::drawMoving(double now) {
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
   governor_.frameTook(static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now);
-  drawn_items_ = std::move(frame.items);
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
   dirty_ = false;
@@ -181,7 +193,6 @@ void ViewportWidget::refine(double now) {
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
   const double took = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now;
-  drawn_items_ = std::move(frame.items);
   slowest_band_s_ = band_ == 0 ? took : std::max(slowest_band_s_, took);
   if (++band_ >= bands_) {
     band_ = 0;
@@ -200,7 +211,8 @@ std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLa
     if (anchor) wishes.push_back({label.key, *anchor, {size.width(), size.height()}});
   }
   std::vector<PixelBox> keep_free;
-  const QRectF strip = stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
+  const QRectF strip =
+      stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
   if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
   keep_free.push_back({{viewSize().width - 140, 0}, {viewSize().width, 130}});
   keep_free.push_back({{0, 0}, {360, 44}});
@@ -266,7 +278,8 @@ QImage ViewportWidget::finishedPicture() {
     Frame frame = makeFrame();
     QOpenGLFramebufferObject target(frame.width, frame.height);
     frame.refine = true;
-    for (frame.sample = 0; frame.sample < SceneRenderer::kSamples; ++frame.sample) renderer_->render(frame, target.handle());
+    for (frame.sample = 0; frame.sample < SceneRenderer::kSamples; ++frame.sample)
+      renderer_->render(frame, target.handle());
     QImage picture = target.toImage();
     doneCurrent();
     picture.setDevicePixelRatio(devicePixelRatioF());

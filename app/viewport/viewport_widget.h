@@ -85,7 +85,6 @@ class ViewportWidget : public QOpenGLWidget {
 
   Gl gl_;
   std::unique_ptr<SceneRenderer> renderer_;
-  std::vector<RenderItem> drawn_items_;
   SceneModel scene_;
   Camera camera_;
   struct Turn {
@@ -94,14 +93,14 @@ class ViewportWidget : public QOpenGLWidget {
     bool active = false;
   } turn_;
   DetailGovernor governor_;
-  int band_ = 0, bands_ = 6;      ///< A sample of a still picture is drawn in bands, so that the window answers.
+  int band_ = 0, bands_ = 6;  ///< A sample of a still picture is drawn in bands, so that the window answers.
   FrameMeter meter_;
   QElapsedTimer clock_;
   LabelLayout label_layout_;
   double last_overlay_s_ = 0.0;
   std::uint64_t drawn_revision_ = 0;
   Camera drawn_camera_;
-  bool dirty_ = true;             ///< Size or theme changed.
+  bool dirty_ = true;  ///< Size or theme changed.
   int sample_ = 0;
   double last_motion_s_ = 0.0, slowest_band_s_ = 0.0;
   QTimer refine_;

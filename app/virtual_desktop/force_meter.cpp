@@ -43,7 +43,8 @@ void ForceMeter::paintEvent(QPaintEvent*) {
     painter.setPen(theme.text2);
     const QRect words(0, 18, width(), 16);
     painter.drawText(words, Qt::AlignLeft, tr("0 N"));
-    painter.drawText(words.adjusted(std::max(x - 20, 34), 0, 0, 0), Qt::AlignLeft, tr("%1 continuous").arg(continuous_, 0, 'f', 1));
+    painter.drawText(words.adjusted(std::max(x - 20, 34), 0, 0, 0), Qt::AlignLeft,
+                     tr("%1 continuous").arg(continuous_, 0, 'f', 1));
     painter.drawText(words, Qt::AlignRight, tr("%1 peak").arg(peak_, 0, 'f', 1));
   } else {
     painter.setFont(textFont(TextRole::kSecond));
@@ -88,11 +89,14 @@ void WorkspaceView::paintEvent(QPaintEvent*) {
   line(place(x[0], y[1], z[0]), place(x[0], y[0], z[0]));
   line(place(x[0], y[1], z[0]), place(x[0], y[1], z[1]));
   painter.setPen(QPen(theme.text3, 1.2));
-  painter.drawPolygon(QPolygonF({place(x[0], y[0], z[0]), place(x[1], y[0], z[0]), place(x[1], y[0], z[1]), place(x[0], y[0], z[1])}));
-  painter.drawPolyline(QPolygonF({place(x[0], y[0], z[1]), place(x[0], y[1], z[1]), place(x[1], y[1], z[1]), place(x[1], y[1], z[0]), place(x[1], y[0], z[0])}));
+  painter.drawPolygon(
+      QPolygonF({place(x[0], y[0], z[0]), place(x[1], y[0], z[0]), place(x[1], y[0], z[1]), place(x[0], y[0], z[1])}));
+  painter.drawPolyline(QPolygonF({place(x[0], y[0], z[1]), place(x[0], y[1], z[1]), place(x[1], y[1], z[1]),
+                                  place(x[1], y[1], z[0]), place(x[1], y[0], z[0])}));
   line(place(x[1], y[0], z[1]), place(x[1], y[1], z[1]));
   if (!known_) return;
-  const double tx = std::clamp(tip_[0], x[0], x[1]), ty = std::clamp(tip_[1], y[0], y[1]), tz = std::clamp(tip_[2], z[0], z[1]);
+  const double tx = std::clamp(tip_[0], x[0], x[1]), ty = std::clamp(tip_[1], y[0], y[1]),
+               tz = std::clamp(tip_[2], z[0], z[1]);
   painter.setPen(QPen(theme.text2, 1.0, Qt::DotLine));
   line(place(tx, ty, tz), place(tx, ty, z[0]));
   painter.setPen(QPen(theme.window, 1.5));

@@ -8,7 +8,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kPenPixels = 14.0;          // So near counts as on the pen.
+constexpr double kPenPixels = 14.0;  // So near counts as on the pen.
 constexpr double kRadiansPerPixel = 0.006;
 constexpr double kDepthPixelsPerStep = 24.0;  // A step of the wheel is so many pixels of depth.
 constexpr double kOvershoot = 1.05;           // The hand may press a little beyond the device's edge.
@@ -46,7 +46,8 @@ bool MouseStylus::hitsPen(const PointerEvent& event) const {
 
 void MouseStylus::shift(const dvec3& motion_W) {
   const dvec3 motion_D = glm::inverse(state_.q_WD) * motion_W / std::max(state_.scale, 1e-6);
-  target_.X_DH.p = glm::clamp(target_.X_DH.p + motion_D, kOvershoot * state_.workspace_min, kOvershoot * state_.workspace_max);
+  target_.X_DH.p =
+      glm::clamp(target_.X_DH.p + motion_D, kOvershoot * state_.workspace_min, kOvershoot * state_.workspace_max);
   tell();
 }
 
@@ -90,7 +91,8 @@ bool MouseStylus::move(const PointerEvent& event) {
 }
 
 bool MouseStylus::release(const PointerEvent& event) {
-  const bool stylus_button = (dragging_ && event.button == Qt::RightButton) || (follow_ && event.button == Qt::LeftButton);
+  const bool stylus_button =
+      (dragging_ && event.button == Qt::RightButton) || (follow_ && event.button == Qt::LeftButton);
   if (stylus_button) setButton(false);
   if (event.button == Qt::LeftButton) dragging_ = false;
   return true;
@@ -106,7 +108,8 @@ bool MouseStylus::wheel(const PointerEvent& event) {
 QString MouseStylus::hint() const {
   if (!state_.usable) return {};
   const QString verb = state_.holding_entity ? QObject::tr("lets go") : QObject::tr("grabs");
-  if (follow_) return QObject::tr("The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end").arg(verb);
+  if (follow_)
+    return QObject::tr("The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end").arg(verb);
   if (dragging_) return QObject::tr("Drag: move · wheel: depth · Ctrl: turn · right button or B %1").arg(verb);
   if (over_pen_) return QObject::tr("Drag the stylus to move it · B %1 · H: follow the mouse").arg(verb);
   return {};

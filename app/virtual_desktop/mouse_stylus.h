@@ -10,20 +10,20 @@ namespace hapticell::app {
 
 /// The mouse as the hand that holds a simulated stylus.
 ///
-/// Press the left button on the drawn pen (or anywhere while follow() is on) and drag: the tip moves in the plane of the
-/// screen. The wheel moves it into the picture and out of it; with Ctrl the drag turns it; the right button, or the key B,
-/// presses the stylus's button. When the mouse lets go, the hand stays where it is. GUI thread; no widgets.
+/// Press the left button on the drawn pen (or anywhere while follow() is on) and drag: the tip moves in the plane of
+/// the screen. The wheel moves it into the picture and out of it; with Ctrl the drag turns it; the right button, or the
+/// key B, presses the stylus's button. When the mouse lets go, the hand stays where it is. GUI thread; no widgets.
 class MouseStylus final : public PointerTool {
  public:
   /// What it has to know of the cell, given anew each frame.
   struct State {
-    bool usable = false;               ///< A simulated device is connected.
-    bool holding_entity = false;       ///< Something is held by the stylus.
-    dquat q_WD{1, 0, 0, 0};            ///< Turns motions of the hand into the cell.
-    double scale = 1.0;                ///< Metres of the cell a metre of hand.
-    dvec3 p_WTip{0.0};                 ///< Where the tip is drawn.
-    dvec3 d_WPen{0.0, 0.0, 1.0};       ///< Direction of the pen from its tip, unit.
-    double pen_length = 0.2;           ///< Of the drawn pen, metres of the cell.
+    bool usable = false;          ///< A simulated device is connected.
+    bool holding_entity = false;  ///< Something is held by the stylus.
+    dquat q_WD{1, 0, 0, 0};       ///< Turns motions of the hand into the cell.
+    double scale = 1.0;           ///< Metres of the cell a metre of hand.
+    dvec3 p_WTip{0.0};            ///< Where the tip is drawn.
+    dvec3 d_WPen{0.0, 0.0, 1.0};  ///< Direction of the pen from its tip, unit.
+    double pen_length = 0.2;      ///< Of the drawn pen, metres of the cell.
     dvec3 workspace_min{-0.08}, workspace_max{0.08};
   };
   using Listener = std::function<void(const haptic::HandTarget&)>;

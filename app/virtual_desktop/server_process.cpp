@@ -10,7 +10,8 @@ ServerProcess::ServerProcess(QObject* parent) : QObject(parent) {
   process_.setProcessChannelMode(QProcess::MergedChannels);
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart)
-      emit ended(tr("The haptic server could not be started: %1 is not there or may not be run.").arg(process_.program()));
+      emit ended(
+          tr("The haptic server could not be started: %1 is not there or may not be run.").arg(process_.program()));
   });
   connect(&process_, &QProcess::finished, this, [this] {
     if (stopping_) return;
@@ -19,7 +20,9 @@ ServerProcess::ServerProcess(QObject* parent) : QObject(parent) {
   });
 }
 
-ServerProcess::~ServerProcess() { stop(); }
+ServerProcess::~ServerProcess() {
+  stop();
+}
 
 void ServerProcess::start(const QString& device, int port) {
   if (isRunning()) return;

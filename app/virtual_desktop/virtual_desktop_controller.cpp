@@ -15,19 +15,24 @@ namespace {
 
 namespace command = manipulation::command;
 
-constexpr int kServerPatience = 700;     // Milliseconds without an answer until a server is started.
-constexpr int kLeastPress = 90;           // Milliseconds that a press of the stylus's button lasts at least.
-constexpr double kPenPixels = 150.0;     // As the viewport draws it.
+constexpr int kServerPatience = 700;  // Milliseconds without an answer until a server is started.
+constexpr int kLeastPress = 90;       // Milliseconds that a press of the stylus's button lasts at least.
+constexpr double kPenPixels = 150.0;  // As the viewport draws it.
 
 }  // namespace
 
 QString scaleName(manipulation::ScaleLevel level) {
   switch (level) {
-    case manipulation::ScaleLevel::kRough: return QObject::tr("Rough");
-    case manipulation::ScaleLevel::kMedium: return QObject::tr("Medium");
-    case manipulation::ScaleLevel::kFine: return QObject::tr("Fine");
-    case manipulation::ScaleLevel::kScreen: return QObject::tr("Screen");
-    case manipulation::ScaleLevel::kNumber: break;
+    case manipulation::ScaleLevel::kRough:
+      return QObject::tr("Rough");
+    case manipulation::ScaleLevel::kMedium:
+      return QObject::tr("Medium");
+    case manipulation::ScaleLevel::kFine:
+      return QObject::tr("Fine");
+    case manipulation::ScaleLevel::kScreen:
+      return QObject::tr("Screen");
+    case manipulation::ScaleLevel::kNumber:
+      break;
   }
   return {};
 }
@@ -87,7 +92,9 @@ void VirtualDesktopController::disconnectDevice() {
   emit connectionChanged();
 }
 
-bool VirtualDesktopController::isConnected() const { return link_ && link_->linkState() == haptic::LinkState::kConnected; }
+bool VirtualDesktopController::isConnected() const {
+  return link_ && link_->linkState() == haptic::LinkState::kConnected;
+}
 
 QString VirtualDesktopController::deviceLine() const {
   if (!link_) return tr("Not connected");
@@ -114,7 +121,9 @@ void VirtualDesktopController::postHand(const haptic::HandTarget& target) {
   loop_->post(command::SetHandTarget{sent});
 }
 
-double VirtualDesktopController::guiRate() const { return ticks_.rate(static_cast<double>(clock_.nsecsElapsed()) * 1e-9); }
+double VirtualDesktopController::guiRate() const {
+  return ticks_.rate(static_cast<double>(clock_.nsecsElapsed()) * 1e-9);
+}
 
 void VirtualDesktopController::postDocument() {
   if (!loop_) return;
@@ -161,7 +170,9 @@ void VirtualDesktopController::updateStrip() {
   StripContext strip;
   strip.on_contact = settings_.on_contact;
   strip.scale_name = scaleName(settings_.scale).toStdString();
-  strip.free_axes = settings_.translates && settings_.rotates ? "X Y Z A B C" : settings_.translates ? "X Y Z" : "A B C";
+  strip.free_axes = settings_.translates && settings_.rotates ? "X Y Z A B C"
+                    : settings_.translates                    ? "X Y Z"
+                                                              : "A B C";
   strip.near_miss_distance = host_.configuration().manipulation.near_miss;
   host_.viewport().setStrip(strip);
 }
@@ -193,7 +204,8 @@ void VirtualDesktopController::takeResults() {
   if (!loop_) return;
   for (const manipulation::Result& result : loop_->takeResults()) {
     if (const auto* moved = std::get_if<manipulation::result::Moved>(&result)) handleMoved(*moved);
-    if (const auto* grabbed = std::get_if<manipulation::result::Grabbed>(&result)) host_.selection().set(grabbed->entity);
+    if (const auto* grabbed = std::get_if<manipulation::result::Grabbed>(&result))
+      host_.selection().set(grabbed->entity);
     if (const auto* notice = std::get_if<manipulation::result::Notice>(&result))
       host_.messages().tell(Severity::kInformation, QString::fromStdString(notice->sentence));
   }
@@ -237,7 +249,8 @@ void VirtualDesktopController::tick() {
     host_.setGuiRate(guiRate());
     host_.setSnapshot(snapshot_);
     if (device_)
-      host_.setDeviceText(QString::fromStdString(device_->name) + (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
+      host_.setDeviceText(QString::fromStdString(device_->name) +
+                          (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
     else
       host_.setDeviceText(deviceLine());
     if (!told_.isValid() || told_.elapsed() >= 100) {

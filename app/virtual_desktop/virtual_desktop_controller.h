@@ -44,7 +44,7 @@ class VirtualDesktopController : public QObject {
   double guiRate() const;
 
  signals:
-  void snapshotChanged();     ///< Ten times a second: for numbers. The scene itself is handed to the host each time.
+  void snapshotChanged();  ///< Ten times a second: for numbers. The scene itself is handed to the host each time.
   void settingsChanged();
   void connectionChanged();
 
@@ -63,7 +63,7 @@ class VirtualDesktopController : public QObject {
 
   Host& host_;
   std::unique_ptr<manipulation::ManipulationLoop> loop_;
-  haptic::TcpLink* link_ = nullptr;   // Owned by the loop; only its thread-safe questions are asked.
+  haptic::TcpLink* link_ = nullptr;  // Owned by the loop; only its thread-safe questions are asked.
   ServerProcess server_;
   MouseStylus mouse_;
   VirtualDesktopSettings settings_;

@@ -35,9 +35,13 @@ bool typing() {
 }  // namespace
 
 VirtualDesktopModule::VirtualDesktopModule() = default;
-VirtualDesktopModule::~VirtualDesktopModule() { stop(); }
+VirtualDesktopModule::~VirtualDesktopModule() {
+  stop();
+}
 
-QString VirtualDesktopModule::purpose() const { return tr("Hold an entity with the stylus, move it and feel what it touches"); }
+QString VirtualDesktopModule::purpose() const {
+  return tr("Hold an entity with the stylus, move it and feel what it touches");
+}
 
 void VirtualDesktopModule::start(Host& host) {
   if (controller_) {
@@ -108,7 +112,8 @@ void VirtualDesktopModule::addPill() {
   row->addWidget(pill_button_);
   row->addWidget(pill_words_);
   host_->addToToolBar(pill_);
-  // It only turns forces off: on is the switch of the panel or Ctrl+Space, never a click that was meant for something else.
+  // It only turns forces off: on is the switch of the panel or Ctrl+Space, never a click that was meant for something
+  // else.
   QObject::connect(pill_button_, &QPushButton::clicked, controller_.get(), [this] {
     controller_->setForces(false);
     showPill();
@@ -134,7 +139,8 @@ void VirtualDesktopModule::addKeys() {
     QObject::connect(action, &QAction::triggered, controller_.get(), slot);
     actions_.push_back(action);
   };
-  add("actionForcesOn", tr("Forces on"), QKeySequence(Qt::CTRL | Qt::Key_Space), [this] { controller_->setForces(true); });
+  add("actionForcesOn", tr("Forces on"), QKeySequence(Qt::CTRL | Qt::Key_Space),
+      [this] { controller_->setForces(true); });
   add("actionFollow", tr("Hold the stylus with the mouse"), QKeySequence(Qt::Key_H), [this] {
     MouseStylus& mouse = controller_->mouse();
     mouse.setFollow(!mouse.follow());
@@ -178,7 +184,8 @@ bool VirtualDesktopModule::eventFilter(QObject* watched, QEvent* event) {
   if (controller_ && (press || event->type() == QEvent::KeyRelease) && qobject_cast<QWidget*>(watched)) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if ((plain || key->key() == Qt::Key_Escape || !press) && handleKey(key->key(), press, key->isAutoRepeat())) return true;
+    if ((plain || key->key() == Qt::Key_Escape || !press) && handleKey(key->key(), press, key->isAutoRepeat()))
+      return true;
   }
   return QObject::eventFilter(watched, event);
 }

@@ -160,13 +160,17 @@ void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
     VirtualDesktopSettings settings = controller_.settings();
     settings.entity = entity_->itemData(index).toULongLong();
     settings.moved_by = manipulation::MovedBy::Kind::kDefault;
-    if (const workcell::Entity* entity = host_.documentModel().document().find(settings.entity)) settings.on_contact = entity->on_contact;
+    if (const workcell::Entity* entity = host_.documentModel().document().find(settings.entity))
+      settings.on_contact = entity->on_contact;
     controller_.change(settings);
   });
   connect(moved_by_, &Segmented::chosen, this, [this](int index) {
     using Kind = manipulation::MovedBy::Kind;
     VirtualDesktopSettings settings = controller_.settings();
-    settings.moved_by = index == 0 ? Kind::kTcp : index == 1 ? Kind::kBase : index == 2 ? Kind::kSelfOrigin : Kind::kGeometricCenter;
+    settings.moved_by = index == 0   ? Kind::kTcp
+                        : index == 1 ? Kind::kBase
+                        : index == 2 ? Kind::kSelfOrigin
+                                     : Kind::kGeometricCenter;
     controller_.change(settings);
   });
   connect(on_contact_, &Segmented::chosen, this, [this](int index) {

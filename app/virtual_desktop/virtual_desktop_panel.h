@@ -42,7 +42,8 @@ class VirtualDesktopPanel : public QWidget {
   Host& host_;
   VirtualDesktopController& controller_;
   QCheckBox* forces_;
-  QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *device_icon_, *stylus_, *scale_note_, *workspace_text_;
+  QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *device_icon_, *stylus_, *scale_note_,
+      *workspace_text_;
   QLabel* rates_[3][2];
   ForceMeter* meter_;
   WorkspaceView* workspace_;

@@ -20,7 +20,9 @@
 namespace hapticell::app {
 namespace {
 
-QString keyLine(const QString& key, const QString& does) { return QStringLiteral("<b>%1</b>&nbsp; %2").arg(key, does); }
+QString keyLine(const QString& key, const QString& does) {
+  return QStringLiteral("<b>%1</b>&nbsp; %2").arg(key, does);
+}
 
 }  // namespace
 
@@ -30,7 +32,8 @@ void VirtualDesktopPanel::listEntities() {
   entity_->addItem(icon("hand"), tr("What the tip touches"), 0ULL);
   for (const auto& entity : host_.documentModel().document().state().entities) {
     if (entity->locked) continue;
-    entity_->addItem(icon(entity->robot ? "robot" : "cube"), QString::fromStdString(entity->name), static_cast<qulonglong>(entity->id));
+    entity_->addItem(icon(entity->robot ? "robot" : "cube"), QString::fromStdString(entity->name),
+                     static_cast<qulonglong>(entity->id));
     if (entity->id == chosen) entity_->setCurrentIndex(entity_->count() - 1);
   }
 }
@@ -45,7 +48,8 @@ void VirtualDesktopPanel::showForces() {
   QString why = tr("Ctrl+Space turns them on");
   if (!connected) why = tr("No device is connected");
   if (connected && wanted && !now.forces_on) why = tr("Move the stylus into free space");
-  if (now.forces_on) why = now.force_ramp < 0.999 ? tr("Ramp %1 %").arg(std::lround(100.0 * now.force_ramp)) : tr("Esc turns them off");
+  if (now.forces_on)
+    why = now.force_ramp < 0.999 ? tr("Ramp %1 %").arg(std::lround(100.0 * now.force_ramp)) : tr("Esc turns them off");
   forces_why_->setText(why);
   force_now_->setText(QString::fromStdString(newtons(now.force_n)));
   meter_->setForce(now.force_n);
@@ -63,7 +67,9 @@ void VirtualDesktopPanel::showSnapshot() {
     workspace_->setState({low.x, low.y, low.z}, {high.x, high.y, high.z}, {tip.x, tip.y, tip.z}, true);
     const dvec3 size = 1000.0 * (high - low);
     workspace_text_->setText(QStringLiteral("%1 × %2 × %3 mm<br>%4<br><br>%5<br>%6<br>%7<br>%8")
-                                 .arg(std::lround(size.x)).arg(std::lround(size.y)).arg(std::lround(size.z))
+                                 .arg(std::lround(size.x))
+                                 .arg(std::lround(size.y))
+                                 .arg(std::lround(size.z))
                                  .arg(tr("%1 mm to the edge").arg(std::lround(1000.0 * now.device_edge_m)))
                                  .arg(keyLine("Space", tr("hold: clutch")), keyLine("1–4", tr("scale")),
                                       keyLine("C", tr("stop, slide, pass")), keyLine("B", tr("stylus button"))));
@@ -89,11 +95,20 @@ void VirtualDesktopPanel::showSettings() {
   for (int i = 0; i < 4; ++i) moved_by_->button(i)->setVisible(!entity || (i < 2 ? robot : solid));
   int moved = -1;
   switch (settings.moved_by) {
-    case Kind::kTcp: moved = 0; break;
-    case Kind::kBase: moved = 1; break;
-    case Kind::kSelfOrigin: moved = 2; break;
-    case Kind::kGeometricCenter: moved = 3; break;
-    default: moved = robot ? 0 : solid ? 2 : -1;
+    case Kind::kTcp:
+      moved = 0;
+      break;
+    case Kind::kBase:
+      moved = 1;
+      break;
+    case Kind::kSelfOrigin:
+      moved = 2;
+      break;
+    case Kind::kGeometricCenter:
+      moved = 3;
+      break;
+    default:
+      moved = robot ? 0 : solid ? 2 : -1;
   }
   moved_by_->setCurrent(moved);
   on_contact_->setCurrent(static_cast<int>(settings.on_contact));

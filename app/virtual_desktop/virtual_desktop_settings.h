@@ -9,7 +9,7 @@ namespace hapticell::app {
 
 /// What the user chose in the Virtual Desktop panel. A value; the controller turns changes into commands.
 struct VirtualDesktopSettings {
-  workcell::EntityId entity = 0;   ///< 0: whatever the tip touches.
+  workcell::EntityId entity = 0;  ///< 0: whatever the tip touches.
   manipulation::MovedBy::Kind moved_by = manipulation::MovedBy::Kind::kDefault;
   manipulation::AxesMode axes = manipulation::AxesMode::kScreen;
   manipulation::ScaleLevel scale = manipulation::ScaleLevel::kMedium;

@@ -82,7 +82,8 @@ TEST(Camera, FittedBoxIsInsideAndFillsTheView) {
     const Camera camera = someCamera(seed).fitted(box, kSize);
     double least_room = 1e9;
     for (int i = 0; i < 8; ++i) {
-      const dvec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y, (i & 4) ? box.max.z : box.min.z);
+      const dvec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                         (i & 4) ? box.max.z : box.min.z);
       const glm::dvec2 p = *camera.project(corner, kSize);
       EXPECT_GE(p.x, 0.0);
       EXPECT_LE(p.x, kSize.width);

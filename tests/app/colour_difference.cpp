@@ -10,7 +10,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-double linear(double value) { return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4); }
+double linear(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
 
 std::array<double, 3> labOf(const std::array<double, 3>& rgb) {
   const double x = (0.4124564 * rgb[0] + 0.3575761 * rgb[1] + 0.1804375 * rgb[2]) / 0.95047;
@@ -34,8 +36,10 @@ double luminance(const QColor& color) {
 
 std::array<double, 3> linearSeenBy(Vision vision, const QColor& color) {
   const std::array<double, 3> c{linear(color.redF()), linear(color.greenF()), linear(color.blueF())};
-  static constexpr double kProtan[3][3]{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}};
-  static constexpr double kDeutan[3][3]{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
+  static constexpr double kProtan[3][3]{
+      {0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}};
+  static constexpr double kDeutan[3][3]{
+      {0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
   if (vision == Vision::kNormal) return c;
   const auto& m = vision == Vision::kProtan ? kProtan : kDeutan;
   std::array<double, 3> seen{};
@@ -43,7 +47,9 @@ std::array<double, 3> linearSeenBy(Vision vision, const QColor& color) {
   return seen;
 }
 
-double ciede2000(const std::array<double, 3>& a, const std::array<double, 3>& b) { return ciede2000Lab(labOf(a), labOf(b)); }
+double ciede2000(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return ciede2000Lab(labOf(a), labOf(b));
+}
 
 double ciede2000Lab(const std::array<double, 3>& p, const std::array<double, 3>& q) {
   const double mean_c = 0.5 * (std::hypot(p[1], p[2]) + std::hypot(q[1], q[2]));

@@ -10,7 +10,8 @@ namespace {
 constexpr ViewSize kSize{1200.0, 700.0};
 
 std::vector<LabelWish> threeAt(const glm::dvec2& place) {
-  return {{1, place, {150, 44}}, {2, place + glm::dvec2(30, 10), {180, 44}}, {3, place - glm::dvec2(20, 40), {120, 44}}};
+  return {
+      {1, place, {150, 44}}, {2, place + glm::dvec2(30, 10), {180, 44}}, {3, place - glm::dvec2(20, 40), {120, 44}}};
 }
 
 RC_GTEST_PROP(LabelLayout, LabelsCoverNeitherEachOtherNorTheirPoints, ()) {

@@ -13,13 +13,15 @@ class MouseStylusTest : public testing::Test {
  protected:
   void SetUp() override {
     camera.target_W = dvec3(0.5, 0.2, 0.8);
+    camera.distance = 0.4;  // So near that a drag of some pixels stays within the workspace.
     state.usable = true;
     state.scale = 0.25;
     state.p_WTip = camera.target_W;
     mouse.setState(state);
     mouse.hold(true);
   }
-  PointerEvent at(double x, double y, Qt::MouseButton button, Qt::MouseButtons held, Qt::KeyboardModifiers keys = {}) const {
+  PointerEvent at(double x, double y, Qt::MouseButton button, Qt::MouseButtons held,
+                  Qt::KeyboardModifiers keys = {}) const {
     PointerEvent event;
     event.pixel = {x, y};
     event.button = button;

@@ -42,7 +42,9 @@ TEST(OverlayLabels, OneEachOfContactNearMissAndLimit) {
   EXPECT_EQ(labels[2].names, "A5 is 1.2° from its limit");
 }
 
-TEST(OverlayLabels, NoneWithoutASnapshot) { EXPECT_TRUE(overlayLabels(SceneModel()).empty()); }
+TEST(OverlayLabels, NoneWithoutASnapshot) {
+  EXPECT_TRUE(overlayLabels(SceneModel()).empty());
+}
 
 TEST(ForceArrow, LengthAndOpacityAreAsTheVisualLanguageSays) {
   EXPECT_DOUBLE_EQ(forceArrowLength(1.0), 120.0);

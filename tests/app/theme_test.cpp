@@ -24,9 +24,9 @@ class Themes : public testing::TestWithParam<bool> {
 };
 
 TEST_P(Themes, StateColoursAreToldApartWithProtanAndDeutanVision) {
-  const std::vector<std::pair<const char*, QColor>> states{{"contact", theme().contact},     {"near miss", theme().near_miss},
-                                                           {"limit", theme().limit},         {"selection", theme().selection},
-                                                           {"guide", theme().guide},         {"force", theme().force}};
+  const std::vector<std::pair<const char*, QColor>> states{
+      {"contact", theme().contact},     {"near miss", theme().near_miss}, {"limit", theme().limit},
+      {"selection", theme().selection}, {"guide", theme().guide},         {"force", theme().force}};
   for (const Vision vision : {Vision::kNormal, Vision::kProtan, Vision::kDeutan})
     for (std::size_t i = 0; i < states.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
@@ -43,7 +43,9 @@ TEST_P(Themes, TextIsReadableOnEveryGround) {
   EXPECT_GE(contrast(theme().on_text, theme().on), 4.5);
 }
 
-TEST_P(Themes, ThePaletteKnowsItsTheme) { EXPECT_EQ(themeOf(paletteOf(theme())).dark, GetParam()); }
+TEST_P(Themes, ThePaletteKnowsItsTheme) {
+  EXPECT_EQ(themeOf(paletteOf(theme())).dark, GetParam());
+}
 
 INSTANTIATE_TEST_SUITE_P(DarkAndLight, Themes, testing::Bool());
 

@@ -34,7 +34,9 @@ TEST(ViewCube, PickFindsWhatIsProjectedThere) {
   }
 }
 
-TEST(ViewCube, OutsideIsNothing) { EXPECT_FALSE(kCube.pick({300.0, 80.0}, Camera())); }
+TEST(ViewCube, OutsideIsNothing) {
+  EXPECT_FALSE(kCube.pick({300.0, 80.0}, Camera()));
+}
 
 TEST(ViewCube, AtMostThreeFacesAreSeenAndTheyFaceTheEye) {
   for (int i = 0; i < 60; ++i) {

@@ -83,11 +83,15 @@ TEST(Window, ThePictureShowsThePartAndAClickFindsIt) {
   }();
   const QImage picture = page.window().viewport().finishedPicture();
   ASSERT_EQ(picture.size(), empty.size());
-  const QPoint middle(picture.width() / 2, picture.height() / 2);
-  EXPECT_NE(picture.pixel(middle), empty.pixel(middle));
+  const ViewportWidget& viewport = page.window().viewport();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  const auto inside = viewport.camera().project(dvec3(0.02), size);
+  ASSERT_TRUE(inside.has_value());
+  const QPoint place(static_cast<int>(inside->x), static_cast<int>(inside->y));
+  EXPECT_NE(picture.pixel(place), empty.pixel(place));
   const workcell::EntityId solid = page.window().selection().current();
   page.window().selection().set(0);
-  page.clickScene(0.5, 0.5);
+  page.clickScene(inside->x / size.width, inside->y / size.height);
   EXPECT_EQ(page.window().selection().current(), solid);
   page.clickScene(0.02, 0.3);
   EXPECT_EQ(page.window().selection().current(), 0u) << "a click beside it selects nothing";
