@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/panels.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QTimer>
 
 #include "app/host/host.h"
+#include "app/panels/collisions_panel.h"
+#include "app/panels/history_panel.h"
+#include "app/panels/messages_panel.h"
 #include "app/panels/properties_panel.h"
+#include "app/panels/strip_chart.h"
+#include "app/panels/tabbed_docks.h"
 #include "app/panels/workcell_panel.h"
 #include "app/style/dock_title_bar.h"
 
@@ -15,6 +21,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRefreshMilliseconds = 100;  // Numbers change at most ten times a second.
+constexpr int kChartMilliseconds = 33;
 
 QScrollArea* scrolled(QWidget* content, int minimum_width) {
   auto* scroll = new QScrollArea;
@@ -24,6 +31,41 @@ QScrollArea* scrolled(QWidget* content, int minimum_width) {
   scroll->setMinimumWidth(minimum_width);
   scroll->setWidget(content);
   return scroll;
+}
+
+template <class Slot>
+void every(int milliseconds, QObject* owner, Slot slot) {
+  auto* timer = new QTimer(owner);
+  QObject::connect(timer, &QTimer::timeout, owner, slot);
+  timer->start(milliseconds);
+}
+
+void addBottomDocks(Host& host) {
+  auto* chart = new StripChart;
+  chart->setLevels(host.configuration().manipulation.near_miss, 0.0);
+  auto* collisions = new CollisionsPanel(host);
+  QDockWidget* curves_dock = makeDock("dockCurves", QObject::tr("Curves"), chart);
+  QDockWidget* collisions_dock = makeDock("dockCollisions", tabTextWithCount(QObject::tr("Collisions"), 0), collisions);
+  QDockWidget* messages_dock = makeDock("dockMessages", QObject::tr("Messages"), new MessagesPanel(host.messages()));
+  QDockWidget* history_dock = makeDock("dockHistory", QObject::tr("History"), new HistoryPanel(host.documentModel()));
+  const std::vector<QDockWidget*> docks{curves_dock, collisions_dock, messages_dock, history_dock};
+  for (QDockWidget* dock : docks) {
+    dock->widget()->setMinimumHeight(150);
+    host.addDock(dock, Qt::BottomDockWidgetArea, dock == docks.front() ? nullptr : docks.front());
+  }
+  const auto name = [collisions_dock](int count) {
+    collisions_dock->setWindowTitle(tabTextWithCount(QObject::tr("Collisions"), count));
+    collisions_dock->toggleViewAction()->setText(QObject::tr("Collisions"));
+  };
+  name(0);
+  QObject::connect(collisions, &CollisionsPanel::alertsChanged, collisions_dock, name);
+  new TabbedDocks(host.window(), docks);
+  collisions_dock->raise();
+  host.window().resizeDocks({docks.front()}, {272}, Qt::Vertical);
+  every(kRefreshMilliseconds, collisions, [&host, collisions] {
+    if (collisions->isVisible() || host.snapshot()) collisions->showSnapshot(host.snapshot());
+  });
+  every(kChartMilliseconds, chart, [&host, chart] { chart->take(host.snapshot()); });
 }
 
 }  // namespace
@@ -37,12 +79,11 @@ void addPanels(Host& host) {
   host.addDock(properties_dock, Qt::LeftDockWidgetArea);
   host.window().resizeDocks({workcell_dock}, {296}, Qt::Horizontal);
   host.window().resizeDocks({workcell_dock, properties_dock}, {556, 414}, Qt::Vertical);
-  auto* timer = new QTimer(&host.window());
-  QObject::connect(timer, &QTimer::timeout, &host.window(), [&host, workcell, properties] {
+  addBottomDocks(host);
+  every(kRefreshMilliseconds, workcell, [&host, workcell, properties] {
     workcell->showSnapshot(host.snapshot());
     properties->showNow();
   });
-  timer->start(kRefreshMilliseconds);
 }
 
 }  // namespace hapticell::app

@@ -45,8 +45,8 @@ DockTitleBar::DockTitleBar(QDockWidget* dock) : QWidget(dock), dock_(dock) {
   connect(dock, &QDockWidget::windowTitleChanged, this, [this] { update(); });
 }
 
-QSize DockTitleBar::sizeHint() const { return {120, kTitleHeight}; }
-QSize DockTitleBar::minimumSizeHint() const { return {80, kTitleHeight}; }
+QSize DockTitleBar::sizeHint() const { return {120, property("folded").toBool() ? 0 : kTitleHeight}; }
+QSize DockTitleBar::minimumSizeHint() const { return {80, property("folded").toBool() ? 0 : kTitleHeight}; }
 
 void DockTitleBar::paintEvent(QPaintEvent*) {
   const Theme& theme = themeOf(palette());

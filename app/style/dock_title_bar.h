@@ -8,6 +8,7 @@ class QDockWidget;
 namespace hapticell::app {
 
 /// A dock's title: name at the left, float and close at the right, a line below. Dragging it moves the dock as Qt does.
+/// It takes no room while its property `folded` is true: the tab is then the title.
 class DockTitleBar : public QWidget {
   Q_OBJECT
  public:

@@ -213,13 +213,9 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
     case CE_TabBarTabShape:
       if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) drawTabShape(painter, tab);
       return;
-    case CE_TabBarTabLabel: {
-      const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
-      if (!tab) return;
-      painter->setPen(tab->state.testFlag(State_Selected) ? theme.text1 : theme.text2);
-      painter->drawText(tab->rect.adjusted(0, 1, 0, 0), Qt::AlignCenter, tab->text);
+    case CE_TabBarTabLabel:
+      if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) drawTabLabel(painter, tab);
       return;
-    }
     case CE_MenuBarEmptyArea: painter->fillRect(option->rect, theme.window); return;
     case CE_MenuBarItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);

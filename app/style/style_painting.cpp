@@ -2,6 +2,7 @@
 #include "app/style/style_painting.h"
 
 #include <QPainterPath>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <algorithm>
 
@@ -117,6 +118,33 @@ void drawTabShape(QPainter* painter, const QStyleOptionTab* option) {
   const bool hover = has(option, QStyle::State_MouseOver);
   painter->fillRect(option->rect, selected ? theme.dock : hover ? blended(theme.header, theme.text1, 0.05) : theme.header);
   if (selected) painter->fillRect(QRect(option->rect.left(), option->rect.top(), option->rect.width(), 2), theme.selection);
+}
+
+void drawTabLabel(QPainter* painter, const QStyleOptionTab* option) {
+  const Theme& theme = themeOf(option->palette);
+  static const QRegularExpression counted(QStringLiteral("^(.*) \\((\\d+)\\)$"));
+  const auto match = counted.match(option->text);
+  const QString words = match.hasMatch() ? match.captured(1) : option->text;
+  const QString count = match.hasMatch() && match.captured(2) != QStringLiteral("0") ? match.captured(2) : QString();
+  const QRect rect = option->rect.adjusted(0, 1, 0, 0);
+  painter->setPen(has(option, QStyle::State_Selected) ? theme.text1 : theme.text2);
+  if (!match.hasMatch()) {
+    painter->drawText(rect, Qt::AlignCenter, words);
+    return;
+  }
+  const int left = rect.left() + 14;
+  painter->drawText(QRect(left, rect.top(), rect.width(), rect.height()), Qt::AlignVCenter | Qt::AlignLeft, words);
+  if (count.isEmpty()) return;
+  const QRectF badge(left + painter->fontMetrics().horizontalAdvance(words) + 6, rect.center().y() - 7.5, 16, 16);
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(theme.near_miss);
+  painter->drawEllipse(badge);
+  painter->setFont(textFont(TextRole::kKeyCap));
+  painter->setPen(theme.dark ? theme.window : theme.on_text);
+  painter->drawText(badge, Qt::AlignCenter, count.size() > 1 ? QStringLiteral("9+") : count);
+  painter->restore();
 }
 
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color) {

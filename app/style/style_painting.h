@@ -27,6 +27,9 @@ void drawIndicator(QPainter* painter, const QStyleOption* option, bool round);
 /// A tab with a line on top while it is the current one.
 void drawTabShape(QPainter* painter, const QStyleOptionTab* option);
 
+/// A tab's words; a number in brackets at the end becomes a badge, nought none.
+void drawTabLabel(QPainter* painter, const QStyleOptionTab* option);
+
 /// The little triangle of combo boxes and menus, pointing down.
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/strip_chart.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "app/style/fonts.h"
+#include "app/style/style_painting.h"
+#include "app/style/theme.h"
+#include "app/viewport/strip_text.h"
+
+namespace hapticell::app {
+
+/// Where values are in pixels.
+struct StripChart::Axes {
+  QRect plot;
+  double end_s = 0.0, length_s = 20.0;
+  double gap_top = 0.060, force_top = 5.0;
+  double x(double time_s) const { return plot.right() - (end_s - time_s) / length_s * plot.width(); }
+  double yGap(double metres) const { return plot.bottom() - std::clamp(metres / gap_top, 0.0, 1.0) * plot.height(); }
+  double yForce(double newtons) const {
+    return plot.bottom() - std::clamp(newtons / force_top, 0.0, 1.0) * plot.height();
+  }
+};
+
+StripChart::StripChart(QWidget* parent) : QWidget(parent) {
+  setObjectName("stripChart");
+  setAccessibleName(tr("Force and gap over the last 20 seconds"));
+  setMouseTracking(true);
+}
+
+void StripChart::take(const std::optional<manipulation::SceneSnapshot>& snapshot) {
+  if (!snapshot) return;
+  history_.add(*snapshot);
+  if (isVisible()) update();
+}
+
+void StripChart::setLevels(double near_miss_m, double peak_n) {
+  near_miss_m_ = near_miss_m;
+  peak_n_ = peak_n;
+}
+
+StripChart::Axes StripChart::axes() const {
+  Axes axes;
+  axes.plot = rect().adjusted(200, 30, -60, -14);
+  axes.length_s = history_.length();
+  axes.end_s = std::max(history_.now(), axes.length_s);
+  double gap = 0.0, force = 0.0;
+  for (const StripSample& sample : history_.samples()) {
+    if (std::isfinite(sample.gap_m)) gap = std::max(gap, sample.gap_m);
+    force = std::max(force, sample.force_n);
+  }
+  axes.gap_top = axisTop(gap, 0.05);
+  axes.force_top = peak_n_ > 0.0 ? 1.12 * peak_n_ : axisTop(force, 2.0);
+  return axes;
+}
+
+void StripChart::paintTimes(QPainter& painter, const Axes& axes) const {
+  const Theme& theme = themeOf(palette());
+  painter.setFont(textFont(TextRole::kSecond));
+  for (int second = static_cast<int>(std::ceil(axes.end_s - axes.length_s)); second <= axes.end_s; ++second) {
+    const double x = axes.x(second);
+    const bool named = second % 2 == 0;
+    painter.fillRect(QRectF(x, axes.plot.top() - (named ? 10 : 6), 1, named ? 8 : 4), theme.text3);
+    if (!named || x > axes.plot.right() - 30) continue;
+    painter.setPen(theme.text2);
+    painter.drawText(QRectF(x - 30, axes.plot.top() - 30, 60, 18), Qt::AlignCenter, tr("%1 s").arg(second));
+  }
+  painter.setPen(theme.text1);
+  painter.drawText(QRectF(axes.plot.right() - 30, axes.plot.top() - 30, 60, 18), Qt::AlignCenter, tr("now"));
+}
+
+void StripChart::paintLevels(QPainter& painter, const Axes& axes) const {
+  const Theme& theme = themeOf(palette());
+  const QRect& plot = axes.plot;
+  painter.fillRect(plot, theme.field);
+  QColor band = theme.near_miss;
+  band.setAlpha(26);
+  const double near = axes.yGap(near_miss_m_);
+  painter.fillRect(QRectF(plot.left(), near, plot.width(), plot.bottom() - near), band);
+  painter.setPen(QPen(theme.near_miss, 1.2, Qt::DashLine));
+  painter.drawLine(QPointF(plot.left(), near), QPointF(plot.right(), near));
+  painter.setFont(textFont(TextRole::kSecond));
+  const QRectF left(plot.left() - 64, 0, 56, 16);
+  const auto word = [&](const QRectF& place, double y, const QColor& color, const QString& text, Qt::Alignment side) {
+    painter.setPen(color);
+    painter.drawText(place.translated(0, y - 8), side | Qt::AlignVCenter, text);
+  };
+  word(left, near, theme.near_miss_text, QString::number(1000.0 * near_miss_m_, 'g', 3), Qt::AlignRight);
+  word(left, plot.top() + 4, theme.selection, tr("%1 mm").arg(1000.0 * axes.gap_top, 0, 'g', 4), Qt::AlignRight);
+  word(left, plot.bottom(), theme.selection, QStringLiteral("0"), Qt::AlignRight);
+  const QRectF right(plot.right() + 8, 0, 52, 16);
+  word(right, plot.bottom(), theme.text1, QStringLiteral("0"), Qt::AlignLeft);
+  word(right, axes.yForce(0.5 * axes.force_top), theme.text1, QString::number(0.5 * axes.force_top, 'f', 1),
+       Qt::AlignLeft);
+  if (peak_n_ > 0.0) {
+    const double peak = axes.yForce(peak_n_);
+    painter.setPen(QPen(theme.limit, 1.2));
+    painter.drawLine(QPointF(plot.left(), peak), QPointF(plot.right(), peak));
+    word(right, peak, theme.limit_text, tr("%1 N").arg(peak_n_, 0, 'f', 1), Qt::AlignLeft);
+  } else {
+    word(right, plot.top() + 4, theme.text1, tr("%1 N").arg(axes.force_top, 0, 'g', 3), Qt::AlignLeft);
+  }
+}
+
+void StripChart::paintCurves(QPainter& painter, const Axes& axes) const {
+  const Theme& theme = themeOf(palette());
+  QPainterPath gap, force, area;
+  bool drawing = false, first = true;
+  for (const StripSample& sample : history_.samples()) {
+    const double x = axes.x(sample.time_s);
+    const QPointF force_at(x, axes.yForce(sample.force_n));
+    if (first) area.moveTo(x, axes.plot.bottom());
+    first ? force.moveTo(force_at) : force.lineTo(force_at);
+    area.lineTo(force_at);
+    first = false;
+    const bool known = std::isfinite(sample.gap_m);
+    const QPointF gap_at(x, axes.yGap(known ? sample.gap_m : 0.0));
+    if (known) drawing ? gap.lineTo(gap_at) : gap.moveTo(gap_at);
+    drawing = known;
+  }
+  if (first) return;
+  area.lineTo(axes.x(history_.now()), axes.plot.bottom());
+  painter.setClipRect(axes.plot.adjusted(0, -1, 0, 1));
+  QColor fill = theme.text3;
+  fill.setAlpha(90);
+  painter.fillPath(area, fill);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.selection, 1.8));
+  painter.drawPath(gap);
+  painter.setPen(QPen(theme.force, 1.6));
+  painter.drawPath(force);
+  painter.setClipping(false);
+}
+
+void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
+  const Theme& theme = themeOf(palette());
+  const int top = axes.plot.top();
+  painter.setFont(textFont(TextRole::kSection));
+  painter.setPen(theme.selection);
+  painter.drawText(QRect(12, top - 4, 160, 20), Qt::AlignVCenter, tr("Gap, nearest pair"));
+  painter.setPen(theme.text1);
+  painter.drawText(QRect(12, top + 18, 160, 20), Qt::AlignVCenter, tr("Force on the hand"));
+  painter.setFont(textFont(TextRole::kSecond));
+  painter.setPen(theme.near_miss_text);
+  painter.drawText(QRect(12, top + 40, 160, 20), Qt::AlignVCenter,
+                   tr("Near miss under %1 mm").arg(1000.0 * near_miss_m_, 0, 'g', 3));
+  if (!history_.samples().empty()) return;
+  painter.setPen(theme.text2);
+  painter.drawText(axes.plot, Qt::AlignCenter, tr("Nothing is measured yet. Connect a stylus and hold an entity."));
+}
+
+void StripChart::paintCursor(QPainter& painter, const Axes& axes) const {
+  const Theme& theme = themeOf(palette());
+  const bool pointed = cursor_ >= axes.plot.left() && cursor_ <= axes.plot.right();
+  const double x = pointed ? cursor_ : axes.x(history_.now());
+  const StripSample* sample = history_.at(axes.end_s - (axes.plot.right() - x) / axes.plot.width() * axes.length_s);
+  if (!sample) return;
+  painter.fillRect(QRectF(x - 0.75, axes.plot.top() - 8, 1.5, axes.plot.height() + 8), theme.text1);
+  if (!pointed) return;
+  const QString gap = std::isfinite(sample->gap_m) ? QString::fromStdString(millimetres(sample->gap_m)) : tr("no gap");
+  const QString force = tr("%1 N at %2 s").arg(sample->force_n, 0, 'f', 1).arg(sample->time_s, 0, 'f', 2);
+  painter.setFont(textFont(TextRole::kSecond));
+  const int gap_width = painter.fontMetrics().horizontalAdvance(gap) + 12;
+  const int width = gap_width + painter.fontMetrics().horizontalAdvance(force) + 16;
+  const int left = x + 10 + width > axes.plot.right() ? static_cast<int>(x) - 10 - width : static_cast<int>(x) + 10;
+  const QRect box(left, axes.plot.top() + 14, width, 22);
+  drawBox(&painter, box, theme.header, theme.line);
+  painter.setPen(theme.selection);
+  painter.drawText(box.adjusted(8, 0, 0, 0), Qt::AlignVCenter, gap);
+  painter.setPen(theme.text1);
+  painter.drawText(box.adjusted(8 + gap_width, 0, 0, 0), Qt::AlignVCenter, force);
+}
+
+void StripChart::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Axes at = axes();
+  if (at.plot.width() < 40 || at.plot.height() < 30) return;
+  paintLevels(painter, at);
+  paintTimes(painter, at);
+  paintCurves(painter, at);
+  paintLegend(painter, at);
+  paintCursor(painter, at);
+}
+
+void StripChart::mouseMoveEvent(QMouseEvent* event) {
+  cursor_ = event->pos().x();
+  update();
+}
+
+void StripChart::leaveEvent(QEvent*) {
+  cursor_ = -1;
+  update();
+}
+
+}  // namespace hapticell::app

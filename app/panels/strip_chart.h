@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/panels/strip_history.h"
+
+namespace hapticell::app {
+
+/// Force on the hand and nearest free gap over the last 20 seconds; the cursor reads both at its time.
+class StripChart : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StripChart(QWidget* parent = nullptr);
+  /// Takes the newest state; draws at most 30 times a second, and only while seen.
+  void take(const std::optional<manipulation::SceneSnapshot>& snapshot);
+  /// The near-miss distance (m) and the device's peak force (N; 0: none).
+  void setLevels(double near_miss_m, double peak_n);
+  const StripHistory& history() const { return history_; }
+  QSize minimumSizeHint() const override { return {320, 140}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  struct Axes;
+  Axes axes() const;
+  void paintTimes(QPainter& painter, const Axes& axes) const;
+  void paintLevels(QPainter& painter, const Axes& axes) const;
+  void paintCurves(QPainter& painter, const Axes& axes) const;
+  void paintLegend(QPainter& painter, const Axes& axes) const;
+  void paintCursor(QPainter& painter, const Axes& axes) const;
+  StripHistory history_;
+  double near_miss_m_ = 0.010, peak_n_ = 0.0;
+  int cursor_ = -1;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/tabbed_docks.h"
+
+#include <QDockWidget>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMainWindow>
+#include <QTabBar>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+
+#include "app/style/icon.h"
+
+namespace hapticell::app {
+namespace {
+
+QToolButton* cornerButton(QWidget* parent, const QString& icon_name, const QString& tip) {
+  auto* button = new QToolButton(parent);
+  button->setIcon(icon(icon_name));
+  button->setIconSize(QSize(14, 14));
+  button->setFixedSize(20, 20);
+  button->setAutoRaise(true);
+  button->setProperty("quiet", true);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+}  // namespace
+
+TabbedDocks::TabbedDocks(QMainWindow& window, std::vector<QDockWidget*> docks)
+    : QObject(&window), window_(window), docks_(std::move(docks)), corner_(new QWidget(&window)) {
+  auto* row = new QHBoxLayout(corner_);
+  row->setContentsMargins(0, 0, 6, 0);
+  row->setSpacing(2);
+  auto* floating = cornerButton(corner_, "float", tr("Undock"));
+  auto* close = cornerButton(corner_, "close", tr("Close the panel; the Window menu opens it again"));
+  row->addWidget(floating);
+  row->addWidget(close);
+  corner_->hide();
+  connect(floating, &QToolButton::clicked, this, [this] {
+    if (QDockWidget* dock = current()) dock->setFloating(true);
+  });
+  connect(close, &QToolButton::clicked, this, [this] {
+    if (QDockWidget* dock = current()) dock->close();
+  });
+  // Queued: the main window makes and moves its tab bars after it has told of the change.
+  for (QDockWidget* dock : docks_) {
+    connect(dock, &QDockWidget::visibilityChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::topLevelChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::dockLocationChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
+  }
+  QTimer::singleShot(0, this, &TabbedDocks::arrange);
+}
+
+QTabBar* TabbedDocks::findBar() const {
+  for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    for (int i = 0; i < bar->count(); ++i)
+      for (const QDockWidget* dock : docks_)
+        if (bar->tabText(i) == dock->windowTitle()) return bar;
+  return nullptr;
+}
+
+QDockWidget* TabbedDocks::current() const {
+  if (!bar_ || bar_->currentIndex() < 0) return nullptr;
+  const QString title = bar_->tabText(bar_->currentIndex());
+  const auto found =
+      std::find_if(docks_.begin(), docks_.end(), [&](const QDockWidget* dock) { return dock->windowTitle() == title; });
+  return found == docks_.end() ? nullptr : *found;
+}
+
+void TabbedDocks::arrange() {
+  if (arranging_) return;
+  arranging_ = true;
+  for (QDockWidget* dock : docks_) {
+    const auto others = window_.tabifiedDockWidgets(dock);
+    const bool tabbed = !dock->isFloating() && std::any_of(others.begin(), others.end(),
+                                                           [](const QDockWidget* other) { return !other->isHidden(); });
+    if (QWidget* title = dock->titleBarWidget()) title->setMaximumHeight(tabbed ? 0 : QWIDGETSIZE_MAX);
+    if (QWidget* title = dock->titleBarWidget(); title && title->property("folded").toBool() != tabbed) {
+      title->setProperty("folded", tabbed);
+      title->updateGeometry();
+    }
+  }
+  QTabBar* bar = findBar();
+  if (bar != bar_) {
+    if (bar_) bar_->removeEventFilter(this);
+    bar_ = bar;
+    if (bar_) {
+      bar_->installEventFilter(this);
+      bar_->setAutoFillBackground(true);
+      bar_->setBackgroundRole(QPalette::Light);
+      bar_->setUsesScrollButtons(true);
+    }
+  }
+  placeCorner();
+  arranging_ = false;
+}
+
+void TabbedDocks::placeCorner() {
+  const bool shown = bar_ && bar_->isVisible();
+  corner_->setVisible(shown);
+  if (!shown) return;
+  const QSize size = corner_->sizeHint();
+  const QPoint end = bar_->mapTo(&window_, QPoint(bar_->width(), 0));
+  corner_->setGeometry(end.x() - size.width(), end.y(), size.width(), bar_->height());
+  corner_->raise();
+}
+
+bool TabbedDocks::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == bar_) {
+    const auto type = event->type();
+    if (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide)
+      QTimer::singleShot(0, this, &TabbedDocks::placeCorner);
+    if (type == QEvent::Hide) QTimer::singleShot(0, this, &TabbedDocks::arrange);
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+QString tabTextWithCount(const QString& text, int count) {
+  return QStringLiteral("%1 (%2)").arg(text).arg(count);
+}
+
+}  // namespace hapticell::app

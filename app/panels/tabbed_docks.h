@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+class QTabBar;
+class QWidget;
+
+namespace hapticell::app {
+
+/// Docks that share one place as tabs: the tab is the title, so their own title bars are hidden while they are tabbed,
+/// and the buttons to undock and to close stand at the right end of the tab bar.
+class TabbedDocks : public QObject {
+  Q_OBJECT
+ public:
+  TabbedDocks(QMainWindow& window, std::vector<QDockWidget*> docks);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void arrange();
+  void placeCorner();
+  QTabBar* findBar() const;
+  QDockWidget* current() const;
+  QMainWindow& window_;
+  std::vector<QDockWidget*> docks_;
+  QTabBar* bar_ = nullptr;
+  QWidget* corner_;
+  bool arranging_ = false;
+};
+
+/// A tab's text with a count, drawn as a badge: "Collisions (2)". Nought has no badge but keeps its room.
+QString tabTextWithCount(const QString& text, int count);
+
+}  // namespace hapticell::app
