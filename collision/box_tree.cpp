@@ -290,6 +290,14 @@ double lowerBoundSquared(const OrientedBox& box, const dvec3& point) {
   return squared;
 }
 
+double lowerBoundSquared(const OrientedBox& box, const Corners& triangle) {
+  const dvec3 apart = box.center - closestPointOnTriangle(triangle, box.center);
+  double gap = std::numeric_limits<double>::infinity();
+  for (const dvec3& corner : triangle) gap = std::min(gap, glm::dot(apart, box.center - corner));
+  for (int i = 0; i < 3; ++i) gap -= box.half[i] * std::abs(glm::dot(box.R[i], apart));
+  return gap > 0.0 ? gap * gap / glm::dot(apart, apart) : 0.0;
+}
+
 BoxTree::BoxTree(const geometry::TriangleMesh& mesh) {
   if (mesh.triangles.empty()) return;
   BoxTreeBuilder builder(mesh, nodes_);

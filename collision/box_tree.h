@@ -27,6 +27,10 @@ double lowerBoundSquared(const OrientedBox& a, const OrientedBox& b);
 /// The square of the distance from a point to a box.
 double lowerBoundSquared(const OrientedBox& box, const dvec3& point);
 
+/// The same for a triangle and a box: their gap along the line from the triangle to the box's middle. Tight where the
+/// box is smaller than the triangle.
+double lowerBoundSquared(const OrientedBox& box, const Corners& triangle);
+
 /// A binary tree of oriented boxes over a mesh's triangles, in the mesh's frame. Immutable after build.
 ///
 /// Boxes are fitted to the area-weighted covariance of their triangles, to the largest triangle with its longest edge,

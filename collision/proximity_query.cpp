@@ -16,6 +16,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Nodes that cannot improve the distance by more than this (m) are passed over: ties are common on CAD parts.
 constexpr double kNegligible = 5e-10;
 
+/// Leaves this many times larger than the other node are looked at by their triangles.
+constexpr double kMuchLarger = 2.0;
+
 /// Depth-first search for the nearest pair of triangles, all in A's frame.
 struct PairSearch {
   const BoxTree& tree_a;
@@ -59,6 +62,7 @@ struct PairSearch {
   }
 
   void visit(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b_A) {
+    if (isBeyond(a, b, box_b_A)) return;
     if (a.isLeaf() && b.isLeaf()) {
       leaves(a, b);
     } else if (b.isLeaf() || (!a.isLeaf() && a.size >= b.size)) {
@@ -66,6 +70,20 @@ struct PairSearch {
     } else {
       openB(a, b);
     }
+  }
+
+  /// A leaf's own triangles tell more than its box where they are larger than the other node: the box of a long,
+  /// slanting triangle comes nearer by more than the other node's size, and every triangle under that node would be
+  /// tried.
+  bool isBeyond(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b_A) const {
+    const bool by_b = b.isLeaf() && b.size > kMuchLarger * a.size, by_a = a.isLeaf() && a.size > kMuchLarger * b.size;
+    if (!by_b && !by_a) return false;
+    const BoxTree::Node& leaf = by_b ? b : a;
+    const OrientedBox& box = by_b ? a.box : box_b_A;
+    for (std::uint32_t slot = leaf.first; slot < leaf.first + leaf.count; ++slot) {
+      if (lowerBoundSquared(box, by_b ? cornersOfB(slot) : tree_a.corners(slot)) < prune_squared) return false;
+    }
+    return true;
   }
 
   void openA(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b_A) {
