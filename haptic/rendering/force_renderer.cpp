@@ -66,6 +66,8 @@ struct ForceRenderer::Solved {
   bool trust = false;
   dvec3 trust_D{0.0};      ///< The trust row's part of proxy less stylus, m.
   double friction = 0.0;   ///< Of the active rows, weighted by how hard they press.
+  double way = 0.0;        ///< How far the rows would let the proxy go, m; it may need several ticks.
+  double depth = 0.0;      ///< What then is left to the stylus, m.
   double stiffness = 0.0;  ///< Least that an active row asks for, 0: none does.
   double damping = 0.0;    ///< Most that an active row asks for.
 
@@ -136,8 +138,11 @@ ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const 
   ProxyRows rows;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     rows.gather(grouped, solved.X_DP);
-    const SolverResult result = nearestFeasible(rows.all(), metricDifference(X_DS, solved.X_DP));
+    const Vector6 wanted = metricDifference(X_DS, solved.X_DP);
+    const SolverResult result = nearestFeasible(rows.all(), wanted);
     Vector6 d = result.d;
+    solved.way = glm::distance(solved.X_DP.p + linearPart(d), proxy_.p);
+    solved.depth = glm::distance(linearPart(wanted), linearPart(d));
     const double length = lengthOf(d);
     solved.note(grouped, rows, result);
     if (result.active_count == 0 && length <= kLongestMove) {
@@ -149,17 +154,18 @@ ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const 
     }
     solved.X_DP = displacedInMetric(solved.X_DP, d);
   }
-  applyFriction(grouped, X_DS, solved);
+  applyFriction(grouped, solved);
   return solved;
 }
 
-void ForceRenderer::applyFriction(const GroupedSet& grouped, const Pose& X_DS, Solved& solved) const {
+void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved) const {
   if (!solved.contact || solved.friction <= 0.0) return;
   const dvec3 way = solved.X_DP.p - proxy_.p;
   const double length = glm::length(way);
-  const double held = solved.friction * glm::length(solved.X_DP.p - X_DS.p);
+  const double held = solved.friction * solved.depth;
   if (length <= 0.0 || held <= 0.0) return;
-  solved.X_DP.p = proxy_.p + way * std::max(0.0, 1.0 - held / length);
+  // Of the whole way, not of what a tick can do of it: else a proxy that is left behind would stick for ever.
+  solved.X_DP.p = proxy_.p + way * std::clamp((solved.way - held) / length, 0.0, 1.0);
   ProxyRows rows;
   rows.gather(grouped, solved.X_DP);
   const SolverResult back = nearestFeasible(rows.all(), Vector6{});

@@ -101,7 +101,7 @@ class ForceRenderer {
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
-  void applyFriction(const GroupedSet& grouped, const Pose& X_DS, Solved& solved) const;
+  void applyFriction(const GroupedSet& grouped, Solved& solved) const;
   Solved changeSet(const Pose& X_DS, dvec3& jump_D);
   dvec3 springOf(const Solved& solved, const Pose& X_DS) const;
   dvec3 takeOutJump(const Solved& solved, const dvec3& proxy_step, const dvec3& stylus_step);
