@@ -113,8 +113,9 @@ void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = yield_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
+  offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
   wanted_D_ = dvec3(0.0);
+  yield_ = 0.0;
   limit_ = std::numeric_limits<double>::infinity();
   energy_ = balance_ = controller_damping_ = 0.0;
   stiffness_ = options_.stiffness;
@@ -172,9 +173,9 @@ void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved) con
   if (back.active_count > 0) solved.X_DP = displacedInMetric(solved.X_DP, back.d);
 }
 
-dvec3 ForceRenderer::springOf(const Solved& solved, const Pose& X_DS) const {
+dvec3 ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
   const dvec3 stretch = solved.X_DP.p - X_DS.p;
-  return stiffness_ * (stretch - solved.trust_D + limited(solved.trust_D, kTrustForce / stiffness_));
+  return stretch - solved.trust_D + limited(solved.trust_D, kTrustForce / stiffness_);
 }
 
 ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) {
@@ -182,11 +183,8 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
   jump_D = dvec3(0.0);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);
-    const dvec3 f_before = springOf(before, X_DS), f_after = springOf(solved, X_DS);
-    const double limit = std::min(force_limit_, options_.peak_force);
-    const dvec3 blended_D = (limited(f_before, limit) - limited(f_after, limit)) / stiffness_;
-    offset_D_ += blended_D;
-    yield_D_ += (f_before - f_after) / stiffness_ - blended_D;
+    const dvec3 borne_before = borne(stretchOf(before, X_DS));
+    offset_D_ += borne_before - borne(stretchOf(solved, X_DS));
     jump_D = solved.X_DP.p - before.X_DP.p;
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
@@ -199,12 +197,14 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
 
 /// Moves what the proxy outran the stylus by (another facet, a step of the surface) into the offset, so that the force
 /// goes on from where it was. Returns the proxy's step without it.
-dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& proxy_step, const dvec3& stylus_step) {
+dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& stretch_D, const dvec3& proxy_step,
+                                 const dvec3& stylus_step) {
   const double length = glm::length(proxy_step);
   const double allowed = glm::length(stylus_step) + kJumpAllowance;
   if (!contact_ || !solved.contact || length <= allowed) return proxy_step;
   const dvec3 excess = proxy_step * (1.0 - allowed / length);
-  offset_D_ -= excess;
+  const dvec3 borne_before = borne(stretch_D - excess);
+  offset_D_ += borne_before - borne(stretch_D);
   return proxy_step - excess;
 }
 
@@ -251,23 +251,17 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   return along < 0.0 ? force - along * outward : force;
 }
 
-/// The stretch that is left to a spring that yields like a ductile metal at the force limit: beyond it the rest point
-/// follows, and back it unloads along the full stiffness to nothing, never to a pull.
-dvec3 ForceRenderer::yielded(const dvec3& stretch_D) {
+/// What is left of a stretch to a spring that yields like a ductile metal at the force limit: beyond it the rest point
+/// follows, and back it unloads along the full stiffness to nothing, never to a pull. It shortens the stretch but never
+/// turns it, so that what holds the proxy decides the direction of the force.
+dvec3 ForceRenderer::borne(const dvec3& stretch_D) {
   const double length = glm::length(stretch_D);
   if (length <= 0.0) {
-    yield_D_ = dvec3(0.0);
+    yield_ = 0.0;
     return stretch_D;
   }
-  if (yield_D_ != dvec3(0.0)) {
-    yield_D_ = limited(yield_D_, length);
-    const dvec3 outward = stretch_D / length;
-    yield_D_ -= std::min(0.0, glm::dot(stretch_D + yield_D_, outward)) * outward;
-  }
-  const dvec3 left = stretch_D + yield_D_;
-  const dvec3 borne = limited(left, force_limit_ / stiffness_);
-  yield_D_ += borne - left;
-  return borne;
+  yield_ = std::clamp(yield_, std::max(0.0, length - forceLimit() / stiffness_), length);
+  return stretch_D * (1.0 - yield_ / length);
 }
 
 /// The account of what the hand put in, less what the coupling holds. Turning the stylus counts with the torque that
@@ -301,14 +295,17 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
     solved = moveProxy(sets_[current_], X_DS);
 
   const dvec3 whole_step = solved.X_DP.p - proxy_.p - set_jump;
-  const dvec3 proxy_step = takeOutJump(solved, whole_step, stylus_step);
+  const dvec3 stretch_D = stretchOf(solved, X_DS);
+  const dvec3 proxy_step = takeOutJump(solved, stretch_D, whole_step, stylus_step);
   filterVelocities(stylus_step, proxy_step, dt);
   decayOffset(solved, stylus_step, dt);
   updateCoupling(solved, dt);
 
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
-  spring_D_ = free ? dvec3(0.0) : springOf(solved, X_DS) + stiffness_ * offset_D_;
-  spring_D_ = stiffness_ * yielded(spring_D_ / stiffness_);
+  const dvec3 borne_D = borne(free ? dvec3(0.0) : stretch_D);
+  const dvec3 spring_D = limited(borne_D + offset_D_, forceLimit() / stiffness_);
+  offset_D_ = spring_D - borne_D;
+  spring_D_ = stiffness_ * spring_D;
   const double turning = stiffness_ * kRotationLever * kRotationLever;
   const dvec3 torque_D = free ? dvec3(0.0) : turning * difference(solved.X_DP, X_DS).angular;
   observeEnergy(stylus_motion, torque_D, solved.contact, dt);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -86,10 +87,10 @@ class ForceRenderer {
   /// Without this call the account takes the wanted force.
   void noteApplied(const dvec3& force_D);
 
-  /// What warm motors bear now, N, where that is less than the peak force. A spring that would pull harder
+  /// What warm motors bear now, N, where that is less than the peak force. A spring that would pull harder than either
   /// *yields*: its rest point creeps after the stylus, so that the force stays there and falls at once when the hand
-  /// withdraws. Scaling the force instead would stiffen the spring under load as the motors cool, and so make energy.
-  /// What is no positive number counts as no further limit.
+  /// withdraws. Scaling the force instead would stiffen the spring under load as the motors cool, and a hand that comes
+  /// back from too deep would be given more than |F|^2 / 2K. What is no positive number counts as no further limit.
   void setForceLimit(double newtons) {
     force_limit_ = newtons > 0.0 && newtons < options_.peak_force ? newtons : kNoLimit;
   }
@@ -103,13 +104,14 @@ class ForceRenderer {
   Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
   void applyFriction(const GroupedSet& grouped, Solved& solved) const;
   Solved changeSet(const Pose& X_DS, dvec3& jump_D);
-  dvec3 springOf(const Solved& solved, const Pose& X_DS) const;
-  dvec3 takeOutJump(const Solved& solved, const dvec3& proxy_step, const dvec3& stylus_step);
+  dvec3 stretchOf(const Solved& solved, const Pose& X_DS) const;
+  dvec3 takeOutJump(const Solved& solved, const dvec3& stretch_D, const dvec3& proxy_step, const dvec3& stylus_step);
   void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
   void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
   dvec3 couplingForce(const Solved& solved) const;
-  dvec3 yielded(const dvec3& stretch_D);
+  dvec3 borne(const dvec3& stretch_D);
+  double forceLimit() const { return std::min(force_limit_, options_.peak_force); }
   void observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt);
 
   RendererOptions options_;
@@ -124,7 +126,7 @@ class ForceRenderer {
   Pose proxy_;
   Pose stylus_;
   dvec3 offset_D_{0.0};
-  dvec3 yield_D_{0.0};  ///< By how much the spring has yielded, m; against the stretch.
+  double yield_ = 0.0;  ///< By how much the spring has yielded, m.
   double force_limit_ = kNoLimit;
   dvec3 v_stylus_D_{0.0};
   dvec3 v_proxy_D_{0.0};

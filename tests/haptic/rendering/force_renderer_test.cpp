@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "tests/haptic/rendering/feel_scene.h"
 
@@ -334,6 +335,68 @@ RC_GTEST_PROP(ForceRendererProperty, keepsTheProxyOutOfRandomConvexBlocks, ()) {
     const RenderResult result = renderer.tick(Pose::translation(p), kTick);
     RC_ASSERT(depth(result.X_DP.p) <= 1e-7);
   }
+}
+
+/// Least change of work less |F|^2 / 2K that a hand sees which follows `points` at `speed`, J.
+double leastEnergyAlong(ForceRenderer& renderer, const std::vector<dvec3>& points, double speed) {
+  double balance = 0.0, highest = 0.0, least = 0.0;
+  dvec3 force(0.0), last = points.front();
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const double length = glm::distance(points[k], points[k + 1]);
+    const int ticks = static_cast<int>(std::ceil(length / (speed * kTick)));
+    for (int i = 1; i <= ticks; ++i) {
+      const dvec3 p = glm::mix(points[k], points[k + 1], static_cast<double>(i) / ticks);
+      const double stored = glm::dot(force, force) / 2000.0;
+      const RenderResult result = renderer.tick(Pose::translation(p), kTick);
+      balance -= glm::dot(0.5 * (force + result.force_D), p - last);
+      balance += stored - glm::dot(result.force_D, result.force_D) / 2000.0;
+      force = result.force_D;
+      last = p;
+      highest = std::max(highest, balance);
+      least = std::min(least, balance - highest);
+    }
+  }
+  return least;
+}
+
+TEST(ForceRenderer, slidesOnWithFrictionHoweverFarTheProxyIsBehind) {
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.005));
+  ConstraintSet set = floorSet(1);
+  set.zone_radius = 1.0;
+  set.constraints[0].friction = 0.15;
+  ASSERT_EQ(renderer.adopt(set), Adoption::kAdopted);
+  moveTo(renderer, dvec3(0, 0, 0.005), dvec3(0, 0, -0.030));
+  const RenderResult result = moveTo(renderer, dvec3(0, 0, -0.030), dvec3(0.2, 0, -0.030), 200, 100);
+  EXPECT_NEAR(result.X_DP.p.x, 0.2 - 0.15 * 0.030, 1e-4);
+}
+
+TEST(ForceRenderer, givesBackNoMoreThanItsSpringHoldsFromTooDeep) {
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.005));
+  ASSERT_EQ(renderer.adopt(floorSet(1)), Adoption::kAdopted);
+  const std::vector<dvec3> path{{0, 0, 0.005}, {0, 0, -0.020}, {0.02, 0, -0.025}, {0.02, 0.01, 0.005}};
+  EXPECT_GE(leastEnergyAlong(renderer, path, 0.3), -1e-3);
+}
+
+/// Round a post, deeper than the motors can push: the rest point that has yielded must turn with the surface.
+TEST(ForceRenderer, yieldsRoundACurveWithoutDrivingTheHand) {
+  ConstraintSet set;
+  set.sequence = 1;
+  set.zone_radius = 1.0;
+  set.count = 1;
+  set.X_DR = Pose::translation(dvec3(0.050, 0, 0));
+  set.constraints[0] = planeConstraint(dvec3(0.050, 0, 0), dvec3(1, 0, 0), set.X_DR, 0);
+  for (const std::size_t xx : {0u, 6u}) set.constraints[0].curvature[xx] = 1.0 / 0.050;
+  ForceRenderer renderer;
+  renderer.reset(at(0.055, 0, 0));
+  ASSERT_EQ(renderer.adopt(set), Adoption::kAdopted);
+  std::vector<dvec3> path{{0.055, 0, 0}};
+  for (double angle = 0.0; angle < 0.6; angle += 0.01) {
+    path.emplace_back(0.036 * std::cos(angle), 0.036 * std::sin(angle), 0.0);
+  }
+  path.emplace_back(0.055 * std::cos(0.6), 0.055 * std::sin(0.6), 0.0);
+  EXPECT_GE(leastEnergyAlong(renderer, path, 0.1), -1e-3);
 }
 
 }  // namespace
