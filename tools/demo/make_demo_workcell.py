@@ -272,6 +272,9 @@ def conveyor():
     return bed.moved(0.75, 1.18)
 
 
+WIRE = 0.0025  # 14 sides: no facet edge is sharp enough to be drawn, so that the fence stays quiet
+
+
 def fence():
     panels = Solid()
 
@@ -281,10 +284,10 @@ def fence():
         count = int(length / 0.1)
         for k in range(1, count):
             x = x0 + k * length / count
-            part += box(x - 0.003, x + 0.003, y - 0.003, y + 0.003, 0.18, 1.92)
+            part += cylinder(WIRE, 0.18, 1.92, 0, 14).moved(x, y)
         for k in range(1, 9):
             z = 0.18 + k * 1.74 / 9
-            part += box(x0, x1, y - 0.003, y + 0.003, z - 0.003, z + 0.003)
+            part += along_x(cylinder(WIRE, x0, x1, 0, 14)).moved(0, y, z)
         for x in posts_at:
             part += box(x - 0.025, x + 0.025, y - 0.025, y + 0.025, 0.0, 2.0, 0.003)
         return part
