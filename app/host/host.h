@@ -42,6 +42,8 @@ class Host {
   virtual const std::optional<manipulation::SceneSnapshot>& snapshot() const = 0;
   /// The device part of the status bar, e.g. "Phantom Desktop, simulated · forces off". Empty: no device.
   virtual void setDeviceText(const QString& text) = 0;
+  /// The sound part of the status bar: its words; `on` chooses the icon. Empty: no part.
+  virtual void setSoundText(const QString& text, bool on) = 0;
   /// How often the window takes in the newest scene, a second.
   virtual void setGuiRate(double hertz) = 0;
 };

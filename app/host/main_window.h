@@ -37,6 +37,7 @@ class MainWindow : public QMainWindow, public Host {
   void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) override;
   const std::optional<manipulation::SceneSnapshot>& snapshot() const override { return viewport_->scene().snapshot(); }
   void setDeviceText(const QString& text) override;
+  void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
   void setGuiRate(double hertz) override;
 
   /// Opens a workcell, telling problems in the messages. False when the old document stays.

@@ -48,6 +48,12 @@ void StatusLine::setDevice(const QString& text) {
   update();
 }
 
+void StatusLine::setSound(const QString& text, bool on) {
+  sound_ = text;
+  sound_on_ = on;
+  update();
+}
+
 void StatusLine::show(const Message& message) {
   severity_ = message.severity;
   message_ = message.text.isEmpty() ? message.title : message.title + ". " + message.text;
@@ -106,15 +112,19 @@ void StatusLine::paintEvent(QPaintEvent*) {
   painter.fillRect(QRect(0, 0, width(), 1), theme.line);
   painter.setFont(textFont(TextRole::kSecond));
   int right = width();
-  const auto cell = [&](const QString& text) {
-    const int wide = painter.fontMetrics().horizontalAdvance(text) + 24;
-    painter.setPen(theme.text2);
+  const auto cell = [&](const QString& text, const QString& icon_name = {}, const QColor& color = {}) {
+    const int room = icon_name.isEmpty() ? 12 : 34;
+    const int wide = painter.fontMetrics().horizontalAdvance(text) + room + 12;
+    painter.setPen(icon_name.isEmpty() ? theme.text2 : theme.text1);
     painter.fillRect(QRect(right - wide, 6, 1, height() - 12), theme.line);
-    painter.drawText(QRect(right - wide + 12, 0, wide, height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+    painter.drawText(QRect(right - wide + room, 0, wide, height()), Qt::AlignVCenter | Qt::AlignLeft, text);
+    if (!icon_name.isEmpty())
+      icon(icon_name, color).paint(&painter, QRect(right - wide + 12, height() / 2 - 8, 16, 16));
     right -= wide;
   };
   cell(QStringLiteral("mm · ° · N"));
-  if (!device_.isEmpty()) cell(device_);
+  if (!sound_.isEmpty()) cell(sound_, sound_on_ ? "sound" : "mute", theme.text2);
+  if (!device_.isEmpty()) cell(device_, "check", theme.axis_z);
   right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full);
   right = paintRate(painter, right, tr("Collision"), rates_.collision_hz, rates_.collision_full);
   right = paintRate(painter, right, tr("Haptic"), rates_.haptic_hz, rates_.haptic_full);

@@ -22,6 +22,7 @@ class StatusLine : public QStatusBar {
   void setSentence(Mark mark, const QString& sentence);
   void setRates(const Rates& rates);
   void setDevice(const QString& text);
+  void setSound(const QString& text, bool on);
   void show(const Message& message);
   QString sentence() const { return sentence_; }
   QSize sizeHint() const override { return {400, 26}; }
@@ -33,7 +34,8 @@ class StatusLine : public QStatusBar {
   void paintSentence(QPainter& painter, const QRect& rect) const;
   int paintRate(QPainter& painter, int right, const QString& name, double value, double full) const;
   Mark mark_ = Mark::kNone;
-  QString sentence_, device_, message_;
+  QString sentence_, device_, message_, sound_;
+  bool sound_on_ = false;
   Severity severity_ = Severity::kInformation;
   Rates rates_;
   QTimer message_timer_;

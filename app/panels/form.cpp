@@ -31,13 +31,13 @@ QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading) {
   return section;
 }
 
-QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field) {
+QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int label_width) {
   auto* holder = new QWidget;
   auto* row = new QHBoxLayout(holder);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   auto* label = makeLabel(name, TextRole::kText, true);
-  label->setFixedWidth(kLabelColumn);
+  label->setFixedWidth(label_width);
   label->setBuddy(field);
   field->setAccessibleName(name);
   row->addWidget(label);

@@ -23,7 +23,7 @@ QLabel* makeLabel(const QString& text, TextRole role, bool quiet = false);
 QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading);
 
 /// A row "name, field". The field gets the name for screen readers. Returns the row's widget, so that it can be hidden.
-QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field);
+QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int label_width = kLabelColumn);
 
 /// Fields side by side in one row, equally wide.
 QWidget* sideBySide(std::initializer_list<QWidget*> fields);

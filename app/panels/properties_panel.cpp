@@ -23,6 +23,7 @@
 namespace hapticell::app {
 namespace {
 
+constexpr int kNarrowLabel = 72;  // The dock is narrow.
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 double unitOf(const kinematics::Joint& joint) {
@@ -63,7 +64,7 @@ PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent),
   column->addWidget(content_);
   column->addStretch(1);
   auto* inside = new QVBoxLayout(content_);
-  inside->setContentsMargins(12, 10, 12, 10);
+  inside->setContentsMargins(12, 10, 8, 10);
   inside->setSpacing(6);
   tool_ = addPose(*inside, "tool");
   joints_holder_ = new QWidget;
@@ -118,20 +119,20 @@ void PropertiesPanel::addChoices(QVBoxLayout& column) {
   on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
   on_contact_->setObjectName("segmentsEntityOnContact");
   column.addSpacing(2);
-  addRow(column, tr("On contact"), on_contact_);
+  addRow(column, tr("On contact"), on_contact_, kNarrowLabel);
   force_class_ = new Segmented({tr("Constant"), tr("Contact"), tr("Dynamics")});
   force_class_->setObjectName("segmentsEntityForce");
-  addRow(column, tr("Force"), force_class_);
+  addRow(column, tr("Force"), force_class_, kNarrowLabel);
   material_ = new QComboBox;
   for (const auto& [key, material] : host_.configuration().materials)
     material_->addItem(QString::fromStdString(key).replace(0, 1, QString::fromStdString(key).left(1).toUpper()) +
                            tr(", µ %1").arg(material.friction, 0, 'f', 2),
                        QString::fromStdString(key));
-  addRow(column, tr("Material"), material_);
+  addRow(column, tr("Material"), material_, kNarrowLabel);
   mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
-  mass_row_ = addRow(column, tr("Mass felt"), mass_);
+  mass_row_ = addRow(column, tr("Mass felt"), mass_, kNarrowLabel);
   swatches_ = new SwatchRow(quietColors());
-  addRow(column, tr("Colour"), swatches_);
+  addRow(column, tr("Colour"), swatches_, kNarrowLabel);
   checked_ = new QCheckBox(tr("Checked for collision"));
   locked_ = new QCheckBox(tr("Locked in place"));
   for (QCheckBox* box : {checked_, locked_}) {

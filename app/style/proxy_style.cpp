@@ -67,6 +67,7 @@ int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_ButtonShiftHorizontal:
     case PM_ButtonShiftVertical: return 0;
     case PM_TreeViewIndentation: return 18;
+    case PM_HeaderMargin: return 8;
     default: return QProxyStyle::pixelMetric(metric, option, widget);
   }
 }

@@ -38,8 +38,15 @@ QString scaleName(manipulation::ScaleLevel level) {
 }
 
 VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
-    : QObject(parent), host_(host), mouse_([this](const haptic::HandTarget& target) { postHand(target); }) {
+    : QObject(parent),
+      host_(host),
+      sound_(host.configuration().gui.sound),
+      mouse_([this](const haptic::HandTarget& target) { postHand(target); }) {
   clock_.start();
+  profile_ = QString::fromStdString(host_.configuration().haptic.device);
+  host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput());
+  connect(&sound_, &SoundPlayer::changed, this,
+          [this] { host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput()); });
   connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
   connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopController::postDocument);
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
@@ -51,6 +58,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
 VirtualDesktopController::~VirtualDesktopController() {
   host_.viewport().setPointerTool(nullptr);
   disconnectDevice();
+  host_.setSoundText({}, false);
   server_.stop();
 }
 
@@ -128,12 +136,21 @@ double VirtualDesktopController::guiRate() const {
 void VirtualDesktopController::postDocument() {
   if (!loop_) return;
   const workcell::Document& document = host_.documentModel().document();
-  loop_->post(command::SetDocument{document.snapshotEntities(), document.state().pair_sets});
+  std::vector<workcell::PairSet> sets = document.state().pair_sets;
+  if (document.state().findPairSet(settings_.against))
+    for (workcell::PairSet& set : sets) set.enabled = set.name == settings_.against;
+  loop_->post(command::SetDocument{document.snapshotEntities(), std::move(sets)});
 }
 
 Pose VirtualDesktopController::cameraPose_W() const {
   const Camera& camera = host_.viewport().camera();
   return {camera.eye_W(), glm::normalize(glm::quat_cast(dmat3(camera.right_W(), camera.up_W(), -camera.forward_W())))};
+}
+
+dquat VirtualDesktopController::axes_W() const {
+  const workcell::Entity* frame = host_.documentModel().document().findByName(settings_.axes_frame);
+  const Pose X_WF = frame ? host_.viewport().scene().placement_W(*frame) : Pose::identity();
+  return manipulation::deviceAxes(settings_.axes, cameraPose_W(), X_WF);
 }
 
 void VirtualDesktopController::postCamera() {
@@ -151,8 +168,8 @@ void VirtualDesktopController::postCamera() {
 void VirtualDesktopController::postSettings() {
   if (!loop_) return;
   loop_->post(command::ChooseEntity{settings_.entity});
-  loop_->post(command::SetMovedBy{{settings_.moved_by, {}}});
-  loop_->post(command::SetAxes{{settings_.axes, {}}});
+  loop_->post(command::SetMovedBy{{settings_.moved_by, settings_.moved_frame}});
+  loop_->post(command::SetAxes{{settings_.axes, settings_.axes_frame}});
   loop_->post(command::SetScale{{settings_.scale, 1.0}});
   loop_->post(command::SetOnContact{settings_.on_contact});
   loop_->post(command::SetForceClass{settings_.force_class});
@@ -161,7 +178,9 @@ void VirtualDesktopController::postSettings() {
 }
 
 void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
+  const bool other_sets = settings.against != settings_.against;
   settings_ = settings;
+  if (other_sets) postDocument();
   postSettings();
   emit settingsChanged();
 }
@@ -188,12 +207,50 @@ void VirtualDesktopController::setClutch(bool on) {
   if (loop_) loop_->post(command::SetClutch{on});
 }
 
+QString VirtualDesktopController::serverAddress() const {
+  const auto& server = host_.configuration().server;
+  return QStringLiteral("%1:%2").arg(QString::fromStdString(server.host)).arg(server.port);
+}
+
+ForceFacts VirtualDesktopController::forceFacts() const {
+  ForceFacts facts;
+  facts.started = isStarted();
+  facts.connected = isConnected();
+  facts.wanted = forces_wanted_;
+  facts.on = facts.connected && snapshot_.forces_on;
+  facts.ramp = snapshot_.force_ramp;
+  if (link_ && !facts.connected) facts.problem = QString::fromStdString(link_->problem());
+  return facts;
+}
+
+void VirtualDesktopController::startServer() {
+  server_tried_ = true;
+  server_.start(profile_, host_.configuration().server.port);
+}
+
+void VirtualDesktopController::chooseDevice(const QString& profile) {
+  if (profile == profile_) return;
+  if (isConnected() && !server_.isRunning()) {
+    host_.messages().tell(
+        Severity::kInformation, tr("The stylus is as it was"),
+        tr("Another program started the server at %1; the device is chosen there.").arg(serverAddress()));
+    emit connectionChanged();
+    return;
+  }
+  profile_ = profile;
+  const bool was_started = isStarted();
+  disconnectDevice();
+  server_.stop();
+  if (was_started) connectDevice();
+  emit connectionChanged();
+}
+
 void VirtualDesktopController::helpServer() {
   const QString host = QString::fromStdString(host_.configuration().server.host);
   const bool local = host == "127.0.0.1" || host == "localhost" || host == "::1";
   if (isConnected() || server_tried_ || !local || connecting_.elapsed() < kServerPatience) return;
   server_tried_ = true;
-  server_.start(QString::fromStdString(host_.configuration().haptic.device), host_.configuration().server.port);
+  startServer();
 }
 
 void VirtualDesktopController::handleMoved(const manipulation::result::Moved& moved) {
@@ -217,7 +274,7 @@ void VirtualDesktopController::updateMouse() {
   MouseStylus::State state;
   state.usable = isConnected() && device_ && device_->simulated;
   state.holding_entity = snapshot_.held != 0;
-  state.q_WD = manipulation::deviceAxes(settings_.axes, cameraPose_W(), Pose::identity());
+  state.q_WD = axes_W();
   state.scale = snapshot_.motion_scale;
   state.p_WTip = snapshot_.X_WStylus.p;
   state.d_WPen = snapshot_.X_WStylus.rotate(stylusDirection_S());
@@ -241,9 +298,12 @@ void VirtualDesktopController::tick() {
     emit connectionChanged();
   }
   takeResults();
-  if (loop_->latest(snapshot_)) {
+  manipulation::SceneSnapshot fresh;
+  if (loop_->latest(fresh)) {
+    sound_.play(soundCue(fresh, snapshot_, host_.configuration().manipulation.near_miss));
+    snapshot_ = std::move(fresh);
     // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
-    const dquat q_WD = manipulation::deviceAxes(settings_.axes, cameraPose_W(), Pose::identity());
+    const dquat q_WD = axes_W();
     snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
     updateMouse();
     host_.setGuiRate(guiRate());

@@ -7,8 +7,10 @@
 #include <memory>
 
 #include "app/viewport/detail_level.h"
+#include "app/virtual_desktop/force_reason.h"
 #include "app/virtual_desktop/mouse_stylus.h"
 #include "app/virtual_desktop/server_process.h"
+#include "app/virtual_desktop/sound_player.h"
 #include "app/virtual_desktop/virtual_desktop_settings.h"
 #include "haptic/client/tcp_link.h"
 #include "manipulation/manipulation_loop.h"
@@ -35,6 +37,14 @@ class VirtualDesktopController : public QObject {
 
   const VirtualDesktopSettings& settings() const { return settings_; }
   void change(const VirtualDesktopSettings& settings);
+  /// Another profile for the simulated stylus: ends the own server and starts it anew with that device.
+  void chooseDevice(const QString& profile);
+  const QString& deviceProfile() const { return profile_; }
+  /// Starts the server now instead of waiting for one.
+  void startServer();
+  QString serverAddress() const;
+  ForceFacts forceFacts() const;
+  SoundPlayer& sound() { return sound_; }
   void setForces(bool on);
   /// What the user asked for; whether they act is in the snapshot.
   bool forcesWanted() const { return forces_wanted_; }
@@ -60,11 +70,14 @@ class VirtualDesktopController : public QObject {
   void updateMouse();
   void updateStrip();
   Pose cameraPose_W() const;
+  dquat axes_W() const;
 
   Host& host_;
   std::unique_ptr<manipulation::ManipulationLoop> loop_;
   haptic::TcpLink* link_ = nullptr;  // Owned by the loop; only its thread-safe questions are asked.
   ServerProcess server_;
+  SoundPlayer sound_;
+  QString profile_;
   MouseStylus mouse_;
   VirtualDesktopSettings settings_;
   manipulation::SceneSnapshot snapshot_;

@@ -17,10 +17,12 @@
 #include "app/host/actions.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/selection.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/viewport/viewport_widget.h"
+#include "app/virtual_desktop/device_check_panel.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 #include "app/virtual_desktop/virtual_desktop_panel.h"
 
@@ -55,7 +57,10 @@ void VirtualDesktopModule::start(Host& host) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(new VirtualDesktopPanel(host, *controller_));
+  auto* panel = new VirtualDesktopPanel(host, *controller_);
+  scroll->setWidget(panel);
+  QObject::connect(panel, &VirtualDesktopPanel::deviceCheckWanted, controller_.get(),
+                   [this, panel] { openCheck(*panel); });
   dock_ = makeDock("dockVirtualDesktop", tr("Virtual Desktop"), scroll);
   scroll->setMinimumWidth(332);
   host.addDock(dock_, Qt::RightDockWidgetArea, nullptr);
@@ -73,13 +78,28 @@ void VirtualDesktopModule::stop() {
   qApp->removeEventFilter(this);
   for (QAction* action : actions_) delete action;
   actions_.clear();
-  if (dock_) {
-    host_->removeDock(dock_);
-    delete dock_;
+  for (const QPointer<QDockWidget>& dock : {check_dock_, dock_}) {
+    if (!dock) continue;
+    host_->removeDock(dock);
+    delete dock;
   }
   delete pill_;
   pill_button_ = nullptr;
   controller_.reset();
+}
+
+void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
+  if (!check_dock_) {
+    auto* checks = new DeviceCheckPanel;
+    check_dock_ = makeDock("dockDeviceCheck", tr("Device check"), checks);
+    host_->addDock(check_dock_, Qt::RightDockWidgetArea, dock_);
+    const auto show = [&panel, checks] { panel.showChecks(*checks); };
+    QObject::connect(controller_.get(), &VirtualDesktopController::snapshotChanged, checks, show);
+    QObject::connect(controller_.get(), &VirtualDesktopController::connectionChanged, checks, show);
+    show();
+  }
+  check_dock_->show();
+  check_dock_->raise();
 }
 
 void VirtualDesktopModule::chooseFirstRobot() {
@@ -93,6 +113,7 @@ void VirtualDesktopModule::chooseFirstRobot() {
   }
   settings.moved_by = manipulation::MovedBy::Kind::kDefault;
   controller_->change(settings);
+  host_->selection().set(settings.entity);
 }
 
 void VirtualDesktopModule::addPill() {
@@ -146,6 +167,8 @@ void VirtualDesktopModule::addKeys() {
     mouse.setFollow(!mouse.follow());
     host_->viewport().refresh();
   });
+  add("actionMute", tr("Sound on or off"), QKeySequence(Qt::Key_M),
+      [this] { controller_->sound().setOn(!controller_->sound().isOn()); });
   add("actionOnContact", tr("Stop, slide, pass in turn"), QKeySequence(Qt::Key_C), [this] {
     VirtualDesktopSettings settings = controller_->settings();
     settings.on_contact = static_cast<workcell::OnContact>((static_cast<int>(settings.on_contact) + 1) % 3);

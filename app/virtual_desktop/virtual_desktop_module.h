@@ -16,6 +16,7 @@ class QPushButton;
 namespace hapticell::app {
 
 class VirtualDesktopController;
+class VirtualDesktopPanel;
 
 /// The haptic module: moving entities with the stylus and feeling what they touch.
 class VirtualDesktopModule : public QObject, public Module {
@@ -40,11 +41,12 @@ class VirtualDesktopModule : public QObject, public Module {
   void addPill();
   void showPill();
   void chooseFirstRobot();
+  void openCheck(VirtualDesktopPanel& panel);
   bool handleKey(int key, bool pressed, bool repeated);
 
   Host* host_ = nullptr;
   std::unique_ptr<VirtualDesktopController> controller_;
-  QPointer<QDockWidget> dock_;
+  QPointer<QDockWidget> dock_, check_dock_;
   QPointer<QWidget> pill_;
   QPushButton* pill_button_ = nullptr;
   QLabel* pill_words_ = nullptr;

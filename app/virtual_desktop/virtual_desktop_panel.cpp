@@ -7,55 +7,35 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/selection.h"
+#include "app/panels/form.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
+#include "app/style/value_field.h"
 #include "app/virtual_desktop/force_meter.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
+#include "config/device_profile.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kLabelColumn = 84;
+constexpr const char* kProfiles[]{"phantom_desktop", "touch", "touch_x", "premium"};
 
-QLabel* makeLabel(const QString& text, TextRole role, bool quiet = false) {
-  auto* label = new QLabel(text);
-  label->setFont(textFont(role));
-  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
-  return label;
-}
-
-/// A section: its own margins, a heading, a line below.
-QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading) {
-  auto* section = new QVBoxLayout;
-  section->setContentsMargins(12, 10, 12, 10);
-  section->setSpacing(6);
-  if (!heading.isEmpty()) section->addWidget(makeLabel(heading, TextRole::kSection));
-  column.addLayout(section);
-  auto* line = new QFrame;
-  line->setFixedHeight(1);
-  line->setBackgroundRole(QPalette::Mid);
-  line->setAutoFillBackground(true);
-  column.addWidget(line);
-  return section;
-}
-
-void addRow(QVBoxLayout& section, const QString& name, QWidget* field) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  auto* label = makeLabel(name, TextRole::kText, true);
-  label->setFixedWidth(kLabelColumn);
-  label->setBuddy(field);
-  field->setAccessibleName(name);
-  row->addWidget(label);
-  row->addWidget(field, 1);
-  section.addLayout(row);
+/// Two or more toggles that look like segments.
+QPushButton* makeToggle(const QString& text, const QString& tip) {
+  auto* button = new QPushButton(text);
+  button->setCheckable(true);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  return button;
 }
 
 }  // namespace
@@ -77,7 +57,10 @@ VirtualDesktopPanel::VirtualDesktopPanel(Host& host, VirtualDesktopController& c
   connect(&controller_, &VirtualDesktopController::snapshotChanged, this, &VirtualDesktopPanel::showSnapshot);
   connect(&controller_, &VirtualDesktopController::settingsChanged, this, &VirtualDesktopPanel::showSettings);
   connect(&controller_, &VirtualDesktopController::connectionChanged, this, &VirtualDesktopPanel::showConnection);
-  connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopPanel::listEntities);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, [this] {
+    listEntities();
+    showSettings();
+  });
   listEntities();
   showConnection();
   showSettings();
@@ -113,30 +96,64 @@ void VirtualDesktopPanel::addForces(QVBoxLayout& column) {
   row->addLayout(number);
   section->addLayout(row);
   meter_ = new ForceMeter;
-  section->addWidget(meter_);
+  auto* mending = new QWidget;
+  auto* mending_row = new QHBoxLayout(mending);
+  mending_row->setContentsMargins(0, 4, 0, 4);
+  mend_why_ = makeLabel({}, TextRole::kSecond, true);
+  mend_why_->setWordWrap(true);
+  mend_ = new QPushButton;
+  mend_->setObjectName("buttonMend");
+  mend_->setProperty("main", true);
+  mending_row->addWidget(mend_why_, 1);
+  mending_row->addWidget(mend_);
+  meter_or_mend_ = new QStackedWidget;
+  meter_or_mend_->addWidget(meter_);
+  meter_or_mend_->addWidget(mending);
+  meter_or_mend_->setFixedHeight(36);
+  section->addWidget(meter_or_mend_);
+  connect(mend_, &QPushButton::clicked, this, &VirtualDesktopPanel::mend);
   connect(forces_, &QCheckBox::clicked, this, [this](bool on) {
     controller_.setForces(on);
     showForces();
   });
 }
 
+void VirtualDesktopPanel::change(const std::function<void(VirtualDesktopSettings&)>& edit) {
+  VirtualDesktopSettings settings = controller_.settings();
+  edit(settings);
+  controller_.change(settings);
+}
+
 void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Device"));
-  stylus_ = makeLabel({}, TextRole::kText);
+  stylus_ = new QComboBox;
+  stylus_->setObjectName("comboStylus");
+  for (const char* profile : kProfiles) {
+    const auto file = config::findShippedFile(std::string("devices/") + profile + ".toml");
+    const auto read =
+        file ? config::readDeviceProfile(*file) : Expected<config::DeviceProfile>(config::DeviceProfile{});
+    if (file && read) stylus_->addItem(QString::fromStdString(read->name), QString::fromLatin1(profile));
+  }
   addRow(*section, tr("Stylus"), stylus_);
   auto* state = new QWidget;
+  state->setMinimumHeight(kFieldHeight);
   auto* row = new QHBoxLayout(state);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   device_icon_ = new QLabel;
   device_state_ = makeLabel({}, TextRole::kText);
   device_state_->setWordWrap(true);
-  row->addWidget(device_icon_, 0, Qt::AlignTop);
+  row->addWidget(device_icon_);
   row->addWidget(device_state_, 1);
   addRow(*section, tr("State"), state);
   connect_ = new QPushButton;
   connect_->setObjectName("buttonConnect");
-  section->addWidget(connect_);
+  check_ = new QPushButton(tr("Check device…"));
+  check_->setObjectName("buttonCheckDevice");
+  section->addWidget(sideBySide({connect_, check_}));
+  connect(stylus_, &QComboBox::activated, this,
+          [this](int index) { controller_.chooseDevice(stylus_->itemData(index).toString()); });
+  connect(check_, &QPushButton::clicked, this, &VirtualDesktopPanel::deviceCheckWanted);
   connect(connect_, &QPushButton::clicked, this, [this] {
     if (controller_.isStarted())
       controller_.disconnectDevice();
@@ -146,80 +163,83 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
 }
 
 void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
+  using Kind = manipulation::MovedBy::Kind;
   QVBoxLayout* section = addSection(column, tr("What is held"));
   entity_ = new QComboBox;
   entity_->setObjectName("comboEntity");
   addRow(*section, tr("Entity"), entity_);
-  moved_by_ = new Segmented({tr("TCP"), tr("Base"), tr("Own origin"), tr("Centre")});
+  moved_by_ = new Segmented({tr("TCP"), tr("Base"), tr("Origin"), tr("Centre"), tr("Frame")});
   moved_by_->setObjectName("segmentsMovedBy");
   addRow(*section, tr("Moved by"), moved_by_);
+  moved_frame_ = new QComboBox;
+  moved_frame_row_ = addRow(*section, {}, moved_frame_);
+  against_ = new QComboBox;
+  against_->setObjectName("comboAgainst");
+  addRow(*section, tr("Against"), against_);
   on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
   on_contact_->setObjectName("segmentsOnContact");
   addRow(*section, tr("On contact"), on_contact_);
   connect(entity_, &QComboBox::activated, this, [this](int index) {
-    VirtualDesktopSettings settings = controller_.settings();
-    settings.entity = entity_->itemData(index).toULongLong();
-    settings.moved_by = manipulation::MovedBy::Kind::kDefault;
-    if (const workcell::Entity* entity = host_.documentModel().document().find(settings.entity))
-      settings.on_contact = entity->on_contact;
-    controller_.change(settings);
+    change([&](auto& settings) {
+      settings.entity = entity_->itemData(index).toULongLong();
+      settings.moved_by = Kind::kDefault;
+      const workcell::Entity* entity = host_.documentModel().document().find(settings.entity);
+      if (entity) settings.on_contact = entity->on_contact, settings.force_class = entity->force_class;
+      if (entity) host_.selection().set(entity->id);
+    });
   });
   connect(moved_by_, &Segmented::chosen, this, [this](int index) {
-    using Kind = manipulation::MovedBy::Kind;
-    VirtualDesktopSettings settings = controller_.settings();
-    settings.moved_by = index == 0   ? Kind::kTcp
-                        : index == 1 ? Kind::kBase
-                        : index == 2 ? Kind::kSelfOrigin
-                                     : Kind::kGeometricCenter;
-    controller_.change(settings);
+    const Kind kinds[]{Kind::kTcp, Kind::kBase, Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame};
+    change([&](auto& settings) {
+      settings.moved_by = kinds[index];
+      settings.moved_frame = index == 4 ? moved_frame_->currentText().toStdString() : std::string();
+    });
+  });
+  connect(moved_frame_, &QComboBox::activated, this, [this] {
+    change([&](auto& settings) { settings.moved_frame = moved_frame_->currentText().toStdString(); });
+  });
+  connect(against_, &QComboBox::activated, this, [this](int index) {
+    change([&](auto& settings) { settings.against = against_->itemData(index).toString().toStdString(); });
   });
   connect(on_contact_, &Segmented::chosen, this, [this](int index) {
-    VirtualDesktopSettings settings = controller_.settings();
-    settings.on_contact = static_cast<workcell::OnContact>(index);
-    controller_.change(settings);
+    change([&](auto& settings) { settings.on_contact = static_cast<workcell::OnContact>(index); });
   });
 }
 
 void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
+  using manipulation::AxesMode;
   QVBoxLayout* section = addSection(column, tr("Axes and scale"));
-  axes_ = new Segmented({tr("Screen"), tr("Cell")});
+  axes_ = new Segmented({tr("Screen"), tr("Cell"), tr("Frame")});
   axes_->setObjectName("segmentsAxes");
   addRow(*section, tr("Axes of"), axes_);
-  auto* free = new QWidget;
-  auto* row = new QHBoxLayout(free);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(14);
-  translates_ = new QCheckBox(tr("Move"));
-  rotates_ = new QCheckBox(tr("Turn"));
-  for (QCheckBox* box : {translates_, rotates_}) {
-    box->setProperty("switch", true);
-    box->setMinimumHeight(kFieldHeight);
-    row->addWidget(box);
-  }
-  row->addStretch(1);
-  addRow(*section, tr("Free to"), free);
+  axes_frame_ = new QComboBox;
+  axes_frame_row_ = addRow(*section, {}, axes_frame_);
+  translates_ = makeToggle(tr("X   Y   Z"), tr("The hand moves it"));
+  rotates_ = makeToggle(tr("A   B   C"), tr("The hand turns it"));
+  addRow(*section, tr("Free to move"), sideBySide({translates_, rotates_}));
   scale_ = new Segmented({tr("Rough"), tr("Medium"), tr("Fine"), tr("Screen")});
   scale_->setObjectName("segmentsScale");
   addRow(*section, tr("Scale"), scale_);
   scale_note_ = makeLabel({}, TextRole::kSecond, true);
-  scale_note_->setContentsMargins(kLabelColumn, 2, 0, 0);
+  scale_note_->setContentsMargins(kLabelColumn, 2, 0, 2);
   section->addWidget(scale_note_);
   connect(axes_, &Segmented::chosen, this, [this](int index) {
-    VirtualDesktopSettings settings = controller_.settings();
-    settings.axes = index == 0 ? manipulation::AxesMode::kScreen : manipulation::AxesMode::kCell;
-    controller_.change(settings);
+    change([&](auto& settings) {
+      settings.axes = index == 0 ? AxesMode::kScreen : index == 1 ? AxesMode::kCell : AxesMode::kFrame;
+      settings.axes_frame = index == 2 ? axes_frame_->currentText().toStdString() : std::string();
+    });
   });
+  connect(axes_frame_, &QComboBox::activated, this,
+          [this] { change([&](auto& settings) { settings.axes_frame = axes_frame_->currentText().toStdString(); }); });
   connect(scale_, &Segmented::chosen, this, [this](int index) {
-    VirtualDesktopSettings settings = controller_.settings();
-    settings.scale = static_cast<manipulation::ScaleLevel>(index);
-    controller_.change(settings);
+    change([&](auto& settings) { settings.scale = static_cast<manipulation::ScaleLevel>(index); });
   });
-  for (QCheckBox* box : {translates_, rotates_})
-    connect(box, &QCheckBox::clicked, this, [this] {
-      VirtualDesktopSettings settings = controller_.settings();
-      settings.translates = translates_->isChecked();
-      settings.rotates = rotates_->isChecked();
-      controller_.change(settings);
+  for (QPushButton* toggle : {translates_, rotates_})
+    connect(toggle, &QPushButton::clicked, this, [this] {
+      change([&](auto& settings) {
+        settings.translates = translates_->isChecked();
+        settings.rotates = rotates_->isChecked();
+      });
     });
 }
 
@@ -228,10 +248,31 @@ void VirtualDesktopPanel::addFeel(QVBoxLayout& column) {
   force_class_ = new Segmented({tr("Constant"), tr("Contact"), tr("Dynamics")});
   force_class_->setObjectName("segmentsForce");
   addRow(*section, tr("Force"), force_class_);
+  material_ = new QComboBox;
+  material_->setObjectName("comboMaterial");
+  for (const auto& [key, material] : host_.configuration().materials) {
+    QString name = QString::fromStdString(key);
+    name[0] = name[0].toUpper();
+    material_->addItem(tr("%1, µ %2").arg(name).arg(material.friction, 0, 'f', 2), QString::fromStdString(key));
+  }
+  addRow(*section, tr("Material"), material_);
+  stiffness_ = new ValueField({tr("N/mm"), 2, 0.0, 100.0, 0.1});
+  damping_ = new ValueField({tr("N s/m"), 1, 0.0, 100.0, 0.1});
+  for (ValueField* field : {stiffness_, damping_}) {
+    field->setReadOnly(true);
+    field->setFocusPolicy(Qt::NoFocus);
+    field->setToolTip(tr("The material's, from hapticell.toml; the server lowers it to what the device bears"));
+  }
+  addRow(*section, tr("Stiffness"), sideBySide({stiffness_, damping_}));
   connect(force_class_, &Segmented::chosen, this, [this](int index) {
-    VirtualDesktopSettings settings = controller_.settings();
-    settings.force_class = static_cast<workcell::ForceClass>(index);
-    controller_.change(settings);
+    change([&](auto& settings) { settings.force_class = static_cast<workcell::ForceClass>(index); });
+  });
+  connect(material_, &QComboBox::activated, this, [this](int index) {
+    workcell::SetProperties wanted;
+    wanted.id = controller_.settings().entity;
+    wanted.material = material_->itemData(index).toString().toStdString();
+    if (wanted.id) host_.documentModel().execute(wanted);
+    showSettings();
   });
 }
 

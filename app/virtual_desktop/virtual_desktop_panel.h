@@ -2,19 +2,25 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+
+#include "app/virtual_desktop/virtual_desktop_settings.h"
 
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QVBoxLayout;
 
 namespace hapticell::app {
 
+class DeviceCheckPanel;
 class ForceMeter;
 class Host;
 class Segmented;
+class ValueField;
 class VirtualDesktopController;
 class WorkspaceView;
 
@@ -25,7 +31,18 @@ class VirtualDesktopPanel : public QWidget {
  public:
   VirtualDesktopPanel(Host& host, VirtualDesktopController& controller, QWidget* parent = nullptr);
 
+  /// The device check as it stands now.
+  void showChecks(DeviceCheckPanel& checks) const;
+
+ signals:
+  void deviceCheckWanted();
+
  private:
+  void change(const std::function<void(VirtualDesktopSettings&)>& edit);
+  void mend();
+  void showMaterial(const workcell::Entity* entity);
+  void listSets();
+  void listFrames(const workcell::Entity* entity);
   void addForces(QVBoxLayout& column);
   void addDevice(QVBoxLayout& column);
   void addHeld(QVBoxLayout& column);
@@ -42,16 +59,17 @@ class VirtualDesktopPanel : public QWidget {
   Host& host_;
   VirtualDesktopController& controller_;
   QCheckBox* forces_;
-  QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *device_icon_, *stylus_, *scale_note_,
-      *workspace_text_;
+  QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *device_icon_, *scale_note_, *workspace_text_;
   QLabel* rates_[3][2];
+  QLabel* mend_why_;
+  QStackedWidget* meter_or_mend_;
   ForceMeter* meter_;
   WorkspaceView* workspace_;
-  QPushButton* connect_;
-  QComboBox* entity_;
-  Segmented *moved_by_, *on_contact_, *axes_, *free_, *scale_, *force_class_;
-  QCheckBox *translates_, *rotates_;
-  bool filling_ = false;
+  QPushButton *mend_, *connect_, *check_, *translates_, *rotates_;
+  QComboBox *stylus_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
+  QWidget *moved_frame_row_, *axes_frame_row_;
+  Segmented *moved_by_, *on_contact_, *axes_, *scale_, *force_class_;
+  ValueField *stiffness_, *damping_;
 };
 
 }  // namespace hapticell::app

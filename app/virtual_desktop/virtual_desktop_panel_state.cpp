@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the Virtual Desktop panel shows of the controller's state.
+#include <QAbstractButton>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
+#include <algorithm>
 #include <cmath>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/panels/form.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
+#include "app/style/value_field.h"
 #include "app/viewport/strip_text.h"
 #include "app/viewport/viewport_widget.h"
+#include "app/virtual_desktop/device_check_panel.h"
 #include "app/virtual_desktop/force_meter.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 #include "app/virtual_desktop/virtual_desktop_panel.h"
@@ -20,8 +26,35 @@
 namespace hapticell::app {
 namespace {
 
-QString keyLine(const QString& key, const QString& does) {
-  return QStringLiteral("<b>%1</b>&nbsp; %2").arg(key, does);
+/// A key as a cap, what it does beside it.
+QString keyLine(const QString& key, const QString& does, const Theme& theme) {
+  return QStringLiteral(
+             "<tr><td><span style=\"font-size:11px; color:%3; background-color:%4\">&nbsp;%1&nbsp;</span></td>"
+             "<td>&nbsp;%2</td></tr>")
+      .arg(key, does, theme.text1.name(), theme.button.name());
+}
+
+void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, const workcell::Entity* entity) {
+  using Kind = manipulation::MovedBy::Kind;
+  const bool robot = entity && entity->robot;
+  for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (i < 2) == robot);
+  const auto index = [&] {
+    switch (settings.moved_by) {
+      case Kind::kTcp:
+        return 0;
+      case Kind::kBase:
+        return 1;
+      case Kind::kSelfOrigin:
+        return 2;
+      case Kind::kGeometricCenter:
+        return 3;
+      case Kind::kFrame:
+        return 4;
+      default:
+        return robot ? 0 : entity ? 2 : -1;
+    }
+  };
+  moved_by.setCurrent(index());
 }
 
 }  // namespace
@@ -38,19 +71,59 @@ void VirtualDesktopPanel::listEntities() {
   }
 }
 
+void VirtualDesktopPanel::listSets() {
+  against_->clear();
+  const auto& sets = host_.documentModel().document().state().pair_sets;
+  const auto on = std::count_if(sets.begin(), sets.end(), [](const auto& set) { return set.enabled; });
+  against_->addItem(sets.empty() ? tr("Everything") : tr("All sets that are on (%1)").arg(on), QString());
+  for (const auto& set : sets) {
+    const QString name = QString::fromStdString(set.name);
+    against_->addItem(name, name);
+  }
+  against_->setCurrentIndex(std::max(0, against_->findData(QString::fromStdString(controller_.settings().against))));
+}
+
+void VirtualDesktopPanel::listFrames(const workcell::Entity* entity) {
+  const VirtualDesktopSettings& settings = controller_.settings();
+  moved_frame_->clear();
+  if (entity)
+    for (const auto& frame : entity->frames) moved_frame_->addItem(icon("frame"), QString::fromStdString(frame.name));
+  if (entity && entity->robot)
+    for (const auto& link : entity->robot->links)
+      moved_frame_->addItem(icon("frame"), QString::fromStdString(link.name));
+  moved_by_->setChoiceEnabled(4, moved_frame_->count() > 0, tr("This entity has no frames"));
+  moved_frame_->setCurrentText(QString::fromStdString(settings.moved_frame));
+  axes_frame_->clear();
+  for (const auto& other : host_.documentModel().document().state().entities)
+    axes_frame_->addItem(icon(other->robot ? "robot" : "cube"), QString::fromStdString(other->name));
+  axes_frame_->setCurrentText(QString::fromStdString(settings.axes_frame));
+}
+
+void VirtualDesktopPanel::mend() {
+  using Mend = ForceReason::Mend;
+  const Mend how = forceReason(controller_.forceFacts()).mend;
+  if (how == Mend::kConnect) controller_.connectDevice();
+  if (how == Mend::kStartServer) controller_.startServer();
+}
+
+void VirtualDesktopPanel::showChecks(DeviceCheckPanel& checks) const {
+  const auto& device = controller_.device();
+  checks.setChecks(deviceChecks(controller_.serverAddress(), controller_.forceFacts(), device ? &*device : nullptr,
+                                controller_.snapshot()));
+}
+
 void VirtualDesktopPanel::showForces() {
   const manipulation::SceneSnapshot& now = controller_.snapshot();
-  const bool connected = controller_.isConnected();
-  const bool wanted = controller_.forcesWanted();
-  forces_->setEnabled(connected);
-  forces_->setChecked(connected && wanted);
-  forces_state_->setText(now.forces_on ? tr("Forces on") : wanted ? tr("Forces wait") : tr("Forces off"));
-  QString why = tr("Ctrl+Space turns them on");
-  if (!connected) why = tr("No device is connected");
-  if (connected && wanted && !now.forces_on) why = tr("Move the stylus into free space");
-  if (now.forces_on)
-    why = now.force_ramp < 0.999 ? tr("Ramp %1 %").arg(std::lround(100.0 * now.force_ramp)) : tr("Esc turns them off");
-  forces_why_->setText(why);
+  const ForceFacts facts = controller_.forceFacts();
+  const ForceReason reason = forceReason(facts);
+  forces_->setEnabled(facts.connected);
+  forces_->setChecked(facts.connected && facts.wanted);
+  forces_state_->setText(reason.state);
+  const bool broken = reason.mend != ForceReason::Mend::kNone;
+  forces_why_->setText(broken ? tr("Nothing can be felt") : reason.why);
+  mend_why_->setText(reason.why);
+  mend_->setText(reason.button);
+  meter_or_mend_->setCurrentIndex(broken ? 1 : 0);
   force_now_->setText(QString::fromStdString(newtons(now.force_n)));
   meter_->setForce(now.force_n);
 }
@@ -58,21 +131,20 @@ void VirtualDesktopPanel::showForces() {
 void VirtualDesktopPanel::showSnapshot() {
   const manipulation::SceneSnapshot& now = controller_.snapshot();
   showForces();
-  const double scale = now.motion_scale;
-  const double hand = scale < 1.0 ? 1.0 / scale : 1.0;
-  const double cell = scale < 1.0 ? 1.0 : scale;
-  scale_note_->setText(tr("%1 mm of hand → %2 mm in the cell").arg(hand, 0, 'g', 3).arg(cell, 0, 'g', 3));
+  scale_note_->setText(scaleNote(now.motion_scale));
   if (const auto& device = controller_.device()) {
     const dvec3 low = device->workspace_min, high = device->workspace_max, tip = now.X_DS.p;
     workspace_->setState({low.x, low.y, low.z}, {high.x, high.y, high.z}, {tip.x, tip.y, tip.z}, true);
     const dvec3 size = 1000.0 * (high - low);
-    workspace_text_->setText(QStringLiteral("%1 × %2 × %3 mm<br>%4<br><br>%5<br>%6<br>%7<br>%8")
-                                 .arg(std::lround(size.x))
-                                 .arg(std::lround(size.y))
-                                 .arg(std::lround(size.z))
-                                 .arg(tr("%1 mm to the edge").arg(std::lround(1000.0 * now.device_edge_m)))
-                                 .arg(keyLine("Space", tr("hold: clutch")), keyLine("1–4", tr("scale")),
-                                      keyLine("C", tr("stop, slide, pass")), keyLine("B", tr("stylus button"))));
+    const Theme& theme = themeOf(palette());
+    const QString keys = keyLine("Space", tr("hold: clutch"), theme) + keyLine("1–4", tr("scale"), theme) +
+                         keyLine("C", tr("stop, slide, pass"), theme) + keyLine("B", tr("stylus button"), theme);
+    workspace_text_->setText(
+        QStringLiteral("%1 × %2 × %3 mm<br>%4<table style=\"margin-top:6px\" cellpadding=\"1\">%5</table>")
+            .arg(std::lround(size.x))
+            .arg(std::lround(size.y))
+            .arg(std::lround(size.z))
+            .arg(tr("%1 mm to the edge").arg(std::lround(1000.0 * now.device_edge_m)), keys));
   } else {
     workspace_->setState({-0.08, -0.065, -0.065}, {0.08, 0.065, 0.065}, {0, 0, 0}, false);
     workspace_text_->setText(tr("No device"));
@@ -87,39 +159,34 @@ void VirtualDesktopPanel::showSnapshot() {
 }
 
 void VirtualDesktopPanel::showSettings() {
-  using Kind = manipulation::MovedBy::Kind;
   const VirtualDesktopSettings& settings = controller_.settings();
   const workcell::Entity* entity = host_.documentModel().document().find(settings.entity);
-  const bool robot = entity && entity->robot;
-  const bool solid = entity && !entity->robot;
-  for (int i = 0; i < 4; ++i) moved_by_->button(i)->setVisible(!entity || (i < 2 ? robot : solid));
-  int moved = -1;
-  switch (settings.moved_by) {
-    case Kind::kTcp:
-      moved = 0;
-      break;
-    case Kind::kBase:
-      moved = 1;
-      break;
-    case Kind::kSelfOrigin:
-      moved = 2;
-      break;
-    case Kind::kGeometricCenter:
-      moved = 3;
-      break;
-    default:
-      moved = robot ? 0 : solid ? 2 : -1;
-  }
-  moved_by_->setCurrent(moved);
+  listSets();
+  listFrames(entity);
+  showMoved(*moved_by_, settings, entity);
+  moved_frame_row_->setVisible(settings.moved_by == manipulation::MovedBy::Kind::kFrame);
+  axes_frame_row_->setVisible(settings.axes == manipulation::AxesMode::kFrame);
   on_contact_->setCurrent(static_cast<int>(settings.on_contact));
-  axes_->setCurrent(settings.axes == manipulation::AxesMode::kScreen ? 0 : 1);
+  axes_->setCurrent(static_cast<int>(settings.axes));
   scale_->setCurrent(static_cast<int>(settings.scale));
   force_class_->setCurrent(static_cast<int>(settings.force_class));
   translates_->setChecked(settings.translates);
   rotates_->setChecked(settings.rotates);
   const int index = entity_->findData(static_cast<qulonglong>(settings.entity));
   entity_->setCurrentIndex(index >= 0 ? index : 0);
+  showMaterial(entity);
   showForces();
+}
+
+void VirtualDesktopPanel::showMaterial(const workcell::Entity* entity) {
+  material_->setEnabled(entity);
+  const std::string key = entity ? entity->material : "steel";
+  material_->setCurrentIndex(material_->findData(QString::fromStdString(key)));
+  const auto& materials = host_.configuration().materials;
+  const auto material = materials.find(key);
+  if (material == materials.end()) return;
+  stiffness_->setValue(material->second.stiffness / 1000.0);
+  damping_->setValue(material->second.damping);
 }
 
 void VirtualDesktopPanel::showConnection() {
@@ -128,7 +195,7 @@ void VirtualDesktopPanel::showConnection() {
   device_icon_->setPixmap(icon(connected ? "check" : "info", connected ? theme.axis_z : theme.text2).pixmap(16, 16));
   device_state_->setText(controller_.deviceLine());
   const auto& device = controller_.device();
-  stylus_->setText(device ? QString::fromStdString(device->name) : tr("none"));
+  stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
   meter_->setDevice(device ? device->continuous_force : 0.0, device ? device->peak_force : 0.0);
   connect_->setText(controller_.isStarted() ? tr("Disconnect") : tr("Connect"));
   showForces();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "manipulation/manipulation_command.h"
 
@@ -16,6 +17,9 @@ struct VirtualDesktopSettings {
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
   bool translates = true, rotates = true;
+  std::string moved_frame;  ///< For moved_by kFrame: a frame of the entity, a link, or another entity.
+  std::string axes_frame;   ///< For axes kFrame: an entity's name.
+  std::string against;      ///< The one pair set that counts; empty: all that are switched on.
 };
 
 /// "Fine".

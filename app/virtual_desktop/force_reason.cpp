@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/force_reason.h"
+
+#include <QObject>
+#include <cmath>
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kFewHertz = 0.95;    // Of the 1000 a second that are wanted.
+constexpr double kLateWarning = 0.5;  // Milliseconds.
+
+QString tr(const char* text) {
+  return QObject::tr(text);
+}
+
+}  // namespace
+
+ForceReason forceReason(const ForceFacts& facts) {
+  using Mend = ForceReason::Mend;
+  if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Mend::kConnect, tr("Connect")};
+  if (!facts.connected) {
+    const QString why = facts.problem.isEmpty() ? tr("Waiting for the haptic server") : facts.problem;
+    return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
+  }
+  if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
+  if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};
+  const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))
+                                          : tr("Ramp done, 1 N/ms limit");
+  return {tr("Forces on"), ramp, Mend::kNone, {}};
+}
+
+QString scaleNote(double motion_scale) {
+  if (!(motion_scale > 0.0)) return {};
+  const double hand = motion_scale < 1.0 ? 1.0 / motion_scale : 1.0;
+  const double cell = motion_scale < 1.0 ? 1.0 : motion_scale;
+  return tr("%1 mm of hand → %2 mm in the cell").arg(hand, 0, 'g', 3).arg(cell, 0, 'g', 3);
+}
+
+std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& facts,
+                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now) {
+  using Result = DeviceCheck::Result;
+  std::vector<DeviceCheck> checks;
+  if (!facts.connected) {
+    checks.push_back({Result::kProblem, tr("No haptic server answers at %1").arg(server), forceReason(facts).why});
+    for (const QString& title : {tr("Device"), tr("Force loop"), tr("Range of motion and button")})
+      checks.push_back({Result::kOpen, title, tr("Not tried yet: the server has to answer first")});
+    return checks;
+  }
+  checks.push_back({Result::kGood, tr("The haptic server answers"),
+                    tr("%1, round trip %2 ms").arg(server).arg(now.round_trip_ms, 0, 'f', 2)});
+  if (device) {
+    const dvec3 size = 1000.0 * (device->workspace_max - device->workspace_min);
+    checks.push_back({Result::kGood, QString::fromStdString(device->name),
+                      tr("%1 × %2 × %3 mm, %4 N peak, %5 N continuous, %6 measured and %7 driven axes")
+                          .arg(std::lround(size.x))
+                          .arg(std::lround(size.y))
+                          .arg(std::lround(size.z))
+                          .arg(device->peak_force, 0, 'f', 1)
+                          .arg(device->continuous_force, 0, 'f', 1)
+                          .arg(device->measured_axes)
+                          .arg(device->driven_axes)});
+  }
+  const bool slow = now.rate_haptic_hz < 1000.0 * kFewHertz || now.late_p99_ms > kLateWarning;
+  checks.push_back(
+      {slow ? Result::kWarning : Result::kGood,
+       slow ? tr("The force loop is late at times") : tr("The force loop keeps its time"),
+       tr("%1 Hz, late %2 ms at most in 99 of 100 steps%3")
+           .arg(std::lround(now.rate_haptic_hz))
+           .arg(now.late_p99_ms, 0, 'f', 2)
+           .arg(slow ? tr(". Real-time priority mends it: add the account to the group realtime") : QString())});
+  const bool edge = now.device_edge_m < 0.005;
+  checks.push_back({edge ? Result::kWarning : Result::kGood, tr("Range of motion"),
+                    tr("%1 mm to the edge of the workspace").arg(std::lround(1000.0 * now.device_edge_m))});
+  return checks;
+}
+
+}  // namespace hapticell::app

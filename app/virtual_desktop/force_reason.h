@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "haptic/protocol/messages.h"
+#include "manipulation/scene_snapshot.h"
+
+namespace hapticell::app {
+
+/// What the panel knows of the forces.
+struct ForceFacts {
+  bool started = false;    ///< The loop runs.
+  bool connected = false;  ///< A haptic server answers.
+  bool wanted = false;     ///< The user has switched forces on.
+  bool on = false;         ///< They act.
+  double ramp = 0.0;       ///< 0 .. 1.
+  QString problem;         ///< Why there is no connection; may be empty.
+};
+
+/// The state of the forces in two words, one line that says why, and what mends it.
+struct ForceReason {
+  enum class Mend { kNone, kConnect, kStartServer };
+  QString state;
+  QString why;
+  Mend mend = Mend::kNone;
+  QString button;  ///< Words of the mending button; empty for kNone.
+};
+
+ForceReason forceReason(const ForceFacts& facts);
+
+/// "4 mm of hand → 1 mm in the cell" for 0.25.
+QString scaleNote(double motion_scale);
+
+/// One line of the device check.
+struct DeviceCheck {
+  enum class Result { kGood, kWarning, kProblem, kOpen };
+  Result result = Result::kOpen;
+  QString title, detail;
+};
+
+/// What can be said of the device without moving it: server, device, loop, range.
+std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& facts,
+                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now);
+
+}  // namespace hapticell::app

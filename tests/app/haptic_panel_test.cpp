@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the haptic panel says and what is heard, as plain functions.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/virtual_desktop/force_reason.h"
+#include "app/virtual_desktop/sound_synthesis.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kRate = 48000.0;
+
+std::vector<float> rendered(SoundSynthesis& synthesis, double seconds) {
+  std::vector<float> samples(static_cast<std::size_t>(seconds * kRate));
+  synthesis.render(samples.data(), samples.size());
+  return samples;
+}
+
+/// How often the sound begins after a pause of 20 ms.
+int onsets(const std::vector<float>& samples) {
+  int count = 0, quiet = static_cast<int>(kRate);
+  for (const float sample : samples) {
+    if (std::abs(sample) > 0.003f) {
+      if (quiet > 0.02 * kRate) ++count;
+      quiet = 0;
+    } else {
+      ++quiet;
+    }
+  }
+  return count;
+}
+
+float loudest(const std::vector<float>& samples) {
+  return std::abs(
+      *std::max_element(samples.begin(), samples.end(), [](float a, float b) { return std::abs(a) < std::abs(b); }));
+}
+
+TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
+  ForceFacts facts;
+  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kConnect);
+  facts.started = true;
+  facts.problem = "No server answers at 127.0.0.1:4747.";
+  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kStartServer);
+  EXPECT_EQ(forceReason(facts).why, facts.problem);
+  facts.connected = true;
+  EXPECT_EQ(forceReason(facts).state, "Forces off");
+  EXPECT_TRUE(forceReason(facts).why.contains("Ctrl+Space"));
+  facts.wanted = true;
+  EXPECT_EQ(forceReason(facts).state, "Forces wait");
+  facts.on = true;
+  facts.ramp = 0.43;
+  EXPECT_EQ(forceReason(facts).why, "Ramp 43 %, 1 N/ms limit");
+  facts.ramp = 1.0;
+  EXPECT_EQ(forceReason(facts).why, "Ramp done, 1 N/ms limit");
+}
+
+TEST(ForceReason, ScaleIsSaidInMillimetres) {
+  EXPECT_EQ(scaleNote(0.25), QString::fromUtf8("4 mm of hand → 1 mm in the cell"));
+  EXPECT_EQ(scaleNote(4.0), QString::fromUtf8("1 mm of hand → 4 mm in the cell"));
+  EXPECT_TRUE(scaleNote(0.0).isEmpty());
+}
+
+TEST(DeviceCheck, WithoutServerTheRestIsOpen) {
+  const auto checks = deviceChecks("127.0.0.1:4747", {}, nullptr, {});
+  ASSERT_GE(checks.size(), 2u);
+  EXPECT_EQ(checks.front().result, DeviceCheck::Result::kProblem);
+  EXPECT_EQ(checks.back().result, DeviceCheck::Result::kOpen);
+}
+
+TEST(DeviceCheck, ALateLoopIsAWarningWithTheMeansAgainstIt) {
+  ForceFacts facts;
+  facts.started = facts.connected = true;
+  manipulation::SceneSnapshot now;
+  now.rate_haptic_hz = 1000.0, now.late_p99_ms = 1.2, now.device_edge_m = 0.03;
+  const auto checks = deviceChecks("127.0.0.1:4747", facts, nullptr, now);
+  const auto late = std::find_if(checks.begin(), checks.end(),
+                                 [](const auto& check) { return check.result == DeviceCheck::Result::kWarning; });
+  ASSERT_NE(late, checks.end());
+  EXPECT_TRUE(late->detail.contains("realtime"));
+}
+
+TEST(Sound, SilentWhileNothingIsNear) {
+  SoundSynthesis synthesis(kRate);
+  EXPECT_EQ(loudest(rendered(synthesis, 0.5)), 0.0f);
+  EXPECT_TRUE(synthesis.isSilent());
+}
+
+TEST(Sound, TicksQuickenFromTwoToTwelveASecond) {
+  for (const auto& [nearness, ticks] : {std::pair{0.0, 2}, std::pair{0.5, 7}, std::pair{1.0, 12}}) {
+    SoundSynthesis synthesis(kRate);
+    SoundCue cue;
+    cue.near_miss = true, cue.nearness = nearness;
+    synthesis.setCue(cue);
+    EXPECT_NEAR(onsets(rendered(synthesis, 2.0)), 2 * ticks, 1) << nearness;
+  }
+}
+
+TEST(Sound, ContactKnocksOnceAndLouderWhenQuicker) {
+  const auto knock = [](double speed) {
+    SoundSynthesis synthesis(kRate);
+    SoundCue cue;
+    cue.contact = true, cue.approach_speed = speed;
+    synthesis.setCue(cue);
+    auto samples = rendered(synthesis, 0.2);
+    synthesis.setCue(cue);
+    EXPECT_EQ(loudest(rendered(synthesis, 0.5)), 0.0f) << "a contact that lasts is quiet";
+    return samples;
+  };
+  const auto soft = knock(0.01), hard = knock(0.5);
+  EXPECT_EQ(onsets(soft), 1);
+  EXPECT_GT(loudest(hard), 2.0f * loudest(soft));
+  EXPECT_LE(loudest(hard), 1.0f);
+}
+
+TEST(Sound, ALimitKnocksTwice) {
+  SoundSynthesis synthesis(kRate);
+  SoundCue cue;
+  cue.limit = true;
+  synthesis.setCue(cue);
+  EXPECT_EQ(onsets(rendered(synthesis, 0.5)), 2);
+}
+
+TEST(Sound, TheCueIsReadFromTwoSnapshots) {
+  manipulation::SceneSnapshot before, now;
+  manipulation::PairState pair;
+  pair.distance = 0.008, pair.near_miss = true;
+  before.pairs = {pair};
+  before.time_s = 1.0;
+  pair.distance = 0.005;
+  now.pairs = {pair};
+  now.time_s = 1.1;
+  const SoundCue cue = soundCue(now, before, 0.010);
+  EXPECT_TRUE(cue.near_miss);
+  EXPECT_FALSE(cue.contact);
+  EXPECT_NEAR(cue.nearness, 0.5, 1e-12);
+  EXPECT_NEAR(cue.approach_speed, 0.03, 1e-12);
+}
+
+}  // namespace
+}  // namespace hapticell::app
