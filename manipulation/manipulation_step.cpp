@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/assertion.h"
 
@@ -18,9 +19,13 @@ constexpr double kRefreshMoved = 1e-3;                          ///< m in hand s
 constexpr double kRefreshAge = 25e-3;                           ///< ... after so many seconds,
 constexpr double kOldestSet = 100e-3;                           ///< and in any case after so many.
 constexpr double kZoneShare = 0.3;                              ///< At once when so much of the zone is used up.
-constexpr double kContactIn = 5e-5, kContactOut = 2e-4;         ///< m of gap.
-constexpr double kLag = 0.5e-3;      ///< m the accepted pose may stay behind before that is felt.
-constexpr double kTipReach = 0.010;  ///< m of hand space within which the tip touches something.
+constexpr double kSpeedKept = 0.5;                              ///< s that a fast hand is expected to be fast again.
+constexpr double kSpeedReserve = 1.3;                           ///< It may get faster meanwhile.
+constexpr double kWidestZone = 0.5;                             ///< m of hand.
+constexpr std::size_t kMostOnTheirWay = 1000;
+constexpr double kContactIn = 5e-5, kContactOut = 2e-4;  ///< m of gap.
+constexpr double kLag = 0.5e-3;                          ///< m the accepted pose may stay behind before that is felt.
+constexpr double kTipReach = 0.010;                      ///< m of hand space within which the tip touches something.
 
 double metric(const Pose& a, const Pose& b) {
   const Twist t = difference(a, b);
@@ -309,16 +314,33 @@ void ManipulationEngine::addLagRow() {
   built_.origins.push_back({});
 }
 
+/// Wide enough for what the hand does until the set after this one is felt: its way there and back and one period.
+double ManipulationEngine::zoneRadius() {
+  while (!on_their_way_.empty() && on_their_way_.front().first <= state_->adopted_set) {
+    adopted_ns_ = on_their_way_.front().second;
+    on_their_way_.pop_front();
+  }
+  const double aged = std::exp(-seconds(now_ns_ - speed_ns_) / kSpeedKept);
+  speed_ = std::max(glm::length(state_->v_DS), aged * speed_);
+  speed_ns_ = now_ns_;
+  const double configured = configuration_.manipulation.zone_radius;
+  if (state_->adopted_set == 0) return configured;
+  const double ahead = seconds(now_ns_ - adopted_ns_) + seconds(now_ns_ - last_set_ns_);
+  // Where the last one had to shrink, asking for more only costs time.
+  const double most = std::max(configured, std::min(kWidestZone, 2.0 * built_.set.zone_radius));
+  return std::clamp(kSpeedReserve * speed_ * ahead, configured, most);
+}
+
 void ManipulationEngine::updateSet() {
   if (!needsSet()) return;
   set_wanted_ = false;
-  set_ns_ = now_ns_;
+  last_set_ns_ = std::exchange(set_ns_, now_ns_);
   if (held_ && !clutched_) {
     // A wrist that turns fast needs a set that knows more of turning, at the cost of its radius.
     const double turned = glm::length(difference(state_->X_DS, X_DSeen_).angular);
     X_DSeen_ = state_->X_DS;
     const double turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
-    built_ = held_->constraints(mapping_, state_->X_DP, configuration_.manipulation.zone_radius, turn_ahead);
+    built_ = held_->constraints(mapping_, state_->X_DP, zoneRadius(), turn_ahead);
     addLagRow();
   } else {
     built_ = {};
@@ -327,6 +349,8 @@ void ManipulationEngine::updateSet() {
   }
   built_.set.sequence = ++sequence_;
   built_.set.stamp_ns = now_ns_;
+  on_their_way_.emplace_back(sequence_, now_ns_);
+  if (on_their_way_.size() > kMostOnTheirWay) on_their_way_.pop_front();
   link_.sendSet(built_.set);
 }
 

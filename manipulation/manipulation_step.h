@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/configuration.h"
@@ -67,6 +69,7 @@ class ManipulationEngine {
   double scaleInForce() const;
   workcell::EntityId entityAtTip() const;
   void updateSet();
+  double zoneRadius();
   bool needsSet() const;
   void addLagRow();
   void findContacts();
@@ -103,8 +106,13 @@ class ManipulationEngine {
   std::uint64_t step_ = 0;
   std::uint64_t sequence_ = 0;
   std::int64_t set_ns_ = 0;
+  std::int64_t last_set_ns_ = 0;
+  std::int64_t adopted_ns_ = 0;  ///< When the set was made that the newest state was rendered with.
   bool set_wanted_ = true;
   BuiltConstraints built_;
+  std::deque<std::pair<std::uint64_t, std::int64_t>> on_their_way_;  ///< Sets not seen adopted: number, when made.
+  double speed_ = 0.0;                                               ///< Of the hand lately, m/s.
+  std::int64_t speed_ns_ = 0;
   Pose X_DSeen_;  ///< The stylus at the set before.
   Pose X_DLag_;   ///< Reference of the set before.
   std::vector<double> gaps_;

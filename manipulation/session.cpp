@@ -180,8 +180,15 @@ haptic::ForceLoopOptions loopOptions(const haptic::Device& device, const config:
 
 MeteredTick meteredTick(double t, const haptic::ForceLoop& loop, const dvec3& acting_D, const dvec3& step_D) {
   const haptic::RenderResult& render = loop.lastRender();
-  MeteredTick tick{t,           loop.current().force_D, acting_D, step_D, render.spring_D, 1.0, render.stiffness,
-                   render.X_DP, loop.current().X_DS};
+  MeteredTick tick{t,
+                   loop.current().force_D,
+                   acting_D,
+                   step_D,
+                   render.spring_D,
+                   1.0,
+                   render.stiffness,
+                   loop.current().X_DS,
+                   render.torque_D};
   const double wanted = glm::length(render.force_D);
   if (wanted > 1e-9) tick.share = std::min(1.0, glm::length(tick.force_D) / wanted);
   return tick;
@@ -276,8 +283,13 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
 /// What a client sees of the force loop: states, as often as they come. Force and motion are those of the wire.
 MeteredTick meteredState(double t, const haptic::HapticState& state, const haptic::HapticState& last,
                          double stiffness) {
+  // A spring that has yielded lets go of turning in the same measure as of force.
+  const Twist stretch = difference(state.X_DP, state.X_DS);
+  const double whole = stiffness * glm::length(stretch.linear), force = glm::length(state.force_D);
+  const double left = whole > force ? force / whole : 1.0;
+  const dvec3 torque_D = left * stiffness * haptic::kRotationLever * haptic::kRotationLever * stretch.angular;
   return {t,         state.force_D, last.force_D, state.X_DS.p - last.X_DS.p, state.force_D, 1.0,
-          stiffness, state.X_DP,    state.X_DS};
+          stiffness, state.X_DS,    torque_D};
 }
 
 }  // namespace

@@ -49,12 +49,6 @@ double depthOf(const Body& moved, const Body& other) {
   return least;
 }
 
-/// What turning the stylus works against, N m (haptic/rendering/force_renderer.h).
-dvec3 unshownTorque(const MeteredTick& tick) {
-  const double per_radian = tick.stiffness * haptic::kRotationLever * haptic::kRotationLever;
-  return per_radian * difference(tick.X_DP, tick.X_DS).angular;
-}
-
 }  // namespace
 
 void ForceMeter::add(const MeteredTick& tick) {
@@ -63,11 +57,11 @@ void ForceMeter::add(const MeteredTick& tick) {
     const double ms = std::max(1e-6, 1e3 * (tick.t - last_.t));
     max_step_ = std::max(max_step_, glm::length(tick.force_D - last_.force_D) / std::max(1.0, ms));
     const dvec3 turn = difference(tick.X_DS, last_.X_DS).angular;
-    work_ -= glm::dot(tick.acting_D, tick.step_D) + last_.share * glm::dot(unshownTorque(last_), turn);
+    work_ -= glm::dot(tick.acting_D, tick.step_D) + last_.share * glm::dot(last_.torque_D, turn);
   }
   started_ = true;
   last_ = tick;
-  const dvec3 turned = unshownTorque(tick) / haptic::kRotationLever;
+  const dvec3 turned = tick.torque_D / haptic::kRotationLever;
   const double stretched = glm::dot(tick.spring_D, tick.spring_D) + glm::dot(turned, turned);
   // Where less than the wanted force is let through (ramp, limits, heat), a change of the spring's energy counts by
   // that share; what is left when the spring is slack was lost to the limit, what is missing was made.

@@ -21,8 +21,8 @@ struct MeteredTick {
   dvec3 spring_D{0.0};      ///< The coupling's spring; its energy is stored, not lost.
   double share = 1.0;       ///< Of the wanted force that was let through (ramp, limits).
   double stiffness = 1000;  ///< N/m.
-  Pose X_DP;
   Pose X_DS;
+  dvec3 torque_D{0.0};  ///< What turning the stylus works against, N m (haptic::RenderResult).
 };
 
 /// Force, slew and energy over a session.

@@ -173,9 +173,10 @@ void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved) con
   if (back.active_count > 0) solved.X_DP = displacedInMetric(solved.X_DP, back.d);
 }
 
-dvec3 ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
-  const dvec3 stretch = solved.X_DP.p - X_DS.p;
-  return stretch - solved.trust_D + limited(solved.trust_D, kTrustForce / stiffness_);
+ForceRenderer::Stretch ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
+  Stretch stretch = difference(solved.X_DP, X_DS);
+  stretch.linear += limited(solved.trust_D, kTrustForce / stiffness_) - solved.trust_D;
+  return stretch;
 }
 
 ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) {
@@ -183,8 +184,8 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
   jump_D = dvec3(0.0);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);
-    const dvec3 borne_before = borne(stretchOf(before, X_DS));
-    offset_D_ += borne_before - borne(stretchOf(solved, X_DS));
+    const dvec3 borne_before = borne(stretchOf(before, X_DS)).linear;
+    offset_D_ += borne_before - borne(stretchOf(solved, X_DS)).linear;
     jump_D = solved.X_DP.p - before.X_DP.p;
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
@@ -197,14 +198,14 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
 
 /// Moves what the proxy outran the stylus by (another facet, a step of the surface) into the offset, so that the force
 /// goes on from where it was. Returns the proxy's step without it.
-dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& stretch_D, const dvec3& proxy_step,
+dvec3 ForceRenderer::takeOutJump(const Solved& solved, const Stretch& stretch, const dvec3& proxy_step,
                                  const dvec3& stylus_step) {
   const double length = glm::length(proxy_step);
   const double allowed = glm::length(stylus_step) + kJumpAllowance;
   if (!contact_ || !solved.contact || length <= allowed) return proxy_step;
   const dvec3 excess = proxy_step * (1.0 - allowed / length);
-  const dvec3 borne_before = borne(stretch_D - excess);
-  offset_D_ += borne_before - borne(stretch_D);
+  const dvec3 borne_before = borne({stretch.linear - excess, stretch.angular}).linear;
+  offset_D_ += borne_before - borne(stretch).linear;
   return proxy_step - excess;
 }
 
@@ -252,16 +253,18 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
 }
 
 /// What is left of a stretch to a spring that yields like a ductile metal at the force limit: beyond it the rest point
-/// follows, and back it unloads along the full stiffness to nothing, never to a pull. It shortens the stretch but never
-/// turns it, so that what holds the proxy decides the direction of the force.
-dvec3 ForceRenderer::borne(const dvec3& stretch_D) {
-  const double length = glm::length(stretch_D);
+/// follows, and back it unloads along the full stiffness to nothing, never to a pull. It shortens the stretch, turning
+/// included, but never turns it, so that what holds the proxy decides the direction of the force.
+ForceRenderer::Stretch ForceRenderer::borne(const Stretch& stretch) {
+  const double length = std::hypot(glm::length(stretch.linear), kRotationLever * glm::length(stretch.angular));
   if (length <= 0.0) {
     yield_ = 0.0;
-    return stretch_D;
+    return stretch;
   }
-  yield_ = std::clamp(yield_, std::max(0.0, length - forceLimit() / stiffness_), length);
-  return stretch_D * (1.0 - yield_ / length);
+  const double bearable = forceLimit() / (stiffness_ * std::max(glm::length(stretch.linear), 1e-12));
+  yield_ = std::clamp(yield_, length * std::max(0.0, 1.0 - bearable), length);
+  const double left = 1.0 - yield_ / length;
+  return {left * stretch.linear, left * stretch.angular};
 }
 
 /// The account of what the hand put in, less what the coupling holds. Turning the stylus counts with the torque that
@@ -295,19 +298,18 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
     solved = moveProxy(sets_[current_], X_DS);
 
   const dvec3 whole_step = solved.X_DP.p - proxy_.p - set_jump;
-  const dvec3 stretch_D = stretchOf(solved, X_DS);
-  const dvec3 proxy_step = takeOutJump(solved, stretch_D, whole_step, stylus_step);
+  const Stretch stretch = stretchOf(solved, X_DS);
+  const dvec3 proxy_step = takeOutJump(solved, stretch, whole_step, stylus_step);
   filterVelocities(stylus_step, proxy_step, dt);
   decayOffset(solved, stylus_step, dt);
   updateCoupling(solved, dt);
 
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
-  const dvec3 borne_D = borne(free ? dvec3(0.0) : stretch_D);
-  const dvec3 spring_D = limited(borne_D + offset_D_, forceLimit() / stiffness_);
-  offset_D_ = spring_D - borne_D;
+  const Stretch left = borne(free ? Stretch{dvec3(0.0), dvec3(0.0)} : stretch);
+  const dvec3 spring_D = limited(left.linear + offset_D_, forceLimit() / stiffness_);
+  offset_D_ = spring_D - left.linear;
   spring_D_ = stiffness_ * spring_D;
-  const double turning = stiffness_ * kRotationLever * kRotationLever;
-  const dvec3 torque_D = free ? dvec3(0.0) : turning * difference(solved.X_DP, X_DS).angular;
+  const dvec3 torque_D = stiffness_ * kRotationLever * kRotationLever * left.angular;
   observeEnergy(stylus_motion, torque_D, solved.contact, dt);
   proxy_ = solved.X_DP;
   stylus_ = X_DS;

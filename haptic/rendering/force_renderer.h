@@ -28,18 +28,19 @@ RendererOptions limitedByDelay(RendererOptions options);
 
 /// What one tick of the force renderer yields. All in the device frame D.
 struct RenderResult {
-  Pose X_DP;                    ///< The proxy: where the stylus would be if it obeyed every constraint.
-  dvec3 force_D{0.0};           ///< Wanted on the hand, N; not yet through the safety chain.
-  dvec3 spring_D{0.0};          ///< Its part K (y - x) + K o.
-  dvec3 torque_D{0.0};          ///< K l^2 times the proxy's turn from the stylus, N m: what turning the stylus works
-                                ///< against, for the energy account; no device here shows it to the hand.
-  dvec3 v_DS{0.0};              ///< Filtered velocity of the stylus, m/s.
-  dvec3 offset_D{0.0};          ///< o, what is left of blended set changes, m.
-  std::size_t active_rows = 0;  ///< Rows that hold the proxy back, the trust row included.
-  bool contact = false;         ///< One of them is a constraint.
-  bool at_zone_edge = false;    ///< The trust row is one of them.
-  double energy = 0.0;          ///< Passivity observer's balance, J; negative: the renderer made that much.
-  double stiffness = 0.0;       ///< K in force now, N/m.
+  Pose X_DP;                        ///< The proxy: where the stylus would be if it obeyed every constraint.
+  dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
+  dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
+  dvec3 torque_D{0.0};              ///< K l^2 times the proxy's turn from the stylus, N m, as far as the spring has not
+                                    ///< yielded: what turning the stylus works
+                                    ///< against, for the energy account; no device here shows it to the hand.
+  dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
+  dvec3 offset_D{0.0};              ///< o, what is left of blended set changes, m.
+  std::size_t active_rows = 0;      ///< Rows that hold the proxy back, the trust row included.
+  bool contact = false;             ///< One of them is a constraint.
+  bool at_zone_edge = false;        ///< The trust row is one of them.
+  double energy = 0.0;              ///< Passivity observer's balance, J; negative: the renderer made that much.
+  double stiffness = 0.0;           ///< K in force now, N/m.
   double controller_damping = 0.0;  ///< What the passivity controller adds to B, N s/m.
   std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
 };
@@ -99,18 +100,19 @@ class ForceRenderer {
 
  private:
   struct Solved;
+  using Stretch = Twist;  ///< From the stylus to the proxy: m, rad.
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
   void applyFriction(const GroupedSet& grouped, Solved& solved) const;
   Solved changeSet(const Pose& X_DS, dvec3& jump_D);
-  dvec3 stretchOf(const Solved& solved, const Pose& X_DS) const;
-  dvec3 takeOutJump(const Solved& solved, const dvec3& stretch_D, const dvec3& proxy_step, const dvec3& stylus_step);
+  Stretch stretchOf(const Solved& solved, const Pose& X_DS) const;
+  dvec3 takeOutJump(const Solved& solved, const Stretch& stretch, const dvec3& proxy_step, const dvec3& stylus_step);
   void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
   void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
   dvec3 couplingForce(const Solved& solved) const;
-  dvec3 borne(const dvec3& stretch_D);
+  Stretch borne(const Stretch& stretch);
   double forceLimit() const { return std::min(force_limit_, options_.peak_force); }
   void observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt);
 
