@@ -86,8 +86,11 @@ dmat3 largestTriangleAxes(const Corners* corners, std::uint32_t count) {
   }
   const dvec3 normal = glm::cross((*largest)[1] - (*largest)[0], (*largest)[2] - (*largest)[0]);
   if (!(glm::length(normal) > 0.0) || !(glm::length(longest) > 0.0)) return dmat3(1.0);
-  const dvec3 x = glm::normalize(longest), z = glm::normalize(normal);
-  return {x, glm::normalize(glm::cross(z, x)), z};
+  const dvec3 x = glm::normalize(longest), across = glm::cross(glm::normalize(normal), x);
+  // The normal of a needle is rounding: axes that are not square would leave its corners outside the box.
+  if (!(glm::length(across) > 0.9)) return dmat3(1.0);
+  const dvec3 y = glm::normalize(across - x * glm::dot(x, across));
+  return {x, y, glm::cross(x, y)};
 }
 
 bool isFinite(const dmat3& R) {

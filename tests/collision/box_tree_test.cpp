@@ -58,15 +58,20 @@ TEST_F(BoxTreeBounds, aLongSlantingTriangleIsBoundedWithinTheOtherBoxsSize) {
   }
 }
 
-TEST_F(BoxTreeBounds, boxesOfTheTreeHoldTheirTriangles) {
-  const geometry::TriangleMesh mesh = test::soupMesh(random_, 300, 1.0);
+TEST_F(BoxTreeBounds, leavesHoldTheirTrianglesAlsoWhenThoseAreNeedles) {
+  geometry::TriangleMesh mesh = test::soupMesh(random_, 300, 1.0);
+  for (const geometry::Triangle& triangle : mesh.triangles) {
+    const dvec3 middle = 0.5 * (mesh.vertices[triangle[0]] + mesh.vertices[triangle[1]]);
+    if (triangle[0] % 2 == 0) mesh.vertices[triangle[2]] = middle;
+  }
   const BoxTree tree(mesh);
   for (std::uint32_t index = 0; index < tree.nodeCount(); ++index) {
     const BoxTree::Node& node = tree.node(index);
+    EXPECT_NEAR(std::abs(glm::determinant(node.box.R)), 1.0, 1e-14);
     for (std::uint32_t slot = node.first; node.isLeaf() && slot < node.first + node.count; ++slot) {
       for (const dvec3& corner : tree.corners(slot)) {
-        EXPECT_LE(std::sqrt(lowerBoundSquared(node.box, corner)), 1e-12);
-        EXPECT_LE(std::sqrt(lowerBoundSquared(tree.root().box, corner)), 1e-12);
+        EXPECT_LE(std::sqrt(lowerBoundSquared(node.box, corner)), 1e-14);
+        EXPECT_LE(std::sqrt(lowerBoundSquared(tree.root().box, corner)), 1e-14);
       }
     }
   }
