@@ -7,13 +7,16 @@
 #include <limits>
 #include <utility>
 
+#include "collision/gauss_grid.h"
+
 namespace hapticell::collision {
 namespace {
 
 constexpr std::uint32_t kObstacleFeature = 0x80000000u;
 constexpr std::uint32_t kBeyondFeature = 0x10000000u;
 constexpr std::uint32_t kEdgeFeature = 0x40000000u;
-constexpr double kEqualHeight = 1e-9;  // metres
+constexpr std::size_t kFewEdgePairs = 20000;  // with more, those whose arcs cross are looked up
+constexpr double kEqualHeight = 1e-9;         // metres
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Extreme {
@@ -234,8 +237,20 @@ void DirectionFinder::addEdgePairs() {
   const auto edges_a = nearEdges(a_, near_b_);
   if (edges_a.empty()) return;
   const auto edges_b = nearEdges(b_, near_a_);
+  const auto& hull_a = a_.piece->hull.edges;
+  const auto& hull_b = b_.piece->hull.edges;
+  if (edges_a.size() * edges_b.size() <= kFewEdgePairs) {
+    for (const auto i : edges_a) {
+      for (const auto j : edges_b) addEdgePair(hull_a[i], hull_b[j], i, j);
+    }
+    return;
+  }
+  GaussGrid grid;
+  for (const auto j : edges_b) grid.add(b_.planes_W[hull_b[j].planes[0]].nhat, b_.planes_W[hull_b[j].planes[1]].nhat);
+  std::vector<std::uint32_t> crossing;
   for (const auto i : edges_a) {
-    for (const auto j : edges_b) addEdgePair(a_.piece->hull.edges[i], b_.piece->hull.edges[j], i, j);
+    grid.crossing(-a_.planes_W[hull_a[i].planes[0]].nhat, -a_.planes_W[hull_a[i].planes[1]].nhat, crossing);
+    for (const auto k : crossing) addEdgePair(hull_a[i], hull_b[edges_b[k]], i, edges_b[k]);
   }
 }
 
