@@ -65,12 +65,12 @@ void StripChart::paintTimes(QPainter& painter, const Axes& axes) const {
     const double x = axes.x(second);
     const bool named = second % 2 == 0;
     painter.fillRect(QRectF(x, axes.plot.top() - (named ? 10 : 6), 1, named ? 8 : 4), theme.text3);
-    if (!named || x > axes.plot.right() - 30) continue;
+    if (!named || std::abs(x - axes.x(history_.now())) < 36) continue;
     painter.setPen(theme.text2);
     painter.drawText(QRectF(x - 30, axes.plot.top() - 30, 60, 18), Qt::AlignCenter, tr("%1 s").arg(second));
   }
   painter.setPen(theme.text1);
-  painter.drawText(QRectF(axes.plot.right() - 30, axes.plot.top() - 30, 60, 18), Qt::AlignCenter, tr("now"));
+  painter.drawText(QRectF(axes.x(history_.now()) - 30, axes.plot.top() - 30, 60, 18), Qt::AlignCenter, tr("now"));
 }
 
 void StripChart::paintLevels(QPainter& painter, const Axes& axes) const {

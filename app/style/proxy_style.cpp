@@ -67,7 +67,6 @@ int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_ButtonShiftHorizontal:
     case PM_ButtonShiftVertical: return 0;
     case PM_TreeViewIndentation: return 18;
-    case PM_HeaderMargin: return 8;
     default: return QProxyStyle::pixelMetric(metric, option, widget);
   }
 }
@@ -246,6 +245,14 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
       painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1), theme.line);
       return;
     }
+    case CE_HeaderLabel:
+      if (const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option)) {
+        QStyleOptionHeader label = *header;
+        label.rect.adjust(4, -4, -4, 4);
+        QProxyStyle::drawControl(element, &label, painter, widget);
+        return;
+      }
+      break;
     case CE_ProgressBarGroove: drawBox(painter, option->rect, theme.field, theme.line, 2.0); return;
     default: break;
   }

@@ -31,7 +31,7 @@ QString keyLine(const QString& key, const QString& does, const Theme& theme) {
   return QStringLiteral(
              "<tr><td><span style=\"font-size:11px; color:%3; background-color:%4\">&nbsp;%1&nbsp;</span></td>"
              "<td>&nbsp;%2</td></tr>")
-      .arg(key, does, theme.text1.name(), theme.button.name());
+      .arg(key, does, theme.text1.name(), theme.line.name());
 }
 
 void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, const workcell::Entity* entity) {
