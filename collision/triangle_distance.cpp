@@ -8,6 +8,9 @@ namespace hapticell::collision {
 
 namespace {
 
+/// Height over length of triangles whose normal is not trusted; what is neglected is as thin as this.
+constexpr double kNeedle = 1e-8;
+
 double squaredLength(const dvec3& v) {
   return glm::dot(v, v);
 }
@@ -92,8 +95,11 @@ bool pierces(const Face& face, const Corners& other, const dvec3& h, dvec3& comm
 }
 
 Face faceOf(const Corners& corners) {
-  const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  return {corners, normal, squaredLength(normal)};
+  const dvec3 along = corners[1] - corners[0], across = corners[2] - corners[0];
+  const dvec3 normal = glm::cross(along, across);
+  const double square = squaredLength(normal), scale = std::max(squaredLength(along), squaredLength(across));
+  // A needle's normal is rounding and would put its plane anywhere: a needle is its edges.
+  return {corners, normal, square > kNeedle * kNeedle * scale * scale ? square : 0.0};
 }
 
 }  // namespace
