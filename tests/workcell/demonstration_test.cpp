@@ -42,12 +42,12 @@ TEST_F(Demonstration, savingItChangesNoByte) {
   EXPECT_EQ(documentText(document_.state(), path.parent_path()), text);
 }
 
-TEST_F(Demonstration, robotHoldsThePartSixtyMillimetresOverItsSeatWithTheToolDown) {
+TEST_F(Demonstration, robotHoldsThePartThirtyMillimetresOverItsSeatWithTheToolDown) {
   EXPECT_EQ(robot_->robot->dof(), 6u);
   const Pose X_WT = linkInWorld("tcp");
-  EXPECT_NEAR(glm::distance(X_WT.p, dvec3(0.99, 0.0, 0.75 + 0.055 + 0.060)), 0.0, 1e-6);
+  EXPECT_NEAR(glm::distance(X_WT.p, dvec3(0.99, 0.0, 0.75 + 0.055 + 0.030)), 0.0, 1e-6);
   EXPECT_NEAR(glm::distance(X_WT.rotate({0, 0, 1}), dvec3(0, 0, -1)), 0.0, 1e-6);
-  EXPECT_NEAR(linkInWorld("housing_4711").p.z, 0.81, 1e-6);
+  EXPECT_NEAR(linkInWorld("housing_4711").p.z, 0.78, 1e-6);
 }
 
 TEST_F(Demonstration, nothingTouchesTheRobotAtTheStart) {

@@ -53,7 +53,7 @@ def solid(name, mesh, parent, color, pose, locked=True):
 
 def document():
     robot = {"name": "robot", "kind": "robot", "source": {"file": "../robots/hc6/robot.urdf", "scale": 1.0},
-             "placement": placement(z=BASE_HEIGHT), "joints": joints_over_the_seat(0.99, 0.060), "tip_link": "tcp", "mass": 12.0}
+             "placement": placement(z=BASE_HEIGHT), "joints": joints_over_the_seat(0.99, 0.030), "tip_link": "tcp", "mass": 12.0}
     entities = [robot] + [solid(*row, placement()) for row in SOLIDS]
     entities += [solid(name, "housing", "Conveyor and 3 housings", TAN, placement(x, 1.18, 0.868), False) for name, x in HOUSINGS]
     cell = [row[0] for row in SOLIDS if row[0] != "Pedestal"] + [name for name, _ in HOUSINGS]
