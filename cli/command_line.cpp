@@ -23,6 +23,14 @@ int run(const Action& chosen, const std::string& json_file) {
   return static_cast<int>(ExitStatus::kBadInput);
 }
 
+/// CLI11 would only say that a command is missing, not which word it did not know.
+int reportUnknownCommand(const CLI::App& app) {
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
+  report({"", "", "there is no command '" + app.remaining().front() + "'", "one of " + known, ""});
+  return static_cast<int>(ExitStatus::kBadInput);
+}
+
 }  // namespace
 
 int runCommandLine(int argc, char** argv) {
@@ -45,6 +53,7 @@ int runCommandLine(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
+    if (app.get_subcommands().empty() && !app.remaining().empty()) return reportUnknownCommand(app);
     return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
   }
   if (!chosen) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -61,10 +62,25 @@ ordered_json chainPositions(const RobotWithTip& robot, const std::vector<double>
   return joints;
 }
 
-ordered_json alternatives(const kinematics::InverseModel& inverse, const RobotWithTip& robot, const Pose& X_BT,
-                          const std::vector<double>& q) {
+/// A search finds most solutions, not surely all: the answer itself is listed whether the search came upon it or not.
+std::vector<kinematics::AlternativeSolution> allSolutions(const kinematics::InverseModel& inverse, const Pose& X_BT,
+                                                          const std::vector<double>& q,
+                                                          const kinematics::InverseSolution& answer) {
+  std::vector<kinematics::AlternativeSolution> all = inverse.solveAll(X_BT, q);
+  constexpr double kSame = 1e-4;  // rad or m
+  const auto isAnswer = [&](const kinematics::AlternativeSolution& one) {
+    return std::equal(one.q.begin(), one.q.end(), answer.q.begin(), answer.q.end(),
+                      [](double a, double b) { return std::abs(a - b) < kSame; });
+  };
+  if (answer.status == kinematics::InverseStatus::kSolved && std::none_of(all.begin(), all.end(), isAnswer)) {
+    all.insert(all.begin(), {answer.q, true, ""});
+  }
+  return all;
+}
+
+ordered_json alternatives(const RobotWithTip& robot, const std::vector<kinematics::AlternativeSolution>& all) {
   ordered_json solutions = ordered_json::array();
-  for (const kinematics::AlternativeSolution& one : inverse.solveAll(X_BT, q)) {
+  for (const kinematics::AlternativeSolution& one : all) {
     const std::string unnamed = "solution " + std::to_string(solutions.size() + 1);
     solutions.push_back({{"joints", chainPositions(robot, one.q)},
                          {"configuration", one.configuration.empty() ? unnamed : one.configuration},
@@ -102,7 +118,7 @@ Expected<Answer> solve(const InverseOptions& options) {
                         {"joints", chainPositions(*robot, solution.q)},
                         {"position_error", solution.position_error},
                         {"orientation_error", solution.orientation_error}};
-    if (options.all) result["solutions"] = alternatives(**inverse, *robot, X_BT, previous);
+    if (options.all) result["solutions"] = alternatives(*robot, allSolutions(**inverse, X_BT, previous, solution));
     results.push_back(std::move(result));
     answer.all_solved = answer.all_solved && solution.status == kinematics::InverseStatus::kSolved;
     previous = solution.q;

@@ -201,6 +201,23 @@ def test_forward_and_inverse_kinematics_of_a_planar_arm(case):
     assert answer["results"][3]["status"] == "unreachable", answer["results"][3]
 
 
+def test_all_solutions_have_the_answer_among_them(case):
+    # Nine joints for six freedoms, with narrow limits: a search for others does not come upon every answer again.
+    joints = "".join(
+        f'<link name="l{i + 1}"/><joint name="j{i}" type="revolute"><parent link="l{i}"/><child link="l{i + 1}"/>'
+        f'<origin xyz="0.1 0 0.2"/><axis xyz="{("0 0 1", "0 1 0", "1 0 0")[i % 3]}"/>'
+        '<limit lower="-0.3" upper="0.3" velocity="1" effort="1"/></joint>' for i in range(9))
+    (case.folder / "snake.urdf").write_text(f'<robot name="snake"><link name="l0"/>{joints}</robot>')
+    turns = [",".join(str(round(0.299 * math.sin(1.7 * row * row + 2.3 * i), 4)) for i in range(9)) for row in range(30)]
+    (case.folder / "joints.csv").write_text("\n".join([",".join(f"j{i}" for i in range(9)), *turns]) + "\n")
+    reached = case.run("fk", "--robot", "snake.urdf", "--joints", "joints.csv")["poses"]
+    poses(case.folder / "poses.csv", [tuple(pose[key] for key in ("x", "y", "z", "qw", "qx", "qy", "qz")) for pose in reached])
+    answer = case.run("ik", "--robot", "snake.urdf", "--poses", "poses.csv", "--all")
+    for result in answer["results"]:
+        assert result["status"] == "solved", result["status"]
+        assert any(near(one["joints"], result["joints"], 1e-3) and one["within_limits"] for one in result["solutions"])
+
+
 def test_workcell_new_then_inspect(case):
     write_obj(case.folder / "table.obj", box((1000, 1000, 100)))
     (case.folder / "arm.urdf").write_text(ARM)
@@ -274,6 +291,7 @@ def test_session_without_forces_gives_none(case):
 
 
 def test_usage(case):
+    assert "'insepct'; expected one of" in case.run("insepct", "box.stl", expect=2).replace("is no command ", "")
     assert subprocess.run([CLI, "--help"], capture_output=True).returncode == 0
     case.run(expect=2)
     case.run("fly", expect=2)
