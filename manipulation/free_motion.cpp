@@ -20,7 +20,8 @@ FreeMotion::FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider
   states_.reserve(pairs_.size());
   for (const MotionPair& pair : pairs_) {
     HAPTICELL_DEMAND(pair.part < parts_.size() && pair.obstacle < obstacles_.size());
-    states_.push_back({collision::ProximityQuery(parts_[pair.part], obstacles_[pair.obstacle].collider), 0.0, false});
+    states_.push_back(
+        {collision::ProximityQuery(parts_[pair.part], obstacles_[pair.obstacle].collider), 0.0, false, dvec3(0.0)});
   }
   for (const auto& part : parts_) spheres_.push_back({part->center(), part->radius()});
   X_WP_.resize(parts_.size());
@@ -33,12 +34,32 @@ collision::DistanceResult FreeMotion::measure(std::uint32_t pair, const Pose& X_
   return states_[pair].query.distance(X_WP, obstacles_[pairs_[pair].obstacle].X_WO, limit);
 }
 
+/// Where it stands for what blocks.
+Pose FreeMotion::obstaclePose(std::uint32_t pair) const {
+  const Pose& X_WO = obstacles_[pairs_[pair].obstacle].X_WO;
+  return {X_WO.p + states_[pair].stand_back_W, X_WO.q};
+}
+
+void FreeMotion::guard(std::uint32_t pair, const dvec3& nhat_W) {
+  PairState& state = states_[pair];
+  if (!state.soft) return;
+  state.stand_back_W = -kGuard * nhat_W;
+  const collision::DistanceResult found =
+      state.query.distance(X_WP_[pairs_[pair].part], obstaclePose(pair), kLeastLook);
+  if (found.distance > kStandOff) {
+    state.clearance = found.distance;
+  } else {
+    state.stand_back_W = dvec3(0.0);
+  }
+}
+
 void FreeMotion::reset(const Manipulator& manipulator, const EntityConfiguration& at) {
   manipulator.partPoses(at, X_WP_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], kLeastLook);
     states_[i].clearance = found.distance;
     states_[i].soft = found.distance <= collision::kLeastClearance;
+    states_[i].stand_back_W = dvec3(0.0);
   }
 }
 
@@ -60,8 +81,8 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
   PairState& state = states_[pair];
   reached_[pair] = 0.0;
   if (state.clearance - kStandOff > answer.s * bound) return;
-  const Pose& X_WO = obstacles_[pairs_[pair].obstacle].X_WO;
-  state.clearance = measure(pair, X_WP_[part], std::max(kLeastLook, 2.0 * bound)).distance;
+  const Pose X_WO = obstaclePose(pair);
+  state.clearance = state.query.distance(X_WP_[part], X_WO, std::max(kLeastLook, 2.0 * bound)).distance;
   if (state.clearance - kStandOff > answer.s * bound) return;
 
   collision::PartMotion moved;
@@ -78,7 +99,7 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
   answer.blocked = true;
   answer.pair = pair;
   // Its nearest points may lie just beyond the stop.
-  answer.contact = measure(pair, partPoseAt(motion, part, stop.s), kLeastLook);
+  answer.contact = state.query.distance(partPoseAt(motion, part, stop.s), X_WO, kLeastLook);
 }
 
 MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityConfiguration& from,
@@ -89,7 +110,7 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
   manipulator.pathBounds(from, to, spheres_, bounds_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     reached_[i] = 0.0;
-    if (pairs_[i].blocks && !states_[i].soft) advancePair(motion, i, answer);
+    if (pairs_[i].blocks && (!states_[i].soft || states_[i].guarded())) advancePair(motion, i, answer);
   }
   manipulator.partPoses(manipulator.between(from, to, answer.s), X_WP_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
@@ -97,8 +118,10 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
     state.clearance -= std::abs(answer.s - reached_[i]) * bounds_[pairs_[i].part];
     if (!state.soft || !pairs_[i].blocks) continue;
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], kLeastLook);
-    state.clearance = found.distance;
     state.soft = found.distance <= collision::kLeastClearance;
+    if (state.soft && state.guarded()) continue;
+    state.stand_back_W = dvec3(0.0);
+    state.clearance = found.distance;
   }
   return answer;
 }
@@ -106,9 +129,9 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
 void FreeMotion::distances(double limit, std::vector<PairDistance>& near) {
   near.clear();
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
-    if (states_[i].clearance >= limit) continue;
+    if (states_[i].clearance >= limit && !states_[i].guarded()) continue;
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], std::max(limit, kLeastLook));
-    states_[i].clearance = found.distance;
+    if (!states_[i].guarded()) states_[i].clearance = found.distance;
     if (!found.beyond_limit && found.distance < limit) near.push_back({i, found});
   }
 }

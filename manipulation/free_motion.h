@@ -42,12 +42,18 @@ class FreeMotion {
  public:
   /// Distance (m) that is left between surfaces when a motion is blocked.
   static constexpr double kStandOff = 5e-6;
+  /// Shift (m) that frees a pair that only touches; see guard().
+  static constexpr double kGuard = 1e-5;
 
   FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider>> parts, std::vector<Obstacle> obstacles,
              std::vector<MotionPair> pairs);
 
   /// Starts anew at this configuration.
   void reset(const Manipulator& manipulator, const EntityConfiguration& at);
+
+  /// Says which way a soft pair that only touches comes free. Where a small shift along the unit `nhat_W` frees it, it
+  /// blocks from now on as if the obstacle stood back by that shift, until it has come apart.
+  void guard(std::uint32_t pair, const dvec3& nhat_W);
 
   /// Goes along manipulator.between(from, to, .) as far as it is free; `from` must be where the last call ended.
   MotionAnswer advance(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to);
@@ -70,6 +76,8 @@ class FreeMotion {
     collision::ProximityQuery query;
     double clearance = 0.0;  ///< Lower bound of the distance now, m.
     bool soft = false;
+    dvec3 stand_back_W{0.0};  ///< By this the obstacle is moved for blocking only; zero where it is not guarded.
+    bool guarded() const { return stand_back_W != dvec3(0.0); }
   };
   struct Motion {
     const Manipulator& manipulator;
@@ -79,6 +87,7 @@ class FreeMotion {
   };
 
   collision::DistanceResult measure(std::uint32_t pair, const Pose& X_WP, double limit);
+  Pose obstaclePose(std::uint32_t pair) const;
   void advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
   const Pose& partPoseAt(const Motion& motion, std::uint32_t part, double s);
 

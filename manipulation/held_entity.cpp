@@ -215,6 +215,12 @@ void HeldEntity::startBoundaries() {
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     if (motion_->isSoft(i) && gaps_[i] < 0.0) feel_[i].boundary += gaps_[i];
   }
+  for (std::size_t k = 0; k < built.set.count; ++k) {
+    const int pair = built.origins[k].pair;
+    if (pair < 0 || std::abs(built.set.constraints[k].gap) > FreeMotion::kGuard) continue;
+    const haptic::Vector6& a = built.set.constraints[k].gradient;
+    motion_->guard(static_cast<std::uint32_t>(pair), glm::normalize(dvec3(a[0], a[1], a[2])));
+  }
 }
 
 void HeldEntity::raiseBoundaries() {

@@ -242,10 +242,10 @@ void ForceRenderer::updateCoupling(const Solved& solved, double dt) {
 dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   const double pull = glm::length(spring_D_);
   if (pull <= 0.0) return dvec3(0.0);
-  const bool trust_only = solved.trust && !solved.contact;
   // The coupling damps the stylus against the proxy; the controller damps the stylus itself, since on a convex surface
   // the proxy outruns the stylus and more of the coupling's damping would make energy instead of taking it.
-  const double damping = trust_only ? 0.0 : damping_;
+  // Without a contact the proxy only catches up with the stylus: no motion to damp.
+  const double damping = solved.contact ? damping_ : 0.0;
   const dvec3 force = spring_D_ - damping * (v_stylus_D_ - v_proxy_D_) - controller_damping_ * v_stylus_D_;
   const dvec3 outward = spring_D_ / pull;
   const double along = glm::dot(force, outward);

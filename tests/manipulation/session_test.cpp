@@ -175,5 +175,20 @@ TEST(Session, UnknownNamesAreToldWithWhatThereIs) {
   EXPECT_NE(unfit.error().message().find("self_origin"), std::string::npos);
 }
 
+/// Taken while it touches the table: it may slide, turn and leave, but the shown box gets no deeper in any step.
+TEST_P(SessionAtRate, PlateThatStandsOnTheTableLeavesItWithoutDippingIn) {
+  std::vector<workcell::Entity> entities = boxOverTable(0.0);
+  entities[1] = test::solid(2, "box", geometry::makeBox({0.4, 0.4, 0.02}), Pose::translation({0, 0, 0.01}));
+  const haptic::HandPath hand = handThrough({{0.0, {0, 0, 0}},
+                                             {0.8, {0, 0, 0}},
+                                             {2.0, {0.05, 0, -0.03}},
+                                             {3.0, {0.08, -0.08, -0.08}, {0.5, 0.5, 0.5}},
+                                             {4.0, {0, 0, 0.05}}});
+  const auto report = runSession(sessionOf(entities, "box", hand, GetParam().hz, GetParam().latency_s));
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_LE(report->penetration_max_m, FreeMotion::kGuard);
+  EXPECT_GT(report->X_WMFinal.p.z, 0.03);
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation
