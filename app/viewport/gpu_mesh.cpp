@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gpu_mesh.h"
 
+#include <algorithm>
+
 namespace hapticell::app {
 namespace {
+
+constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over.
 
 const void* offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
@@ -64,15 +68,28 @@ void GpuMesh::drawAllEdges() {
   drawEdges(edge_count_);
 }
 
-GpuMesh& GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
+GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
   Entry& entry = entries_[mesh.get()];
   entry.used = true;
   // An address that was reused by another mesh must not show the old one.
-  if (!entry.mesh || entry.source.lock() != mesh) {
-    entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh));
+  if (entry.source.lock() != mesh) {
+    entry.mesh.reset();
     entry.source = mesh;
+    if (mesh->triangles.size() <= kSmallMesh)
+      entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh));
+    else
+      entry.prepared = worker_.prepare(mesh);
   }
-  return *entry.mesh;
+  if (entry.prepared && entry.prepared->ready.load(std::memory_order_acquire)) {
+    entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh);
+    entry.prepared.reset();
+  }
+  return entry.mesh.get();
+}
+
+std::size_t GpuMeshCache::pending() const {
+  return static_cast<std::size_t>(
+      std::count_if(entries_.begin(), entries_.end(), [](const auto& entry) { return entry.second.prepared != nullptr; }));
 }
 
 void GpuMeshCache::collect() {

@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "app/viewport/display_mesh.h"
+#include "app/viewport/display_mesh_worker.h"
 #include "app/viewport/gl.h"
 
 namespace hapticell::app {
@@ -35,21 +35,30 @@ class GpuMesh {
   GLsizei index_count_ = 0, edge_count_ = 0, crease_count_ = 0;
 };
 
-/// Meshes by their address: shared ones are uploaded once; those that no longer occur are let go.
+/// Meshes by their address: shared ones are uploaded once; those that no longer occur are let go. Large meshes are made
+/// ready in a thread of their own, so that an import never holds up the window.
 class GpuMeshCache {
  public:
-  explicit GpuMeshCache(Gl& gl) : gl_(gl) {}
-  GpuMesh& of(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
+  /// `on_ready` is called in the worker's thread whenever another mesh can be drawn.
+  GpuMeshCache(Gl& gl, std::function<void()> on_ready) : gl_(gl), worker_(std::move(on_ready)) {}
+  /// Null while it is being made ready.
+  GpuMesh* of(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
   /// Frees what was not asked for since the last call.
   void collect();
+  /// How many are being made ready.
+  std::size_t pending() const;
+  /// Waits until of() has an answer for all that were asked for.
+  void wait() { worker_.wait(); }
 
  private:
   struct Entry {
     std::weak_ptr<const geometry::TriangleMesh> source;
     std::unique_ptr<GpuMesh> mesh;
+    std::shared_ptr<PreparedMesh> prepared;
     bool used = true;
   };
   Gl& gl_;
+  DisplayMeshWorker worker_;
   std::map<const geometry::TriangleMesh*, Entry> entries_;
 };
 

@@ -23,6 +23,7 @@ enum ItemState : std::uint32_t {
 /// One mesh to draw: a solid, or a shape of a robot's link.
 struct RenderItem {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
+  geometry::Bounds bounds_M;  ///< Of the mesh.
   Pose X_WM;
   double scale = 1.0;                            ///< Only the drawn stylus is scaled.
   std::array<float, 3> color{0.7f, 0.7f, 0.7f};  ///< sRGB, already quietened.
@@ -30,6 +31,7 @@ struct RenderItem {
   int link = -1;                                 ///< Robots: index of the link.
   std::uint32_t state = kPlain;
   bool casts_shadow = true;
+  bool over_scene = false;  ///< Drawn over all that would hide it: the stylus must always be found.
 };
 
 /// The colour with its saturation (HSV) at most `limit`: parts are quiet so that states are loud.

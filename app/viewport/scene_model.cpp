@@ -33,6 +33,17 @@ SceneModel::SceneModel() : stylus_(makeStylusMesh()) {}
 
 void SceneModel::setEntities(std::vector<workcell::Entity> entities) {
   entities_ = std::move(entities);
+  std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds> bounds;
+  const auto note = [&](const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
+    if (mesh && !bounds.contains(mesh)) bounds.emplace(mesh, boundsOf_M(mesh));
+  };
+  for (const workcell::Entity& entity : entities_) {
+    note(entity.mesh);
+    if (!entity.robot) continue;
+    for (const kinematics::Link& link : entity.robot->links)
+      for (const auto& shape : link.visuals.empty() ? link.collisions : link.visuals) note(shape.mesh);
+  }
+  mesh_bounds_ = std::move(bounds);
   ++revision_;
 }
 
@@ -93,11 +104,17 @@ std::uint32_t SceneModel::marks(const workcell::Entity& entity, const std::strin
   return state;
 }
 
+geometry::Bounds SceneModel::boundsOf_M(const std::shared_ptr<const geometry::TriangleMesh>& mesh) const {
+  const auto known = mesh_bounds_.find(mesh);
+  return known != mesh_bounds_.end() ? known->second : mesh->bounds();
+}
+
 void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
   const Pose X_WE = placement_W(entity);
   if (entity.mesh) {
     RenderItem item;
     item.mesh = entity.mesh;
+    item.bounds_M = boundsOf_M(item.mesh);
     item.X_WM = X_WE;
     item.color = quietened(entity.color);
     item.entity = entity.id;
@@ -116,6 +133,7 @@ void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderI
       if (!shape.mesh) continue;
       RenderItem item;
       item.mesh = shape.mesh;
+      item.bounds_M = boundsOf_M(item.mesh);
       item.X_WM = X_WE * X_BL[i] * shape.X_LS;
       item.color = quietened({shape.color[0], shape.color[1], shape.color[2]});
       item.entity = entity.id;
@@ -134,10 +152,12 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   for (const bool band : {false, true}) {
     RenderItem item;
     item.mesh = band ? stylus_.band : stylus_.body;
+    item.bounds_M = item.mesh->bounds();
     item.X_WM = snapshot_->X_WStylus;
     item.scale = stylus.length;
     item.color = band ? stylus.band : stylus.body;
     item.casts_shadow = false;
+    item.over_scene = true;
     result.push_back(std::move(item));
   }
   return result;
@@ -156,7 +176,7 @@ geometry::Bounds SceneModel::boundsOf_W(workcell::EntityId id) const {
   if (!entity) return bounds;
   std::vector<RenderItem> items;
   appendItems(*entity, items);
-  for (const RenderItem& item : items) bounds.add(geometry::transformed(item.X_WM, item.mesh->bounds()));
+  for (const RenderItem& item : items) bounds.add(geometry::transformed(item.X_WM, item.bounds_M));
   return bounds;
 }
 

@@ -48,12 +48,14 @@ class SceneModel {
  private:
   const manipulation::EntityState* stateOf(workcell::EntityId id) const;
   std::uint32_t marks(const workcell::Entity& entity, const std::string& part) const;
+  geometry::Bounds boundsOf_M(const std::shared_ptr<const geometry::TriangleMesh>& mesh) const;
   void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
   std::vector<workcell::Entity> entities_;
   std::optional<manipulation::SceneSnapshot> snapshot_, shown_;
   std::vector<workcell::EntityId> selected_;
   workcell::EntityId hovered_ = 0;
   StylusMesh stylus_;
+  std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds> mesh_bounds_;  // Millions of vertices: once.
   std::uint64_t revision_ = 1;
 };
 

@@ -37,7 +37,7 @@ PixelArea markedArea(const Frame& frame) {
   glm::dvec2 high(-1e9);
   for (const RenderItem& item : frame.items) {
     if (item.state == kPlain || !item.mesh) continue;
-    const geometry::Bounds bounds = geometry::transformed(item.X_WM, item.mesh->bounds());
+    const geometry::Bounds bounds = geometry::transformed(item.X_WM, item.bounds_M);
     for (int i = 0; i < 8; ++i) {
       const dvec3 corner((i & 1) ? bounds.max.x : bounds.min.x, (i & 2) ? bounds.max.y : bounds.min.y,
                          (i & 4) ? bounds.max.z : bounds.min.z);
@@ -75,8 +75,8 @@ void prepareComposite(Gl& gl, QOpenGLShaderProgram& program, const Frame& frame,
 }  // namespace
 
 struct SceneRenderer::Passes {
-  explicit Passes(Gl& gl)
-      : meshes(gl),
+  Passes(Gl& gl, std::function<void()> on_mesh_ready)
+      : meshes(gl, std::move(on_mesh_ready)),
         shadow(gl),
         surface(gl),
         edge(gl),
@@ -101,12 +101,14 @@ struct SceneRenderer::Passes {
   RenderTarget scene, openness;
   RenderTarget quick;  // The first sample of a picture: as good as shown, and cheap.
   RenderTarget mean;   // Of a picture that is refined.
-  bool refined = false;
+  bool refined = false;     // What was drawn last went into the mean.
+  bool mean_whole = false;  // Its first sample covers the whole picture.
   FrameView view;
   bool complete() const { return background && occlusion && present; }
 };
 
-SceneRenderer::SceneRenderer(Gl& gl) : gl_(gl), passes_(std::make_unique<Passes>(gl)) {}
+SceneRenderer::SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready)
+    : gl_(gl), passes_(std::make_unique<Passes>(gl, std::move(on_mesh_ready))) {}
 SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::drawScene(const Frame& frame) {
@@ -190,7 +192,7 @@ void SceneRenderer::composite(const Frame& frame) {
   gl_.glDisable(GL_BLEND);
 }
 
-void SceneRenderer::render(const Frame& wanted, GLuint framebuffer) {
+void SceneRenderer::draw(const Frame& wanted) {
   Passes& p = *passes_;
   if (!p.complete()) return;
   Frame frame = wanted;
@@ -205,8 +207,20 @@ void SceneRenderer::render(const Frame& wanted, GLuint framebuffer) {
   composite(frame);
 
   if (frame.sample == 0) p.meshes.collect();
-  present(wanted.width, wanted.height, framebuffer);
+  p.mean_whole = p.refined && (frame.sample > 0 || frame.band + 1 == frame.bands);
   last_ = std::move(frame);
+}
+
+void SceneRenderer::render(const Frame& frame, GLuint framebuffer) {
+  draw(frame);
+  present(frame.width, frame.height, framebuffer);
+}
+
+std::size_t SceneRenderer::missingParts() const {
+  return passes_->meshes.pending();
+}
+void SceneRenderer::waitForParts() {
+  passes_->meshes.wait();
 }
 
 void SceneRenderer::present(int width, int height, GLuint framebuffer) {
@@ -222,13 +236,13 @@ void SceneRenderer::present(int width, int height, GLuint framebuffer) {
   gl_.glViewport(0, 0, width, height);
   gl_.glDisable(GL_DEPTH_TEST);
   gl_.glDisable(GL_BLEND);
-  const RenderTarget& picture = p.refined ? p.mean : p.quick;
+  const RenderTarget& picture = p.mean_whole ? p.mean : p.quick;
   if (!p.complete() || picture.width() == 0) {
     gl_.glClearColor(0.13f, 0.15f, 0.18f, 1.0f);
     gl_.glClear(GL_COLOR_BUFFER_BIT);
     return;
   }
-  if (!p.refined) {
+  if (!p.mean_whole) {
     gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
     const GLenum filter = picture.width() == width ? GL_NEAREST : GL_LINEAR;
     gl_.glBlitFramebuffer(0, 0, picture.width(), picture.height(), 0, 0, width, height, GL_COLOR_BUFFER_BIT, filter);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -22,15 +23,22 @@ struct PickedPoint {
 /// mean, which smooths lines, shadows and occlusion without multisampling.
 class SceneRenderer {
  public:
-  explicit SceneRenderer(Gl& gl);
+  /// `on_mesh_ready` is called in another thread whenever a part that was missing can be drawn.
+  SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready);
   ~SceneRenderer();
 
-  /// Draws one sample and shows the mean in `framebuffer`.
+  /// Draws one sample, or a band of it, and shows nothing yet.
+  void draw(const Frame& frame);
+  /// The same, and shows the picture in `framebuffer`.
   void render(const Frame& frame, GLuint framebuffer);
-  /// Shows the last picture again.
+  /// Shows the last picture again: the mean of a refined one once its first sample is whole, before that the quick one.
   void present(int width, int height, GLuint framebuffer);
   /// What the last frame shows at a pixel (device pixels, origin top left); nothing over background and floor.
   std::optional<PickedPoint> pick(int x, int y);
+  /// Parts that are not drawn yet because their edges and normals are still being worked out.
+  std::size_t missingParts() const;
+  /// Waits until none is missing.
+  void waitForParts();
   static constexpr int kSamples = 24;  ///< After so many a still picture is finished.
 
  private:

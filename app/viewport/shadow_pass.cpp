@@ -44,9 +44,10 @@ void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   program_->bind();
   for (const RenderItem& item : frame.items) {
     if (!item.casts_shadow || !item.mesh) continue;
-    GpuMesh& mesh = meshes.of(item.mesh);
-    setMatrix(gl_, *program_, "clip_from_model", light_from_world_ * worldFromDisplay(item, mesh.center()));
-    mesh.drawFaces();
+    GpuMesh* mesh = meshes.of(item.mesh);
+    if (!mesh) continue;
+    setMatrix(gl_, *program_, "clip_from_model", light_from_world_ * worldFromDisplay(item, mesh->center()));
+    mesh->drawFaces();
   }
   gl_.glDisable(GL_POLYGON_OFFSET_FILL);
   ready_ = true;

@@ -8,6 +8,7 @@
 namespace hapticell::app {
 namespace {
 
+constexpr double kFrontRange = 0.01;  // Of the depth range: what is drawn over the scene.
 constexpr std::size_t kHeavyTriangles = 4000;  // From here on a part becomes a box at the last level of detail.
 
 std::shared_ptr<const geometry::TriangleMesh> unitBox() {
@@ -46,11 +47,13 @@ SurfacePass::SurfacePass(Gl& gl) : gl_(gl), programs_("surface", "surface", {"SH
 
 void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
                            const FrameView& view, GpuMeshCache& meshes) {
-  GpuMesh* mesh = &meshes.of(item.mesh);
+  GpuMesh* mesh = meshes.of(item.mesh);
+  if (!mesh) return;
   glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
   if (frame.detail == DetailLevel::kBoxes && mesh->triangles() > kHeavyTriangles) {
-    world_from_model = glm::scale(world_from_model, mesh->bounds().size());
-    mesh = &meshes.of(box_);
+    GpuMesh* box = meshes.of(box_);
+    if (box) world_from_model = glm::scale(world_from_model, mesh->bounds().size());
+    if (box) mesh = box;
   }
   const glm::mat3 rotation = glm::mat3(glm::mat3_cast(item.X_WM.q));
   setMatrix(gl_, program, "clip_from_model", view.clip_from_world * world_from_model);
@@ -60,7 +63,9 @@ void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item
   const fvec3 albedo = linear(item.color);
   program.setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
   gl_.glUniform1ui(program.uniformLocation("id"), id | item.state << 24);
+  if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
   mesh->drawFaces();
+  if (item.over_scene) gl_.glDepthRange(0.0, 1.0);
 }
 
 void SurfacePass::prepare(QOpenGLShaderProgram& program, const Frame& frame, const FrameView& view,
@@ -90,10 +95,13 @@ void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPa
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
     if (!item.mesh) continue;
-    const geometry::Bounds& bounds = meshes.of(item.mesh).bounds();
+    GpuMesh* mesh = meshes.of(item.mesh);
+    if (!mesh) continue;
+    const geometry::Bounds& bounds = mesh->bounds();
     const dvec3 p_WC = item.X_WM * (item.scale * bounds.center());
     order.emplace_back(glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - item.scale * bounds.radius(),
                        i);
+    if (item.over_scene) order.back().first = -1e30;
   }
   std::sort(order.begin(), order.end());
   for (const bool hatched : {false, true}) {
@@ -129,18 +137,21 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (const RenderItem& item : frame.items) {
     if (!item.mesh || (item.state & kContact)) continue;
-    GpuMesh& mesh = meshes.of(item.mesh);
-    const glm::dmat4 world_from_model = worldFromDisplay(item, mesh.center());
+    GpuMesh* mesh = meshes.of(item.mesh);
+    if (!mesh) continue;
+    const glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
     setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
     const glm::dmat4 model_from_world = glm::inverse(world_from_model);
     const glm::dvec4 eye = frame.camera.perspective ? model_from_world * glm::dvec4(frame.camera.eye_W(), 1.0)
                                                     : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
     program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y),
                               static_cast<float>(eye.z));
+    if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
     if (creases_only)
-      mesh.drawCreases();
+      mesh->drawCreases();
     else
-      mesh.drawAllEdges();
+      mesh->drawAllEdges();
+    if (item.over_scene) gl_.glDepthRange(0.0, 1.0);
   }
   gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_.glDisablei(GL_BLEND, 0);

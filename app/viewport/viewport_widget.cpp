@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTurnSeconds = 0.25;
 constexpr double kSettleSeconds = 0.16;  // After so long without motion the picture is refined.
-constexpr double kBandSeconds = 0.04;    // What a piece of a still picture may take.
+constexpr double kBandSeconds = 0.03;    // What a piece of a still picture may take.
 constexpr double kStylusPixels = 150.0;
 
 fvec3 rgb(const QColor& color) {
@@ -57,7 +57,7 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setAccessibleName(tr("Scene"));
   clock_.start();
   refine_.setSingleShot(true);
-  connect(&refine_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  connect(&refine_, &QTimer::timeout, this, &ViewportWidget::refineStep);
 }
 
 ViewportWidget::~ViewportWidget() {
@@ -68,7 +68,10 @@ ViewportWidget::~ViewportWidget() {
 
 void ViewportWidget::initializeGL() {
   if (!gl_.initializeOpenGLFunctions()) return;
-  renderer_ = std::make_unique<SceneRenderer>(gl_);
+  // Queued: the part is ready in another thread.
+  renderer_ = std::make_unique<SceneRenderer>(gl_, [this] {
+    QMetaObject::invokeMethod(this, [this] { showNewPart(); }, Qt::QueuedConnection);
+  });
   dirty_ = true;
   // Moving the widget to another window makes a new context; everything of the old one goes with it.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
@@ -156,19 +159,18 @@ Frame ViewportWidget::makeFrame() const {
 
 void ViewportWidget::drawFrame() {
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
-  const bool moved = dirty_ || scene_.revision() != drawn_revision_ || !sameCamera(camera_, drawn_camera_);
-  if (moved) last_motion_s_ = now;
-  const bool settled = now - last_motion_s_ > kSettleSeconds;
-  if (!moved && (!settled || sample_ >= SceneRenderer::kSamples)) {
-    renderer_->present(static_cast<int>(std::lround(width() * devicePixelRatioF())),
-                       static_cast<int>(std::lround(height() * devicePixelRatioF())), defaultFramebufferObject());
-    if (!settled) refine_.start(static_cast<int>(1000 * kSettleSeconds));
-    return;
-  }
-  if (moved)
-    drawMoving(now);
-  else
-    refine(now);
+  if (hasMoved()) return drawMoving(now);
+  renderer_->present(static_cast<int>(std::lround(width() * devicePixelRatioF())),
+                     static_cast<int>(std::lround(height() * devicePixelRatioF())), defaultFramebufferObject());
+}
+
+bool ViewportWidget::hasMoved() const {
+  return dirty_ || scene_.revision() != drawn_revision_ || !sameCamera(camera_, drawn_camera_);
+}
+
+void ViewportWidget::showNewPart() {
+  dirty_ = true;
+  update();
 }
 
 void ViewportWidget::drawMoving(double now) {
@@ -176,7 +178,8 @@ void ViewportWidget::drawMoving(double now) {
   frame.detail = governor_.level();
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
-  governor_.frameTook(static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now);
+  last_motion_s_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+  governor_.frameTook(last_motion_s_ - now);
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
   dirty_ = false;
@@ -184,13 +187,26 @@ void ViewportWidget::drawMoving(double now) {
   refine_.start(static_cast<int>(1000 * kSettleSeconds) + 10);
 }
 
-void ViewportWidget::refine(double now) {
+void ViewportWidget::refineStep() {
+  if (!renderer_ || turn_.active || label_layout_.moving() || hasMoved()) return update();
+  const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+  if (now - last_motion_s_ < kSettleSeconds) return refine_.start(static_cast<int>(1000 * kSettleSeconds));
+  if (sample_ >= SceneRenderer::kSamples || !isVisible()) return;
+  // Beside the window's own frames: putting the window together costs more than a band, so it waits for a whole sample.
+  makeCurrent();
+  const double took = refine(now);
+  doneCurrent();
+  if (band_ == 0) update();
+  refine_.start(static_cast<int>(1000 * std::clamp(took, 0.002, kBandSeconds)));
+}
+
+double ViewportWidget::refine(double now) {
   Frame frame = makeFrame();
   frame.refine = true;
   frame.sample = sample_;
   frame.band = band_;
   frame.bands = bands_;
-  renderer_->render(frame, defaultFramebufferObject());
+  renderer_->draw(frame);
   gl_.glFinish();
   const double took = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now;
   slowest_band_s_ = band_ == 0 ? took : std::max(slowest_band_s_, took);
@@ -200,7 +216,7 @@ void ViewportWidget::refine(double now) {
     if (slowest_band_s_ > kBandSeconds) bands_ = std::min(2 * bands_, 32);
     if (slowest_band_s_ < 0.3 * kBandSeconds) bands_ = std::max(bands_ / 2, 1);
   }
-  refine_.start(2);
+  return took;
 }
 
 std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLabel>& labels) {
@@ -267,7 +283,10 @@ void ViewportWidget::paintGL() {
   if (renderer_) drawFrame();
   paintOverlayImage();
   meter_.frame(start, static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - start);
-  if (turn_.active || label_layout_.moving()) refine_.start(0);
+  if (turn_.active || label_layout_.moving())
+    refine_.start(0);
+  else if (!refine_.isActive() && sample_ < SceneRenderer::kSamples)
+    refine_.start(2);
 }
 
 QImage ViewportWidget::finishedPicture() {
@@ -276,6 +295,8 @@ QImage ViewportWidget::finishedPicture() {
   makeCurrent();
   if (renderer_) {
     Frame frame = makeFrame();
+    renderer_->render(frame, defaultFramebufferObject());  // Tells which parts there are.
+    renderer_->waitForParts();
     QOpenGLFramebufferObject target(frame.width, frame.height);
     frame.refine = true;
     for (frame.sample = 0; frame.sample < SceneRenderer::kSamples; ++frame.sample)
@@ -297,6 +318,10 @@ std::vector<double> ViewportWidget::measureFrames(int count) {
   makeCurrent();
   Frame frame = makeFrame();
   QOpenGLFramebufferObject target(frame.width, frame.height);
+  if (renderer_) {
+    renderer_->draw(frame);
+    renderer_->waitForParts();
+  }
   for (int level = 0; renderer_ && level <= static_cast<int>(DetailLevel::kBoxes); ++level) {
     frame.detail = static_cast<DetailLevel>(level);
     std::vector<double> times;

@@ -71,7 +71,10 @@ class ViewportWidget : public QOpenGLWidget {
   Frame makeFrame() const;
   void drawFrame();
   void drawMoving(double now);
-  void refine(double now);
+  bool hasMoved() const;
+  void showNewPart();
+  void refineStep();
+  double refine(double now);  ///< One band; the seconds it took.
   void paintOverlayImage();
   std::vector<PlacedLabel> placeLabels(const std::vector<OverlayLabel>& labels);
   Overlay makeOverlay();

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/display_mesh_worker.h"
+
+namespace hapticell::app {
+
+DisplayMeshWorker::DisplayMeshWorker(std::function<void()> on_ready) : on_ready_(std::move(on_ready)) {
+  pool_.setMaxThreadCount(1);
+  pool_.setThreadPriority(QThread::LowPriority);
+}
+
+DisplayMeshWorker::~DisplayMeshWorker() {
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const geometry::TriangleMesh> mesh) {
+  auto prepared = std::make_shared<PreparedMesh>();
+  pool_.start([this, mesh = std::move(mesh), waiting = std::weak_ptr(prepared)] {
+    const std::shared_ptr<PreparedMesh> answer = waiting.lock();
+    if (!answer) return;
+    answer->mesh = makeDisplayMesh(*mesh);
+    answer->ready.store(true, std::memory_order_release);
+    if (on_ready_) on_ready_();
+  });
+  return prepared;
+}
+
+}  // namespace hapticell::app
