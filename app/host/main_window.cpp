@@ -44,6 +44,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
       tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
   connectFileActions();
   connectViewActions();
+  view_menus_ = std::make_unique<ViewMenus>(*actions_, *viewport_);
   connectScene();
   addPanels(*this);
   setTheme(configuration_.gui.theme != "light");

@@ -13,6 +13,7 @@
 #include "app/host/module_loader.h"
 #include "app/host/selection.h"
 #include "app/host/status_line.h"
+#include "app/host/view_menus.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow, public Host {
   StatusLine* status_;
   QLabel* file_label_;
   std::unique_ptr<Actions> actions_;
+  std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
   double gui_rate_ = 0.0;
   QElapsedTimer since_numbers_;

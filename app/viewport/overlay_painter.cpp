@@ -6,6 +6,7 @@
 
 #include "app/style/fonts.h"
 #include "app/viewport/frame.h"
+#include "app/viewport/stylus_mesh.h"
 
 namespace hapticell::app {
 namespace {
@@ -40,17 +41,22 @@ void paintBox(QPainter& painter, const QRectF& box, const Theme& theme) {
   painter.drawRoundedRect(box, 4, 4);
 }
 
-void paintCubeFace(QPainter& painter, const ViewCubeFace& face, const Theme& theme, bool lit) {
+void paintCubeFace(QPainter& painter, const ViewCubeFace& face, const Theme& theme) {
   QPolygonF outline;
   for (const auto& corner : face.corners) outline << point(corner);
   const double light = 0.62 + 0.38 * face.facing;
-  const QColor base = lit ? theme.on : theme.dark ? QColor("#8A949E") : QColor("#FFFFFF");
+  const QColor base = theme.dark ? QColor("#8A949E") : QColor("#FFFFFF");
   QColor fill = QColor::fromRgbF(static_cast<float>(base.redF() * light), static_cast<float>(base.greenF() * light),
                                  static_cast<float>(base.blueF() * light));
   fill.setAlpha(235);
   painter.setPen(QPen(theme.dark ? QColor("#20262D") : QColor("#7E8A96"), 1.0));
   painter.setBrush(fill);
   painter.drawPolygon(outline);
+}
+
+void paintCubeName(QPainter& painter, const ViewCubeFace& face, bool lit) {
+  QPolygonF outline;
+  for (const auto& corner : face.corners) outline << point(corner);
   // The name lies in the face.
   const QPolygonF unit({QPointF(0, 0), QPointF(100, 0), QPointF(100, 100), QPointF(0, 100)});
   QTransform into;
@@ -62,6 +68,8 @@ void paintCubeFace(QPainter& painter, const ViewCubeFace& face, const Theme& the
   name_font.setWeight(QFont::Bold);
   QPainterPath name;
   const QString text = QString::fromLatin1(face.name);
+  if (const double width = textWidth(name_font, text); width > 80.0)
+    name_font.setPixelSize(static_cast<int>(24.0 * 80.0 / width));
   name.addText(50.0 - 0.5 * textWidth(name_font, text), 58.5, name_font, text);
   painter.fillPath(name, lit ? QColor(Qt::white) : QColor("#1A2027"));
   painter.restore();
@@ -92,9 +100,15 @@ void paintCube(QPainter& painter, const Overlay& overlay) {
   for (const Axis& axis : axes)
     if (glm::dot(axis.end - corner, overlay.camera.forward_W()) > 0.3) paintAxis(axis);
   for (const ViewCubeFace& face : overlay.cube.visibleFaces(overlay.camera)) {
-    const bool lit = overlay.cube_hover && glm::dot(*overlay.cube_hover, face.normal_W) > 0.5;
-    paintCubeFace(painter, face, theme, lit);
+    paintCubeFace(painter, face, theme);
   }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.on);
+  if (overlay.cube_hover)
+    for (const auto& patch : overlay.cube.patches(*overlay.cube_hover, overlay.camera))
+      painter.drawPolygon(QPolygonF({point(patch[0]), point(patch[1]), point(patch[2]), point(patch[3])}));
+  for (const ViewCubeFace& face : overlay.cube.visibleFaces(overlay.camera))
+    paintCubeName(painter, face, overlay.cube_hover && glm::length(*overlay.cube_hover - face.normal_W) < 0.5);
   for (const Axis& axis : axes)
     if (glm::dot(axis.end - corner, overlay.camera.forward_W()) <= 0.3) paintAxis(axis);
 }
@@ -157,8 +171,11 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
   painter.drawPolygon(arrow);
   const QString number = QString::fromStdString(newtons(snapshot.force_n));
   const QFont number_font = bold15();
-  const QRectF box(from.x() + along.x * length + 18, from.y() + along.y * length - 12,
-                   textWidth(number_font, number) + 16, 24);
+  const double width = textWidth(number_font, number) + 16;
+  // On the side where the stylus is not.
+  const dvec3 pen_W = snapshot.X_WStylus.rotate(stylusDirection_S());
+  const bool left = glm::dot(pen_W, overlay.camera.right_W()) > 0.0;
+  const QRectF box(from.x() + along.x * length + (left ? -18 - width : 18), from.y() + along.y * length - 12, width, 24);
   paintBox(painter, box, theme);
   painter.setFont(number_font);
   painter.setPen(theme.text1);
@@ -228,7 +245,10 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
       cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
-  painter.drawText(QRectF(14, overlay.size.height - 30, 160, 18), Qt::AlignVCenter | Qt::AlignLeft, grid);
+  const QString missing = overlay.missing_parts == 0
+                              ? QString()
+                              : QObject::tr("  ·  %n parts are made ready", nullptr, static_cast<int>(overlay.missing_parts));
+  painter.drawText(QRectF(14, overlay.size.height - 30, 320, 18), Qt::AlignVCenter | Qt::AlignLeft, grid + missing);
   if (overlay.hint.isEmpty()) return;
   const double above = overlay.strip.empty() ? 34.0 : 28.0 + kStripHeight + 12.0;
   const double width = textWidth(textFont(TextRole::kSecond), overlay.hint) + 20.0;
@@ -313,6 +333,7 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   const double reach = 2.9 * overlay.cube.halfEdge();
   std::vector<QRectF> pieces{{overlay.cube.center().x - reach, overlay.cube.center().y - reach, 2 * reach, 2 * reach}};
   pieces.emplace_back(0, overlay.size.height - 100, overlay.size.width, 100);
+  if (overlay.view_strip) pieces.push_back(overlay.view_strip->box().adjusted(-2, -2, 2, 2));
   if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
   if (!overlay.scene || !overlay.scene->snapshot()) return pieces;
   QRectF middle;
@@ -346,6 +367,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
         if (label.key == place.key) paintLabel(painter, label, place, *overlay.theme);
   }
   paintStrip(painter, overlay);
+  if (overlay.view_strip) overlay.view_strip->paint(painter, *overlay.theme, overlay.view_strip_hover);
   paintQuietText(painter, overlay);
 }
 

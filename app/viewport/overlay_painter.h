@@ -8,6 +8,7 @@
 #include "app/viewport/label_layout.h"
 #include "app/viewport/overlay_labels.h"
 #include "app/viewport/view_cube.h"
+#include "app/viewport/view_strip.h"
 
 namespace hapticell::app {
 
@@ -30,6 +31,9 @@ struct Overlay {
   ViewCube cube{{0, 0}, 1};
   std::optional<ViewCubeSpot> cube_hover;
   std::optional<EmptyState> empty;
+  const ViewStrip* view_strip = nullptr;
+  int view_strip_hover = -1;      ///< Index of its cell, or -1.
+  std::size_t missing_parts = 0;  ///< Still being made ready for drawing.
 };
 
 /// Size of a label's box for layout.

@@ -16,12 +16,12 @@ struct FaceDefinition {
 
 const std::array<FaceDefinition, 6>& faceDefinitions() {
   static const std::array<FaceDefinition, 6> faces{{
-      {StandardView::kFront, "Front", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-      {StandardView::kBack, "Back", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
-      {StandardView::kRight, "Right", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-      {StandardView::kLeft, "Left", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
-      {StandardView::kTop, "Top", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-      {StandardView::kBottom, "Bottom", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+      {StandardView::kFront, "FRONT", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+      {StandardView::kBack, "BACK", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+      {StandardView::kRight, "RIGHT", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {StandardView::kLeft, "LEFT", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+      {StandardView::kTop, "TOP", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+      {StandardView::kBottom, "BOTTOM", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
   }};
   return faces;
 }
@@ -49,6 +49,33 @@ std::vector<ViewCubeFace> ViewCube::visibleFaces(const Camera& camera) const {
         project(face.normal - face.right + face.up, camera), project(face.normal + face.right + face.up, camera),
         project(face.normal + face.right - face.up, camera), project(face.normal - face.right - face.up, camera)};
     result.push_back(seen);
+  }
+  return result;
+}
+
+std::vector<std::array<glm::dvec2, 4>> ViewCube::patches(const ViewCubeSpot& spot, const Camera& camera) const {
+  std::vector<std::array<glm::dvec2, 4>> result;
+  for (const ViewCubeFace& face : visibleFaces(camera)) {
+    if (glm::dot(spot, face.normal_W) < 0.5) continue;
+    dvec3 low = face.normal_W;
+    dvec3 high = face.normal_W;
+    int first = -1, second = -1;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (face.normal_W[axis] != 0.0) continue;
+      (first < 0 ? first : second) = axis;
+      low[axis] = spot[axis] > 0.0 ? kEdgeShare : spot[axis] < 0.0 ? -1.0 : -kEdgeShare;
+      high[axis] = spot[axis] > 0.0 ? 1.0 : spot[axis] < 0.0 ? -kEdgeShare : kEdgeShare;
+    }
+    dvec3 corner = low;
+    std::array<glm::dvec2, 4> patch;
+    patch[0] = project(corner, camera);
+    corner[first] = high[first];
+    patch[1] = project(corner, camera);
+    patch[2] = project(high, camera);
+    corner[first] = low[first];
+    corner[second] = high[second];
+    patch[3] = project(corner, camera);
+    result.push_back(patch);
   }
   return result;
 }

@@ -12,7 +12,7 @@ namespace hapticell::app {
 /// One face of the view cube as seen now.
 struct ViewCubeFace {
   StandardView view{};
-  const char* name = "";  ///< "Front"
+  const char* name = "";  ///< "FRONT"
   dvec3 normal_W{0.0};
   std::array<glm::dvec2, 4>
       corners{};        ///< Pixels; in reading order of the name: top left, top right, bottom right, bottom left.
@@ -35,6 +35,9 @@ class ViewCube {
   glm::dvec2 project(const dvec3& point, const Camera& camera) const;
   /// The face, edge or corner under a pixel; nothing outside the cube.
   std::optional<ViewCubeSpot> pick(const glm::dvec2& pixel, const Camera& camera) const;
+  /// Where a spot lies on the visible faces, four corners each: a whole face's middle, both sides of an edge, or the
+  /// three of a corner.
+  std::vector<std::array<glm::dvec2, 4>> patches(const ViewCubeSpot& spot, const Camera& camera) const;
   const glm::dvec2& center() const { return center_; }
   double halfEdge() const { return half_edge_; }
 

@@ -56,11 +56,22 @@ dvec3 ViewportWidget::pointUnder(const QPointF& position) {
   return ray.origin_W + depth / glm::dot(ray.direction_W, camera_.forward_W()) * ray.direction_W;
 }
 
+bool ViewportWidget::pressViewStrip(const QMouseEvent& event) {
+  const int cell = event.button() == Qt::LeftButton ? view_strip_.cellAt(event.position()) : -1;
+  if (cell < 0) return false;
+  const auto index = static_cast<std::size_t>(cell);
+  // popup() returns at once: the scene goes on under the menu.
+  if (QMenu* menu = view_strip_.cells()[index].menu)
+    menu->popup(mapToGlobal((view_strip_.cellBox(index).bottomLeft() + QPointF(0, 2)).toPoint()));
+  return true;
+}
+
 void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
   press_place_ = last_place_ = event->position();
   turn_.active = false;
   drag_ = Drag::kNone;
+  if (pressViewStrip(*event)) return;
   const bool over_cube = viewCube().pick(vec(event->position()), camera_).has_value();
   if (!over_cube && tool_ && tool_->press(eventFrom(*event))) {
     tool_active_ = true;
@@ -155,7 +166,12 @@ void ViewportWidget::hover(const QPointF& position) {
     cube_hover_ = spot;
     update();
   }
-  const workcell::EntityId entity = spot ? 0 : entityAt(position);
+  const int cell = view_strip_.cellAt(position);
+  if (cell != view_strip_hover_) {
+    view_strip_hover_ = cell;
+    update();
+  }
+  const workcell::EntityId entity = spot || cell >= 0 ? 0 : entityAt(position);
   scene_.setHovered(entity);
   if (scene_.revision() != drawn_revision_) {
     emit hovered(entity);
@@ -165,6 +181,7 @@ void ViewportWidget::hover(const QPointF& position) {
 
 void ViewportWidget::leaveEvent(QEvent* event) {
   cube_hover_.reset();
+  view_strip_hover_ = -1;
   scene_.setHovered(0);
   emit hovered(0);
   update();

@@ -124,6 +124,11 @@ void ViewportWidget::setEdges(bool on) {
   update();
 }
 
+void ViewportWidget::setViewStrip(std::vector<ViewStripCell> cells) {
+  view_strip_.setCells(std::move(cells));
+  update();
+}
+
 void ViewportWidget::setPointerTool(PointerTool* tool) {
   tool_ = tool;
   tool_active_ = false;
@@ -231,7 +236,8 @@ std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLa
       stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
   if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
   keep_free.push_back({{viewSize().width - 140, 0}, {viewSize().width, 130}});
-  keep_free.push_back({{0, 0}, {360, 44}});
+  const QRectF views = view_strip_.box();
+  if (!views.isEmpty()) keep_free.push_back({{0, 0}, {views.right() + 8, views.bottom() + 8}});
   if (scene_.snapshot() && forceArrowOpacity(scene_.snapshot()->force_n) > 0.0)
     if (const auto start = camera_.project(forceArrowStart_W(*scene_.snapshot()), viewSize()))
       keep_free.push_back({*start - glm::dvec2(24, 200), *start + glm::dvec2(80, 12)});
@@ -254,6 +260,9 @@ Overlay ViewportWidget::makeOverlay() {
   overlay.cube = viewCube();
   overlay.cube_hover = cube_hover_;
   if (scene_.empty()) overlay.empty = empty_;
+  overlay.view_strip = &view_strip_;
+  overlay.view_strip_hover = view_strip_hover_;
+  overlay.missing_parts = renderer_ ? renderer_->missingParts() : 0;
   return overlay;
 }
 

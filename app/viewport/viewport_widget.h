@@ -37,6 +37,8 @@ class ViewportWidget : public QOpenGLWidget {
   /// Null: no tool. The tool must outlive its being set.
   void setPointerTool(PointerTool* tool);
   void setStrip(const StripContext& context) { strip_ = context; }
+  void setViewStrip(std::vector<ViewStripCell> cells);
+  const ViewStrip& viewStrip() const { return view_strip_; }
   void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
   /// The scene changed: draws when Qt finds time.
   void refresh();
@@ -83,6 +85,7 @@ class ViewportWidget : public QOpenGLWidget {
   dvec3 pointUnder(const QPointF& position);
   void advanceAnimation();
   void hover(const QPointF& position);
+  bool pressViewStrip(const QMouseEvent& event);
   ViewCube viewCube() const;
   workcell::EntityId entityAt(const QPointF& position);
 
@@ -113,6 +116,8 @@ class ViewportWidget : public QOpenGLWidget {
   std::optional<EmptyState> empty_;
   bool edges_ = true, motion_ = true;
   std::optional<ViewCubeSpot> cube_hover_;
+  ViewStrip view_strip_;
+  int view_strip_hover_ = -1;
   QPointF press_place_, last_place_;
   dvec3 pivot_W_{0.0};
   enum class Drag { kNone, kOrbit, kPan, kClick, kCube } drag_ = Drag::kNone;

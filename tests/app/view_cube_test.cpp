@@ -55,5 +55,24 @@ TEST(ViewCube, ClickOnAFaceGivesItsStandardView) {
   EXPECT_LT(glm::length(turned.forward_W() - Camera().turnedTo(StandardView::kRight).forward_W()), 1e-9);
 }
 
+TEST(ViewCube, WhatIsLitIsWhatAClickMeans) {
+  const Camera camera;
+  const ViewCube cube({100, 100}, 31);
+  int lit = 0;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        const dvec3 spot(x, y, z);
+        for (const auto& patch : cube.patches(spot, camera)) {
+          const glm::dvec2 middle = 0.25 * (patch[0] + patch[1] + patch[2] + patch[3]);
+          const auto picked = cube.pick(middle, camera);
+          ASSERT_TRUE(picked);
+          EXPECT_LT(glm::length(*picked - spot), 1e-9);
+          ++lit;
+        }
+      }
+  EXPECT_EQ(lit, 27) << "three visible faces of nine fields";
+}
+
 }  // namespace
 }  // namespace hapticell::app

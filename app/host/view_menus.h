@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMenu>
+#include <QObject>
+
+namespace hapticell::app {
+
+struct Actions;
+class ViewportWidget;
+
+/// The menus of the view strip, kept equal to the actions of the View menu. Both arguments must outlive it.
+class ViewMenus : public QObject {
+  Q_OBJECT
+ public:
+  ViewMenus(const Actions& actions, ViewportWidget& viewport);
+
+ private:
+  void addChoice(QMenu& menu, QAction* action, const QString& on, const QString& off);
+  void show();
+  const Actions& actions_;
+  ViewportWidget& viewport_;
+  QMenu projection_, faces_;
+};
+
+}  // namespace hapticell::app
