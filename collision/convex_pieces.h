@@ -47,6 +47,7 @@ class ConvexPieces {
   const MeshCollider* surface() const { return surface_.get(); }
   /// The piece that holds a triangle of the surface.
   std::uint32_t pieceOf(std::uint32_t surface_triangle) const { return piece_of_[surface_triangle]; }
+  const std::vector<std::uint32_t>& pieceOfEachTriangle() const { return piece_of_; }
   double tolerance() const { return tolerance_; }
 
  private:

@@ -108,6 +108,7 @@ void collect(const BoxTree& tree, const BoxTree::Node& node, double squared, con
 }
 
 /// Calls take(slot_a, slot_b, nearest) for every pair of triangles within the radius; take returns false to stop.
+/// Where it has wanted(slot_a, slot_b), only such pairs are measured, until isOver().
 template <typename Take>
 struct PairCollector {
   const BoxTree& tree_a;
@@ -131,6 +132,10 @@ struct PairCollector {
     for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
       const Corners corners_b = transformedCorners(R_AB, p_AB, tree_b.corners(j));
       for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
+        if constexpr (requires { take.wanted(i, j); }) {
+          if (!take.wanted(i, j)) continue;
+          if (take.isOver()) return false;
+        }
         NearestPair nearest;
         nearest.squared = std::nextafter(squared, std::numeric_limits<double>::infinity());
         if (improveTriangleDistance(tree_a.corners(i), corners_b, nearest) && !take(i, j, nearest)) return false;
@@ -198,6 +203,45 @@ void trianglesWithin(const MeshCollider& b, const MeshCollider& a, const Pose& X
   const auto begin = found_in_b.begin() + static_cast<std::ptrdiff_t>(before);
   std::sort(begin, found_in_b.end());
   found_in_b.erase(std::unique(begin, found_in_b.end()), found_in_b.end());
+}
+
+namespace {
+
+struct LabelCollector {
+  const LabelledMesh& a;
+  const LabelledMesh& b;
+  SearchBudget& budget;
+  std::vector<LabelPair>& found;
+  mutable std::vector<bool> known{};
+  mutable std::size_t looked = 0;
+
+  std::size_t at(std::uint32_t slot_a, std::uint32_t slot_b) const {
+    return std::size_t{b.labels} * a.label_of[a.mesh.tree().triangle(slot_a)] +
+           b.label_of[b.mesh.tree().triangle(slot_b)];
+  }
+  bool wanted(std::uint32_t slot_a, std::uint32_t slot_b) const {
+    constexpr std::size_t kLooksPerTest = 16;  // finding that a pair is known is so much cheaper
+    if (++looked % kLooksPerTest == 0 && budget.tests > 0) --budget.tests;
+    return budget.tests == 0 || !known[at(slot_a, slot_b)];
+  }
+  bool isOver() const { return budget.tests == 0 || --budget.tests == 0; }
+  bool operator()(std::uint32_t slot_a, std::uint32_t slot_b, const NearestPair&) const {
+    if (found.size() >= budget.pairs) return false;
+    known[at(slot_a, slot_b)] = true;
+    found.push_back({a.label_of[a.mesh.tree().triangle(slot_a)], b.label_of[b.mesh.tree().triangle(slot_b)]});
+    return true;
+  }
+};
+
+}  // namespace
+
+bool labelPairsWithin(const LabelledMesh& a, const LabelledMesh& b, const Pose& X_AB, double radius,
+                      SearchBudget& budget, std::vector<LabelPair>& found) {
+  found.clear();
+  LabelCollector collector{a, b, budget, found};
+  collector.known.resize(std::size_t{a.labels} * b.labels);
+  if (a.mesh.isEmpty() || b.mesh.isEmpty()) return true;
+  return collectPairs(a.mesh, b.mesh, X_AB, radius, collector);
 }
 
 bool trianglePairsWithin(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius,

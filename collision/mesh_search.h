@@ -58,4 +58,29 @@ struct TrianglePair {
 bool trianglePairsWithin(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius,
                          std::vector<TrianglePair>& found, std::size_t maximum = 1u << 20);
 
+/// Which triangles of two meshes come near each other, told as labels that many triangles share (convex pieces). All
+/// vectors outlive the call.
+struct LabelledMesh {
+  const MeshCollider& mesh;
+  const std::vector<std::uint32_t>& label_of;  ///< Per triangle of the mesh.
+  std::uint32_t labels = 0;                    ///< One more than the largest.
+};
+
+struct LabelPair {
+  std::uint32_t label_a = 0;
+  std::uint32_t label_b = 0;
+};
+
+/// How much a search may do before it gives up: the same on every machine.
+struct SearchBudget {
+  std::size_t pairs = 0;  ///< Found.
+  std::size_t tests = 0;  ///< Triangle pairs looked at.
+};
+
+/// Every pair of labels of A and B (placed by X_AB) of which two triangles are at most `radius` (m) apart, each once.
+/// Returns false when the budget ended before the search did; `found` then holds some of them. Takes what was used
+/// off the budget's tests.
+bool labelPairsWithin(const LabelledMesh& a, const LabelledMesh& b, const Pose& X_AB, double radius,
+                      SearchBudget& budget, std::vector<LabelPair>& found);
+
 }  // namespace hapticell::collision

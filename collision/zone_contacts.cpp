@@ -17,11 +17,13 @@ namespace {
 
 constexpr double kShrink = 0.65;
 constexpr std::size_t kMostPairs = 600;
-constexpr std::size_t kHopelessPairs = 20000;
-constexpr std::size_t kFewPieces = 256;       // of a part; with more its triangles are searched
-constexpr std::size_t kManyPieces = 300;      // of all parts; with more the zone is grown from small
-constexpr std::size_t kFewVertices = 200;     // of a pair; with more its directions are sought at once
-constexpr std::size_t kFewDirections = 2000;  // with more the zone is not tried as a whole at first but grown
+constexpr std::size_t kHopelessPairs = 2 * kMostPairs;
+constexpr std::size_t kMostCandidates = 4000;  // pairs of pieces that are looked at more closely
+constexpr std::size_t kMostTests = 20000;      // pairs of triangles
+constexpr std::size_t kFewPieces = 256;        // of a part; with more its triangles are searched
+constexpr std::size_t kManyPieces = 300;       // of all parts; with more the zone is grown from small
+constexpr std::size_t kFewVertices = 200;      // of a pair; with more its directions are sought at once
+constexpr std::size_t kFewDirections = 2000;   // with more the zone is not tried as a whole at first but grown
 constexpr std::size_t kMostDirections = 20000;
 
 /// How closely a zone is described; coarser ones are tried before it shrinks.
@@ -31,9 +33,10 @@ struct Effort {
 };
 constexpr Effort kEfforts[] = {{8, {1e-6, 0.0, 1.0}}, {4, {3e-6, 0.02, 1.0}}, {2, {1e-5, 0.08, 1.0}}};
 constexpr Effort kCrowded = {2, {1e-5, 0.08, 0.0}};  // turning is left out of what implies what
-constexpr double kLeastShare = 0.05;                 // of the wanted radius, before kCrowded is tried
+constexpr Effort kAllEfforts[] = {kEfforts[0], kEfforts[1], kEfforts[2], kCrowded};
+constexpr double kLeastShare = 0.05;  // of the wanted radius, before kCrowded is tried
 constexpr double kCrowdedShare = 0.25;
-constexpr double kNear = 0.0005;                     // m above the boundary: directions with all their corners
+constexpr double kNear = 0.0005;  // m above the boundary: directions with all their corners
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -85,16 +88,9 @@ class PlacedPart {
     return found;
   }
 
-  /// Pieces with a triangle within `reach` of the other part's surface; those near its box where there are few.
-  std::vector<std::uint32_t> near(const PlacedPart& other, double reach) {
-    if (placed_.size() <= kFewPieces) return near(grown(other.bounds(), reach));
-    std::vector<std::uint32_t> found;
-    trianglesWithin(*part_.pieces->surface(), *other.part_.pieces->surface(), part_.X_W.inverse() * other.part_.X_W,
-                    reach, found);
-    for (auto& triangle : found) triangle = part_.pieces->pieceOf(triangle);
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+  bool isLarge() const { return placed_.size() > kFewPieces; }
+  LabelledMesh labelled() const {
+    return {*part_.pieces->surface(), part_.pieces->pieceOfEachTriangle(), static_cast<std::uint32_t>(placed_.size())};
   }
 
  private:
@@ -134,12 +130,18 @@ class ZoneQuery {
   ZoneContacts run();
 
  private:
+  std::vector<double> levels() const;
+  ZoneContacts search();
+  ZoneContacts searchFromHint();
+  std::optional<ZoneContacts> attemptAny(double radius, bool crowded);
   DirectionLimits limits(std::size_t moving_part, double radius) const;
   bool counts(std::size_t moving_part, std::size_t environment_part) const;
   /// False: more pairs than can be looked at; the zone must shrink.
   bool collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups);
-  /// Pairs of pieces that come within the reach, as far as that is known quickly.
+  /// Pairs of pieces that come within the reach, as far as that is known quickly; not all of them where they are many.
   std::vector<NearPair> nearPairs(std::size_t moving_part, const DirectionLimits& limits);
+  /// False: more than can be looked at.
+  bool candidates(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found);
   /// One after the other until the entries fit.
   std::optional<ZoneContacts> attempt(double radius, std::span<const Effort> efforts);
   std::optional<ZoneContacts> written(const std::vector<std::vector<PieceGroup>>& groups, double radius,
@@ -153,6 +155,8 @@ class ZoneQuery {
   std::vector<PlacedPart> moving_;
   std::vector<PlacedPart> environment_;
   std::size_t most_directions_ = kFewDirections;
+  std::size_t work_ = 0;
+  bool complete_ = true;  // Of the last nearPairs().
 };
 
 DirectionLimits ZoneQuery::limits(std::size_t moving_part, double radius) const {
@@ -166,40 +170,63 @@ bool ZoneQuery::counts(std::size_t moving_part, std::size_t environment_part) co
   return options_.pair_mask.empty() || options_.pair_mask[moving_part * environment_.size() + environment_part] != 0;
 }
 
+bool ZoneQuery::candidates(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found) {
+  if (a.isLarge() || b.isLarge()) {
+    SearchBudget budget{kMostCandidates, kMostTests};
+    const bool all =
+        labelPairsWithin(a.labelled(), b.labelled(), a.part().X_W.inverse() * b.part().X_W, reach, budget, found);
+    work_ += (kMostTests - budget.tests) / 2;
+    return all;
+  }
+  found.clear();
+  const auto pieces_a = a.near(grown(b.bounds(), reach));
+  const auto pieces_b = b.near(grown(a.bounds(), reach));
+  for (const auto i : pieces_a) {
+    const geometry::Bounds box = grown(a.piece(i).bounds_W, reach);
+    for (const auto j : pieces_b) {
+      if (overlap(box, b.piece(j).bounds_W)) found.push_back({i, j});
+    }
+  }
+  return true;
+}
+
 std::vector<NearPair> ZoneQuery::nearPairs(std::size_t moving_part, const DirectionLimits& limits) {
   std::vector<NearPair> pairs;
+  std::vector<LabelPair> found;
+  complete_ = true;
   PlacedPart& a = moving_[moving_part];
   for (std::uint32_t e = 0; e < environment_.size(); ++e) {
     PlacedPart& b = environment_[e];
     if (!counts(moving_part, e) || !overlap(grown(a.bounds(), limits.reach), b.bounds())) continue;
-    const auto pieces_a = a.near(b, limits.reach);
-    const auto pieces_b = b.near(a, limits.reach);
-    for (const auto i : pieces_a) {
+    const bool all = candidates(a, b, limits.reach, found);
+    for (const auto& [i, j] : found) {
       const geometry::Bounds box = grown(a.piece(i).bounds_W, limits.reach);
-      for (const auto j : pieces_b) {
-        if (!overlap(box, b.piece(j).bounds_W) || !mayMeet(a.piece(i), b.piece(j), limits.reach)) continue;
-        NearPair pair{e, i, j, {}};
-        if (a.piece(i).vertices_W.size() + b.piece(j).vertices_W.size() <= kFewVertices) {
-          pair.nearest = nearestDirection(a.piece(i), b.piece(j), limits.reach);
-        }
-        if (pair.nearest.gap > limits.reach) continue;
-        pairs.push_back(std::move(pair));
-        if (pairs.size() > kHopelessPairs) return pairs;
+      if (!overlap(box, b.piece(j).bounds_W) || !mayMeet(a.piece(i), b.piece(j), limits.reach)) continue;
+      NearPair pair{e, i, j, {}};
+      if (a.piece(i).vertices_W.size() + b.piece(j).vertices_W.size() <= kFewVertices) {
+        pair.nearest = nearestDirection(a.piece(i), b.piece(j), limits.reach);
+        work_ += 2;
       }
+      if (pair.nearest.gap > limits.reach) continue;
+      pairs.push_back(std::move(pair));
+      if (pairs.size() > kHopelessPairs) break;
     }
+    complete_ = complete_ && all && pairs.size() <= kHopelessPairs;
+    if (!complete_) return pairs;
   }
   return pairs;
 }
 
 bool ZoneQuery::collect(std::size_t moving_part, const DirectionLimits& limits, std::vector<PieceGroup>& groups) {
   const std::vector<NearPair> pairs = nearPairs(moving_part, limits);
-  if (pairs.size() > 2 * kMostPairs) return false;
+  if (!complete_) return false;
   std::size_t directions = 0;
   for (const NearPair& pair : pairs) {
     PieceGroup group = groupOf(moving_[moving_part].piece(pair.moving_piece),
                                environment_[pair.environment_part].piece(pair.environment_piece), pair, limits);
     if (group.directions.empty() || group.directions.front().gap > limits.reach) continue;
     directions += group.directions.size();
+    work_ += 1 + group.directions.size();
     groups.push_back(std::move(group));
     if (directions > most_directions_ || groups.size() > kMostPairs) return false;
   }
@@ -323,8 +350,48 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
 }
 
 ZoneContacts ZoneQuery::run() {
+  ZoneContacts result = search();
+  result.work = work_;
+  result.hint.radius = result.radius;
+  return result;
+}
+
+std::vector<double> ZoneQuery::levels() const {
   std::vector<double> radii{options_.radius};
   while (radii.back() * kShrink >= options_.min_radius) radii.push_back(radii.back() * kShrink);
+  return radii;
+}
+
+std::optional<ZoneContacts> ZoneQuery::attemptAny(double radius, bool crowded) {
+  if (!crowded || radius > kCrowdedShare * options_.radius) return attempt(radius, kEfforts);
+  auto result = attempt(radius, kAllEfforts);
+  if (result) result->hint.crowded = true;
+  return result;
+}
+
+ZoneContacts ZoneQuery::searchFromHint() {
+  most_directions_ = kMostDirections;
+  const std::vector<double> radii = levels();
+  std::size_t level = 0;
+  while (level + 1 < radii.size() && radii[level] > options_.hint.radius * 1.001) ++level;
+  const auto crowdedAt = [&](std::size_t i) {
+    return options_.hint.crowded || radii[i] < kLeastShare * options_.radius;
+  };
+  if (auto result = attemptAny(radii[level], crowdedAt(level))) {
+    if (level == 0 || !options_.hint.try_larger) return std::move(*result);
+    // A zone that has room again for turning says so.
+    auto larger = attemptAny(radii[level - 1], crowdedAt(level - 1));
+    return larger ? std::move(*larger) : std::move(*result);
+  }
+  while (++level < radii.size()) {
+    if (auto result = attemptAny(radii[level], crowdedAt(level))) return std::move(*result);
+  }
+  return nearestOnly(options_.min_radius);
+}
+
+ZoneContacts ZoneQuery::search() {
+  if (options_.hint.radius > 0.0) return searchFromHint();
+  const std::vector<double> radii = levels();
   std::size_t pieces = 0;
   for (const PlacedPart& part : moving_) pieces += part.part().pieces->pieces().size();
   for (const PlacedPart& part : environment_) pieces += part.part().pieces->pieces().size();
@@ -344,7 +411,10 @@ ZoneContacts ZoneQuery::run() {
     return best;
   };
   if (auto result = grow(kEfforts, kLeastShare * options_.radius, radii.front())) return std::move(*result);
-  if (auto result = grow({&kCrowded, 1}, 0.0, kCrowdedShare * options_.radius)) return std::move(*result);
+  if (auto result = grow({&kCrowded, 1}, 0.0, kCrowdedShare * options_.radius)) {
+    result->hint.crowded = true;
+    return std::move(*result);
+  }
   return nearestOnly(options_.min_radius);
 }
 

@@ -43,6 +43,13 @@ struct ZoneContact {
   std::uint64_t id = 0;       ///< The same physical contact keeps it from query to query.
 };
 
+/// Where the search for the largest zone begins: what a query nearby has found.
+struct ZoneHint {
+  double radius = 0.0;      ///< Metres; 0: nothing is known.
+  bool crowded = false;     ///< See ZoneContacts::hint.
+  bool try_larger = false;  ///< Look one level above it too; without it zones only shrink.
+};
+
 struct ZoneOptions {
   double radius = 0.060;  ///< Wanted, metres.
   std::size_t max_entries = 64;
@@ -51,6 +58,7 @@ struct ZoneOptions {
   double min_radius = 0.0005;    ///< Metres: below it the fallback of zoneContacts takes over.
   /// Which pairs count, row by row: pair_mask[moving * environment.size() + environment]; empty = all.
   std::span<const std::uint8_t> pair_mask;
+  ZoneHint hint{};
 };
 
 struct ZoneContacts {
@@ -60,6 +68,8 @@ struct ZoneContacts {
                          ///< own reach is complete within reach * radius / wanted radius.
   bool complete = true;  ///< False: more than max_entries even at min_radius; then only the nearest
                          ///< contacts stand, each for itself (AND).
+  ZoneHint hint;         ///< For the next query of the same bodies. `crowded`: turning was left out.
+  std::size_t work = 0;  ///< What it cost, in directions looked at (about a microsecond each): repeats exactly.
 };
 
 /// Everything that the moving parts could meet in the environment within the zone.

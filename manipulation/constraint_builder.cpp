@@ -11,6 +11,8 @@ namespace hapticell::manipulation {
 
 namespace {
 
+constexpr double kSecondsPerWork = 1e-6;
+
 /// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
 double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W, double turn_ahead) {
   double gain = 0.0, turn_gain = 0.0, swing = 0.0, turn_swing = 0.0;
@@ -149,12 +151,15 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   // Room for the limits, the bound of turning and one for whoever adds a row of its own.
   options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16);
   options.pair_mask = mask;
+  options.hint = inputs.hint;
   const collision::ZoneContacts found =
       collision::zoneContacts(movingParts(assembly, zone_W), inputs.obstacles, options);
 
   built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);
   built.set.zone_radius = std::max(1e-4, std::min(found.radius, zone_W) / scale);
   built.complete = found.complete;
+  built.hint = found.hint;
+  built.cost = kSecondsPerWork * static_cast<double>(found.work);
   for (const collision::ZoneContact& contact : found.contacts) appendContact(assembly, contact);
   appendLimits(inputs, found.groups, built);
   appendTurnBound(inputs, built);

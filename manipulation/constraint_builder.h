@@ -34,6 +34,7 @@ struct ConstraintInputs {
   std::span<const collision::ZonePart> obstacles;
   std::span<const MotionPair> pairs;
   std::span<const PairFeel> feel;
+  collision::ZoneHint hint{};  ///< From the set before, in the cell's metres.
 };
 
 /// One entry's origin, in the order of ConstraintSet::constraints.
@@ -47,6 +48,8 @@ struct BuiltConstraints {
   std::vector<ConstraintOrigin> origins;
   std::vector<MotionLimit> limits;  ///< The entity's own limits within the zone.
   bool complete = true;             ///< False: see collision::ZoneContacts::complete.
+  collision::ZoneHint hint;         ///< For the next set.
+  double cost = 0.0;                ///< s that such a set takes to make, reckoned and not measured: repeats exactly.
 };
 
 /// Everything that the hand can feel from this configuration: contacts with their curvature, the entity's own limits,

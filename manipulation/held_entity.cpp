@@ -25,9 +25,9 @@ constexpr int kSlides = 6;
 /// tells.
 constexpr double kSlideLever = 10.0 * haptic::kRotationLever;
 constexpr double kPushOut = 0.1;
-constexpr double kLeastZone = 0.003;     ///< m: a complete set that is good for less holds the hand back in free air.
 constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is used for instead.
 constexpr double kCrowdedStays = 0.010;  ///< m of hand until a complete set is tried again.
+constexpr int kTryLarger = 4;            ///< A wider zone is tried with each so many sets.
 constexpr double kArrived = 1e-9;        ///< m: less is not worth another slide.
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
@@ -242,15 +242,24 @@ void HeldEntity::raiseBoundaries() {
   }
 }
 
-BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius,
-                                         double turn_ahead) {
+BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish) {
   raiseBoundaries();
-  ConstraintInputs inputs{*manipulator_, accepted_, mapping,    X_DProxy,      zone_radius,
-                          turn_ahead,    parts_,    obstacles_, motion_pairs_, feel_};
+  ConstraintInputs inputs{*manipulator_,   accepted_, mapping,    X_DProxy,      wish.zone_radius,
+                          wish.turn_ahead, parts_,    obstacles_, motion_pairs_, feel_};
   const Pose X_DHere = mapping.toDevice(movedFrame(), X_DProxy);
-  if (crowded_ && glm::length(X_DHere.p - X_DCrowded_.p) < kCrowdedStays) return plainConstraints(inputs);
+  const bool near = glm::length(X_DHere.p - X_DCrowded_.p) < kCrowdedStays;
+  if (crowded_ && near && wish.least_radius > 0.7 * crowded_radius_) return plainConstraints(inputs);
+  const double zone_W = wish.zone_radius * mapping.scale();
+  if (hint_zone_ > 0.0 && hint_.radius >= 0.999 * hint_zone_) hint_.radius = zone_W;
+  hint_zone_ = zone_W;
+  hint_.try_larger = ++since_larger_ >= kTryLarger;
+  if (hint_.try_larger) since_larger_ = 0;
+  inputs.hint = hint_;
   BuiltConstraints built = buildConstraints(inputs);
-  crowded_ = built.set.zone_radius < kLeastZone || !built.complete;
+  if (built.hint.radius > hint_.radius) since_larger_ = kTryLarger;  // There may be more.
+  hint_ = built.hint;
+  crowded_ = built.set.zone_radius < wish.least_radius || !built.complete;
+  crowded_radius_ = built.complete ? built.set.zone_radius : 0.0;
   X_DCrowded_ = X_DHere;
   return crowded_ ? plainConstraints(inputs) : built;
 }

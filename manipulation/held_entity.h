@@ -64,8 +64,12 @@ class HeldEntity {
   FollowResult follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built);
 
   /// The constraint set about the accepted configuration.
-  BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, double zone_radius,
-                               double turn_ahead);
+  struct SetWish {
+    double zone_radius = haptic::kWantedZoneRadius;  ///< m of hand.
+    double least_radius = 0.003;  ///< m of hand: a complete set that is good for less holds the hand back in free air.
+    double turn_ahead = 0.1;      ///< rad.
+  };
+  BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish);
 
   /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
@@ -93,8 +97,12 @@ class HeldEntity {
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;
-  bool crowded_ = false;  ///< The last complete set was too small to be of use.
-  Pose X_DCrowded_;       ///< Where that was.
+  bool crowded_ = false;         ///< The last complete set was too small to be of use.
+  double crowded_radius_ = 0.0;  ///< What it was good for, m of hand.
+  Pose X_DCrowded_;              ///< Where that was.
+  collision::ZoneHint hint_;     ///< Of the last complete set,
+  double hint_zone_ = 0.0;       ///< which was wanted so wide in the cell (m).
+  int since_larger_ = 0;         ///< Sets since a wider one was tried.
   std::vector<double> gaps_;
   std::vector<FreeMotion::PairDistance> near_;
 };

@@ -18,14 +18,18 @@ constexpr double kLeastTurnAhead = 0.06, kMostTurnAhead = 0.4;  ///< rad that a 
 constexpr double kRefreshMoved = 1e-3;                          ///< m in hand space: worth a new set ...
 constexpr double kRefreshAge = 25e-3;                           ///< ... after so many seconds,
 constexpr double kOldestSet = 100e-3;                           ///< and in any case after so many.
+constexpr double kRested = 2e-5;                                ///< m: has not moved,
+constexpr double kOldestAtRest = 400e-3;                        ///< ... then the set may be older.
 constexpr double kZoneShare = 0.3;                              ///< At once when so much of the zone is used up.
 constexpr double kSpeedKept = 0.5;                              ///< s that a fast hand is expected to be fast again.
 constexpr double kSpeedReserve = 1.3;                           ///< It may get faster meanwhile.
 constexpr double kWidestZone = 0.5;                             ///< m of hand.
 constexpr std::size_t kMostOnTheirWay = 1000;
-constexpr double kContactIn = 5e-5, kContactOut = 2e-4;  ///< m of gap.
-constexpr double kLag = 0.5e-3;                          ///< m the accepted pose may stay behind before that is felt.
-constexpr double kTipReach = 0.010;                      ///< m of hand space within which the tip touches something.
+constexpr double kLeastAhead = 2.0;  ///< Of the way since the last set, the least that a set is to be good for;
+constexpr double kLeastZone = 0.8e-3, kMostLeastZone = 3e-3;  ///< m: always asked for, and never more.
+constexpr double kContactIn = 5e-5, kContactOut = 2e-4;       ///< m of gap.
+constexpr double kLag = 0.5e-3;      ///< m the accepted pose may stay behind before that is felt.
+constexpr double kTipReach = 0.010;  ///< m of hand space within which the tip touches something.
 
 double metric(const Pose& a, const Pose& b) {
   const Twist t = difference(a, b);
@@ -278,9 +282,12 @@ void ManipulationEngine::setClutched(bool clutched) {
 
 bool ManipulationEngine::needsSet() const {
   const double age = seconds(now_ns_ - set_ns_);
-  if (set_wanted_ || age >= kOldestSet) return true;
-  if (!held_ || clutched_) return false;
+  if (set_wanted_) return true;
+  if (!held_ || clutched_) return age >= kOldestSet;
   const double moved = metric(mapping_.toDevice(held_->movedFrame(), state_->X_DP), built_.set.X_DR);
+  // Sets that are dear are made less often: they get half of the time.
+  if (age < std::min(kOldestSet, 2.0 * built_.cost)) return false;
+  if (age >= (moved > kRested ? kOldestSet : kOldestAtRest)) return true;
   return moved > kZoneShare * built_.set.zone_radius || (moved > kRefreshMoved && age >= kRefreshAge);
 }
 
@@ -337,10 +344,13 @@ void ManipulationEngine::updateSet() {
   last_set_ns_ = std::exchange(set_ns_, now_ns_);
   if (held_ && !clutched_) {
     // A wrist that turns fast needs a set that knows more of turning, at the cost of its radius.
-    const double turned = glm::length(difference(state_->X_DS, X_DSeen_).angular);
+    const Twist since = difference(state_->X_DS, X_DSeen_);
+    const double turned = glm::length(since.angular);
     X_DSeen_ = state_->X_DS;
     const double turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
-    built_ = held_->constraints(mapping_, state_->X_DP, zoneRadius(), turn_ahead);
+    // A slow hand is content with a small zone, as long as it says everything.
+    const double least = std::clamp(kLeastAhead * glm::length(since.linear), kLeastZone, kMostLeastZone);
+    built_ = held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead});
     addLagRow();
   } else {
     built_ = {};
