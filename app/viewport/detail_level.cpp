@@ -4,10 +4,16 @@
 #include <algorithm>
 
 namespace hapticell::app {
+namespace {
+
+constexpr int kLongPatience = 300;  // Frames: about half a minute at 10 Hz.
+
+}  // namespace
 
 void DetailGovernor::frameTook(double seconds) {
   const int level = static_cast<int>(level_);
   const int last = static_cast<int>(DetailLevel::kBoxes);
+  last_took_[level] = seconds;
   if (seconds > budget_s_) {
     // A step that was just given back was one too many: wait longer before the next try.
     if (just_raised_) patience_ = std::min(patience_ * 2, 600);
@@ -19,7 +25,9 @@ void DetailGovernor::frameTook(double seconds) {
   }
   good_frames_ = seconds < 0.5 * budget_s_ ? good_frames_ + 1 : 0;
   if (good_frames_ > 5) just_raised_ = false;
-  if (good_frames_ < patience_ || level == 0) return;
+  if (level == 0) return;
+  const bool was_far_too_slow = last_took_[level - 1] > 2.0 * budget_s_;
+  if (good_frames_ < (was_far_too_slow ? std::max(patience_, kLongPatience) : patience_)) return;
   level_ = static_cast<DetailLevel>(level - 1);
   good_frames_ = 0;
   just_raised_ = true;

@@ -18,7 +18,7 @@ enum class DetailLevel {
 /// Chooses the detail while things move, from the time that frames take, so that the window keeps its rate.
 ///
 /// Sheds at once, restores slowly: a frame slower than the budget drops a step, a long run of frames that would also
-/// fit with more detail takes one back.
+/// fit with more detail takes one back. A step that was far too slow when last drawn is tried again much later only.
 class DetailGovernor {
  public:
   /// `budget_s`: what one frame may take while moving; 10 Hz guaranteed leaves 0.1 s for everything in the GUI thread.
@@ -34,6 +34,7 @@ class DetailGovernor {
   DetailLevel level_ = DetailLevel::kFull;
   int good_frames_ = 0;
   int patience_ = 20;
+  double last_took_[6]{};  ///< At each level; 0: not drawn yet.
   bool just_raised_ = false;
 };
 

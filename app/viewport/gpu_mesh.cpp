@@ -88,8 +88,8 @@ GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& m
 }
 
 std::size_t GpuMeshCache::pending() const {
-  return static_cast<std::size_t>(
-      std::count_if(entries_.begin(), entries_.end(), [](const auto& entry) { return entry.second.prepared != nullptr; }));
+  return static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(),
+                                                [](const auto& entry) { return entry.second.prepared != nullptr; }));
 }
 
 void GpuMeshCache::collect() {

@@ -22,11 +22,12 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
       std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
   if (contact != snapshot.pairs.end())
     labels.push_back({kContactKey, Mark::kContact, "Contact", pairNames(scene, *contact), contact->p_WB});
-  const auto near = std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(),
-                                 [](const auto& p) { return p.near_miss && !p.contact; });
-  if (near != snapshot.pairs.end())
-    labels.push_back({kNearMissKey, Mark::kNearMiss, millimetres(near->distance), pairNames(scene, *near),
-                      0.5 * (near->p_WA + near->p_WB)});
+  const auto near =
+      std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return !p.contact; });
+  // While something touches, a distance that is no near miss would only distract.
+  if (near != snapshot.pairs.end() && (near->near_miss || contact == snapshot.pairs.end()))
+    labels.push_back({kNearMissKey, near->near_miss ? Mark::kNearMiss : Mark::kNone, millimetres(near->distance),
+                      pairNames(scene, *near), 0.5 * (near->p_WA + near->p_WB)});
   if (!snapshot.limits.empty())
     labels.push_back({kLimitKey, Mark::kLimit, "Limit", snapshot.limits.front().text, snapshot.X_WStylus.p});
   return labels;

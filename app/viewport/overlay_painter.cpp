@@ -175,7 +175,8 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
   // On the side where the stylus is not.
   const dvec3 pen_W = snapshot.X_WStylus.rotate(stylusDirection_S());
   const bool left = glm::dot(pen_W, overlay.camera.right_W()) > 0.0;
-  const QRectF box(from.x() + along.x * length + (left ? -18 - width : 18), from.y() + along.y * length - 12, width, 24);
+  const QRectF box(from.x() + along.x * length + (left ? -18 - width : 18), from.y() + along.y * length - 12, width,
+                   24);
   paintBox(painter, box, theme);
   painter.setFont(number_font);
   painter.setPen(theme.text1);
@@ -193,8 +194,9 @@ void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel&
   paintMark(painter, label.mark, QPointF(box.left() + 16, box.top() + 15), 12, theme);
   painter.setFont(bold15());
   painter.setPen(theme.text1);
-  painter.drawText(QRectF(box.left() + 30, box.top() + 5, box.width() - 36, 20), Qt::AlignVCenter | Qt::AlignLeft,
-                   QString::fromStdString(label.number));
+  const double indent = label.mark == Mark::kNone ? 10.0 : 30.0;
+  painter.drawText(QRectF(box.left() + indent, box.top() + 5, box.width() - indent - 6, 20),
+                   Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(label.number));
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   painter.drawText(QRectF(box.left() + 10, box.top() + 24, box.width() - 16, 16), Qt::AlignVCenter | Qt::AlignLeft,
@@ -245,10 +247,13 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
       cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
-  const QString missing = overlay.missing_parts == 0
-                              ? QString()
-                              : QObject::tr("  ·  %n parts are made ready", nullptr, static_cast<int>(overlay.missing_parts));
-  painter.drawText(QRectF(14, overlay.size.height - 30, 320, 18), Qt::AlignVCenter | Qt::AlignLeft, grid + missing);
+  const QString missing = overlay.missing_parts == 0 ? QString()
+                                                     : QObject::tr("  ·  %n parts are made ready", nullptr,
+                                                                   static_cast<int>(overlay.missing_parts));
+  QPainterPath words;
+  words.addText(14, overlay.size.height - 17, textFont(TextRole::kSecond), grid + missing);
+  painter.strokePath(words, QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.fillPath(words, theme.text2);
   if (overlay.hint.isEmpty()) return;
   const double above = overlay.strip.empty() ? 34.0 : 28.0 + kStripHeight + 12.0;
   const double width = textWidth(textFont(TextRole::kSecond), overlay.hint) + 20.0;

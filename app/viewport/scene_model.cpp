@@ -10,7 +10,7 @@ namespace hapticell::app {
 namespace {
 
 bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSnapshot& b) {
-  constexpr double kSeen = 5e-5;  // Metres and radians: a stylus that is held still trembles by its encoder's steps.
+  constexpr double kSeen = 1.5e-4;  // Metres and radians: a stylus that is held still trembles by its encoder's steps.
   const auto samePose = [](const Pose& x, const Pose& y) {
     return glm::length(x.p - y.p) < kSeen && std::abs(glm::dot(x.q, y.q)) > 1.0 - 1e-7;
   };

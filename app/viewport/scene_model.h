@@ -55,7 +55,8 @@ class SceneModel {
   std::vector<workcell::EntityId> selected_;
   workcell::EntityId hovered_ = 0;
   StylusMesh stylus_;
-  std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds> mesh_bounds_;  // Millions of vertices: once.
+  std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds>
+      mesh_bounds_;  // Millions of vertices: once.
   std::uint64_t revision_ = 1;
 };
 

@@ -99,8 +99,8 @@ struct SceneRenderer::Passes {
   std::unique_ptr<QOpenGLShaderProgram> background, occlusion, present;
   ProgramFamily composite;
   RenderTarget scene, openness;
-  RenderTarget quick;  // The first sample of a picture: as good as shown, and cheap.
-  RenderTarget mean;   // Of a picture that is refined.
+  RenderTarget quick;       // The first sample of a picture: as good as shown, and cheap.
+  RenderTarget mean;        // Of a picture that is refined.
   bool refined = false;     // What was drawn last went into the mean.
   bool mean_whole = false;  // Its first sample covers the whole picture.
   FrameView view;

@@ -8,7 +8,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kFrontRange = 0.01;  // Of the depth range: what is drawn over the scene.
+constexpr double kFrontRange = 0.01;           // Of the depth range: what is drawn over the scene.
 constexpr std::size_t kHeavyTriangles = 4000;  // From here on a part becomes a box at the last level of detail.
 
 std::shared_ptr<const geometry::TriangleMesh> unitBox() {

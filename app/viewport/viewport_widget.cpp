@@ -70,7 +70,8 @@ void ViewportWidget::initializeGL() {
   if (!gl_.initializeOpenGLFunctions()) return;
   // Queued: the part is ready in another thread.
   renderer_ = std::make_unique<SceneRenderer>(gl_, [this] {
-    QMetaObject::invokeMethod(this, [this] { showNewPart(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { showNewPart(); }, Qt::QueuedConnection);
   });
   dirty_ = true;
   // Moving the widget to another window makes a new context; everything of the old one goes with it.

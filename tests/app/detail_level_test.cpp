@@ -48,5 +48,18 @@ TEST(FrameMeter, CountsTheFramesOfTheLastSecond) {
   EXPECT_DOUBLE_EQ(meter.worstSeconds(), 0.014);
 }
 
+TEST(DetailGovernor, WhatWasFarTooSlowIsNotTriedAgainSoon) {
+  DetailGovernor governor(0.05);
+  governor.frameTook(1.0);
+  governor.frameTook(1.0);
+  ASSERT_EQ(governor.level(), DetailLevel::kHalfSize);
+  governor.frameTook(0.4);
+  ASSERT_EQ(governor.level(), DetailLevel::kBoxes);
+  for (int i = 0; i < 200; ++i) governor.frameTook(0.005);
+  EXPECT_EQ(governor.level(), DetailLevel::kBoxes);
+  for (int i = 0; i < 200; ++i) governor.frameTook(0.005);
+  EXPECT_LT(governor.level(), DetailLevel::kBoxes) << "but tried it is";
+}
+
 }  // namespace
 }  // namespace hapticell::app

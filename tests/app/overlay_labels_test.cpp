@@ -42,6 +42,19 @@ TEST(OverlayLabels, OneEachOfContactNearMissAndLimit) {
   EXPECT_EQ(labels[2].names, "A5 is 1.2° from its limit");
 }
 
+TEST(OverlayLabels, TheNearestFreePairIsNamedUnlessSomethingTouches) {
+  manipulation::SceneSnapshot snapshot;
+  snapshot.pairs = {pair(0.0326, false)};
+  snapshot.pairs[0].near_miss = false;
+  const auto labels = overlayLabels(sceneWith(snapshot));
+  ASSERT_EQ(labels.size(), 1u);
+  EXPECT_EQ(labels[0].mark, Mark::kNone);
+  EXPECT_EQ(labels[0].number, "32.6 mm");
+  snapshot.pairs.push_back(pair(0.0, true));
+  EXPECT_EQ(overlayLabels(sceneWith(snapshot)).size(), 1u);
+  EXPECT_EQ(overlayLabels(sceneWith(snapshot))[0].mark, Mark::kContact);
+}
+
 TEST(OverlayLabels, NoneWithoutASnapshot) {
   EXPECT_TRUE(overlayLabels(SceneModel()).empty());
 }
