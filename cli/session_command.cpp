@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/session_settings.h"
+#include "manipulation/local_server.h"
 #include "manipulation/session.h"
 #include "workcell/document_io.h"
 
@@ -175,13 +176,14 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
 Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptions& options,
                                    const manipulation::TraceSink& trace) {
   if (!words.realtime) return manipulation::runSession(options, trace);
-  Address address{options.configuration.server.host, options.configuration.server.port};
-  if (!words.server.empty()) {
-    const auto parsed = parseAddress(words.server);
-    if (!parsed) return tl::unexpected(parsed.error());
-    address = *parsed;
+  if (words.server.empty()) {
+    const auto own = manipulation::LocalServer::start(options.device, options.configuration);
+    if (!own) return tl::unexpected(own.error());
+    return manipulation::runSessionOnServer(options, "127.0.0.1", (*own)->port(), trace);
   }
-  return manipulation::runSessionOnServer(options, address.host, address.port, trace);
+  const auto address = parseAddress(words.server);
+  if (!address) return tl::unexpected(address.error());
+  return manipulation::runSessionOnServer(options, address->host, address->port, trace);
 }
 
 ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writer) {
@@ -221,8 +223,8 @@ void addSessionCommand(CLI::App& app, Action& chosen) {
   command->add_option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
   command->add_option("--device", words->device, "phantom_desktop, touch, touch_x or premium");
   command->add_option("--set", words->set, "KEY=VALUE; may be repeated")->allow_extra_args(false);
-  command->add_flag("--realtime", words->realtime, "Through a running haptic server, in real time");
-  command->add_option("--server", words->server, "HOST:PORT of that server");
+  command->add_flag("--realtime", words->realtime, "In real time, over TCP: with a server of its own, or the one of --server");
+  command->add_option("--server", words->server, "HOST:PORT of a haptic server that runs already, with a simulated device");
   command->add_option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
   command->add_option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
   command->callback(

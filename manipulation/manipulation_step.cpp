@@ -351,6 +351,11 @@ void ManipulationEngine::updateSet() {
     // A slow hand is content with a small zone, as long as it says everything.
     const double least = std::clamp(kLeastAhead * glm::length(since.linear), kLeastZone, kMostLeastZone);
     built_ = held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead});
+    // Where nothing is to be felt the set is good everywhere: its edge must not be felt instead.
+    const auto passes = [](const HeldPair& pair) { return pair.on_contact == workcell::OnContact::kPass; };
+    if (built_.set.count == 0 && std::all_of(held_->pairs().begin(), held_->pairs().end(), passes)) {
+      built_.set.zone_radius = kFreeZone;
+    }
     addLagRow();
   } else {
     built_ = {};

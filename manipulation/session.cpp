@@ -10,6 +10,7 @@
 #include "haptic/client/tcp_link.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/force_loop.h"
+#include "haptic/server/configured_loop.h"
 #include "haptic/server/in_memory_link.h"
 
 namespace hapticell::manipulation {
@@ -162,22 +163,6 @@ class WatchedEngine {
   double measured_ = -1.0;
 };
 
-haptic::HandOptions handOf(const config::Configuration& configuration) {
-  haptic::HandOptions options;
-  options.mass = configuration.hand.mass;
-  options.stiffness = configuration.hand.stiffness;
-  options.damping = configuration.hand.damping;
-  return options;
-}
-
-haptic::ForceLoopOptions loopOptions(const haptic::Device& device, const config::Configuration& configuration) {
-  haptic::ForceLoopOptions options = haptic::optionsFor(device, configuration.haptic.rate_hz);
-  if (configuration.haptic.stiffness > 0.0) options.renderer.stiffness = configuration.haptic.stiffness;
-  if (configuration.haptic.damping > 0.0) options.renderer.damping = configuration.haptic.damping;
-  options.safety.ramp_time = configuration.haptic.force_ramp_s;
-  return options;
-}
-
 MeteredTick meteredTick(double t, const haptic::ForceLoop& loop, const dvec3& acting_D, const dvec3& step_D) {
   const haptic::RenderResult& render = loop.lastRender();
   MeteredTick tick{t,
@@ -207,10 +192,10 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
   const SteadyClock::time_point begin = SteadyClock::now();
   haptic::VirtualClock clock;
   haptic::SimulatedDevice device(options.device);
-  device.hand().setOptions(handOf(options.configuration));
+  device.hand().setOptions(haptic::configuredHand(options.configuration));
   if (const auto opened = device.open(); !opened) return makeError(opened.error());
   device.place(options.hand.at(0.0).X_DH);
-  haptic::ForceLoop loop(device, clock, loopOptions(device, options.configuration));
+  haptic::ForceLoop loop(device, clock, haptic::configuredLoop(device, options.configuration));
   haptic::InMemoryLink link(loop, clock, haptic::describe(device), {.latency = options.latency_s});
   WatchedEngine engine(link, options);
   if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());

@@ -12,6 +12,7 @@
 #include "config/device_profile.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/force_loop.h"
+#include "haptic/server/configured_loop.h"
 #include "haptic/server/loop_report.h"
 #include "haptic/server/network_server.h"
 #include "haptic/server/real_time_runner.h"
@@ -24,22 +25,6 @@ Expected<config::DeviceProfile> findProfile(const std::string& name) {
   const auto file = config::findShippedFile("devices/" + name + ".toml");
   if (!file) return tl::unexpected(file.error());
   return config::readDeviceProfile(*file);
-}
-
-ForceLoopOptions loopOptions(const Device& device, const config::Configuration& configuration) {
-  ForceLoopOptions options = optionsFor(device, configuration.haptic.rate_hz);
-  if (configuration.haptic.stiffness > 0.0) options.renderer.stiffness = configuration.haptic.stiffness;
-  if (configuration.haptic.damping > 0.0) options.renderer.damping = configuration.haptic.damping;
-  options.safety.ramp_time = configuration.haptic.force_ramp_s;
-  return options;
-}
-
-HandOptions handOptions(const config::Configuration::Hand& hand) {
-  HandOptions options;
-  options.mass = hand.mass;
-  options.stiffness = hand.stiffness;
-  options.damping = hand.damping;
-  return options;
 }
 
 NetworkOptions networkOptions(const ServerOptions& asked, const config::Configuration& configuration) {
@@ -85,12 +70,12 @@ Expected<void> serve(const ServerOptions& asked) {
   const auto profile = findProfile(asked.device.value_or(configuration->haptic.device));
   if (!profile) return tl::unexpected(profile.error());
   SimulatedDevice device(*profile);
-  device.hand().setOptions(handOptions(configuration->hand));
+  device.hand().setOptions(configuredHand(*configuration));
   if (const auto opened = device.open(); !opened) return tl::unexpected(opened.error());
 
   const sigset_t signals = blockSignals();
   const RealClock clock;
-  ForceLoop loop(device, clock, loopOptions(device, *configuration));
+  ForceLoop loop(device, clock, configuredLoop(device, *configuration));
   RealTimeRunner runner(loop, {.fifo = asked.real_time, .lock_memory = asked.real_time});
   auto network = NetworkServer::start(loop, clock, describe(device), networkOptions(asked, *configuration));
   if (!network) return tl::unexpected(network.error());

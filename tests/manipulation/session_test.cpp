@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "manipulation/local_server.h"
 #include "tests/manipulation/test_cells.h"
 #include "tests/support/test_data.h"
 #include "workcell/document_io.h"
@@ -188,6 +189,27 @@ TEST_P(SessionAtRate, PlateThatStandsOnTheTableLeavesItWithoutDippingIn) {
   ASSERT_TRUE(report) << report.error().message();
   EXPECT_LE(report->penetration_max_m, FreeMotion::kGuard);
   EXPECT_GT(report->X_WMFinal.p.z, 0.03);
+}
+
+TEST(Session, RunsInRealTimeThroughAServerOfItsOwn) {
+  const SessionOptions options = sessionOf(
+      boxOverTable(0.02), "box",
+      handThrough({{0.0, {0, 0, 0.02}}, {0.8, {0, 0, 0.02}}, {1.6, {0, 0, -0.005}}, {2.0, {0, 0, -0.005}}}), 60.0, 0.0);
+  const auto server = LocalServer::start(options.device, options.configuration);
+  ASSERT_TRUE(server) << server.error().message();
+  const auto report = runSessionOnServer(options, "127.0.0.1", (*server)->port());
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_GT(report->ticks, 0U);
+  EXPECT_LE(report->penetration_max_m, 1e-4);
+  EXPECT_LE(report->force_max_n, 6.4);
+}
+
+TEST(Session, PassingThroughIsNotFeltEvenAtTenHertz) {
+  SessionOptions options = sessionOf(boxOverTable(0.02), "box", pressAndSlide(), 10.0, 0.05);
+  options.on_contact = workcell::OnContact::kPass;
+  const auto report = runSession(options);
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_EQ(report->force_max_n, 0.0);
 }
 
 }  // namespace
