@@ -62,7 +62,9 @@ TEST_P(RealParts, PegPressedOnTheRimOfItsHole) {
   ASSERT_TRUE(report) << report.error().message();
   expectSafe(*report);
   // At 10 Hz the demand on energy is not met with every hand yet.
-  if (GetParam().hz > 100.0) EXPECT_GE(report->energy_min_j, -1e-3);
+  if (GetParam().hz > 100.0) {
+    EXPECT_GE(report->energy_min_j, -1e-3);
+  }
   EXPECT_NEAR(report->X_WMFinal.p.z, 0.03, 1e-3);
 }
 
