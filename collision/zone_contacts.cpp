@@ -36,7 +36,8 @@ constexpr Effort kCrowded = {2, {1e-5, 0.08, 0.0}};  // turning is left out of w
 constexpr Effort kAllEfforts[] = {kEfforts[0], kEfforts[1], kEfforts[2], kCrowded};
 constexpr double kLeastShare = 0.05;  // of the wanted radius, before kCrowded is tried
 constexpr double kCrowdedShare = 0.25;
-constexpr double kNear = 0.0005;  // m above the boundary: directions with all their corners
+constexpr double kNear = 0.0005;          // m above the boundary: directions with all their corners,
+constexpr std::ptrdiff_t kManyNear = 8;  // unless there are so many (a bore) that they hold the body upright together
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -286,11 +287,15 @@ std::optional<ZoneContacts> ZoneQuery::written(const std::vector<std::vector<Pie
   result.radius = radius;
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     std::vector<PieceGroup> reduced = groups[m];
+    const auto isNear = [this](const SeparatingDirection& d) { return d.gap < options_.safety_distance + kNear; };
+    std::ptrdiff_t near = 0;
+    for (const PieceGroup& group : reduced)
+      near += std::count_if(group.directions.begin(), group.directions.end(), isNear);
     for (PieceGroup& group : reduced) {
       for (SeparatingDirection& direction : group.directions) {
         // What is about to touch keeps its corners: over a missing one the body would tilt into the obstacle.
-        const bool near = direction.gap < options_.safety_distance + kNear;
-        thinOut(direction.supports, near ? kEfforts[0].supports : effort.supports);
+        const bool whole = near <= kManyNear && isNear(direction);
+        thinOut(direction.supports, whole ? kEfforts[0].supports : effort.supports);
       }
     }
     ReductionTolerance tolerance = effort.tolerance;
