@@ -17,6 +17,8 @@ constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
 constexpr int kIterations = 2;
 constexpr double kJumpAllowance = 0.01e-3;   // m the proxy may outrun the stylus in a tick.
 constexpr double kOffsetDecay = 0.05e-3;     // m per millisecond.
+constexpr double kFadePower = 2e-4;          // W that a fading offset may put into the spring,
+constexpr double kFadeBudget = 1e-4;         // J at once.
 constexpr double kOffsetGone = 1e-6;         // m.
 constexpr double kTrustForce = 0.8;          // N.
 constexpr double kFilterFrequency = 100.0;   // Hz.
@@ -66,6 +68,7 @@ struct ForceRenderer::Solved {
   bool trust = false;
   dvec3 trust_D{0.0};      ///< The trust row's part of proxy less stylus, m.
   double friction = 0.0;   ///< Of the active rows, weighted by how hard they press.
+  dvec3 lag_D{0.0};        ///< What the proxy could go besides, but for its longest move in a tick, m.
   double way = 0.0;        ///< How far the rows would let the proxy go, m; it may need several ticks.
   double depth = 0.0;      ///< What then is left to the stylus, m.
   double stiffness = 0.0;  ///< Least that an active row asks for, 0: none does.
@@ -113,11 +116,12 @@ void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
+  offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
   wanted_D_ = dvec3(0.0);
   yield_ = 0.0;
   limit_ = std::numeric_limits<double>::infinity();
   energy_ = balance_ = controller_damping_ = 0.0;
+  fade_budget_ = kFadeBudget;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
   since_adoption_ = 0.0;
@@ -146,11 +150,13 @@ ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const 
     solved.depth = glm::distance(linearPart(wanted), linearPart(d));
     const double length = lengthOf(d);
     solved.note(grouped, rows, result);
+    solved.lag_D = dvec3(0.0);
     if (result.active_count == 0 && length <= kLongestMove) {
       solved.X_DP = X_DS;  // To the last bit, so that free motion costs exactly nothing.
       continue;
     }
     if (length > kLongestMove) {
+      solved.lag_D = linearPart(d) * (1.0 - kLongestMove / length);
       for (double& number : d) number *= kLongestMove / length;
     }
     solved.X_DP = displacedInMetric(solved.X_DP, d);
@@ -175,18 +181,20 @@ void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved) con
 
 ForceRenderer::Stretch ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
   Stretch stretch = difference(solved.X_DP, X_DS);
+  // A proxy that is only late pulls at nobody.
+  stretch.linear += solved.lag_D;
   stretch.linear += limited(solved.trust_D, kTrustForce / stiffness_) - solved.trust_D;
   return stretch;
 }
 
-ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) {
+ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, SetJump& jump) {
   Solved solved = moveProxy(sets_[1 - current_], X_DS);
-  jump_D = dvec3(0.0);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);
-    const dvec3 borne_before = borne(stretchOf(before, X_DS)).linear;
-    offset_D_ += borne_before - borne(stretchOf(solved, X_DS)).linear;
-    jump_D = solved.X_DP.p - before.X_DP.p;
+    const Stretch stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
+    const dvec3 borne_before = borne(stretch_before).linear;
+    offset_D_ += borne_before - borne(stretch_after).linear;
+    jump = {solved.X_DP.p - before.X_DP.p, stretch_after.linear - stretch_before.linear};
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
   current_ = 1 - current_;
@@ -196,17 +204,22 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, dvec3& jump_D) 
   return solved;
 }
 
-/// Moves what the proxy outran the stylus by (another facet, a step of the surface) into the offset, so that the force
-/// goes on from where it was. Returns the proxy's step without it.
-dvec3 ForceRenderer::takeOutJump(const Solved& solved, const Stretch& stretch, const dvec3& proxy_step,
+/// Moves what the stretch grew by more than the stylus moved (another facet, a step of the surface) into the offset, so
+/// that the force goes on from where it was. It is the stretch that counts: of a proxy that catches up from the zone's
+/// edge only a capped part was felt. Returns the proxy's step without the jump.
+dvec3 ForceRenderer::takeOutJump(const Solved& solved, const Stretch& stretch, const SetJump& jump,
                                  const dvec3& stylus_step) {
-  const double length = glm::length(proxy_step);
+  const dvec3 proxy_step = solved.X_DP.p - proxy_.p - jump.proxy_D;
+  const dvec3 growth = stretch.linear - stretch_D_ - jump.stretch_D + stylus_step;
+  stretch_D_ = stretch.linear;
+  if (!contact_ || !solved.contact) return proxy_step;
   const double allowed = glm::length(stylus_step) + kJumpAllowance;
-  if (!contact_ || !solved.contact || length <= allowed) return proxy_step;
-  const dvec3 excess = proxy_step * (1.0 - allowed / length);
-  const dvec3 borne_before = borne({stretch.linear - excess, stretch.angular}).linear;
-  offset_D_ += borne_before - borne(stretch).linear;
-  return proxy_step - excess;
+  const dvec3 excess = growth - limited(growth, allowed);
+  if (excess != dvec3(0.0)) {
+    const dvec3 borne_before = borne({stretch.linear - excess, stretch.angular}).linear;
+    offset_D_ += borne_before - borne(stretch).linear;
+  }
+  return limited(proxy_step, allowed);
 }
 
 void ForceRenderer::filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt) {
@@ -215,7 +228,10 @@ void ForceRenderer::filterVelocities(const dvec3& stylus_step, const dvec3& prox
   v_proxy_D_ += gain * (proxy_step / dt - v_proxy_D_);
 }
 
-void ForceRenderer::decayOffset(const Solved& solved, const dvec3& stylus_step, double dt) {
+/// Lets the offset fade. Where that would tighten the spring (the new set lies deeper than the old one) nobody's hand
+/// pays for it: such a fade may add no more than kFadePower, so that a run of wrong sets makes no energy to speak of.
+void ForceRenderer::decayOffset(const Solved& solved, const dvec3& left_D, const dvec3& stylus_step, double dt) {
+  fade_budget_ = std::min(fade_budget_ + kFadePower * dt, kFadeBudget);
   const double length = glm::length(offset_D_);
   if (length <= kOffsetGone) {
     offset_D_ = dvec3(0.0);
@@ -227,7 +243,12 @@ void ForceRenderer::decayOffset(const Solved& solved, const dvec3& stylus_step, 
   } else {
     decay += std::abs(glm::dot(stylus_step, offset_D_)) / length;
   }
-  offset_D_ = decay >= length ? dvec3(0.0) : offset_D_ * (1.0 - decay / length);
+  const double share = std::min(1.0, decay / length);
+  const dvec3 before = left_D + offset_D_, after = before - share * offset_D_;
+  const double rise = 0.5 * stiffness_ * (glm::dot(after, after) - glm::dot(before, before));
+  const double paid = rise > fade_budget_ ? fade_budget_ / rise : 1.0;
+  fade_budget_ -= std::max(0.0, paid * rise);
+  offset_D_ *= 1.0 - paid * share;
 }
 
 void ForceRenderer::updateCoupling(const Solved& solved, double dt) {
@@ -289,19 +310,18 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const dvec3& stylus_step = stylus_motion.linear;
   since_adoption_ += dt;
 
-  dvec3 set_jump(0.0);
+  SetJump jump;
   Solved solved;
   solved.X_DP = X_DS;
   if (offered_)
-    solved = changeSet(X_DS, set_jump);
+    solved = changeSet(X_DS, jump);
   else if (has_set_)
     solved = moveProxy(sets_[current_], X_DS);
 
-  const dvec3 whole_step = solved.X_DP.p - proxy_.p - set_jump;
   const Stretch stretch = stretchOf(solved, X_DS);
-  const dvec3 proxy_step = takeOutJump(solved, stretch, whole_step, stylus_step);
+  const dvec3 proxy_step = takeOutJump(solved, stretch, jump, stylus_step);
   filterVelocities(stylus_step, proxy_step, dt);
-  decayOffset(solved, stylus_step, dt);
+  decayOffset(solved, borne(stretch).linear, stylus_step, dt);
   updateCoupling(solved, dt);
 
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);

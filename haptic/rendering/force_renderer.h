@@ -100,16 +100,21 @@ class ForceRenderer {
 
  private:
   struct Solved;
+  /// What a change of sets alone does to the proxy and to the stretch of the spring, m.
+  struct SetJump {
+    dvec3 proxy_D{0.0};
+    dvec3 stretch_D{0.0};
+  };
   using Stretch = Twist;  ///< From the stylus to the proxy: m, rad.
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
   void applyFriction(const GroupedSet& grouped, Solved& solved) const;
-  Solved changeSet(const Pose& X_DS, dvec3& jump_D);
+  Solved changeSet(const Pose& X_DS, SetJump& jump);
   Stretch stretchOf(const Solved& solved, const Pose& X_DS) const;
-  dvec3 takeOutJump(const Solved& solved, const Stretch& stretch, const dvec3& proxy_step, const dvec3& stylus_step);
+  dvec3 takeOutJump(const Solved& solved, const Stretch& stretch, const SetJump& jump, const dvec3& stylus_step);
   void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
-  void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
+  void decayOffset(const Solved& solved, const dvec3& left_D, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
   dvec3 couplingForce(const Solved& solved) const;
   Stretch borne(const Stretch& stretch);
@@ -128,6 +133,7 @@ class ForceRenderer {
   Pose proxy_;
   Pose stylus_;
   dvec3 offset_D_{0.0};
+  dvec3 stretch_D_{0.0};  ///< Of the last tick, before it yields.
   double yield_ = 0.0;  ///< By how much the spring has yielded, m.
   double force_limit_ = kNoLimit;
   dvec3 v_stylus_D_{0.0};
@@ -142,6 +148,7 @@ class ForceRenderer {
   double energy_ = 0.0;   ///< Taken up and not forgotten, J.
   double balance_ = 0.0;  ///< energy_ less what the spring holds, J.
   double controller_damping_ = 0.0;
+  double fade_budget_ = 0.0;  ///< What a fading offset may still put into the spring, J.
   bool contact_ = false;
 };
 
