@@ -116,7 +116,7 @@ void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
+  offset_D_ = turn_offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
   wanted_D_ = dvec3(0.0);
   yield_ = 0.0;
   limit_ = std::numeric_limits<double>::infinity();
@@ -194,6 +194,7 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, SetJump& jump) 
     const Stretch stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
     const dvec3 borne_before = borne(stretch_before).linear;
     offset_D_ += borne_before - borne(stretch_after).linear;
+    turn_offset_D_ += stretch_before.angular - stretch_after.angular;
     jump = {solved.X_DP.p - before.X_DP.p, stretch_after.linear - stretch_before.linear};
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
@@ -329,7 +330,9 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const dvec3 spring_D = limited(left.linear + offset_D_, forceLimit() / stiffness_);
   offset_D_ = spring_D - left.linear;
   spring_D_ = stiffness_ * spring_D;
-  const dvec3 torque_D = stiffness_ * kRotationLever * kRotationLever * left.angular;
+  // A torque that a new set alone would bring is not the wrist's doing; it is left out until the turn is undone.
+  turn_offset_D_ = limited(turn_offset_D_, glm::length(left.angular));
+  const dvec3 torque_D = stiffness_ * kRotationLever * kRotationLever * (left.angular + turn_offset_D_);
   observeEnergy(stylus_motion, torque_D, solved.contact, dt);
   proxy_ = solved.X_DP;
   stylus_ = X_DS;

@@ -133,8 +133,9 @@ class ForceRenderer {
   Pose proxy_;
   Pose stylus_;
   dvec3 offset_D_{0.0};
-  dvec3 stretch_D_{0.0};  ///< Of the last tick, before it yields.
-  double yield_ = 0.0;  ///< By how much the spring has yielded, m.
+  dvec3 turn_offset_D_{0.0};  ///< The same for turning, rad.
+  dvec3 stretch_D_{0.0};      ///< Of the last tick, before it yields.
+  double yield_ = 0.0;        ///< By how much the spring has yielded, m.
   double force_limit_ = kNoLimit;
   dvec3 v_stylus_D_{0.0};
   dvec3 v_proxy_D_{0.0};
