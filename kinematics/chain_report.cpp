@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "kinematics/configuration_flags.h"
+
 namespace hapticell::kinematics {
 
 namespace {
@@ -55,17 +57,6 @@ bool sixRevolutes(const Chain& chain) {
                       [](const Chain::Element& e) { return e.prismatic; });
 }
 
-// The direction "forward" of the arm plane at x: from axis 1 to axis 2, or the base's x axis turned by joint 1.
-dvec3 forwardDirection(const Chain& chain, const ChainState& state, double joint_1) {
-  const dvec3& z1 = state.axis_B[0];
-  dvec3 offset = state.origin_B[1] - state.origin_B[0];
-  offset -= glm::dot(offset, z1) * z1;
-  // Only what lies in the arm plane counts; an offset along axis 2 says nothing about front and back.
-  offset -= glm::dot(offset, state.axis_B[1]) * state.axis_B[1];
-  if (glm::length(offset) > kMeeting) return glm::normalize(offset);
-  return quaternionFromRotationVector(joint_1 * chain.elements()[0].factor * z1) * dvec3(1.0, 0.0, 0.0);
-}
-
 }  // namespace
 
 bool chainIsSingular(const Chain& chain, const ChainPositions& x) {
@@ -77,21 +68,8 @@ bool chainIsSingular(const Chain& chain, const ChainPositions& x) {
 }
 
 std::string configurationName(const Chain& chain, const ChainPositions& x) {
-  if (!sixRevolutes(chain)) return {};
-  ChainState state;
-  chain.evaluate(x, state);
-  if (glm::length(glm::cross(state.axis_B[1], state.axis_B[2])) > kParallel) return {};
-  const std::optional<dvec3> centre = wristCentre(state);
-  if (!centre) return {};
-  const dvec3 up = state.axis_B[0].z < 0.0 ? -state.axis_B[0] : state.axis_B[0];
-  const dvec3 forward = forwardDirection(chain, state, x[0]);
-  const bool front = glm::dot(*centre - state.origin_B[0], forward) >= 0.0;
-  const dvec3 to_wrist = *centre - state.origin_B[1], to_elbow = state.origin_B[2] - state.origin_B[1];
-  const double turn = glm::dot(glm::cross(to_wrist, to_elbow), glm::cross(forward, up));
-  const bool elbow_up = (turn >= 0.0) == front;
-  const bool flipped = glm::dot(glm::cross(state.axis_B[3], state.axis_B[5]), state.axis_B[4]) < 0.0;
-  return std::string(front ? "front" : "back") + (elbow_up ? ", elbow up" : ", elbow down") +
-         (flipped ? ", wrist flipped" : ", wrist not flipped");
+  const std::optional<ArmShape> shape = armShape(chain, x);
+  return shape ? toString(*shape) : std::string();
 }
 
 std::optional<Elbow> findElbow(const Chain& chain) {

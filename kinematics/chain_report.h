@@ -12,11 +12,8 @@ namespace hapticell::kinematics {
 /// half the chain's reach, is under 1e-3 (about the angle in rad from the singular position). No allocation.
 bool chainIsSingular(const Chain& chain, const ChainPositions& x);
 
-/// In words, which branch of the inverse `x` lies on: "front, elbow up, wrist not flipped" for a six-axis arm with
-/// axes 2 and 3 parallel and axes 4 to 6 meeting in a point; empty for other chains.
-///
-/// Front: the wrist centre is on the side of axis 1 that the first link points to; up: the elbow is above the line
-/// from axis 2 to the wrist centre; flipped: joint 5 is negative.
+/// In words, which branch of the inverse `x` lies on: "front, elbow up, wrist not flipped" (see ArmShape); empty for
+/// chains without such branches.
 std::string configurationName(const Chain& chain, const ChainPositions& x);
 
 /// The elbow of a six-axis arm whose axes 2 and 3 are parallel: the third variable, and one of its positions where axis

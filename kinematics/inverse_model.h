@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/chain.h"
 #include "kinematics/robot_model.h"
 
 namespace hapticell::kinematics {
@@ -39,8 +40,11 @@ class InverseModel {
  public:
   virtual ~InverseModel() = default;
 
-  /// The class of the model: "numeric", later names of closed forms.
+  /// The class of the model: "numeric", "opw", "rail+ur" and so on; see describe() for serial chains.
   virtual std::string name() const = 0;
+
+  /// The serial chain that it inverts; null for robots that are none.
+  virtual const Chain* chain() const { return nullptr; }
 
   /// Indices of the variables that move the tip, from base to tip.
   virtual const std::vector<int>& variables() const = 0;

@@ -26,6 +26,7 @@ class NumericInverse final : public InverseModel {
                                                           double lever_m = 0.25);
 
   std::string name() const override { return "numeric"; }
+  const Chain* chain() const override { return &chain_; }
   const std::vector<int>& variables() const override { return chain_.variables(); }
   void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                     InverseSolution& solution) const override;

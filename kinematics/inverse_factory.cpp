@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/inverse_factory.h"
+
+#include "kinematics/numeric_inverse.h"
+
+namespace hapticell::kinematics {
+
+Expected<std::unique_ptr<InverseModel>> createInverse(const RobotModel& model, int tip_link, const Pose& X_LT,
+                                                      const InverseOptions& options) {
+  auto numeric = NumericInverse::create(model, tip_link, X_LT, options.lever_m);
+  if (!numeric) return makeError(numeric.error());
+  return std::unique_ptr<InverseModel>(std::move(*numeric));
+}
+
+}  // namespace hapticell::kinematics
