@@ -44,6 +44,7 @@ int runCommandLine(int argc, char** argv) {
   Action chosen;
   // One line a command; each comes with the file that defines it.
   addDistanceCommand(app, chosen);
+  addErgonomicsCommand(app, chosen);
   addForwardKinematicsCommand(app, chosen);
   addInspectCommand(app, chosen);
   addInverseKinematicsCommand(app, chosen);

@@ -14,6 +14,7 @@ ALLOWED = {
     "config": {"geometry"},
     "collision": {"geometry"},
     "kinematics": {"geometry"},
+    "mannequin/ergonomics": {"geometry"},
     "trajectory": {"geometry", "kinematics"},
     "haptic/rendering": {"geometry"},
     "haptic/protocol": {"geometry", "haptic/rendering"},

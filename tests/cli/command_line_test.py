@@ -298,10 +298,10 @@ def test_usage(case):
     case.run("inspect", expect=2)
 
 
-def main():
+def main(tests):
     wanted = sys.argv[2] if len(sys.argv) > 2 else ""
     passed = failed = 0
-    for name, test in list(globals().items()):
+    for name, test in list(tests.items()):
         if not name.startswith("test_") or wanted not in name:
             continue
         with tempfile.TemporaryDirectory() as folder:
@@ -317,4 +317,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(globals()))

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "cli/ergonomics_input.h"
+#include "mannequin/ergonomics/niosh.h"
+#include "mannequin/ergonomics/scored_method.h"
+
+namespace hapticell::cli {
+
+/// The result of one posture: score, level, sub-scores, table entries, drivers, next level, assumptions.
+nlohmann::ordered_json scoredReport(const ergonomics::ScoredMethod& method, const ScoredInput& input);
+
+nlohmann::ordered_json liftingReport(const ergonomics::LiftingTask& task, const ergonomics::LiftingResult& result);
+nlohmann::ordered_json compositeReport(const LiftingInput& input, const ergonomics::CompositeLifting& result);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "mannequin/ergonomics/posture_angles.h"
+
+namespace hapticell::ergonomics {
+
+/// One named member of PostureAngles: an angle (degrees) or a flag.
+struct PostureField {
+  std::string_view name;  ///< As in files, e.g. "upper_arm_flexion".
+  std::optional<double> PostureAngles::*angle = nullptr;
+  std::optional<bool> PostureAngles::*flag = nullptr;  ///< Exactly one of the two is set.
+  double least = 0.0;                                  ///< Of an angle that a person can have, degrees.
+  double greatest = 0.0;
+  bool good_value = false;  ///< Of a flag: the one that never scores higher.
+};
+
+/// All members, in the order of PostureAngles.
+const std::vector<PostureField>& postureFields();
+
+/// A change of one field; for flags 0 and 1.
+struct FieldChange {
+  std::string_view field;
+  bool is_flag = false;
+  double from = 0.0;
+  double to = 0.0;
+};
+
+/// What one change of posture alone would make of the score.
+struct PostureDriver {
+  FieldChange change;
+  int score = 0;
+};
+
+/// The posture nearest to the given one that reaches a lower level.
+struct PostureGoal {
+  std::vector<FieldChange> changes{};
+  int score = 0;
+};
+
+/// Score of a posture; empty where it cannot be scored.
+using PostureScore = std::function<std::optional<int>(const PostureAngles&)>;
+
+/// Changes of single fields that lower the score, largest fall first, then smallest change.
+std::vector<PostureDriver> postureDrivers(const PostureAngles& angles, const PostureScore& score);
+
+/// The smallest change (10 degrees count as much as one flag; at most four fields) that brings `level_of(score)` down;
+/// empty where none does. Runs for tens of milliseconds at most: not for the loops.
+std::optional<PostureGoal> nextLevelPosture(const PostureAngles& angles, const PostureScore& score,
+                                            const std::function<int(int)>& level_of);
+
+}  // namespace hapticell::ergonomics

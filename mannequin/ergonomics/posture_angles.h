@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace hapticell::ergonomics {
+
+/// A posture as the observation methods ask for it: one side's arm, and the body. Angles in degrees, as a person with
+/// a worksheet reads them; what nobody observed is empty and never scored as zero.
+///
+/// Flexion is positive forwards (wrist: either way), extension negative; the elbow and the knee are 0 when straight;
+/// the upper arm and the neck are measured against the trunk, the trunk against the vertical.
+struct PostureAngles {
+  std::optional<double> upper_arm_flexion;
+  std::optional<double> lower_arm_flexion;
+  std::optional<double> wrist_flexion;
+  std::optional<double> neck_flexion;
+  std::optional<double> trunk_flexion;
+  std::optional<double> knee_flexion;
+  std::optional<bool> upper_arm_abducted;
+  std::optional<bool> upper_arm_rotated;  ///< REBA only.
+  std::optional<bool> shoulder_raised;
+  std::optional<bool> arm_supported;
+  std::optional<bool> lower_arm_across_midline;  ///< Or out to the side.
+  std::optional<bool> wrist_deviated;            ///< REBA: or twisted.
+  std::optional<bool> wrist_twist_at_end;        ///< Near the end of pronation or supination; else in its middle.
+  std::optional<bool> neck_twisted;
+  std::optional<bool> neck_side_bent;
+  std::optional<bool> trunk_twisted;
+  std::optional<bool> trunk_side_bent;
+  std::optional<bool> trunk_supported;  ///< Seated and well supported; not given: no.
+  std::optional<bool> legs_supported;   ///< RULA: feet supported and evenly balanced.
+  std::optional<bool> legs_bilateral;   ///< REBA: weight on both legs, or walking.
+  std::optional<bool> seated;
+};
+
+/// The same measured on a figure, where twist, side bend and the rest are angles too.
+struct MeasuredPosture {
+  double upper_arm_flexion = 0.0;
+  double upper_arm_abduction = 0.0;
+  double upper_arm_rotation = 0.0;
+  double girdle_elevation = 0.0;
+  double lower_arm_flexion = 0.0;
+  double lower_arm_outwards = 0.0;  ///< Wrist outside the elbow's sagittal line, degrees.
+  bool wrist_past_midline = false;
+  double wrist_flexion = 0.0;
+  double wrist_deviation = 0.0;
+  double wrist_twist_share = 0.0;  ///< |pronation or supination| over its range to that side.
+  double neck_flexion = 0.0;
+  double neck_twist = 0.0;
+  double neck_side_bend = 0.0;
+  double trunk_flexion = 0.0;
+  double trunk_twist = 0.0;
+  double trunk_side_bend = 0.0;
+  double knee_flexion = 0.0;           ///< The more bent one.
+  double share_on_heavier_foot = 0.5;  ///< Of the weight, 0.5 to 1.
+  bool seated = false;
+};
+
+/// From which angles on a figure counts as twisted, abducted and so on, degrees. The methods' texts name none: 10 deg
+/// is "clearly visible" in EN 1005-4, the others are this project's choice, printed in each report.
+struct PostureThresholds {
+  double twist = 10.0;
+  double side_bend = 10.0;
+  double abduction = 45.0;
+  double rotation = 45.0;
+  double girdle_elevation = 10.0;
+  double lower_arm_outwards = 45.0;
+  double wrist_deviation = 10.0;
+  double wrist_twist_share = 0.75;
+  double one_leg_share = 0.9;
+  double upright = 0.0;  ///< Trunk within this of the vertical is upright.
+  double neutral_wrist = 0.0;
+};
+
+/// `arm_supported` and `trunk_supported` are left empty: no figure shows them.
+PostureAngles postureAngles(const MeasuredPosture& measured, const PostureThresholds& thresholds = {});
+
+}  // namespace hapticell::ergonomics
