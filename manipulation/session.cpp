@@ -9,8 +9,8 @@
 
 #include "haptic/client/tcp_link.h"
 #include "haptic/devices/simulated_device.h"
-#include "haptic/server/force_loop.h"
 #include "haptic/server/configured_loop.h"
+#include "haptic/server/force_loop.h"
 #include "haptic/server/in_memory_link.h"
 
 namespace hapticell::manipulation {
@@ -163,22 +163,6 @@ class WatchedEngine {
   double measured_ = -1.0;
 };
 
-MeteredTick meteredTick(double t, const haptic::ForceLoop& loop, const dvec3& acting_D, const dvec3& step_D) {
-  const haptic::RenderResult& render = loop.lastRender();
-  MeteredTick tick{t,
-                   loop.current().force_D,
-                   acting_D,
-                   step_D,
-                   render.spring_D,
-                   1.0,
-                   render.stiffness,
-                   loop.current().X_DS,
-                   render.torque_D};
-  const double wanted = glm::length(render.force_D);
-  if (wanted > 1e-9) tick.share = std::min(1.0, glm::length(tick.force_D) / wanted);
-  return tick;
-}
-
 double percentile(std::vector<double>& values, double share) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
@@ -206,15 +190,13 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
   const auto ticks = static_cast<std::uint64_t>(std::ceil(options.hand.duration() / period - 1e-9));
   std::uint64_t steps = 0, pictures = 0, adopted = 0;
   std::vector<double> latencies;
-  dvec3 p_last = device.truePose().p;
   for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
     const double t = static_cast<double>(tick) * period;
     const haptic::HandSample sample = options.hand.at(t);
     device.hand().hold(sample.X_DH, sample.buttons);
     link.step();
     const haptic::HapticState& state = loop.current();
-    engine.count(meteredTick(t, loop, device.motorForce(), device.truePose().p - p_last));
-    p_last = device.truePose().p;
+    engine.count({t, state.force_D, state.X_DS.p, loop.lastRender().stiffness});
     if (state.adopted_set != adopted) {
       adopted = state.adopted_set;
       if (const double sent = engine.sentAt(adopted); sent >= 0.0) latencies.push_back(1e3 * (t - sent));
@@ -265,18 +247,6 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
                     .fix = {}});
 }
 
-/// What a client sees of the force loop: states, as often as they come. Force and motion are those of the wire.
-MeteredTick meteredState(double t, const haptic::HapticState& state, const haptic::HapticState& last,
-                         double stiffness) {
-  // A spring that has yielded lets go of turning in the same measure as of force.
-  const Twist stretch = difference(state.X_DP, state.X_DS);
-  const double whole = stiffness * glm::length(stretch.linear), force = glm::length(state.force_D);
-  const double left = whole > force ? force / whole : 1.0;
-  const dvec3 torque_D = left * stiffness * haptic::kRotationLever * haptic::kRotationLever * stretch.angular;
-  return {t,         state.force_D, last.force_D, state.X_DS.p - last.X_DS.p, state.force_D, 1.0,
-          stiffness, state.X_DS,    torque_D};
-}
-
 }  // namespace
 
 Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
@@ -304,8 +274,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
     engine.step(t, now.count());
     if (const auto& state = engine.state(); state && (!last || state->tick != last->tick)) {
       if (!first) first = state;
-      if (last)
-        engine.count(meteredState(1e-9 * static_cast<double>(state->server_stamp_ns), *state, *last, stiffness));
+      engine.count({1e-9 * static_cast<double>(state->server_stamp_ns), state->force_D, state->X_DS.p, stiffness});
       last = state;
       if (trace) {
         trace({t, state->X_DS, state->X_DP, state->force_D, state->buttons, engine.inContact(), engine.movedFrame()});

@@ -56,19 +56,11 @@ void ForceMeter::add(const MeteredTick& tick) {
   if (started_) {
     const double ms = std::max(1e-6, 1e3 * (tick.t - last_.t));
     max_step_ = std::max(max_step_, glm::length(tick.force_D - last_.force_D) / std::max(1.0, ms));
-    const dvec3 turn = difference(tick.X_DS, last_.X_DS).angular;
-    work_ -= glm::dot(tick.acting_D, tick.step_D) + last_.share * glm::dot(last_.torque_D, turn);
+    work_ -= glm::dot(last_.force_D, tick.p_DS - last_.p_DS);
   }
   started_ = true;
   last_ = tick;
-  const dvec3 turned = tick.torque_D / haptic::kRotationLever;
-  const double stretched = glm::dot(tick.spring_D, tick.spring_D) + glm::dot(turned, turned);
-  // Where less than the wanted force is let through (ramp, limits, heat), a change of the spring's energy counts by
-  // that share; what is left when the spring is slack was lost to the limit, what is missing was made.
-  const double energy = stretched / (2.0 * tick.stiffness);
-  stored_ = energy > 0.0 ? std::max(0.0, stored_ + tick.share * (energy - energy_)) : 0.0;
-  energy_ = energy;
-  const double balance = work_ - stored_;
+  const double balance = work_ - glm::dot(tick.force_D, tick.force_D) / (2.0 * tick.stiffness);
   while (!highest_.empty() && highest_.front().first < tick.t - kWindow) highest_.pop_front();
   while (!highest_.empty() && highest_.back().second <= balance) highest_.pop_back();
   highest_.emplace_back(tick.t, balance);

@@ -15,22 +15,15 @@ namespace hapticell::manipulation {
 /// What one tick of the force loop tells the meter. Device frame, SI.
 struct MeteredTick {
   double t = 0.0;
-  dvec3 force_D{0.0};       ///< Commanded.
-  dvec3 acting_D{0.0};      ///< What acted on the stylus while it moved by `step_D`.
-  dvec3 step_D{0.0};        ///< The stylus's motion since the last tick.
-  dvec3 spring_D{0.0};      ///< The coupling's spring; its energy is stored, not lost.
-  double share = 1.0;       ///< Of the wanted force that was let through (ramp, limits).
-  double stiffness = 1000;  ///< N/m.
-  Pose X_DS;
-  dvec3 torque_D{0.0};  ///< What turning the stylus works against, N m (haptic::RenderResult).
+  dvec3 force_D{0.0};       ///< Commanded; it acts until the next tick.
+  dvec3 p_DS{0.0};          ///< The stylus, as measured.
+  double stiffness = 1000;  ///< Of the coupling, N/m.
 };
 
 /// Force, slew and energy over a session.
 ///
-/// Energy (docs/feel.md): balance = work of the hand into the force - |F|^2 / 2K; the least change of it over any
-/// second is what the rendering made (negative) or took. Turning the stylus counts with the torque that a device of
-/// three driven axes cannot show, K l^2 times the proxy's turn from the stylus: without it, a wrist that turns a part
-/// against an obstacle would look like energy made.
+/// Energy (docs/feel.md): balance = work of the hand into the commanded force - |F|^2 / 2K; the least change of it over
+/// any second is what the rendering made (negative) or took. Everything it needs stands in a session's trace.
 class ForceMeter {
  public:
   void add(const MeteredTick& tick);
@@ -42,7 +35,7 @@ class ForceMeter {
   bool started_ = false;
   MeteredTick last_;
   double last_t_ = 0.0;
-  double max_force_ = 0.0, max_step_ = 0.0, least_ = 0.0, work_ = 0.0, energy_ = 0.0, stored_ = 0.0;
+  double max_force_ = 0.0, max_step_ = 0.0, least_ = 0.0, work_ = 0.0;
   std::deque<std::pair<double, double>> highest_;  ///< Falling balances of the last second: the window's maximum first.
 };
 

@@ -17,9 +17,10 @@ constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
 constexpr int kIterations = 2;
 constexpr double kJumpAllowance = 0.01e-3;   // m the proxy may outrun the stylus in a tick.
 constexpr double kOffsetDecay = 0.05e-3;     // m per millisecond.
-constexpr double kFadePower = 2e-4;          // W that a fading offset may put into the spring,
-constexpr double kFadeBudget = 1e-4;         // J at once.
+constexpr double kUnpaidPower = 3e-4;        // W that the spring may gain without the hand's work,
+constexpr double kUnpaidBudget = 2e-4;       // J at once.
 constexpr double kOffsetGone = 1e-6;         // m.
+constexpr double kPull = 1e-3;               // N.
 constexpr double kTrustForce = 0.8;          // N.
 constexpr double kFilterFrequency = 100.0;   // Hz.
 constexpr double kEnergyAllowance = 0.2e-3;  // J made before the controller acts.
@@ -59,6 +60,16 @@ double storedEnergy(double spring, double stiffness, double limit) {
   const double acting = std::min(spring, limit);
   return acting * (spring - 0.5 * acting) / stiffness;
 }
+
+namespace {
+
+/// The pull, N, at which storedEnergy() is so much.
+double springThatStores(double energy, double stiffness, double limit) {
+  const double free = std::sqrt(2.0 * stiffness * std::max(0.0, energy));
+  return free <= limit ? free : stiffness * energy / limit + 0.5 * limit;
+}
+
+}  // namespace
 
 /// Where one set lets the proxy go, and what holds it there.
 struct ForceRenderer::Solved {
@@ -116,12 +127,11 @@ void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = turn_offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = torque_D_ = dvec3(0.0);
-  wanted_D_ = dvec3(0.0);
+  offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = wanted_D_ = dvec3(0.0);
   yield_ = 0.0;
   limit_ = std::numeric_limits<double>::infinity();
   energy_ = balance_ = controller_damping_ = 0.0;
-  fade_budget_ = kFadeBudget;
+  unpaid_budget_ = kUnpaidBudget;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
   since_adoption_ = 0.0;
@@ -179,23 +189,20 @@ void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved) con
   if (back.active_count > 0) solved.X_DP = displacedInMetric(solved.X_DP, back.d);
 }
 
-ForceRenderer::Stretch ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
-  Stretch stretch = difference(solved.X_DP, X_DS);
-  // A proxy that is only late pulls at nobody.
-  stretch.linear += solved.lag_D;
-  stretch.linear += limited(solved.trust_D, kTrustForce / stiffness_) - solved.trust_D;
-  return stretch;
+/// From the stylus to the proxy, m. A proxy that is only late pulls at nobody.
+dvec3 ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
+  const dvec3 trusted_D = limited(solved.trust_D, kTrustForce / stiffness_);
+  return solved.X_DP.p - X_DS.p + solved.lag_D + trusted_D - solved.trust_D;
 }
 
 ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, SetJump& jump) {
   Solved solved = moveProxy(sets_[1 - current_], X_DS);
   if (has_set_) {
     const Solved before = moveProxy(sets_[current_], X_DS);
-    const Stretch stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
-    const dvec3 borne_before = borne(stretch_before).linear;
-    offset_D_ += borne_before - borne(stretch_after).linear;
-    turn_offset_D_ += stretch_before.angular - stretch_after.angular;
-    jump = {solved.X_DP.p - before.X_DP.p, stretch_after.linear - stretch_before.linear};
+    const dvec3 stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
+    const dvec3 borne_before = borne(stretch_before);
+    offset_D_ += borne_before - borne(stretch_after);
+    jump = {solved.X_DP.p - before.X_DP.p, stretch_after - stretch_before};
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
   current_ = 1 - current_;
@@ -208,17 +215,17 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, SetJump& jump) 
 /// Moves what the stretch grew by more than the stylus moved (another facet, a step of the surface) into the offset, so
 /// that the force goes on from where it was. It is the stretch that counts: of a proxy that catches up from the zone's
 /// edge only a capped part was felt. Returns the proxy's step without the jump.
-dvec3 ForceRenderer::takeOutJump(const Solved& solved, const Stretch& stretch, const SetJump& jump,
+dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& stretch_D, const SetJump& jump,
                                  const dvec3& stylus_step) {
   const dvec3 proxy_step = solved.X_DP.p - proxy_.p - jump.proxy_D;
-  const dvec3 growth = stretch.linear - stretch_D_ - jump.stretch_D + stylus_step;
-  stretch_D_ = stretch.linear;
+  const dvec3 growth = stretch_D - stretch_D_ - jump.stretch_D + stylus_step;
+  stretch_D_ = stretch_D;
   if (!contact_ || !solved.contact) return proxy_step;
   const double allowed = glm::length(stylus_step) + kJumpAllowance;
   const dvec3 excess = growth - limited(growth, allowed);
   if (excess != dvec3(0.0)) {
-    const dvec3 borne_before = borne({stretch.linear - excess, stretch.angular}).linear;
-    offset_D_ += borne_before - borne(stretch).linear;
+    const dvec3 borne_before = borne(stretch_D - excess);
+    offset_D_ += borne_before - borne(stretch_D);
   }
   return limited(proxy_step, allowed);
 }
@@ -229,10 +236,7 @@ void ForceRenderer::filterVelocities(const dvec3& stylus_step, const dvec3& prox
   v_proxy_D_ += gain * (proxy_step / dt - v_proxy_D_);
 }
 
-/// Lets the offset fade. Where that would tighten the spring (the new set lies deeper than the old one) nobody's hand
-/// pays for it: such a fade may add no more than kFadePower, so that a run of wrong sets makes no energy to speak of.
-void ForceRenderer::decayOffset(const Solved& solved, const dvec3& left_D, const dvec3& stylus_step, double dt) {
-  fade_budget_ = std::min(fade_budget_ + kFadePower * dt, kFadeBudget);
+void ForceRenderer::decayOffset(const Solved& solved, const dvec3& stylus_step, double dt) {
   const double length = glm::length(offset_D_);
   if (length <= kOffsetGone) {
     offset_D_ = dvec3(0.0);
@@ -244,12 +248,27 @@ void ForceRenderer::decayOffset(const Solved& solved, const dvec3& left_D, const
   } else {
     decay += std::abs(glm::dot(stylus_step, offset_D_)) / length;
   }
-  const double share = std::min(1.0, decay / length);
-  const dvec3 before = left_D + offset_D_, after = before - share * offset_D_;
-  const double rise = 0.5 * stiffness_ * (glm::dot(after, after) - glm::dot(before, before));
-  const double paid = rise > fade_budget_ ? fade_budget_ / rise : 1.0;
-  fade_budget_ -= std::max(0.0, paid * rise);
-  offset_D_ *= 1.0 - paid * share;
+  offset_D_ *= 1.0 - std::min(1.0, decay / length);
+}
+
+/// Shortens a spring that would hold more than the hand has paid for: a set that lies deeper than the one before, a
+/// turn of the wrist, which no device of three driven axes feels, a proxy that catches up. Beside the hand's own work
+/// it may gain kUnpaidPower. What is cut off stays in the offset, the direction is free.
+dvec3 ForceRenderer::rationed(const dvec3& spring_D, const dvec3& stylus_step, double dt) {
+  unpaid_budget_ = std::min(unpaid_budget_ + kUnpaidPower * dt, kUnpaidBudget);
+  const double pull = stiffness_ * glm::length(spring_D);
+  const double held = storedEnergy(glm::length(spring_D_), held_stiffness_, limit_);
+  // What the damper gives where the proxy outruns the stylus is the controller's business.
+  const double damped = -glm::dot(wanted_D_ - spring_D_, stylus_step);
+  const double paid = held - glm::dot(applied_D_, stylus_step) - std::min(0.0, damped);
+  const double unpaid = storedEnergy(pull, stiffness_, limit_) - paid;
+  if (unpaid <= unpaid_budget_) {
+    unpaid_budget_ -= std::max(0.0, unpaid);
+    return spring_D;
+  }
+  const double allowed = springThatStores(paid + unpaid_budget_, stiffness_, limit_);
+  unpaid_budget_ = 0.0;
+  return spring_D * std::min(1.0, allowed / pull);
 }
 
 void ForceRenderer::updateCoupling(const Solved& solved, double dt) {
@@ -274,28 +293,27 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   return along < 0.0 ? force - along * outward : force;
 }
 
-/// What is left of a stretch to a spring that yields like a ductile metal at the force limit: beyond it the rest point
-/// follows, and back it unloads along the full stiffness to nothing, never to a pull. It shortens the stretch, turning
-/// included, but never turns it, so that what holds the proxy decides the direction of the force.
-ForceRenderer::Stretch ForceRenderer::borne(const Stretch& stretch) {
-  const double length = std::hypot(glm::length(stretch.linear), kRotationLever * glm::length(stretch.angular));
-  if (length <= 0.0) {
-    yield_ = 0.0;
-    return stretch;
-  }
-  const double bearable = forceLimit() / (stiffness_ * std::max(glm::length(stretch.linear), 1e-12));
-  yield_ = std::clamp(yield_, length * std::max(0.0, 1.0 - bearable), length);
-  const double left = 1.0 - yield_ / length;
-  return {left * stretch.linear, left * stretch.angular};
+/// A hand that lifts faster than the offset fades must not be pulled back by it: a spring that pushed ends at nothing.
+dvec3 ForceRenderer::pushing(const dvec3& spring_D, const dvec3& left_D) const {
+  const double along = glm::dot(spring_D, left_D);
+  const bool pulled = glm::dot(spring_D_, left_D) < -kPull * glm::length(left_D);
+  if (along >= 0.0 || pulled) return spring_D;
+  return spring_D - left_D * (along / glm::dot(left_D, left_D));
 }
 
-/// The account of what the hand put in, less what the coupling holds. Turning the stylus counts with the torque that
-/// the device cannot show: else a wrist that turns a part against an obstacle would look like energy made.
-void ForceRenderer::observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt) {
-  energy_ -= glm::dot(applied_D_, stylus_motion.linear) + glm::dot(torque_D_, stylus_motion.angular);
-  torque_D_ = torque_D;
-  const double turn = glm::length(torque_D) / kRotationLever;
-  const double stored = storedEnergy(glm::length(spring_D_), stiffness_, limit_) + turn * turn / (2.0 * stiffness_);
+/// What is left of a stretch to a spring that yields like a ductile metal at the force limit: beyond it the rest point
+/// follows, and back it unloads along the full stiffness to nothing, never to a pull. It shortens the stretch but never
+/// turns it, so that what holds the proxy decides the direction of the force.
+dvec3 ForceRenderer::borne(const dvec3& stretch_D) {
+  const double length = glm::length(stretch_D);
+  yield_ = std::clamp(yield_, std::max(0.0, length - forceLimit() / stiffness_), length);
+  return length > 0.0 ? stretch_D * (1.0 - yield_ / length) : stretch_D;
+}
+
+/// The account of what the hand put in by force, less what the coupling holds.
+void ForceRenderer::observeEnergy(const dvec3& stylus_step, bool contact, double dt) {
+  energy_ -= glm::dot(applied_D_, stylus_step);
+  const double stored = storedEnergy(glm::length(spring_D_), stiffness_, limit_);
   balance_ = std::min(0.0, energy_ - stored);
   energy_ = stored + balance_;
   const double step = kControllerStep * dt / kMillisecond;
@@ -307,8 +325,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   dt = std::isfinite(dt) ? std::clamp(dt, 1e-5, 0.1) : kMillisecond;
   if (!started_) reset(X_DS_measured);
   const Pose X_DS = X_DS_measured.isValid() ? X_DS_measured : stylus_;
-  const Twist stylus_motion = difference(X_DS, stylus_);
-  const dvec3& stylus_step = stylus_motion.linear;
+  const dvec3 stylus_step = X_DS.p - stylus_.p;
   since_adoption_ += dt;
 
   SetJump jump;
@@ -319,21 +336,20 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   else if (has_set_)
     solved = moveProxy(sets_[current_], X_DS);
 
-  const Stretch stretch = stretchOf(solved, X_DS);
-  const dvec3 proxy_step = takeOutJump(solved, stretch, jump, stylus_step);
+  const dvec3 stretch_D = stretchOf(solved, X_DS);
+  const dvec3 proxy_step = takeOutJump(solved, stretch_D, jump, stylus_step);
   filterVelocities(stylus_step, proxy_step, dt);
-  decayOffset(solved, borne(stretch).linear, stylus_step, dt);
+  decayOffset(solved, stylus_step, dt);
+  held_stiffness_ = stiffness_;
   updateCoupling(solved, dt);
 
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
-  const Stretch left = borne(free ? Stretch{dvec3(0.0), dvec3(0.0)} : stretch);
-  const dvec3 spring_D = limited(left.linear + offset_D_, forceLimit() / stiffness_);
-  offset_D_ = spring_D - left.linear;
+  const dvec3 left_D = borne(free ? dvec3(0.0) : stretch_D);
+  const dvec3 wanted_D = limited(pushing(left_D + offset_D_, left_D), forceLimit() / stiffness_);
+  const dvec3 spring_D = rationed(wanted_D, stylus_step, dt);
+  offset_D_ = spring_D - left_D;
   spring_D_ = stiffness_ * spring_D;
-  // A torque that a new set alone would bring is not the wrist's doing; it is left out until the turn is undone.
-  turn_offset_D_ = limited(turn_offset_D_, glm::length(left.angular));
-  const dvec3 torque_D = stiffness_ * kRotationLever * kRotationLever * (left.angular + turn_offset_D_);
-  observeEnergy(stylus_motion, torque_D, solved.contact, dt);
+  observeEnergy(stylus_step, solved.contact, dt);
   proxy_ = solved.X_DP;
   stylus_ = X_DS;
   contact_ = solved.contact;
@@ -342,7 +358,6 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   result.X_DP = proxy_;
   result.spring_D = spring_D_;
   result.force_D = couplingForce(solved);
-  result.torque_D = torque_D;
   result.v_DS = v_stylus_D_;
   result.offset_D = offset_D_;
   result.active_rows = solved.active_rows;

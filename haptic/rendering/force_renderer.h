@@ -31,9 +31,6 @@ struct RenderResult {
   Pose X_DP;                        ///< The proxy: where the stylus would be if it obeyed every constraint.
   dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
   dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
-  dvec3 torque_D{0.0};              ///< K l^2 times the proxy's turn from the stylus, N m, as far as the spring has not
-                                    ///< yielded: what turning the stylus works
-                                    ///< against, for the energy account; no device here shows it to the hand.
   dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
   dvec3 offset_D{0.0};              ///< o, what is left of blended set changes, m.
   std::size_t active_rows = 0;      ///< Rows that hold the proxy back, the trust row included.
@@ -105,21 +102,22 @@ class ForceRenderer {
     dvec3 proxy_D{0.0};
     dvec3 stretch_D{0.0};
   };
-  using Stretch = Twist;  ///< From the stylus to the proxy: m, rad.
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
   void applyFriction(const GroupedSet& grouped, Solved& solved) const;
   Solved changeSet(const Pose& X_DS, SetJump& jump);
-  Stretch stretchOf(const Solved& solved, const Pose& X_DS) const;
-  dvec3 takeOutJump(const Solved& solved, const Stretch& stretch, const SetJump& jump, const dvec3& stylus_step);
+  dvec3 stretchOf(const Solved& solved, const Pose& X_DS) const;
+  dvec3 takeOutJump(const Solved& solved, const dvec3& stretch_D, const SetJump& jump, const dvec3& stylus_step);
   void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
-  void decayOffset(const Solved& solved, const dvec3& left_D, const dvec3& stylus_step, double dt);
+  void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
+  dvec3 rationed(const dvec3& spring_D, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
   dvec3 couplingForce(const Solved& solved) const;
-  Stretch borne(const Stretch& stretch);
+  dvec3 pushing(const dvec3& spring_D, const dvec3& left_D) const;
+  dvec3 borne(const dvec3& stretch_D);
   double forceLimit() const { return std::min(force_limit_, options_.peak_force); }
-  void observeEnergy(const Twist& stylus_motion, const dvec3& torque_D, bool contact, double dt);
+  void observeEnergy(const dvec3& stylus_step, bool contact, double dt);
 
   RendererOptions options_;
   std::array<GroupedSet, 2> sets_{};
@@ -133,9 +131,8 @@ class ForceRenderer {
   Pose proxy_;
   Pose stylus_;
   dvec3 offset_D_{0.0};
-  dvec3 turn_offset_D_{0.0};  ///< The same for turning, rad.
-  dvec3 stretch_D_{0.0};      ///< Of the last tick, before it yields.
-  double yield_ = 0.0;        ///< By how much the spring has yielded, m.
+  dvec3 stretch_D_{0.0};  ///< Of the last tick, before it yields.
+  double yield_ = 0.0;    ///< By how much the spring has yielded, m.
   double force_limit_ = kNoLimit;
   dvec3 v_stylus_D_{0.0};
   dvec3 v_proxy_D_{0.0};
@@ -143,13 +140,13 @@ class ForceRenderer {
   dvec3 applied_D_{0.0};                                    ///< Force of the last tick, N.
   dvec3 wanted_D_{0.0};                                     ///< Of the last tick, N.
   double limit_ = std::numeric_limits<double>::infinity();  ///< What the safety chain let through at most, N.
-  dvec3 torque_D_{0.0};                                     ///< Of the last tick, N m.
   double stiffness_ = 1000.0;
+  double held_stiffness_ = 1000.0;  ///< Of the last tick.
   double damping_ = 2.0;
   double energy_ = 0.0;   ///< Taken up and not forgotten, J.
   double balance_ = 0.0;  ///< energy_ less what the spring holds, J.
   double controller_damping_ = 0.0;
-  double fade_budget_ = 0.0;  ///< What a fading offset may still put into the spring, J.
+  double unpaid_budget_ = 0.0;  ///< What the spring may still gain without the hand's work, J.
   bool contact_ = false;
 };
 

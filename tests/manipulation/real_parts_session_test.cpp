@@ -32,9 +32,8 @@ class RealParts : public testing::TestWithParam<Rate> {};
 INSTANTIATE_TEST_SUITE_P(Rates, RealParts, testing::Values(Rate{10.0, 0.050}, Rate{1000.0, 0.001}),
                          [](const auto& which) { return which.param.hz < 100.0 ? "Slow" : "Fast"; });
 
-/// Energy is told, not demanded: -1 mJ is not reached yet where a flange slides along fine facets (seen: -4 to -26 mJ).
 void expectSafe(const SessionReport& report) {
-  testing::Test::RecordProperty("energy_min_uj", static_cast<int>(1e6 * report.energy_min_j));
+  EXPECT_GE(report.energy_min_j, -1e-3);
   EXPECT_LE(report.penetration_max_m, 1e-4);
   EXPECT_LE(report.force_max_n, 6.4);
   EXPECT_LE(report.force_max_step_n_per_ms, 1.0 + 1e-6);
@@ -61,10 +60,6 @@ TEST_P(RealParts, PegPressedOnTheRimOfItsHole) {
       "peg", hand, GetParam().hz, GetParam().latency_s));
   ASSERT_TRUE(report) << report.error().message();
   expectSafe(*report);
-  // At 10 Hz the demand on energy is not met with every hand yet.
-  if (GetParam().hz > 100.0) {
-    EXPECT_GE(report->energy_min_j, -1e-3);
-  }
   EXPECT_NEAR(report->X_WMFinal.p.z, 0.03, 1e-3);
 }
 

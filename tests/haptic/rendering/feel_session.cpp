@@ -72,8 +72,7 @@ void FeelSession::letGo(double duration) {
 }
 
 void FeelSession::tick(bool measured) {
-  const Pose before = device_.truePose();
-  const dvec3 torque = result_.torque_D;
+  const dvec3 before = device_.truePose().p;
   device_.advance(kTick);
   const dvec3 force_before = safety_result_.force_D;
   DeviceReading reading;
@@ -95,18 +94,16 @@ void FeelSession::tick(bool measured) {
   if (exact_result_.active_rows != exact_rows_) last_change_ = time_;
   exact_rows_ = exact_result_.active_rows;
   if (measured) {
-    accountEnergy(difference(device_.truePose(), before), torque);
+    accountEnergy(device_.truePose().p - before);
     measure(reading, force_before);
   }
   time_ += kTick;
 }
 
-void FeelSession::accountEnergy(const Twist& moved, const dvec3& torque) {
-  // Turning counts with the torque that a device of three driven axes cannot show (docs/feel.md).
-  work_ -= glm::dot(device_.motorForce(), moved.linear) + glm::dot(torque, moved.angular);
+void FeelSession::accountEnergy(const dvec3& moved) {
+  work_ -= glm::dot(device_.motorForce(), moved);
   const dvec3 f = safety_result_.force_D;
-  const double turn = glm::length(result_.torque_D) / kRotationLever;
-  balance_.push_back(work_ - (glm::dot(f, f) + turn * turn) / (2.0 * renderer_.options().stiffness));
+  balance_.push_back(work_ - glm::dot(f, f) / (2.0 * renderer_.options().stiffness));
 }
 
 void FeelSession::measure(const DeviceReading& reading, const dvec3& force_before) {
@@ -125,6 +122,7 @@ void FeelSession::measure(const DeviceReading& reading, const dvec3& force_befor
   ++figures_.contact_ticks;
   const double rendered = glm::length(result_.spring_D) / renderer_.options().stiffness;
   figures_.depth_error_max = std::max(figures_.depth_error_max, std::abs(rendered - depth));
+  figures_.depth_excess_max = std::max(figures_.depth_excess_max, rendered - depth);
   depth_errors_.push_back(std::abs(rendered - depth) / depth);
   const double cosine =
       glm::dot(exact_depth, result_.spring_D) / (depth * std::max(glm::length(result_.spring_D), 1e-9));

