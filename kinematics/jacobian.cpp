@@ -68,6 +68,10 @@ std::vector<int> chainToTip(const RobotModel& model, int link) {
 
 std::vector<int> variablesOfChain(const RobotModel& model, int link) {
   std::vector<int> variables;
+  if (model.closure && link > 0) {  // Every drive moves every link of a closed loop, or may.
+    for (std::size_t i = 0; i < model.dof(); ++i) variables.push_back(static_cast<int>(i));
+    return variables;
+  }
   for (const int joint : chainToTip(model, link)) {
     const int variable = driveOf(model, model.joints[static_cast<std::size_t>(joint)]).variable;
     if (variable >= 0 && std::find(variables.begin(), variables.end(), variable) == variables.end())
@@ -82,6 +86,7 @@ void geometricJacobian(const RobotModel& model, const std::vector<Pose>& X_BL, i
                    static_cast<std::size_t>(link) < model.links.size());
   J.columns = model.dof();
   J.values.assign(6 * J.columns, 0.0);
+  HAPTICELL_DEMAND(!model.closure);  // closureJacobian() knows the joint positions that this needs.
   for (int index = model.links[static_cast<std::size_t>(link)].parent_joint; index >= 0;) {
     const Joint& joint = model.joints[static_cast<std::size_t>(index)];
     const Drive drive = driveOf(model, joint);

@@ -66,6 +66,7 @@ int RobotModel::findJoint(const std::string& joint_name) const {
 }
 
 int RobotModel::defaultTip() const {
+  if (tip >= 0) return tip;
   int best = -1, best_tool = -1;
   Depth deepest, deepest_tool;
   for (int link = 0; link < static_cast<int>(links.size()); ++link) {
@@ -91,10 +92,25 @@ double jointPosition(const RobotModel& model, const std::vector<double>& q, cons
   return joint.mimic->multiplier * position + joint.mimic->offset;
 }
 
+std::vector<double> restPositions(const RobotModel& model) {
+  if (model.home.size() == model.dof()) return model.home;
+  std::vector<double> q;
+  q.reserve(model.dof());
+  for (const int index : model.moving) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(index)];
+    q.push_back(std::min(std::max(0.0, joint.lower), joint.upper));
+  }
+  return q;
+}
+
 void forwardKinematics(const RobotModel& model, const std::vector<double>& q, std::vector<Pose>& X_BL) {
   HAPTICELL_DEMAND(q.size() == model.dof());
   X_BL.resize(model.links.size());
   if (X_BL.empty()) return;
+  if (model.closure) {
+    model.closure->pose(q, X_BL);
+    return;
+  }
   X_BL[0] = Pose::identity();
   for (const Joint& joint : model.joints) {
     const Pose X_PL = joint.X_PJ * jointMotion(joint, jointPosition(model, q, joint));

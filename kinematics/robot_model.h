@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
+#include "kinematics/closure.h"
 
 namespace hapticell::kinematics {
 
@@ -50,25 +51,56 @@ struct Joint {
   int variable = -1;  ///< Index among the moving joints (what users set); -1 for fixed and mimic joints.
 };
 
+/// Two links that are never checked against each other, and why ("Adjacent", "Never").
+struct DisabledPair {
+  int first = -1;
+  int second = -1;
+  std::string reason;
+};
+
+/// A named choice of joints or links (SRDF), e.g. "arm", "gripper".
+struct JointGroup {
+  std::string name;
+  std::vector<int> joints;  ///< Indices into RobotModel::joints.
+  std::string base_link, tip_link;
+};
+
+/// Named positions, e.g. "home": one number a variable.
+struct NamedPose {
+  std::string name;
+  std::vector<double> q;
+};
+
 /// A tree of links and joints, root first: joints are ordered so that each parent link comes before its children.
+/// Where a closure is set, the joints hold the variables and their limits, and it alone says where the links stand.
 struct RobotModel {
   std::string name;
   std::vector<Link> links;    ///< links[0] is the root.
   std::vector<Joint> joints;  ///< Topological order.
   std::vector<int> moving;    ///< Joint indices of the variables, in order; size() is the number of degrees of freedom.
+  std::shared_ptr<const Closure> closure;    ///< Null for a tree.
+  std::vector<DisabledPair> disabled_pairs;  ///< From an SRDF beside the file, or the closure's maker.
+  std::vector<JointGroup> groups;
+  std::vector<NamedPose> named_poses;
+  int tip = -1;              ///< The link of defaultTip() where the file says; -1: found by its rule.
+  std::vector<double> home;  ///< One a variable, or empty: all zero, moved into their limits.
 
   std::size_t dof() const { return moving.size(); }
   int findLink(const std::string& link_name) const;    ///< Index or -1.
   int findJoint(const std::string& joint_name) const;  ///< Index or -1.
   /// The tip a user most likely means: the link moved by most joints, deepest among equals; a link named tcp, tool0,
-  /// tool or flange (or ending in "_" and one of these) goes before all others. -1 without links.
+  /// tool or flange (or ending in "_" and one of these) goes before all others; `tip` before these. -1 without links.
   int defaultTip() const;
 };
 
 /// The position of one joint (rad or m) at the variables `q`: its own, or what it mimics; 0 for fixed.
 double jointPosition(const RobotModel& model, const std::vector<double>& q, const Joint& joint);
 
+/// Where a robot stands when nobody says otherwise: its home, else zero moved into the limits.
+std::vector<double> restPositions(const RobotModel& model);
+
 /// Poses X_BL of all links in the root link's frame B for joint positions `q` (one a variable), into `X_BL` (resized).
+/// With a closure: in the assembly of the home position; where the loops cannot close, the nearest poses found.
 void forwardKinematics(const RobotModel& model, const std::vector<double>& q, std::vector<Pose>& X_BL);
 
 }  // namespace hapticell::kinematics

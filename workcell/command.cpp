@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "workcell/mechanism.h"
+
 namespace hapticell::workcell {
 
 namespace {
@@ -45,7 +47,7 @@ class Applier {
     auto entity = std::make_shared<Entity>(command.entity);
     entity->id = new_id_;
     if (auto checked = checkNew(*entity); !checked) return makeError(checked.error());
-    if (entity->robot && entity->joints.empty()) entity->joints = restingJoints(*entity->robot);
+    if (entity->robot && entity->joints.empty()) entity->joints = kinematics::restPositions(*entity->robot);
     state_.entities.push_back(std::move(entity));
     return new_id_;
   }
@@ -54,6 +56,7 @@ class Applier {
     const auto entity = movable(command.id);
     if (!entity) return makeError(entity.error());
     dropFromPairSets((*entity)->name);
+    releaseAllFrom((*entity)->name);
     std::erase_if(state_.entities, [&](const auto& other) { return other->id == command.id; });
     return command.id;
   }
@@ -68,6 +71,11 @@ class Applier {
       std::replace(set.first.begin(), set.first.end(), (*entity)->name, command.name);
       std::replace(set.second.begin(), set.second.end(), (*entity)->name, command.name);
     }
+    const std::string before = (*entity)->name;
+    for (const auto& carried : std::vector(state_.entities)) {
+      if (carried->attachment.to != before) continue;
+      change(carried->id, [&](Entity& changed) { changed.attachment.to = command.name; });
+    }
     return change(command.id, [&](Entity& changed) { changed.name = command.name; });
   }
 
@@ -75,14 +83,14 @@ class Applier {
     const auto entity = movable(command.id);
     if (!entity) return makeError(entity.error());
     if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
-    return change(command.id, [&](Entity& changed) { changed.X_WE = command.X_WE; });
+    return move(command.id, [&](Entity& changed) { changed.X_WE = command.X_WE; });
   }
 
   Expected<EntityId> operator()(const SetJoints& command) {
     const auto entity = movable(command.id);
     if (!entity) return makeError(entity.error());
     if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
-    return change(command.id, [&](Entity& changed) { changed.joints = command.joints; });
+    return move(command.id, [&](Entity& changed) { changed.joints = command.joints; });
   }
 
   Expected<EntityId> operator()(const SetConfiguration& command) {
@@ -90,7 +98,7 @@ class Applier {
     if (!entity) return makeError(entity.error());
     if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
     if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
-    return change(command.id, [&](Entity& changed) {
+    return move(command.id, [&](Entity& changed) {
       changed.X_WE = command.X_WE;
       changed.joints = command.joints;
     });
@@ -128,9 +136,137 @@ class Applier {
     Entity changed = **entity;
     changed.tip_link = command.tip_link;
     changed.X_LT = command.X_LT;
+    changed.tool.clear();
     if (!changed.robot) return makeError(refusal(inQuotes(changed.name), "a solid", "a robot, which can have a tool"));
     if (auto checked = checkTool(changed); !checked) return makeError(checked.error());
     return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const SetTools& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    Entity changed = **entity;
+    if (!changed.robot) return makeError(refusal(inQuotes(changed.name), "a solid", "a robot, which can have tools"));
+    changed.tools = command.tools;
+    takeChosenTool(changed);
+    if (auto checked = checkTools(changed); !checked) return makeError(checked.error());
+    return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const ChooseTool& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    Entity changed = **entity;
+    changed.tool = command.name;
+    takeChosenTool(changed);
+    if (changed.tool != command.name) {
+      return makeError(refusal(inQuotes(changed.name), "no tool " + inQuotes(command.name), "the name of one of its tools"));
+    }
+    return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const Attach& command) {
+    const auto entity = existing(command.id), carrier = existing(command.to);
+    if (!entity) return makeError(entity.error());
+    if (!carrier) return makeError(carrier.error());
+    for (const Entity* at = *carrier; at; at = state_.findByName(at->attachment.to)) {
+      if (at->id != command.id) continue;
+      return makeError(refusal(inQuotes((*entity)->name), inQuotes((*carrier)->name) + " is that entity or hangs on it",
+                               "another entity to hang it on"));
+    }
+    Attachment attachment{(*carrier)->name, command.link, {}};
+    if ((*carrier)->robot && attachment.link.empty()) attachment.link = tipOf(**carrier);
+    Entity changed = **entity;
+    changed.attachment = std::move(attachment);
+    if (auto checked = checkAttachment(changed); !checked) return makeError(checked.error());
+    changed.attachment.X_LE = carrierPose(**carrier, changed.attachment.link).inverse() * changed.X_WE;
+    return change(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const Detach& command) {
+    const auto entity = existing(command.id);
+    if (!entity) return makeError(entity.error());
+    return change(command.id, [](Entity& changed) { changed.attachment = {}; });
+  }
+
+  Expected<EntityId> operator()(const MakeMechanism& command) {
+    Entity made;
+    auto definition = std::make_shared<MechanismDefinition>();
+    for (const EntityId id : command.parts) {
+      const auto part = movable(id);
+      if (!part) return makeError(part.error());
+      if (!(*part)->mesh) {
+        return makeError(refusal(inQuotes((*part)->name), "it is no solid", "solids as parts of a mechanism"));
+      }
+      if (made.id == 0) {
+        made = **part;
+        made.mesh.reset();
+      }
+      const Pose X_MP = made.X_WE.inverse() * (*part)->X_WE;
+      definition->parts.push_back(
+          {(*part)->name, (*part)->source, (*part)->mesh, X_MP, (*part)->color, (*part)->material});
+    }
+    const Pose X_MW = made.X_WE.inverse();
+    definition->joints = command.joints;
+    for (MechanismJoint& joint : definition->joints) {
+      joint.p_MJ = X_MW * joint.p_MJ;
+      joint.axis_M = X_MW.rotate(joint.axis_M);
+    }
+    made.kind = EntityKind::kMechanism;
+    made.name = command.name;
+    made.source = {};
+    made.frames.clear();
+    made.attachment = {};
+    made.mechanism = definition;
+    DocumentState trial = state_;
+    Applier there(trial, new_id_);
+    if (auto rebuilt = rebuild(made); !rebuilt) return makeError(rebuilt.error());
+    for (const EntityId id : command.parts) there.takeOut(id, command.name);
+    auto added = there(AddEntity{std::move(made)});
+    if (added) state_ = std::move(trial);
+    return added;
+  }
+
+  Expected<EntityId> operator()(const EditMechanism& command) {
+    const auto entity = movable(command.id);
+    if (!entity) return makeError(entity.error());
+    Entity changed = **entity;
+    if (!changed.mechanism) return makeError(refusal(inQuotes(changed.name), "it is no mechanism", "a mechanism"));
+    auto definition = std::make_shared<MechanismDefinition>(*changed.mechanism);
+    definition->joints = command.joints;
+    changed.mechanism = std::move(definition);
+    const Entity before = changed;
+    if (auto rebuilt = rebuild(changed); !rebuilt) return makeError(rebuilt.error());
+    keepJoints(before, changed);
+    return move(command.id, [&](Entity& target) { target = changed; });
+  }
+
+  Expected<EntityId> operator()(const DissolveMechanism& command) {
+    const auto entity = movable(command.id);
+    if (!entity) return makeError(entity.error());
+    const Entity mechanism = **entity;
+    if (!mechanism.mechanism) return makeError(refusal(inQuotes(mechanism.name), "it is no mechanism", "a mechanism"));
+    DocumentState trial = state_;
+    Applier there(trial, new_id_);
+    there.dropFromPairSets(mechanism.name);
+    there.releaseAllFrom(mechanism.name);
+    std::erase_if(trial.entities, [&](const auto& other) { return other->id == mechanism.id; });
+    EntityId id = new_id_;
+    for (const MechanismPart& part : mechanism.mechanism->parts) {
+      Entity solid;
+      solid.name = part.name;
+      for (int n = 2; trial.findByName(solid.name); ++n) solid.name = part.name + " " + std::to_string(n);
+      solid.source = part.source;
+      solid.mesh = part.mesh;
+      solid.color = part.color;
+      solid.material = part.material;
+      solid.parent = mechanism.parent;
+      solid.X_WE = carrierPose(mechanism, part.name);
+      Applier adding(trial, id++);
+      if (auto added = adding(AddEntity{std::move(solid)}); !added) return added;
+    }
+    state_ = std::move(trial);
+    return new_id_;
   }
 
   Expected<EntityId> operator()(const AddPairSet& command) {
@@ -200,6 +336,117 @@ class Applier {
     return id;
   }
 
+  /// A change of where an entity stands: what hangs on it goes with it, and where it hangs itself it keeps its place.
+  template <typename Edit>
+  EntityId move(EntityId id, const Edit& edit) {
+    change(id, edit);
+    const Entity& moved = *state_.find(id);
+    if (const Entity* carrier = state_.findByName(moved.attachment.to)) {
+      const Pose X_LE = carrierPose(*carrier, moved.attachment.link).inverse() * moved.X_WE;
+      change(id, [&](Entity& changed) { changed.attachment.X_LE = X_LE; });
+    }
+    carryAll(id);
+    return id;
+  }
+
+  void carryAll(EntityId id) {
+    const std::shared_ptr<const Entity> carrier = *std::find_if(
+        state_.entities.begin(), state_.entities.end(), [&](const auto& entity) { return entity->id == id; });
+    for (const auto& carried : std::vector(state_.entities)) {
+      if (carried->attachment.to != carrier->name) continue;
+      const Pose X_WE = carrierPose(*carrier, carried->attachment.link) * carried->attachment.X_LE;
+      change(carried->id, [&](Entity& changed) { changed.X_WE = X_WE; });
+      carryAll(carried->id);
+    }
+  }
+
+  void releaseAllFrom(const std::string& name) {
+    for (const auto& carried : std::vector(state_.entities)) {
+      if (carried->attachment.to == name) change(carried->id, [](Entity& changed) { changed.attachment = {}; });
+    }
+  }
+
+  /// Removes a solid that becomes part of `into`, which takes its place in the pair sets.
+  void takeOut(EntityId id, const std::string& into) {
+    const std::string name = state_.find(id)->name;
+    for (PairSet& set : state_.pair_sets) {
+      for (auto* side : {&set.first, &set.second}) {
+        const bool there = std::find(side->begin(), side->end(), into) != side->end();
+        if (there) std::erase(*side, name);
+        std::replace(side->begin(), side->end(), name, into);
+      }
+    }
+    releaseAllFrom(name);
+    std::erase_if(state_.entities, [&](const auto& other) { return other->id == id; });
+  }
+
+  /// The model of a mechanism from its definition; joints at rest, the tool in the middle of the tip.
+  static Expected<void> rebuild(Entity& entity) {
+    auto model = buildMechanism(entity.name, *entity.mechanism);
+    if (!model) return makeError({"", inQuotes(entity.name), model.error().message(), "", ""});
+    entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
+    entity.joints = kinematics::restPositions(*entity.robot);
+    const int tip = entity.robot->defaultTip();
+    const kinematics::Link& link = entity.robot->links[static_cast<std::size_t>(std::max(0, tip))];
+    entity.tip_link = link.name;
+    entity.X_LT = {};
+    if (!link.visuals.empty()) entity.X_LT = Pose::translation(link.visuals.front().mesh->bounds().center());
+    return {};
+  }
+
+  static void keepJoints(const Entity& before, Entity& after) {
+    for (std::size_t k = 0; k < after.robot->moving.size(); ++k) {
+      const kinematics::Joint& joint = after.robot->joints[static_cast<std::size_t>(after.robot->moving[k])];
+      const int old = before.robot->findJoint(joint.name);
+      const int variable = old < 0 ? -1 : before.robot->joints[static_cast<std::size_t>(old)].variable;
+      if (variable < 0 || static_cast<std::size_t>(variable) >= before.joints.size()) continue;
+      after.joints[k] = std::clamp(before.joints[static_cast<std::size_t>(variable)], joint.lower, joint.upper);
+    }
+  }
+
+  static std::string tipOf(const Entity& robot) {
+    if (!robot.tip_link.empty()) return robot.tip_link;
+    const int tip = robot.robot->defaultTip();
+    return tip < 0 ? std::string{} : robot.robot->links[static_cast<std::size_t>(tip)].name;
+  }
+
+  Expected<void> checkAttachment(const Entity& entity) const {
+    if (entity.attachment.to.empty()) return {};
+    const Entity* carrier = state_.findByName(entity.attachment.to);
+    const std::string place = inQuotes(entity.name) + ", attached";
+    if (!carrier) return makeError(refusal(place, "no entity " + inQuotes(entity.attachment.to), "one of the document"));
+    if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
+      return makeError(refusal(place, "no link " + inQuotes(entity.attachment.link), "a link of " + inQuotes(carrier->name)));
+    }
+    return checkPose(place, entity.attachment.X_LE);
+  }
+
+  static void takeChosenTool(Entity& robot) {
+    const auto chosen = std::find_if(robot.tools.begin(), robot.tools.end(),
+                                     [&](const ToolFrame& tool) { return tool.name == robot.tool; });
+    if (chosen == robot.tools.end()) {
+      robot.tool.clear();
+      return;
+    }
+    robot.tip_link = chosen->tip_link;
+    robot.X_LT = chosen->X_LT;
+  }
+
+  static Expected<void> checkTools(const Entity& entity) {
+    std::vector<std::string> names;
+    for (const ToolFrame& tool : entity.tools) {
+      const std::string place = inQuotes(entity.name) + ", tool " + inQuotes(tool.name);
+      if (auto checked = checkName("a tool of " + inQuotes(entity.name), tool.name); !checked) return checked;
+      if (auto checked = checkPose(place, tool.X_LT); !checked) return checked;
+      if (!entity.robot || entity.robot->findLink(tool.tip_link) < 0) {
+        return makeError(refusal(place, "no link " + inQuotes(tool.tip_link), "a link of the robot"));
+      }
+      if (std::find(names.begin(), names.end(), tool.name) != names.end()) return makeError(taken(tool.name));
+      names.push_back(tool.name);
+    }
+    return checkTool(entity);
+  }
+
   /// A side that loses its last name would mean "everything": such a set is removed instead.
   void dropFromPairSets(const std::string& name) {
     std::erase_if(state_.pair_sets, [&](PairSet& set) {
@@ -212,7 +459,7 @@ class Applier {
   Expected<void> checkNew(const Entity& entity) const {
     if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
     if (state_.findByName(entity.name)) return makeError(taken(entity.name));
-    const bool solid = entity.kind == EntityKind::kSolid;
+    const bool solid = entity.kind == EntityKind::kSolid;  // Else a robot or a mechanism.
     if (solid ? !entity.mesh : !entity.robot) {
       return makeError(refusal(inQuotes(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
     }
@@ -220,7 +467,8 @@ class Applier {
     if (!entity.joints.empty()) {
       if (auto checked = checkJoints(entity, entity.joints); !checked) return checked;
     }
-    if (auto checked = checkTool(entity); !checked) return checked;
+    if (auto checked = checkTools(entity); !checked) return checked;
+    if (auto checked = checkAttachment(entity); !checked) return checked;
     if (auto checked = checkFrames(entity); !checked) return checked;
     return checkProperties(entity);
   }
@@ -280,15 +528,6 @@ class Applier {
     return {};
   }
 
-  static std::vector<double> restingJoints(const kinematics::RobotModel& robot) {
-    std::vector<double> joints;
-    for (int index : robot.moving) {
-      const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(index)];
-      joints.push_back(std::clamp(0.0, std::min(joint.lower, joint.upper), std::max(joint.lower, joint.upper)));
-    }
-    return joints;
-  }
-
   DocumentState& state_;
   EntityId new_id_;
 };
@@ -306,6 +545,13 @@ class Describer {
   std::string operator()(const SetConfiguration& c) const { return "Move " + name(c.id); }
   std::string operator()(const SetFrames& c) const { return "Change frames of " + name(c.id); }
   std::string operator()(const SetTool& c) const { return "Change tool of " + name(c.id); }
+  std::string operator()(const SetTools& c) const { return "Change tools of " + name(c.id); }
+  std::string operator()(const ChooseTool& c) const { return "Take tool " + c.name + " of " + name(c.id); }
+  std::string operator()(const Attach& c) const { return "Attach " + name(c.id) + " to " + name(c.to); }
+  std::string operator()(const Detach& c) const { return "Release " + name(c.id); }
+  std::string operator()(const MakeMechanism& c) const { return "Make mechanism " + c.name; }
+  std::string operator()(const EditMechanism& c) const { return "Change joints of " + name(c.id); }
+  std::string operator()(const DissolveMechanism& c) const { return "Take apart " + name(c.id); }
   std::string operator()(const AddPairSet& c) const { return "Add pair set " + c.set.name; }
   std::string operator()(const EditPairSet& c) const { return "Change pair set " + c.name; }
   std::string operator()(const RemovePairSet& c) const { return "Remove pair set " + c.name; }
@@ -326,6 +572,15 @@ class Describer {
 };
 
 }  // namespace
+
+Pose carrierPose(const Entity& carrier, const std::string& link) {
+  const int index = carrier.robot && !link.empty() ? carrier.robot->findLink(link) : -1;
+  if (index < 0) return carrier.X_WE;
+  std::vector<Pose> X_EL;
+  const bool known = carrier.joints.size() == carrier.robot->dof();
+  kinematics::forwardKinematics(*carrier.robot, known ? carrier.joints : kinematics::restPositions(*carrier.robot), X_EL);
+  return carrier.X_WE * X_EL[static_cast<std::size_t>(index)];
+}
 
 Expected<EntityId> apply(const Command& command, DocumentState& state, EntityId new_id) {
   return std::visit(Applier(state, new_id), command);

@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "workcell/document_state.h"
+#include "workcell/mechanism.h"
 
 namespace hapticell::workcell {
 
@@ -42,6 +43,8 @@ struct SetJoints {
   std::vector<double> joints;
 };
 
+// What hangs on an entity (Attach) goes with it when a command moves it.
+
 /// Placement and joints at once: what a hold of the manipulation loop ends with.
 struct SetConfiguration {
   EntityId id = 0;
@@ -68,11 +71,55 @@ struct SetFrames {
   std::vector<Frame> frames;
 };
 
-/// The tool centre point of a robot.
+/// The tool centre point of a robot; none of its named tools is then the chosen one.
 struct SetTool {
   EntityId id = 0;
   std::string tip_link;
   Pose X_LT;
+};
+
+/// The named tools of a robot. Where the chosen one is still among them its new values hold.
+struct SetTools {
+  EntityId id = 0;
+  std::vector<ToolFrame> tools;
+};
+
+/// Takes one of the named tools: tip link and tool centre point become its.
+struct ChooseTool {
+  EntityId id = 0;
+  std::string name;
+};
+
+/// Hangs an entity on a link of another (a gripped part on the flange, a robot on a slide), where it stands now. From
+/// then on it goes where the link goes. Refused: hanging it on itself or on what hangs on it, a link that is not there.
+struct Attach {
+  EntityId id = 0;
+  EntityId to = 0;
+  std::string link;  ///< Empty: a robot's tip link; a solid itself.
+};
+
+/// Releases it where it is.
+struct Detach {
+  EntityId id = 0;
+};
+
+/// Makes one mechanism of solids that stand in the cell, which go with it. Its frame M is the first part's; points and
+/// axes of the joints are given in the cell W, as the parts stand now, part names are the entities' names.
+struct MakeMechanism {
+  std::string name;
+  std::vector<EntityId> parts;
+  std::vector<MechanismJoint> joints;  ///< p_MJ and axis_M hold p_WJ and axis_W.
+};
+
+/// Gives a mechanism other joints (in its own frame M, at all joints 0); positions are kept where the names are.
+struct EditMechanism {
+  EntityId id = 0;
+  std::vector<MechanismJoint> joints;
+};
+
+/// Takes it apart: its parts become solids again where they stand now.
+struct DissolveMechanism {
+  EntityId id = 0;
 };
 
 struct AddPairSet {
@@ -91,12 +138,16 @@ struct SetView {
 };
 
 using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration,
-                             SetProperties, SetFrames, SetTool, AddPairSet, EditPairSet, RemovePairSet, SetView>;
+                             SetProperties, SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach,
+                             MakeMechanism, EditMechanism, DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of
 /// range, moving a locked entity, removing a locked one. Gives the id of the entity it was about, 0 for others.
 Expected<EntityId> apply(const Command& command, DocumentState& state, EntityId new_id);
+
+/// Pose in W of the link that an attachment to `carrier` names (empty: of the carrier itself).
+Pose carrierPose(const Entity& carrier, const std::string& link);
 
 /// What the command does, for the menu: "Move Gripper G2". `state` is that before it.
 std::string commandText(const Command& command, const DocumentState& state);

@@ -13,10 +13,12 @@
 
 namespace hapticell::workcell {
 
+struct MechanismDefinition;
+
 /// Never reused within one document; 0 means none.
 using EntityId = std::uint64_t;
 
-enum class EntityKind { kSolid, kRobot };
+enum class EntityKind { kSolid, kRobot, kMechanism };
 
 /// What happens to a moved entity that meets an obstacle.
 enum class OnContact { kStop, kSlide, kPass };
@@ -38,7 +40,23 @@ struct Frame {
   Pose X_EF;
 };
 
-/// One thing in the workcell: a solid or a robot. A value; meshes and models are shared and immutable.
+/// A named tool of a robot: its centre point in a link.
+struct ToolFrame {
+  std::string name;
+  std::string tip_link;
+  Pose X_LT;
+};
+
+/// What an entity hangs on: a gripped part on a robot's link, a robot on a slide. It then moves with that link.
+struct Attachment {
+  std::string to;    ///< Name of the carrying entity; empty: it stands by itself.
+  std::string link;  ///< Of the carrier; empty for a solid.
+  Pose X_LE;         ///< Placement in that link (or in the solid).
+};
+
+/// One thing in the workcell: a solid, a robot or a mechanism (see workcell/mechanism.h). A value; meshes and models
+/// are shared and immutable. A mechanism has a `robot` too, made from its parts and joints: it poses, draws and checks
+/// like one.
 struct Entity {
   EntityId id = 0;
   std::string name;
@@ -55,6 +73,10 @@ struct Entity {
   std::vector<double> joints;                           ///< Robots: position of each variable.
   std::string tip_link;                                 ///< Robots: the link that carries the tool centre point.
   Pose X_LT;                                            ///< Robots: the tool centre point in the tip link.
+  std::vector<ToolFrame> tools;                         ///< Robots: those to choose from; names unique.
+  std::string tool;                                     ///< Name of the chosen one of `tools`; empty: none of them.
+  std::shared_ptr<const MechanismDefinition> mechanism;  ///< Mechanisms: what `robot` was made from.
+  Attachment attachment;
   OnContact on_contact = OnContact::kSlide;
   ForceClass force_class = ForceClass::kContact;
   std::string material = "steel";  ///< Key of the configuration's material table.
