@@ -26,18 +26,8 @@ struct InverseOptions {
   bool fail_on_limit = false;
 };
 
-/// Zero, or the limit nearest to it: where a search begins when the user names no start.
-std::vector<double> restPositions(const kinematics::RobotModel& model) {
-  std::vector<double> q;
-  for (const int index : model.moving) {
-    const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(index)];
-    q.push_back(std::clamp(0.0, joint.lower, joint.upper));
-  }
-  return q;
-}
-
 Expected<std::vector<double>> readStart(const InverseOptions& options, const RobotWithTip& robot) {
-  std::vector<double> q = restPositions(robot.model);
+  std::vector<double> q = kinematics::restPositions(robot.model);
   if (options.start.empty()) return q;
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= options.start.size();) {

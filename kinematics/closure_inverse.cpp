@@ -13,11 +13,11 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kLever = 0.25;     // m a rad
-constexpr double kStep = 1e-6;      // rad or m, of the differences
-constexpr double kReached = 1e-9;   // m, rad: both errors under it is a solution
-constexpr double kSame = 1e-5;      // rad or m between solutions
-constexpr int kNearest = 12;        // iterations of the haptic path
+constexpr double kLever = 0.25;    // m a rad
+constexpr double kStep = 1e-6;     // rad or m, of the differences
+constexpr double kReached = 1e-9;  // m, rad: both errors under it is a solution
+constexpr double kSame = 1e-5;     // rad or m between solutions
+constexpr int kNearest = 12;       // iterations of the haptic path
 constexpr int kFull = 60;
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -71,7 +71,8 @@ Expected<std::unique_ptr<InverseModel>> ClosureInverse::create(const RobotModel&
                                                                const Pose& X_LT) {
   HAPTICELL_DEMAND(model.closure && tip_link >= 0 && static_cast<std::size_t>(tip_link) < model.links.size());
   if (tip_link == 0 || model.dof() == 0) {
-    return makeError({"", "robot '" + model.name + "', link '" + model.links[static_cast<std::size_t>(tip_link)].name + "'",
+    return makeError({"",
+                      "robot '" + model.name + "', link '" + model.links[static_cast<std::size_t>(tip_link)].name + "'",
                       "no moving joint carries it", "at least one", "Choose another tip link."});
   }
   return std::unique_ptr<InverseModel>(new ClosureInverse(model, tip_link, X_LT));
@@ -147,8 +148,8 @@ void ClosureInverse::descend(const Pose& X_BT, const Bounds& bounds, int iterati
       std::vector<double> trial = q;
       for (std::size_t k = 0; k < q.size(); ++k) {
         const double longest = slides_[k] ? 0.3 : 0.5;
-        trial[k] = std::clamp(q[k] + std::clamp(step[static_cast<Eigen::Index>(k)], -longest, longest),
-                              bounds.lower[k], bounds.upper[k]);
+        trial[k] = std::clamp(q[k] + std::clamp(step[static_cast<Eigen::Index>(k)], -longest, longest), bounds.lower[k],
+                              bounds.upper[k]);
       }
       double trial_margin = 0.0;
       if (allowed(trial, trial_margin) && trial_margin >= std::min(0.0, margin) - 1e-12) {

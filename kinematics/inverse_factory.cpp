@@ -7,6 +7,7 @@ namespace hapticell::kinematics {
 
 Expected<std::unique_ptr<InverseModel>> createInverse(const RobotModel& model, int tip_link, const Pose& X_LT,
                                                       const InverseOptions& options) {
+  if (model.closure) return model.closure->inverse(model, tip_link, X_LT);
   auto numeric = NumericInverse::create(model, tip_link, X_LT, options.lever_m);
   if (!numeric) return makeError(numeric.error());
   return std::unique_ptr<InverseModel>(std::move(*numeric));

@@ -44,7 +44,8 @@ class TreeMaker {
     }
     for (std::size_t k = 0; k < link_of_.size(); ++k) {
       if (link_of_[k] >= 0) continue;
-      return makeError({"", "link '" + graph_.links[k].link.name + "'", "no joint connects it to the root link '" +
+      return makeError({"", "link '" + graph_.links[k].link.name + "'",
+                        "no joint connects it to the root link '" +
                             graph_.links[static_cast<std::size_t>(graph_.root)].link.name + "'",
                         "a joint", "Join it, if only by a fixed joint."});
     }
@@ -94,8 +95,8 @@ class TreeMaker {
     joint.variable = -1;
     const Pose X_MLink = to ? to->X_ML : graph_.links[static_cast<std::size_t>(to_index)].X_ML;
     const bool fixed = joint.type == JointType::kFixed;
-    const bool on_axis = fixed || joint.type == JointType::kPrismatic ||
-                         glm::length(source.X_MJ.p - X_MLink.p) < kSamePoint;
+    const bool on_axis =
+        fixed || joint.type == JointType::kPrismatic || glm::length(source.X_MJ.p - X_MLink.p) < kSamePoint;
     const Pose X_MNew = on_axis ? X_MLink : plainAt(source.X_MJ.p, X_MLink);
     const dvec3 axis_M = source.X_MJ.rotate(joint.axis_J);
     const double sign = source.joint.parent_link == from ? 1.0 : -1.0;

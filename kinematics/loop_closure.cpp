@@ -130,7 +130,8 @@ bool closeBy(LoopSolver& solver, const std::vector<int>& free, std::vector<doubl
       if (!(longest < 1e6)) break;
       if (longest > 0.7) step *= 0.7 / longest;
       std::vector<double> trial = x;
-      for (Eigen::Index k = 0; k < n; ++k) trial[static_cast<std::size_t>(free[static_cast<std::size_t>(k)])] += step[k];
+      for (Eigen::Index k = 0; k < n; ++k)
+        trial[static_cast<std::size_t>(free[static_cast<std::size_t>(k)])] += step[k];
       solver.evaluate(trial, true);
       const double now = solver.residual.norm();
       better = now < error;
@@ -355,8 +356,7 @@ void LoopClosure::margins(const std::vector<double>& q, std::vector<ClosureMargi
   for (const int variable : passive_) {
     const Joint& joint = tree_.joints[static_cast<std::size_t>(tree_.moving[static_cast<std::size_t>(variable)])];
     const double position = all[static_cast<std::size_t>(variable)];
-    const auto kind =
-        joint.type == JointType::kPrismatic ? ClosureMargin::Kind::kLength : ClosureMargin::Kind::kAngle;
+    const auto kind = joint.type == JointType::kPrismatic ? ClosureMargin::Kind::kLength : ClosureMargin::Kind::kAngle;
     if (std::isfinite(joint.lower)) out.push_back({joint.name, position - joint.lower, kind});
     if (std::isfinite(joint.upper)) out.push_back({joint.name, joint.upper - position, kind});
   }

@@ -72,7 +72,7 @@ class LoopClosure final : public Closure {
   std::vector<double> home_;  ///< All variables of the tree.
   double size_ = 1.0;         ///< m: lever that turns angles into lengths.
 
-  mutable std::mutex mutex_;           ///< Guards the last solution, a better start than home when it is near.
+  mutable std::mutex mutex_;  ///< Guards the last solution, a better start than home when it is near.
   mutable std::vector<double> last_;
 };
 

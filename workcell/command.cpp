@@ -160,7 +160,8 @@ class Applier {
     changed.tool = command.name;
     takeChosenTool(changed);
     if (changed.tool != command.name) {
-      return makeError(refusal(inQuotes(changed.name), "no tool " + inQuotes(command.name), "the name of one of its tools"));
+      return makeError(
+          refusal(inQuotes(changed.name), "no tool " + inQuotes(command.name), "the name of one of its tools"));
     }
     return change(command.id, [&](Entity& target) { target = changed; });
   }
@@ -350,8 +351,8 @@ class Applier {
   }
 
   void carryAll(EntityId id) {
-    const std::shared_ptr<const Entity> carrier = *std::find_if(
-        state_.entities.begin(), state_.entities.end(), [&](const auto& entity) { return entity->id == id; });
+    const std::shared_ptr<const Entity> carrier = *std::find_if(state_.entities.begin(), state_.entities.end(),
+                                                                [&](const auto& entity) { return entity->id == id; });
     for (const auto& carried : std::vector(state_.entities)) {
       if (carried->attachment.to != carrier->name) continue;
       const Pose X_WE = carrierPose(*carrier, carried->attachment.link) * carried->attachment.X_LE;
@@ -414,9 +415,11 @@ class Applier {
     if (entity.attachment.to.empty()) return {};
     const Entity* carrier = state_.findByName(entity.attachment.to);
     const std::string place = inQuotes(entity.name) + ", attached";
-    if (!carrier) return makeError(refusal(place, "no entity " + inQuotes(entity.attachment.to), "one of the document"));
+    if (!carrier)
+      return makeError(refusal(place, "no entity " + inQuotes(entity.attachment.to), "one of the document"));
     if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
-      return makeError(refusal(place, "no link " + inQuotes(entity.attachment.link), "a link of " + inQuotes(carrier->name)));
+      return makeError(
+          refusal(place, "no link " + inQuotes(entity.attachment.link), "a link of " + inQuotes(carrier->name)));
     }
     return checkPose(place, entity.attachment.X_LE);
   }
@@ -578,7 +581,8 @@ Pose carrierPose(const Entity& carrier, const std::string& link) {
   if (index < 0) return carrier.X_WE;
   std::vector<Pose> X_EL;
   const bool known = carrier.joints.size() == carrier.robot->dof();
-  kinematics::forwardKinematics(*carrier.robot, known ? carrier.joints : kinematics::restPositions(*carrier.robot), X_EL);
+  kinematics::forwardKinematics(*carrier.robot, known ? carrier.joints : kinematics::restPositions(*carrier.robot),
+                                X_EL);
   return carrier.X_WE * X_EL[static_cast<std::size_t>(index)];
 }
 

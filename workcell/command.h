@@ -138,8 +138,8 @@ struct SetView {
 };
 
 using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration,
-                             SetProperties, SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach,
-                             MakeMechanism, EditMechanism, DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, SetView>;
+                             SetProperties, SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach, MakeMechanism,
+                             EditMechanism, DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

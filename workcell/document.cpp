@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/document.h"
 
+#include <algorithm>
+
 #include "geometry/assertion.h"
 
 namespace hapticell::workcell {
@@ -30,7 +32,7 @@ Expected<EntityId> Document::execute(const Command& command) {
   Step before{commandText(command, state_), state_, state_id_};
   Expected<EntityId> done = apply(command, state_, next_id_);
   if (!done) return done;
-  if (std::holds_alternative<AddEntity>(command)) ++next_id_;
+  for (const auto& entity : state_.entities) next_id_ = std::max(next_id_, entity->id + 1);
   if (!inCompound()) {
     undo_.push_back(std::move(before));
     redo_.clear();

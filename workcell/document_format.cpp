@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "workcell/command.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
+#include "workcell/mechanism.h"
 
 namespace hapticell::workcell {
 
@@ -17,6 +19,8 @@ namespace {
 
 constexpr const char* kFormat = "hapticell-workcell";
 constexpr int kVersion = 1;
+const std::vector<std::string> kKindWords = {"solid", "robot", "mechanism"};
+const std::vector<std::string> kJointWords = {"fixed", "revolute", "prismatic", "screw"};
 const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 const std::vector<std::string> kForceClassWords = {"constant", "contact", "dynamics"};
 
@@ -39,15 +43,63 @@ Json jsonFromJoints(const Entity& entity) {
   return joints;
 }
 
+Json jsonFromSource(const SourceFile& source, const fs::path& folder) {
+  return {{"file", isBuiltIn(source.path) ? source.path : relativeName(source.path, folder)}, {"scale", source.scale}};
+}
+
+Json jsonFromColor(const std::array<float, 3>& color) {
+  return {rounded(color[0]), rounded(color[1]), rounded(color[2])};
+}
+
+Json jsonFromTools(const Entity& entity) {
+  Json tools = Json::array();
+  for (const ToolFrame& tool : entity.tools) {
+    tools.push_back({{"name", tool.name}, {"tip_link", tool.tip_link}, {"placement", toJson(tool.X_LT)}});
+  }
+  return tools;
+}
+
+Json jsonFromJoint(const MechanismJoint& joint) {
+  Json json;
+  json["name"] = joint.name;
+  json["type"] = wordOf(joint.type);
+  json["parent"] = joint.parent;
+  json["child"] = joint.child;
+  json["point"] = {joint.p_MJ.x, joint.p_MJ.y, joint.p_MJ.z};
+  json["axis"] = {joint.axis_M.x, joint.axis_M.y, joint.axis_M.z};
+  if (std::isfinite(joint.lower)) json["lower"] = joint.lower;
+  if (std::isfinite(joint.upper)) json["upper"] = joint.upper;
+  json["velocity"] = joint.velocity;
+  json["friction"] = joint.friction;
+  if (joint.type == MechanismJointType::kScrew) json["pitch"] = joint.pitch;
+  if (joint.coupling) {
+    json["coupling"] = {
+        {"joint", joint.coupling->joint}, {"ratio", joint.coupling->ratio}, {"offset", joint.coupling->offset}};
+  }
+  return json;
+}
+
+Json jsonFromMechanism(const MechanismDefinition& definition, const fs::path& folder) {
+  Json parts = Json::array(), joints = Json::array();
+  for (const MechanismPart& part : definition.parts) {
+    parts.push_back({{"name", part.name},
+                     {"source", jsonFromSource(part.source, folder)},
+                     {"placement", toJson(part.X_MP)},
+                     {"color", jsonFromColor(part.color)},
+                     {"material", part.material}});
+  }
+  for (const MechanismJoint& joint : definition.joints) joints.push_back(jsonFromJoint(joint));
+  return {{"parts", std::move(parts)}, {"joints", std::move(joints)}};
+}
+
 Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
-  const std::string& path = entity.source.path;
   Json json;
   json["name"] = entity.name;
-  json["kind"] = entity.kind == EntityKind::kRobot ? "robot" : "solid";
-  json["source"] = {{"file", isBuiltIn(path) ? path : relativeName(path, folder)}, {"scale", entity.source.scale}};
+  json["kind"] = kKindWords[static_cast<std::size_t>(entity.kind)];
+  if (!entity.mechanism) json["source"] = jsonFromSource(entity.source, folder);
   json["placement"] = toJson(entity.X_WE);
   json["parent"] = entity.parent;
-  json["color"] = {rounded(entity.color[0]), rounded(entity.color[1]), rounded(entity.color[2])};
+  json["color"] = jsonFromColor(entity.color);
   json["visible"] = entity.visible;
   json["locked"] = entity.locked;
   json["checked"] = entity.checked;
@@ -64,6 +116,13 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
     json["tip_link"] = entity.tip_link;
     json["tool"] = toJson(entity.X_LT);
   }
+  if (!entity.tools.empty()) json["tools"] = jsonFromTools(entity);
+  if (!entity.tool.empty()) json["chosen_tool"] = entity.tool;
+  if (!entity.attachment.to.empty()) {
+    json["attached"] = {
+        {"to", entity.attachment.to}, {"link", entity.attachment.link}, {"placement", toJson(entity.attachment.X_LE)}};
+  }
+  if (entity.mechanism) json["mechanism"] = jsonFromMechanism(*entity.mechanism, folder);
   return json;
 }
 
@@ -93,6 +152,7 @@ class StateReader {
     readTrajectories(fields);
     if (!error_) fields.warnAboutOthers(diagnostics_);
     for (std::size_t k = 0; entities && k < entities->size() && !error_; ++k) readEntity((*entities)[k], k);
+    if (!error_) hangUp();
     for (std::size_t k = 0; sets && k < sets->size() && !error_; ++k) readPairSet((*sets)[k], k);
     if (error_) return makeError(*error_);
     return std::move(state_);
@@ -129,30 +189,147 @@ class StateReader {
     const std::string place = "entity '" + head.name + "'";
     FieldReader fields(json, place, error_);
     fields.read("name", head.name);
-    fields.readWord("kind", {"solid", "robot"}, kind);
-    fields.require("source");
-    if (const Json* source = fields.object("source")) {
-      FieldReader source_fields(*source, place + ", \"source\"", error_);
-      source_fields.require("file");
-      source_fields.read("file", file);
-      source_fields.read("scale", scale);
-      if (!error_ && !(scale >= 1e-9 && scale <= 1e9))
-        source_fields.fail("scale", "out of range", "metres per unit, 1e-9 to 1e9");
-      if (!error_) source_fields.warnAboutOthers(diagnostics_);
+    fields.readWord("kind", kKindWords, kind);
+    const Json* mechanism = fields.object("mechanism");
+    if (!mechanism) {
+      fields.require("source");
+      readSource(fields, place, file, scale);
     }
     if (error_) return;
-    Expected<Entity> loaded = loader_.load(file, scale, diagnostics_);
+    Expected<Entity> loaded =
+        mechanism ? readMechanism(*mechanism, head.name, place) : loader_.load(file, scale, diagnostics_);
     if (!loaded) return failIn(place, loaded.error());
     loaded->name = head.name;
-    if (kind >= 0 && (kind == 1) != (loaded->kind == EntityKind::kRobot)) {
-      return fields.fail("kind", kind == 1 ? "robot" : "solid",
-                         kind == 1 ? "solid, as its file is" : "robot, as its file is");
+    if (kind >= 0 && kind != static_cast<int>(loaded->kind)) {
+      const std::string& is = kKindWords[static_cast<std::size_t>(loaded->kind)];
+      return fields.fail("kind", kKindWords[static_cast<std::size_t>(kind)], is + ", as its file is");
     }
     readEntityFields(fields, place, *loaded);
     if (error_) return;
     fields.warnAboutOthers(diagnostics_);
+    // What it hangs on may stand further down in the file.
+    Attachment attachment;
+    std::swap(attachment, loaded->attachment);
     const auto added = apply(AddEntity{std::move(*loaded)}, state_, state_.entities.size() + 1);
-    if (!added) failIn(place, added.error());
+    if (!added) return failIn(place, added.error());
+    if (!attachment.to.empty()) attachments_.emplace_back(state_.entities.size() - 1, std::move(attachment));
+  }
+
+  void readSource(FieldReader& fields, const std::string& place, std::string& file, double& scale) {
+    const Json* source = fields.object("source");
+    if (!source) return;
+    FieldReader source_fields(*source, place + ", \"source\"", error_);
+    source_fields.require("file");
+    source_fields.read("file", file);
+    source_fields.read("scale", scale);
+    if (!error_ && !(scale >= 1e-9 && scale <= 1e9))
+      source_fields.fail("scale", "out of range", "metres per unit, 1e-9 to 1e9");
+    if (!error_) source_fields.warnAboutOthers(diagnostics_);
+  }
+
+  /// All entities are there: what hangs on which.
+  void hangUp() {
+    for (auto& [index, attachment] : attachments_) {
+      auto entity = std::make_shared<Entity>(*state_.entities[index]);
+      const std::string place = "entity '" + entity->name + "'";
+      const Entity* carrier = state_.findByName(attachment.to);
+      for (const Entity* at = carrier; at; at = state_.findByName(at->attachment.to)) {
+        if (at->name == entity->name) {
+          error_ = Error{"", place, "it is attached to itself by way of '" + attachment.to + "'", "another entity", ""};
+          return;
+        }
+      }
+      const bool link_there =
+          carrier && (attachment.link.empty() || (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
+      if (!link_there) {
+        error_ = Error{"", place,
+                       "it is attached to '" + attachment.to + (carrier ? "', link '" + attachment.link : "") +
+                           "', which is not there",
+                       "an entity and a link of it", ""};
+        return;
+      }
+      entity->attachment = std::move(attachment);
+      state_.entities[index] = std::move(entity);
+    }
+  }
+
+  Expected<Entity> readMechanism(const Json& json, const std::string& name, const std::string& place) {
+    auto definition = std::make_shared<MechanismDefinition>();
+    FieldReader fields(json, place + ", \"mechanism\"", error_);
+    const Json* parts = fields.array("parts");
+    const Json* joints = fields.array("joints");
+    if (!error_) fields.warnAboutOthers(diagnostics_);
+    for (std::size_t k = 0; parts && k < parts->size() && !error_; ++k)
+      readPart((*parts)[k], place + ", part " + std::to_string(k + 1), *definition);
+    for (std::size_t k = 0; joints && k < joints->size() && !error_; ++k)
+      readMechanismJoint((*joints)[k], place + ", joint " + std::to_string(k + 1), *definition);
+    if (error_) return makeError(*error_);
+    auto model = buildMechanism(name, *definition);
+    if (!model) return makeError(model.error());
+    Entity entity;
+    entity.kind = EntityKind::kMechanism;
+    entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
+    entity.mechanism = std::move(definition);
+    return entity;
+  }
+
+  void readPart(const Json& json, const std::string& place, MechanismDefinition& definition) {
+    MechanismPart part;
+    std::string file;
+    double scale = 1.0;
+    std::vector<double> color;
+    FieldReader fields(json, place, error_);
+    fields.require("name");
+    fields.require("source");
+    fields.read("name", part.name);
+    readSource(fields, place, file, scale);
+    fields.read("placement", part.X_MP);
+    if (fields.readNumbers("color", 3, color)) {
+      for (std::size_t k = 0; k < 3; ++k) part.color[k] = static_cast<float>(color[k]);
+    }
+    fields.read("material", part.material);
+    if (error_) return;
+    fields.warnAboutOthers(diagnostics_);
+    Expected<Entity> loaded = loader_.load(file, scale, diagnostics_);
+    if (!loaded) return failIn(place, loaded.error());
+    if (!loaded->mesh) return fields.fail("source", "a robot", "a solid");
+    part.mesh = loaded->mesh;
+    part.source = loaded->source;
+    definition.parts.push_back(std::move(part));
+  }
+
+  void readMechanismJoint(const Json& json, const std::string& place, MechanismDefinition& definition) {
+    MechanismJoint joint;
+    int type = static_cast<int>(joint.type);
+    std::vector<double> point, axis;
+    FieldReader fields(json, place, error_);
+    for (const char* key : {"name", "parent", "child", "axis"}) fields.require(key);
+    fields.read("name", joint.name);
+    fields.readWord("type", kJointWords, type);
+    fields.read("parent", joint.parent);
+    fields.read("child", joint.child);
+    if (fields.readNumbers("point", 3, point)) joint.p_MJ = {point[0], point[1], point[2]};
+    if (fields.readNumbers("axis", 3, axis)) joint.axis_M = {axis[0], axis[1], axis[2]};
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
+    fields.read("lower", joint.lower);
+    fields.read("upper", joint.upper);
+    fields.read("velocity", joint.velocity);
+    fields.read("friction", joint.friction);
+    fields.read("pitch", joint.pitch);
+    if (const Json* coupling = fields.object("coupling")) {
+      JointCoupling read;
+      FieldReader coupling_fields(*coupling, place + ", \"coupling\"", error_);
+      coupling_fields.require("joint");
+      coupling_fields.read("joint", read.joint);
+      coupling_fields.read("ratio", read.ratio);
+      coupling_fields.read("offset", read.offset);
+      if (!error_) coupling_fields.warnAboutOthers(diagnostics_);
+      joint.coupling = std::move(read);
+    }
+    joint.type = static_cast<MechanismJointType>(type);
+    if (!error_) fields.warnAboutOthers(diagnostics_);
+    definition.joints.push_back(std::move(joint));
   }
 
   void readEntityFields(FieldReader& fields, const std::string& place, Entity& entity) {
@@ -173,7 +350,17 @@ class StateReader {
     entity.on_contact = static_cast<OnContact>(on_contact);
     entity.force_class = static_cast<ForceClass>(force_class);
     if (const Json* frames = fields.array("frames")) readFrames(*frames, place, entity);
+    if (const Json* attached = fields.object("attached")) {
+      FieldReader attached_fields(*attached, place + ", \"attached\"", error_);
+      attached_fields.require("to");
+      attached_fields.read("to", entity.attachment.to);
+      attached_fields.read("link", entity.attachment.link);
+      attached_fields.read("placement", entity.attachment.X_LE);
+      if (!error_) attached_fields.warnAboutOthers(diagnostics_);
+    }
     if (!entity.robot) return;
+    if (const Json* tools = fields.array("tools")) readTools(*tools, place, entity);
+    fields.read("chosen_tool", entity.tool);
     fields.read("tip_link", entity.tip_link);
     fields.read("tool", entity.X_LT);
     if (const Json* joints = fields.object("joints")) readJoints(*joints, place, entity);
@@ -191,11 +378,25 @@ class StateReader {
     }
   }
 
+  void readTools(const Json& tools, const std::string& place, Entity& entity) {
+    for (const Json& json : tools) {
+      ToolFrame tool;
+      FieldReader fields(json, place + ", tool " + std::to_string(entity.tools.size() + 1), error_);
+      fields.require("name");
+      fields.read("name", tool.name);
+      fields.read("tip_link", tool.tip_link);
+      fields.read("placement", tool.X_LT);
+      if (!error_) fields.warnAboutOthers(diagnostics_);
+      entity.tools.push_back(std::move(tool));
+    }
+  }
+
   void readJoints(const Json& json, const std::string& place, Entity& entity) {
     FieldReader fields(json, place + ", \"joints\"", error_);
+    const std::vector<double> rest = kinematics::restPositions(*entity.robot);
     for (int index : entity.robot->moving) {
       const kinematics::Joint& joint = entity.robot->joints[static_cast<std::size_t>(index)];
-      double value = std::min(std::max(0.0, joint.lower), joint.upper);
+      double value = rest[entity.joints.size()];
       fields.read(joint.name.c_str(), value);
       entity.joints.push_back(value);
     }
@@ -262,6 +463,7 @@ class StateReader {
   EntityLoader loader_;
   Diagnostics& diagnostics_;
   DocumentState state_;
+  std::vector<std::pair<std::size_t, Attachment>> attachments_;  // By place in the state.
   std::optional<Error> error_;
 };
 

@@ -68,13 +68,13 @@ struct Entity {
   bool locked = false;  ///< Cannot be grabbed or moved.
   bool checked = true;  ///< Takes part in collision checks.
   SourceFile source;
-  std::shared_ptr<const geometry::TriangleMesh> mesh;   ///< Solids.
-  std::shared_ptr<const kinematics::RobotModel> robot;  ///< Robots.
-  std::vector<double> joints;                           ///< Robots: position of each variable.
-  std::string tip_link;                                 ///< Robots: the link that carries the tool centre point.
-  Pose X_LT;                                            ///< Robots: the tool centre point in the tip link.
-  std::vector<ToolFrame> tools;                         ///< Robots: those to choose from; names unique.
-  std::string tool;                                     ///< Name of the chosen one of `tools`; empty: none of them.
+  std::shared_ptr<const geometry::TriangleMesh> mesh;    ///< Solids.
+  std::shared_ptr<const kinematics::RobotModel> robot;   ///< Robots.
+  std::vector<double> joints;                            ///< Robots: position of each variable.
+  std::string tip_link;                                  ///< Robots: the link that carries the tool centre point.
+  Pose X_LT;                                             ///< Robots: the tool centre point in the tip link.
+  std::vector<ToolFrame> tools;                          ///< Robots: those to choose from; names unique.
+  std::string tool;                                      ///< Name of the chosen one of `tools`; empty: none of them.
   std::shared_ptr<const MechanismDefinition> mechanism;  ///< Mechanisms: what `robot` was made from.
   Attachment attachment;
   OnContact on_contact = OnContact::kSlide;

@@ -38,7 +38,8 @@ Expected<void> checkNames(const MechanismDefinition& definition) {
   std::map<std::string, int> parts, joints;
   for (const MechanismPart& part : definition.parts) {
     if (part.name.empty()) return makeError(refusal("a part", "no name", "a name of its own"));
-    if (++parts[part.name] > 1) return makeError(refusal("part '" + part.name + "'", "its name is there twice", "once"));
+    if (++parts[part.name] > 1)
+      return makeError(refusal("part '" + part.name + "'", "its name is there twice", "once"));
     if (!part.X_MP.isValid()) return makeError(refusal("part '" + part.name + "'", "a pose that is not one", ""));
   }
   for (const MechanismJoint& joint : definition.joints) {
@@ -55,10 +56,9 @@ Expected<void> checkLimits(const MechanismJoint& joint, const std::string& place
   const bool finite = std::abs(joint.lower) <= kLargest && std::abs(joint.upper) <= kLargest;
   if (!free && !finite) return makeError(refusal(place, "limits that are no numbers", "two numbers, or none at all"));
   if (joint.lower > joint.upper) {
-    return makeError(refusal(place,
-                             "its lower limit " + std::to_string(joint.lower) + " is over the upper " +
-                                 std::to_string(joint.upper),
-                             "lower <= upper", "Swap the two."));
+    return makeError(refusal(
+        place, "its lower limit " + std::to_string(joint.lower) + " is over the upper " + std::to_string(joint.upper),
+        "lower <= upper", "Swap the two."));
   }
   if (free && joint.type == MechanismJointType::kPrismatic)
     return makeError(refusal(place, "a slide without limits", "a lower and an upper limit"));
@@ -76,9 +76,10 @@ Expected<void> checkJoint(const MechanismDefinition& definition, const Mechanism
   const double length = glm::length(joint.axis_M);
   if (!(length > 1e-9) || !std::isfinite(length) || !std::isfinite(glm::length(joint.p_MJ)))
     return makeError(refusal(place, "an axis of length zero", "a direction, such as 0 0 1"));
-  const bool positive = std::isfinite(joint.velocity) && joint.velocity > 0.0 && std::isfinite(joint.friction) &&
-                        joint.friction >= 0.0;
-  if (!positive) return makeError(refusal(place, "a speed or friction out of range", "a speed above 0, friction not below 0"));
+  const bool positive =
+      std::isfinite(joint.velocity) && joint.velocity > 0.0 && std::isfinite(joint.friction) && joint.friction >= 0.0;
+  if (!positive)
+    return makeError(refusal(place, "a speed or friction out of range", "a speed above 0, friction not below 0"));
   if (joint.type == MechanismJointType::kScrew && !(std::abs(joint.pitch) > 1e-9 && std::isfinite(joint.pitch)))
     return makeError(refusal(place, "a screw without pitch", "metres a turn, not 0"));
   return checkLimits(joint, place);
@@ -120,7 +121,8 @@ Expected<void> addJoint(const MechanismDefinition& definition, const MechanismJo
   joint.joint.upper = source.upper;
   joint.joint.velocity = source.velocity;
   joint.X_MJ = Pose::translation(source.p_MJ);
-  if (*coupling) joint.joint.mimic = kinematics::Mimic{index_of.at((*coupling)->joint), (*coupling)->ratio, (*coupling)->offset};
+  if (*coupling)
+    joint.joint.mimic = kinematics::Mimic{index_of.at((*coupling)->joint), (*coupling)->ratio, (*coupling)->offset};
   switch (source.type) {
     case MechanismJointType::kFixed:
       joint.joint.type = JointType::kFixed;
