@@ -1,68 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "collision/triangle_distance.h"
-#include "geometry/pose.h"
+#include "collision/oriented_box.h"
+#include "collision/proximity_kernels.h"
 #include "geometry/triangle_mesh.h"
 
 namespace hapticell::collision {
 
-/// An oriented box in some frame F.
-struct OrientedBox {
-  dmat3 R{1.0};       ///< Columns: the box's axes in F.
-  dvec3 center{0.0};  ///< In F, metres.
-  dvec3 half{0.0};    ///< Half sizes along the axes, metres.
+/// Storage that starts at a cache line, for what vector instructions load.
+template <typename T>
+struct CacheLineAllocator {
+  using value_type = T;
+  CacheLineAllocator() = default;
+  template <typename U>
+  CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(64))); }
+  void deallocate(T* memory, std::size_t) { ::operator delete(memory, std::align_val_t(64)); }
+  template <typename U>
+  bool operator==(const CacheLineAllocator<U>&) const {
+    return true;
+  }
+};
+template <typename T>
+using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
+
+/// Who watches a build, and with how much of the machine it is done.
+struct BuildControl {
+  unsigned threads = 1;                          ///< The same tree comes from any number of them.
+  std::atomic<std::size_t>* done = nullptr;      ///< Counts triangles that have found their leaf.
+  const std::atomic<bool>* cancelled = nullptr;  ///< Set by anyone to end the build soon.
 };
 
-/// The same box seen from A, by the rotation and position of F in A.
-OrientedBox moved(const dmat3& R_AF, const dvec3& p_AF, const OrientedBox& box_F);
-
-/// The square of a length that no two points of the boxes (both in one frame) are nearer than: the larger of the gap
-/// vectors' norms in the two boxes' own axes.
-double lowerBoundSquared(const OrientedBox& a, const OrientedBox& b);
-
-/// The square of the distance from a point to a box.
-double lowerBoundSquared(const OrientedBox& box, const dvec3& point);
-
-/// The same for a triangle and a box: their gap along the line from the triangle to the box's middle. Tight where the
-/// box is smaller than the triangle.
-double lowerBoundSquared(const OrientedBox& box, const Corners& triangle);
-
-/// A binary tree of oriented boxes over a mesh's triangles, in the mesh's frame. Immutable after build.
+/// An eight-wide tree of oriented boxes over a mesh's triangles, in the mesh's frame M. Immutable after build.
 ///
 /// Boxes are fitted to the area-weighted covariance of their triangles, to the largest triangle with its longest edge,
-/// or to the mesh's axes, whichever has the least surface (Gottschalk et al., "OBBTree", 1996); nodes are split by a
-/// binned surface-area heuristic (Wald 2007), and in the middle where that finds nothing, so the depth stays bounded.
+/// or to the axes of the box above, whichever has the least surface (Gottschalk et al., "OBBTree", 1996); nodes are
+/// split by a binned surface-area heuristic that counts leaves (Wald 2007; Shellshear & Ytterlid 2014). About 85 bytes
+/// a triangle.
 class BoxTree {
  public:
-  struct Node {
-    OrientedBox box;
-    double size = 0.0;        ///< Half diagonal: decides which of two nodes is opened first.
-    std::uint32_t first = 0;  ///< First slot of a leaf, or the index of the first child (the second follows).
-    std::uint32_t count = 0;  ///< Triangles of a leaf; 0 marks an inner node.
-    bool isLeaf() const { return count != 0; }
-  };
+  static constexpr std::uint32_t kLeafBit = 0x80000000u;
+  /// A place in the tree: eight times the index of a node, and the lane. The whole tree is kRoot.
+  using Slot = std::uint32_t;
+  static constexpr Slot kRoot = 0;
 
   BoxTree() = default;
-  explicit BoxTree(const geometry::TriangleMesh& mesh);
+  /// Of the triangles named (of `mesh`, all with finite corners). An interrupted build leaves the tree empty.
+  BoxTree(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> triangles, const BuildControl& control = {});
+  /// Takes what was stored (nodes() and leaves() of an earlier one).
+  BoxTree(AlignedVector<BoxNode> nodes, AlignedVector<LeafBlock> leaves);
 
-  bool isEmpty() const { return nodes_.empty(); }
-  const Node& root() const { return nodes_.front(); }
-  const Node& node(std::uint32_t index) const { return nodes_[index]; }
-  /// Triangles are kept in the order of the leaves; a slot is a place in that order.
-  const Corners& corners(std::uint32_t slot) const { return corners_[slot]; }
-  std::uint32_t triangle(std::uint32_t slot) const { return triangle_of_slot_[slot]; }
-  std::uint32_t slot(std::uint32_t triangle) const { return slot_of_triangle_[triangle]; }
-  std::size_t nodeCount() const { return nodes_.size(); }
+  bool isEmpty() const { return leaves_.empty(); }
+  const AlignedVector<BoxNode>& nodes() const { return nodes_; }
+  const AlignedVector<LeafBlock>& leaves() const { return leaves_; }
+
+  static bool isLeaf(std::uint32_t child) { return (child & kLeafBit) != 0; }
+  std::uint32_t child(Slot slot) const { return nodes_[slot / kTreeWidth].child[slot % kTreeWidth]; }
+  const BoxNode& node(std::uint32_t child) const { return nodes_[child]; }
+  const LeafBlock& leaf(std::uint32_t child) const { return leaves_[child & ~kLeafBit]; }
+  /// What is below holds to this box within rounding in float (1e-6 of its size).
+  OrientedBox box(Slot slot) const;
+
+  /// Bytes held.
+  std::size_t memory() const { return nodes_.capacity() * sizeof(BoxNode) + leaves_.capacity() * sizeof(LeafBlock); }
 
  private:
-  std::vector<Node> nodes_;
-  std::vector<Corners> corners_;
-  std::vector<std::uint32_t> triangle_of_slot_;
-  std::vector<std::uint32_t> slot_of_triangle_;
+  AlignedVector<BoxNode> nodes_;
+  AlignedVector<LeafBlock> leaves_;
 };
 
 }  // namespace hapticell::collision

@@ -2,6 +2,7 @@
 #include "collision/mesh_collider.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "geometry/assertion.h"
 
@@ -22,13 +23,15 @@ std::shared_ptr<const MeshCollider> MeshCollider::build(const geometry::Triangle
       collider->radius_ = std::max(collider->radius_, glm::distance(mesh.corner(t, i), collider->center_));
     }
   }
-  collider->tree_ = BoxTree(mesh);
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  collider->tree_ = BoxTree(mesh, std::move(all));
   collider->shells_ = Shells(mesh);
   return collider;
 }
 
 bool MeshCollider::contains(const dvec3& p_MQ) const {
-  return isInside(shells_, tree_, p_MQ);
+  return isInside(shells_, tree_, mesh_, p_MQ);
 }
 
 }  // namespace hapticell::collision

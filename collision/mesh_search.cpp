@@ -2,68 +2,102 @@
 #include "collision/mesh_search.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
+#include "collision/dual_traversal.h"
 #include "collision/ray.h"
 
 namespace hapticell::collision {
 
 namespace {
 
+Corners cornersOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle) {
+  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+}
+
+/// What boxes of a tree are compared with, in the mesh's frame.
+struct Probe {
+  OrientedBox box;
+
+  void bounds(const BoxNode& node, float* squared) const {
+    QueryBox query;
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) query.axis[i][k] = static_cast<float>(box.R[i][k]);
+      query.center[i] = static_cast<float>(box.center[i] - double{node.origin[i]});
+      query.half[i] = static_cast<float>(box.half[i]);
+    }
+    proximityKernels().boxBounds(node, query, squared);
+  }
+};
+
+/// Calls open(child) for the lanes nearer than limit(), the nearest first.
+template <typename Limit, typename Open>
+void openNearestFirst(const BoxNode& node, const Probe& probe, const Limit& limit, const Open& open) {
+  alignas(32) float bounds[kTreeWidth];
+  probe.bounds(node, bounds);
+  for (std::uint32_t left = (1u << node.count) - 1u; left != 0;) {
+    int nearest = std::countr_zero(left);
+    for (int lane = nearest + 1; lane < kTreeWidth; ++lane) {
+      if ((left >> lane & 1u) != 0 && bounds[lane] < bounds[nearest]) nearest = lane;
+    }
+    if (double{bounds[nearest]} > limit()) return;
+    left &= ~(1u << nearest);
+    open(node.child[nearest]);
+  }
+}
+
 struct PointSearch {
-  const BoxTree& tree;
+  const MeshCollider& mesh;
+  Probe probe;
   dvec3 point;
   double squared;
   NearestPoint nearest{};
 
-  void visit(const BoxTree::Node& node) {
-    if (!node.isLeaf()) {
-      const BoxTree::Node* near = &tree.node(node.first);
-      const BoxTree::Node* far = near + 1;
-      double near_bound = lowerBoundSquared(near->box, point), far_bound = lowerBoundSquared(far->box, point);
-      if (far_bound < near_bound) {
-        std::swap(near, far);
-        std::swap(near_bound, far_bound);
-      }
-      if (near_bound < squared) visit(*near);
-      if (far_bound < squared) visit(*far);
+  void visit(std::uint32_t child) {
+    if (!BoxTree::isLeaf(child)) {
+      openNearestFirst(
+          mesh.tree().node(child), probe, [this] { return squared; }, [this](std::uint32_t below) { visit(below); });
       return;
     }
-    for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
-      const dvec3 q = closestPointOnTriangle(tree.corners(slot), point);
+    const LeafBlock& leaf = mesh.tree().leaf(child);
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const dvec3 q = closestPointOnTriangle(cornersOf(mesh.mesh(), leaf.triangle[i]), point);
       const double candidate = glm::dot(q - point, q - point);
       if (candidate >= squared) continue;
       squared = candidate;
-      nearest = {true, std::sqrt(candidate), q, tree.triangle(slot)};
+      nearest = {true, std::sqrt(candidate), q, leaf.triangle[i]};
     }
   }
 };
 
 struct RaySearch {
-  const BoxTree& tree;
+  const MeshCollider& mesh;
   Ray ray;
   RayHit hit{};
 
-  void visit(const BoxTree::Node& node) {
-    if (!node.isLeaf()) {
-      const BoxTree::Node* near = &tree.node(node.first);
-      const BoxTree::Node* far = near + 1;
-      double near_entry = 0.0, far_entry = 0.0;
-      bool meets_near = meetsBox(ray, near->box, hit.along, near_entry);
-      bool meets_far = meetsBox(ray, far->box, hit.along, far_entry);
-      if (meets_far && (!meets_near || far_entry < near_entry)) {
-        std::swap(near, far);
-        std::swap(meets_near, meets_far);
-        std::swap(near_entry, far_entry);
-      }
-      if (meets_near) visit(*near);
-      if (meets_far && far_entry <= hit.along) visit(*far);
-      return;
+  void visit(std::uint32_t child) {
+    if (BoxTree::isLeaf(child)) return meetLeaf(mesh.tree().leaf(child));
+    const BoxNode& node = mesh.tree().node(child);
+    double entries[kTreeWidth];
+    std::uint32_t order[kTreeWidth];
+    int met = 0;
+    for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+      if (!meetsBox(ray, mesh.tree().box(child * kTreeWidth + lane), hit.along, entries[lane])) continue;
+      int at = met++;
+      for (; at > 0 && entries[order[at - 1]] > entries[lane]; --at) order[at] = order[at - 1];
+      order[at] = lane;
     }
-    for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
-      const RayCrossing crossing = meetTriangle(ray, tree.corners(slot));
+    for (int i = 0; i < met; ++i) {
+      if (entries[order[i]] <= hit.along) visit(node.child[order[i]]);
+    }
+  }
+
+  void meetLeaf(const LeafBlock& leaf) {
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      const RayCrossing crossing = meetTriangle(ray, cornersOf(mesh.mesh(), leaf.triangle[i]));
       if (!crossing.meets || crossing.along >= hit.along) continue;
-      hit = {true, crossing.along, ray.origin + crossing.along * ray.direction, tree.triangle(slot)};
+      hit = {true, crossing.along, ray.origin + crossing.along * ray.direction, leaf.triangle[i]};
     }
   }
 };
@@ -96,52 +130,61 @@ double squaredDistance(const Corners& corners, const geometry::Bounds& box) {
   return best.squared;
 }
 
-template <typename Bound, typename Take>
-void collect(const BoxTree& tree, const BoxTree::Node& node, double squared, const Bound& bound, const Take& take) {
-  if (bound(node.box) > squared) return;
-  if (!node.isLeaf()) {
-    collect(tree, tree.node(node.first), squared, bound, take);
-    collect(tree, tree.node(node.first + 1), squared, bound, take);
+/// Calls take(triangle) for all triangles in boxes within reach of the probe.
+template <typename Take>
+void collect(const BoxTree& tree, std::uint32_t child, const Probe& probe, double squared, const Take& take) {
+  if (BoxTree::isLeaf(child)) {
+    const LeafBlock& leaf = tree.leaf(child);
+    for (std::uint32_t i = 0; i < leaf.count; ++i) take(leaf.triangle[i]);
     return;
   }
-  for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) take(slot);
+  openNearestFirst(
+      tree.node(child), probe, [squared] { return squared; },
+      [&](std::uint32_t below) { collect(tree, below, probe, squared, take); });
 }
 
-/// Calls take(slot_a, slot_b, nearest) for every pair of triangles within the radius; take returns false to stop.
-/// Where it has wanted(slot_a, slot_b), only such pairs are measured, until isOver().
+/// Calls take(triangle_a, triangle_b, nearest) for every pair of triangles within the radius; take returns false to
+/// stop. Where it has wanted(triangle_a, triangle_b), only such pairs are measured, until isOver(). A visitor of
+/// DualTraversal.
 template <typename Take>
 struct PairCollector {
-  const BoxTree& tree_a;
-  const BoxTree& tree_b;
+  const geometry::TriangleMesh& mesh_a;
+  const geometry::TriangleMesh& mesh_b;
   dmat3 R_AB;
   dvec3 p_AB;
   double squared;
   const Take& take;
+  bool stopped = false;
 
-  bool visit(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b_A) {
-    if (lowerBoundSquared(a.box, box_b_A) > squared) return true;
-    if (a.isLeaf() && b.isLeaf()) return leaves(a, b);
-    if (b.isLeaf() || (!a.isLeaf() && a.size >= b.size)) {
-      return visit(tree_a.node(a.first), b, box_b_A) && visit(tree_a.node(a.first + 1), b, box_b_A);
-    }
-    const BoxTree::Node &left = tree_b.node(b.first), &right = tree_b.node(b.first + 1);
-    return visit(a, left, moved(R_AB, p_AB, left.box)) && visit(a, right, moved(R_AB, p_AB, right.box));
-  }
+  float limitSquared() const { return std::nextafter(static_cast<float>(squared), 1e30f); }
+  bool isDone() const { return stopped; }
 
-  bool leaves(const BoxTree::Node& a, const BoxTree::Node& b) {
-    for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
-      const Corners corners_b = transformedCorners(R_AB, p_AB, tree_b.corners(j));
-      for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
-        if constexpr (requires { take.wanted(i, j); }) {
-          if (!take.wanted(i, j)) continue;
-          if (take.isOver()) return false;
-        }
-        NearestPair nearest;
-        nearest.squared = std::nextafter(squared, std::numeric_limits<double>::infinity());
-        if (improveTriangleDistance(tree_a.corners(i), corners_b, nearest) && !take(i, j, nearest)) return false;
+  void leafPair(const TraversalBox&, const TraversalBox&, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
+                const LeafTransform& transform) {
+    alignas(16) float ignored[9][kLeafSize];
+    const std::uint32_t near = proximityKernels().leafPairs(leaf_a, leaf_b, transform, limitSquared(), ignored);
+    for (std::uint32_t j = 0; j < leaf_b.count; ++j) {
+      if ((near >> (kLeafSize * j) & 0xFu) == 0) continue;
+      const Corners corners_b = transformedCorners(R_AB, p_AB, cornersOf(mesh_b, leaf_b.triangle[j]));
+      for (std::uint32_t i = 0; i < leaf_a.count; ++i) {
+        if ((near >> (kLeafSize * j + i) & 1u) == 0) continue;
+        measure(leaf_a.triangle[i], leaf_b.triangle[j], corners_b);
+        if (stopped) return;
       }
     }
-    return true;
+  }
+
+  void measure(std::uint32_t a, std::uint32_t b, const Corners& corners_b) {
+    if constexpr (requires { take.wanted(a, b); }) {
+      if (!take.wanted(a, b)) return;
+      if (take.isOver()) {
+        stopped = true;
+        return;
+      }
+    }
+    NearestPair nearest;
+    nearest.squared = std::nextafter(squared, std::numeric_limits<double>::infinity());
+    if (improveTriangleDistance(cornersOf(mesh_a, a), corners_b, nearest)) stopped = !take(a, b, nearest);
   }
 };
 
@@ -149,55 +192,54 @@ template <typename Take>
 bool collectPairs(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius, const Take& take) {
   if (a.isEmpty() || b.isEmpty()) return true;
   const double reach = std::max(radius, kTouchingDistance);
-  PairCollector<Take> collector{a.tree(), b.tree(), X_AB.R(), X_AB.p, reach * reach, take};
-  return collector.visit(a.tree().root(), b.tree().root(), moved(collector.R_AB, collector.p_AB, b.tree().root().box));
+  PairCollector<Take> collector{a.mesh(), b.mesh(), X_AB.R(), X_AB.p, reach * reach, take};
+  DualTraversal<PairCollector<Take>>(a.tree(), b.tree(), X_AB, collector).run();
+  return !collector.stopped;
 }
 
 }  // namespace
 
 NearestPoint nearestPoint(const MeshCollider& mesh, const dvec3& p_MP, double limit) {
   if (mesh.isEmpty()) return {};
-  PointSearch search{mesh.tree(), p_MP, limit * limit};
-  if (lowerBoundSquared(mesh.tree().root().box, p_MP) < search.squared) search.visit(mesh.tree().root());
+  PointSearch search{mesh, {{dmat3(1.0), p_MP, dvec3(0.0)}}, p_MP, limit * limit};
+  search.visit(mesh.tree().child(BoxTree::kRoot));
   return search.nearest;
 }
 
 RayHit castRay(const MeshCollider& mesh, const dvec3& p_MO, const dvec3& direction_M) {
   if (mesh.isEmpty() || !(glm::dot(direction_M, direction_M) > 0.0)) return {};
-  RaySearch search{mesh.tree(), {p_MO, direction_M}};
+  RaySearch search{mesh, {p_MO, direction_M}};
   double entry = 0.0;
-  if (meetsBox(search.ray, mesh.tree().root().box, search.hit.along, entry)) search.visit(mesh.tree().root());
+  if (meetsBox(search.ray, mesh.tree().box(BoxTree::kRoot), search.hit.along, entry)) {
+    search.visit(mesh.tree().child(BoxTree::kRoot));
+  }
   return search.hit;
 }
 
 void trianglesWithin(const MeshCollider& mesh, const dvec3& p_MP, double radius, std::vector<std::uint32_t>& found) {
   if (mesh.isEmpty()) return;
   const BoxTree& tree = mesh.tree();
-  collect(
-      tree, tree.root(), radius * radius, [&](const OrientedBox& box) { return lowerBoundSquared(box, p_MP); },
-      [&](std::uint32_t slot) {
-        const dvec3 q = closestPointOnTriangle(tree.corners(slot), p_MP);
-        if (glm::distance(q, p_MP) <= radius) found.push_back(tree.triangle(slot));
-      });
+  collect(tree, tree.child(BoxTree::kRoot), {{dmat3(1.0), p_MP, dvec3(0.0)}}, radius * radius,
+          [&](std::uint32_t triangle) {
+            const dvec3 q = closestPointOnTriangle(cornersOf(mesh.mesh(), triangle), p_MP);
+            if (glm::distance(q, p_MP) <= radius) found.push_back(triangle);
+          });
 }
 
 void trianglesWithin(const MeshCollider& mesh, const geometry::Bounds& box_M, double radius,
                      std::vector<std::uint32_t>& found) {
   if (mesh.isEmpty() || box_M.isEmpty()) return;
   const BoxTree& tree = mesh.tree();
-  const OrientedBox oriented = boxOf(box_M);
-  collect(
-      tree, tree.root(), radius * radius, [&](const OrientedBox& box) { return lowerBoundSquared(box, oriented); },
-      [&](std::uint32_t slot) {
-        if (squaredDistance(tree.corners(slot), box_M) <= radius * radius) found.push_back(tree.triangle(slot));
-      });
+  collect(tree, tree.child(BoxTree::kRoot), {boxOf(box_M)}, radius * radius, [&](std::uint32_t triangle) {
+    if (squaredDistance(cornersOf(mesh.mesh(), triangle), box_M) <= radius * radius) found.push_back(triangle);
+  });
 }
 
 void trianglesWithin(const MeshCollider& b, const MeshCollider& a, const Pose& X_BA, double radius,
                      std::vector<std::uint32_t>& found_in_b) {
   const std::size_t before = found_in_b.size();
-  collectPairs(b, a, X_BA, radius, [&](std::uint32_t slot_b, std::uint32_t, const NearestPair&) {
-    found_in_b.push_back(b.tree().triangle(slot_b));
+  collectPairs(b, a, X_BA, radius, [&](std::uint32_t triangle_b, std::uint32_t, const NearestPair&) {
+    found_in_b.push_back(triangle_b);
     return true;
   });
   const auto begin = found_in_b.begin() + static_cast<std::ptrdiff_t>(before);
@@ -215,20 +257,19 @@ struct LabelCollector {
   mutable std::vector<bool> known{};
   mutable std::size_t looked = 0;
 
-  std::size_t at(std::uint32_t slot_a, std::uint32_t slot_b) const {
-    return std::size_t{b.labels} * a.label_of[a.mesh.tree().triangle(slot_a)] +
-           b.label_of[b.mesh.tree().triangle(slot_b)];
+  std::size_t at(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
+    return std::size_t{b.labels} * a.label_of[triangle_a] + b.label_of[triangle_b];
   }
-  bool wanted(std::uint32_t slot_a, std::uint32_t slot_b) const {
+  bool wanted(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
     constexpr std::size_t kLooksPerTest = 16;  // finding that a pair is known is so much cheaper
     if (++looked % kLooksPerTest == 0 && budget.tests > 0) --budget.tests;
-    return budget.tests == 0 || !known[at(slot_a, slot_b)];
+    return budget.tests == 0 || !known[at(triangle_a, triangle_b)];
   }
   bool isOver() const { return budget.tests == 0 || --budget.tests == 0; }
-  bool operator()(std::uint32_t slot_a, std::uint32_t slot_b, const NearestPair&) const {
+  bool operator()(std::uint32_t triangle_a, std::uint32_t triangle_b, const NearestPair&) const {
     if (found.size() >= budget.pairs) return false;
-    known[at(slot_a, slot_b)] = true;
-    found.push_back({a.label_of[a.mesh.tree().triangle(slot_a)], b.label_of[b.mesh.tree().triangle(slot_b)]});
+    known[at(triangle_a, triangle_b)] = true;
+    found.push_back({a.label_of[triangle_a], b.label_of[triangle_b]});
     return true;
   }
 };
@@ -246,11 +287,12 @@ bool labelPairsWithin(const LabelledMesh& a, const LabelledMesh& b, const Pose& 
 
 bool trianglePairsWithin(const MeshCollider& a, const MeshCollider& b, const Pose& X_AB, double radius,
                          std::vector<TrianglePair>& found, std::size_t maximum) {
-  return collectPairs(a, b, X_AB, radius, [&](std::uint32_t slot_a, std::uint32_t slot_b, const NearestPair& pair) {
-    if (found.size() >= maximum) return false;
-    found.push_back({a.tree().triangle(slot_a), b.tree().triangle(slot_b), std::sqrt(pair.squared), pair.p, pair.q});
-    return true;
-  });
+  return collectPairs(a, b, X_AB, radius,
+                      [&](std::uint32_t triangle_a, std::uint32_t triangle_b, const NearestPair& pair) {
+                        if (found.size() >= maximum) return false;
+                        found.push_back({triangle_a, triangle_b, std::sqrt(pair.squared), pair.p, pair.q});
+                        return true;
+                      });
 }
 
 }  // namespace hapticell::collision

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "collision/mesh_collider.h"
+#include "collision/triangle_pairs.h"
 #include "geometry/pose.h"
 
 namespace hapticell::collision {
@@ -36,8 +37,7 @@ class ProximityQuery {
 
   std::shared_ptr<const MeshCollider> a_;
   std::shared_ptr<const MeshCollider> b_;
-  std::uint32_t last_slot_a_ = 0;
-  std::uint32_t last_slot_b_ = 0;
+  TriangleIndices last_;
   // Surfaces this far apart at that pose cannot have crossed after less motion: containment is then as it was.
   Pose certified_X_AB_;
   double certified_distance_ = -1.0;

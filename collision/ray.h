@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "collision/box_tree.h"
+#include "collision/oriented_box.h"
 
 namespace hapticell::collision {
 

@@ -68,6 +68,10 @@ std::vector<Edge> sortedEdges(const std::vector<geometry::Triangle>& joined, con
   return edges;
 }
 
+Corners cornersOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle) {
+  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+}
+
 double solidAngle(const Corners& corners, const dvec3& p) {
   const dvec3 a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
   const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
@@ -80,27 +84,28 @@ double solidAngle(const Corners& corners, const dvec3& p) {
 struct Crossings {
   const Shells& shells;
   const BoxTree& tree;
+  const geometry::TriangleMesh& mesh;
   Ray ray;
   int turns = 0;
   bool odd = false;
   bool grazed = false;
 
-  void visit(std::uint32_t index) {
-    const BoxTree::Node& node = tree.node(index);
+  void visit(BoxTree::Slot slot) {
     double entry = 0.0;
-    if (grazed || !meetsBox(ray, node.box, std::numeric_limits<double>::infinity(), entry)) return;
-    if (!node.isLeaf()) {
-      visit(node.first);
-      visit(node.first + 1);
+    if (grazed || !meetsBox(ray, tree.box(slot), std::numeric_limits<double>::infinity(), entry)) return;
+    const std::uint32_t child = tree.child(slot);
+    if (BoxTree::isLeaf(child)) {
+      const LeafBlock& leaf = tree.leaf(child);
+      for (std::uint32_t i = 0; i < leaf.count; ++i) count(leaf.triangle[i]);
       return;
     }
-    for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) count(slot);
+    for (std::uint32_t lane = 0; lane < tree.node(child).count; ++lane) visit(child * kTreeWidth + lane);
   }
 
-  void count(std::uint32_t slot) {
-    const Shells::Kind kind = shells.kind(tree.triangle(slot));
+  void count(std::uint32_t triangle) {
+    const Shells::Kind kind = shells.kind(triangle);
     if (kind == Shells::Kind::kOpen) return;
-    const RayCrossing crossing = meetTriangle(ray, tree.corners(slot));
+    const RayCrossing crossing = meetTriangle(ray, cornersOf(mesh, triangle));
     grazed |= crossing.grazes;
     if (!crossing.meets) return;
     if (kind == Shells::Kind::kOriented)
@@ -110,11 +115,11 @@ struct Crossings {
   }
 };
 
-bool isInsideByWinding(const Shells& shells, const BoxTree& tree, const dvec3& p) {
+bool isInsideByWinding(const Shells& shells, const geometry::TriangleMesh& mesh, const dvec3& p) {
   double sum = 0.0;
   const auto count = static_cast<std::uint32_t>(shells.triangleCount());
   for (std::uint32_t t = 0; t < count; ++t) {
-    if (shells.kind(t) == Shells::Kind::kOriented) sum += solidAngle(tree.corners(tree.slot(t)), p);
+    if (shells.kind(t) == Shells::Kind::kOriented) sum += solidAngle(cornersOf(mesh, t), p);
   }
   return std::abs(sum) > 2.0 * std::numbers::pi;
 }
@@ -172,18 +177,18 @@ void Shells::classify(const Edges& edges) {
   }
 }
 
-bool isInside(const Shells& shells, const BoxTree& tree, const dvec3& p_MQ) {
+bool isInside(const Shells& shells, const BoxTree& tree, const geometry::TriangleMesh& mesh, const dvec3& p_MQ) {
   if (!shells.anyClosed()) return false;
   const geometry::Bounds& box = shells.closedBounds();
   if (glm::any(glm::lessThan(p_MQ, box.min)) || glm::any(glm::greaterThan(p_MQ, box.max))) return false;
   dvec3 direction(0.36218, 0.51263, 0.77841);
   for (int attempt = 0; attempt < 8; ++attempt) {
-    Crossings crossings{shells, tree, {p_MQ, direction}};
-    crossings.visit(0);
+    Crossings crossings{shells, tree, mesh, {p_MQ, direction}};
+    crossings.visit(BoxTree::kRoot);
     if (!crossings.grazed) return crossings.turns != 0 || crossings.odd;
     direction = dvec3(direction.y - 0.2137 * direction.z, direction.z + 0.1311, -direction.x);
   }
-  return isInsideByWinding(shells, tree, p_MQ);
+  return isInsideByWinding(shells, mesh, p_MQ);
 }
 
 }  // namespace hapticell::collision

@@ -48,6 +48,6 @@ class Shells {
 
 /// Whether a point p_MQ off the surface lies inside a closed piece. Ray crossings; a ray that grazes an edge is
 /// replaced by another, and after eight of them the winding number (van Oosterom & Strackee 1983) decides.
-bool isInside(const Shells& shells, const BoxTree& tree, const dvec3& p_MQ);
+bool isInside(const Shells& shells, const BoxTree& tree, const geometry::TriangleMesh& mesh, const dvec3& p_MQ);
 
 }  // namespace hapticell::collision

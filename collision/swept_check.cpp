@@ -2,7 +2,10 @@
 #include "collision/swept_check.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "collision/dual_traversal.h"
 
 namespace hapticell::collision {
 
@@ -26,15 +29,24 @@ Corners placed(const dmat3& R, const dvec3& p, const Corners& c) {
   return {p + R * c[0], p + R * c[1], p + R * c[2]};
 }
 
-/// All in A's frame at the beginning.
+OrientedBox orientedBox(const TraversalBox& from) {
+  OrientedBox box;
+  for (int i = 0; i < 3; ++i) box.R[i] = dvec3(from.own.axis[i][0], from.own.axis[i][1], from.own.axis[i][2]);
+  for (int i = 0; i < 3; ++i) box.half[i] = from.own.half[i];
+  box.center = from.center;
+  return box;
+}
+
+/// All in A's frame at the beginning. A visitor of DualTraversal.
 struct SweptSearch {
-  const BoxTree& tree_a;
-  const BoxTree& tree_b;
+  const geometry::TriangleMesh& mesh_a;
+  const geometry::TriangleMesh& mesh_b;
   Pose X_B0, X_B1, X_A1;
   dmat3 R_B0, R_B1, R_A1;
   double within_squared;
   double needed;
   int pairs_left = kMostPairs;
+  bool unproven = false;
 
   bool apartOn(const dvec3& direction, const Corners& a0, const Corners& b0, const Corners& a1,
                const Corners& b1) const {
@@ -44,7 +56,7 @@ struct SweptSearch {
     return gapAlong(axis, a0, b0) >= needed && gapAlong(axis, a1, b1) >= needed;
   }
 
-  bool leafPair(const Corners& a0, const Corners& b) {
+  bool trianglesStayApart(const Corners& a0, const Corners& b) {
     if (--pairs_left < 0) return false;
     const Corners b0 = placed(R_B0, X_B0.p, b), b1 = placed(R_B1, X_B1.p, b), a1 = placed(R_A1, X_A1.p, a0);
     for (const Corners* face : {&b0, &a0}) {
@@ -76,21 +88,23 @@ struct SweptSearch {
     return false;
   }
 
-  bool visit(const BoxTree::Node& a, const BoxTree::Node& b, const OrientedBox& box_b) {
-    if (lowerBoundSquared(a.box, box_b) > within_squared || boxesStayApart(a.box, box_b, b.box)) return true;
-    if (a.isLeaf() && b.isLeaf()) {
-      for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
-        for (std::uint32_t j = b.first; j < b.first + b.count; ++j) {
-          if (!leafPair(tree_a.corners(i), tree_b.corners(j))) return false;
-        }
-      }
-      return true;
+  float limitSquared() const { return std::nextafter(static_cast<float>(within_squared), 1e30f); }
+  bool isDone() const { return unproven; }
+  bool passesOver(const TraversalBox& a, const TraversalBox& b) const {
+    const OrientedBox box_b = orientedBox(b);
+    return boxesStayApart(orientedBox(a), moved(R_B0, X_B0.p, box_b), box_b);
+  }
+
+  void leafPair(const TraversalBox&, const TraversalBox&, const LeafBlock& leaf_a, const LeafBlock& leaf_b,
+                const LeafTransform& transform) {
+    alignas(16) float ignored[9][kLeafSize];
+    std::uint32_t near = proximityKernels().leafPairs(leaf_a, leaf_b, transform, limitSquared(), ignored);
+    for (; near != 0 && !unproven; near &= near - 1) {
+      const auto bit = static_cast<std::uint32_t>(std::countr_zero(near));
+      const std::uint32_t i = leaf_a.triangle[bit % kLeafSize], j = leaf_b.triangle[bit / kLeafSize];
+      unproven = !trianglesStayApart({mesh_a.corner(i, 0), mesh_a.corner(i, 1), mesh_a.corner(i, 2)},
+                                     {mesh_b.corner(j, 0), mesh_b.corner(j, 1), mesh_b.corner(j, 2)});
     }
-    if (b.isLeaf() || (!a.isLeaf() && a.size >= b.size)) {
-      return visit(tree_a.node(a.first), b, box_b) && visit(tree_a.node(a.first + 1), b, box_b);
-    }
-    const BoxTree::Node &left = tree_b.node(b.first), &right = tree_b.node(b.first + 1);
-    return visit(a, left, moved(R_B0, X_B0.p, left.box)) && visit(a, right, moved(R_B0, X_B0.p, right.box));
   }
 };
 
@@ -102,9 +116,10 @@ bool staysApart(const MeshCollider& a, const MeshCollider& b, const SweptPair& m
   const Pose X_A0W = motion.X_WA0.inverse();
   const Pose X_B0 = X_A0W * motion.X_WB0, X_B1 = X_A0W * motion.X_WB1, X_A1 = X_A0W * motion.X_WA1;
   const double within = motion.reach + least;
-  SweptSearch search{a.tree(),        b.tree(),           X_B0, X_B1, X_A1, X_B0.R(), X_B1.R(), X_A1.R(),
+  SweptSearch search{a.mesh(),        b.mesh(),           X_B0, X_B1, X_A1, X_B0.R(), X_B1.R(), X_A1.R(),
                      within * within, least + motion.bend};
-  return search.visit(a.tree().root(), b.tree().root(), moved(search.R_B0, X_B0.p, b.tree().root().box));
+  DualTraversal<SweptSearch>(a.tree(), b.tree(), X_B0, search).run();
+  return !search.unproven;
 }
 
 }  // namespace hapticell::collision

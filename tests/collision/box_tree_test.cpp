@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 #include <random>
 
 #include "tests/collision/meshes.h"
@@ -58,23 +61,67 @@ TEST_F(BoxTreeBounds, aLongSlantingTriangleIsBoundedWithinTheOtherBoxsSize) {
   }
 }
 
-TEST_F(BoxTreeBounds, leavesHoldTheirTrianglesAlsoWhenThoseAreNeedles) {
-  geometry::TriangleMesh mesh = test::soupMesh(random_, 300, 1.0);
-  for (const geometry::Triangle& triangle : mesh.triangles) {
-    const dvec3 middle = 0.5 * (mesh.vertices[triangle[0]] + mesh.vertices[triangle[1]]);
-    if (triangle[0] % 2 == 0) mesh.vertices[triangle[2]] = middle;
-  }
-  const BoxTree tree(mesh);
-  for (std::uint32_t index = 0; index < tree.nodeCount(); ++index) {
-    const BoxTree::Node& node = tree.node(index);
-    EXPECT_NEAR(std::abs(glm::determinant(node.box.R)), 1.0, 1e-14);
-    for (std::uint32_t slot = node.first; node.isLeaf() && slot < node.first + node.count; ++slot) {
-      for (const dvec3& corner : tree.corners(slot)) {
-        EXPECT_LE(std::sqrt(lowerBoundSquared(node.box, corner)), 1e-14);
-        EXPECT_LE(std::sqrt(lowerBoundSquared(tree.root().box, corner)), 1e-14);
-      }
+/// Every triangle under a slot, once each; checks on the way that all its corners are in the slot's box.
+void collectTriangles(const BoxTree& tree, const geometry::TriangleMesh& mesh, BoxTree::Slot slot,
+                      std::vector<std::uint32_t>& found) {
+  const std::size_t before = found.size();
+  const std::uint32_t child = tree.child(slot);
+  if (BoxTree::isLeaf(child)) {
+    const LeafBlock& leaf = tree.leaf(child);
+    ASSERT_TRUE(leaf.count >= 1 && leaf.count <= 4);
+    found.insert(found.end(), leaf.triangle, leaf.triangle + leaf.count);
+  } else {
+    for (std::uint32_t lane = 0; lane < tree.node(child).count; ++lane) {
+      collectTriangles(tree, mesh, child * kTreeWidth + lane, found);
     }
   }
+  const OrientedBox box = tree.box(slot);
+  EXPECT_NEAR(std::abs(glm::determinant(box.R)), 1.0, 1e-6);
+  for (std::size_t i = before; i < found.size(); ++i) {
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(lowerBoundSquared(box, mesh.corner(found[i], c)), 0.0);
+  }
+}
+
+TEST_F(BoxTreeBounds, boxesHoldTheirTrianglesAlsoWhenThoseAreNeedlesOrFarAway) {
+  for (const double far : {0.0, 20.0}) {
+    geometry::TriangleMesh mesh = test::soupMesh(random_, 300, 1.0);
+    for (const geometry::Triangle& triangle : mesh.triangles) {
+      const dvec3 middle = 0.5 * (mesh.vertices[triangle[0]] + mesh.vertices[triangle[1]]);
+      if (triangle[0] % 2 == 0) mesh.vertices[triangle[2]] = middle;
+    }
+    for (dvec3& vertex : mesh.vertices) vertex += dvec3(far);
+    std::vector<std::uint32_t> all(mesh.triangles.size()), found;
+    std::iota(all.begin(), all.end(), 0u);
+    const BoxTree tree(mesh, all);
+    collectTriangles(tree, mesh, BoxTree::kRoot, found);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, all);
+  }
+}
+
+TEST_F(BoxTreeBounds, theTreeDoesNotDependOnTheNumberOfThreads) {
+  const geometry::TriangleMesh mesh = test::sphereMesh(0.3, 120, 150);
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  BuildControl three;
+  three.threads = 3;
+  const BoxTree one(mesh, all), other(mesh, all, three);
+  ASSERT_EQ(one.nodes().size(), other.nodes().size());
+  ASSERT_EQ(one.leaves().size(), other.leaves().size());
+  EXPECT_EQ(std::memcmp(one.nodes().data(), other.nodes().data(), one.nodes().size() * sizeof(BoxNode)), 0);
+  EXPECT_EQ(std::memcmp(one.leaves().data(), other.leaves().data(), one.leaves().size() * sizeof(LeafBlock)), 0);
+}
+
+TEST_F(BoxTreeBounds, aTreeOfEqualTrianglesStaysShallow) {
+  geometry::TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.assign(5000, {0, 1, 2});
+  std::vector<std::uint32_t> all(mesh.triangles.size()), found;
+  std::iota(all.begin(), all.end(), 0u);
+  const BoxTree tree(mesh, all);
+  collectTriangles(tree, mesh, BoxTree::kRoot, found);
+  EXPECT_EQ(found.size(), all.size());
+  EXPECT_LT(tree.leaves().size(), all.size() / 2);
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace hapticell::collision {
+
+/// Children of a node, and the lanes of one box test.
+inline constexpr int kTreeWidth = 8;
+/// Triangles of a leaf, at most.
+inline constexpr int kLeafSize = 4;
+/// Triangle pairs that are measured together.
+inline constexpr int kPackSize = 16;
+
+/// Boxes about a node's children, lane by lane, in the mesh's frame M but relative to the node's `origin`: what is
+/// rounded to float is as small as the node, so a hall of 20 m keeps micrometres. The third axis is u x v.
+struct alignas(32) BoxNode {
+  float u[3][kTreeWidth];
+  float v[3][kTreeWidth];
+  float center[3][kTreeWidth];
+  float half[3][kTreeWidth];
+  std::uint32_t child[kTreeWidth];  ///< BoxTree::kLeafBit marks the index of a leaf, else it is of a node.
+  float origin[3];                  ///< p_MO, exactly this number.
+  std::uint32_t count;              ///< Lanes in use; the others are infinitely far.
+};
+
+/// Up to four triangles, corner by corner (x, y, z of the first, the second, the third), relative to `origin`. Between
+/// the two edges at the first corner is the largest angle. Unused lanes repeat the last triangle.
+struct alignas(16) LeafBlock {
+  float corner[9][kLeafSize];
+  std::uint32_t triangle[kLeafSize];
+  float origin[3];  ///< p_MO, exactly this number.
+  std::uint32_t count;
+};
+
+/// One box in the frame of a node, relative to its origin; a point has no size.
+struct QueryBox {
+  float axis[3][3];
+  float center[3];
+  float half[3];
+};
+
+/// Takes the second leaf's corners into the first leaf's frame: R c + t, with R row by row.
+struct LeafTransform {
+  float R[9];
+  float t[3];
+};
+
+/// Triangle pairs side by side, each in a frame of its own: coordinates first[3 * corner + axis][lane].
+struct alignas(64) PackedPairs {
+  float first[9][kPackSize];
+  float second[9][kPackSize];
+};
+
+/// What the pairs' distances are: `squared` never lies above the true square by more than `doubt`, nor below it by
+/// more.
+struct alignas(64) PackedDistances {
+  float squared[kPackSize];
+  float doubt[kPackSize];
+};
+
+/// The same in double, where rounding does not matter (coordinates in one frame of both meshes).
+struct alignas(64) ExactPairs {
+  double first[9][kTreeWidth];
+  double second[9][kTreeWidth];
+};
+
+/// The inner loops of the proximity engine for one instruction set. Without state; any thread.
+struct ProximityKernels {
+  const char* name;
+
+  /// Squares of lower bounds of the distances of a box to a node's eight children; never above the true square.
+  void (*boxBounds)(const BoxNode& node, const QueryBox& query, float* squared);
+
+  /// Which of the 16 pairs of two leaves' triangles (bit 4 * lane of b + lane of a) have no face's plane between them
+  /// at the distance sqrt(limit_squared) or more. `corners_b` becomes b's corners in a's frame.
+  std::uint32_t (*leafPairs)(const LeafBlock& a, const LeafBlock& b, const LeafTransform& transform,
+                             float limit_squared, float (*corners_b)[kLeafSize]);
+
+  /// Distances of 16 pairs.
+  void (*packedDistances)(const PackedPairs& pairs, PackedDistances& result);
+
+  /// Squares of the distances of 8 pairs, to double's rounding.
+  void (*exactDistances)(const ExactPairs& pairs, double* squared);
+};
+
+/// The kernels of this machine: the widest that its processor has. Set HAPTICELL_SIMD to portable, avx2 or avx512 to
+/// have less.
+const ProximityKernels& proximityKernels();
+
+/// Those of one name, for tests; null where this processor or build lacks them.
+const ProximityKernels* proximityKernels(const char* name);
+
+}  // namespace hapticell::collision
