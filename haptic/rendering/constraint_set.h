@@ -44,7 +44,10 @@ struct Constraint {
   double stiffness = 0.0;  ///< N/m wanted; 0 means the device's own.
   double damping = 0.0;    ///< N s/m wanted; 0 means the device's own.
   double friction = 0.0;   ///< Coulomb coefficient.
-  std::uint64_t id = 0;    ///< Stays the same from set to set for the same physical thing.
+  /// How the obstacle moves, m/s, as a motion of the stylus that keeps step with it: f is taken at the translation
+  /// less velocity times the set's age. Zero for what stands.
+  dvec3 velocity_D{0.0};
+  std::uint64_t id = 0;  ///< Stays the same from set to set for the same physical thing.
 };
 
 /// Everything the hand can feel within `zone_radius` of `X_DR`, complete. Made by the client, rendered by the server.

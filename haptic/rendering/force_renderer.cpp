@@ -15,10 +15,12 @@ namespace {
 constexpr double kMillisecond = 0.001;
 constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
 constexpr int kIterations = 2;
-constexpr double kJumpAllowance = 0.01e-3;   // m the proxy may outrun the stylus in a tick.
+constexpr double kJumpAllowance = 0.01e-3;  // m the proxy may outrun the stylus in a tick.
+constexpr double kLargestOutrun = 3.0;
 constexpr double kOffsetDecay = 0.05e-3;     // m per millisecond.
 constexpr double kUnpaidPower = 3e-4;        // W that the spring may gain without the hand's work,
 constexpr double kUnpaidBudget = 2e-4;       // J at once.
+constexpr double kFadeTime = 0.02;           // s, of a small offset in contact.
 constexpr double kOffsetGone = 1e-6;         // m.
 constexpr double kPull = 1e-3;               // N.
 constexpr double kTrustForce = 0.8;          // N.
@@ -27,6 +29,7 @@ constexpr double kEnergyAllowance = 0.2e-3;  // J made before the controller act
 constexpr double kControllerStep = 0.1;      // N s/m per millisecond.
 constexpr double kControllerLimit = 5.0;     // N s/m.
 constexpr double kDampingLimit = 8.0;        // N s/m an entry can ask for.
+constexpr double kOldestAge = 1.0;           // s that a moving obstacle is foreseen.
 constexpr double kStiffnessTime = 0.1;       // s for a whole change of stiffness in contact.
 
 dvec3 limited(const dvec3& v, double limit) {
@@ -80,12 +83,15 @@ struct ForceRenderer::Solved {
   dvec3 trust_D{0.0};      ///< The trust row's part of proxy less stylus, m.
   double friction = 0.0;   ///< Of the active rows, weighted by how hard they press.
   dvec3 lag_D{0.0};        ///< What the proxy could go besides, but for its longest move in a tick, m.
-  double way = 0.0;        ///< How far the rows would let the proxy go, m; it may need several ticks.
+  dvec3 goal_D{0.0};       ///< Where the rows would let the proxy go, m; it may need several ticks.
   double depth = 0.0;      ///< What then is left to the stylus, m.
   double stiffness = 0.0;  ///< Least that an active row asks for, 0: none does.
   double damping = 0.0;    ///< Most that an active row asks for.
+  double outrun = 1.0;     ///< How much faster than the stylus the proxy goes along what bulges towards it.
+  dvec3 v_DO{0.0};         ///< Of what is touched, weighted by how hard it presses, m/s.
 
   void note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result);
+  void noteOutrun(const Constraint& constraint, double press);
 };
 
 void ForceRenderer::Solved::note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result) {
@@ -95,19 +101,33 @@ void ForceRenderer::Solved::note(const GroupedSet& grouped, const ProxyRows& row
   trust_D = result.multiplier[last] * linearPart(rows.row[last].normal);
   contact = false;
   friction = stiffness = damping = 0.0;
+  v_DO = dvec3(0.0);
+  outrun = 1.0;
   double pressed = 0.0;
   for (std::size_t i = 0; i < last; ++i) {
     const double press = std::abs(result.multiplier[i]);
     if (press <= 0.0) continue;
     const Constraint& constraint = grouped.set.constraints[rows.entry[i]];
     contact = true;
+    noteOutrun(constraint, press);
     pressed += press;
     friction += press * constraint.friction;
+    v_DO += press * constraint.velocity_D;
     damping = std::max(damping, constraint.damping);
     if (constraint.stiffness > 0.0)
       stiffness = stiffness > 0.0 ? std::min(stiffness, constraint.stiffness) : constraint.stiffness;
   }
-  if (pressed > 0.0) friction /= pressed;
+  if (pressed <= 0.0) return;
+  friction /= pressed;
+  v_DO /= pressed;
+}
+
+/// On a convex surface of radius R a stylus that is d deep goes R - d while the proxy goes R.
+void ForceRenderer::Solved::noteOutrun(const Constraint& constraint, double press) {
+  const SymmetricMatrix6& B = constraint.curvature;
+  const double length = std::max(glm::length(linearPart(constraint.gradient)), 1e-9);
+  const double bulge = std::max({0.0, B[0], B[6], B[11]}) / length;
+  outrun = std::max(outrun, 1.0 / std::max(1.0 - bulge * press, 1.0 / kLargestOutrun));
 }
 
 void ForceRenderer::setOptions(const RendererOptions& options) {
@@ -138,16 +158,17 @@ void ForceRenderer::reset(const Pose& X_DS) {
   set_period_ = 0.1;
 }
 
-Adoption ForceRenderer::adopt(const ConstraintSet& set) {
+Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
   if (!isWellFormed(set)) return Adoption::kMalformed;
   if (has_set_ && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
   if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= set.zone_radius) return Adoption::kOutsideZone;
   sets_[1 - current_].take(set);
+  sets_[1 - current_].age = std::isfinite(age) ? std::clamp(age, 0.0, kOldestAge) : 0.0;
   offered_ = true;
   return Adoption::kAdopted;
 }
 
-ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const Pose& X_DS) const {
+ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const Pose& X_DS, double dt) const {
   Solved solved;
   solved.X_DP = proxy_;
   ProxyRows rows;
@@ -156,7 +177,7 @@ ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const 
     const Vector6 wanted = metricDifference(X_DS, solved.X_DP);
     const SolverResult result = nearestFeasible(rows.all(), wanted);
     Vector6 d = result.d;
-    solved.way = glm::distance(solved.X_DP.p + linearPart(d), proxy_.p);
+    solved.goal_D = solved.X_DP.p + linearPart(d);
     solved.depth = glm::distance(linearPart(wanted), linearPart(d));
     const double length = lengthOf(d);
     solved.note(grouped, rows, result);
@@ -171,18 +192,20 @@ ForceRenderer::Solved ForceRenderer::moveProxy(const GroupedSet& grouped, const 
     }
     solved.X_DP = displacedInMetric(solved.X_DP, d);
   }
-  applyFriction(grouped, solved);
+  applyFriction(grouped, solved, dt);
   return solved;
 }
 
-void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved) const {
+void ForceRenderer::applyFriction(const GroupedSet& grouped, Solved& solved, double dt) const {
   if (!solved.contact || solved.friction <= 0.0) return;
-  const dvec3 way = solved.X_DP.p - proxy_.p;
+  const dvec3 carried = proxy_.p + dt * solved.v_DO;  // What is touched takes the proxy along.
+  const dvec3 way = solved.X_DP.p - carried;
   const double length = glm::length(way);
   const double held = solved.friction * solved.depth;
   if (length <= 0.0 || held <= 0.0) return;
   // Of the whole way, not of what a tick can do of it: else a proxy that is left behind would stick for ever.
-  solved.X_DP.p = proxy_.p + way * std::clamp((solved.way - held) / length, 0.0, 1.0);
+  const double whole = glm::distance(solved.goal_D, carried);
+  solved.X_DP.p = carried + way * std::clamp((whole - held) / length, 0.0, 1.0);
   ProxyRows rows;
   rows.gather(grouped, solved.X_DP);
   const SolverResult back = nearestFeasible(rows.all(), Vector6{});
@@ -195,10 +218,10 @@ dvec3 ForceRenderer::stretchOf(const Solved& solved, const Pose& X_DS) const {
   return solved.X_DP.p - X_DS.p + solved.lag_D + trusted_D - solved.trust_D;
 }
 
-ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, SetJump& jump) {
-  Solved solved = moveProxy(sets_[1 - current_], X_DS);
+ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, double dt, SetJump& jump) {
+  Solved solved = moveProxy(sets_[1 - current_], X_DS, dt);
   if (has_set_) {
-    const Solved before = moveProxy(sets_[current_], X_DS);
+    const Solved before = moveProxy(sets_[current_], X_DS, dt);
     const dvec3 stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
     const dvec3 borne_before = borne(stretch_before);
     offset_D_ += borne_before - borne(stretch_after);
@@ -216,12 +239,13 @@ ForceRenderer::Solved ForceRenderer::changeSet(const Pose& X_DS, SetJump& jump) 
 /// that the force goes on from where it was. It is the stretch that counts: of a proxy that catches up from the zone's
 /// edge only a capped part was felt. Returns the proxy's step without the jump.
 dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& stretch_D, const SetJump& jump,
-                                 const dvec3& stylus_step) {
+                                 const dvec3& stylus_step, double dt) {
   const dvec3 proxy_step = solved.X_DP.p - proxy_.p - jump.proxy_D;
   const dvec3 growth = stretch_D - stretch_D_ - jump.stretch_D + stylus_step;
   stretch_D_ = stretch_D;
   if (!contact_ || !solved.contact) return proxy_step;
-  const double allowed = glm::length(stylus_step) + kJumpAllowance;
+  const double relative = glm::length(stylus_step - dt * solved.v_DO);
+  const double allowed = solved.outrun * relative + dt * glm::length(solved.v_DO) + kJumpAllowance;
   const dvec3 excess = growth - limited(growth, allowed);
   if (excess != dvec3(0.0)) {
     const dvec3 borne_before = borne(stretch_D - excess);
@@ -244,7 +268,7 @@ void ForceRenderer::decayOffset(const Solved& solved, const dvec3& stylus_step, 
   }
   double decay = kOffsetDecay * dt / kMillisecond;
   if (solved.contact) {
-    decay = std::min(decay, length * dt / (0.8 * set_period_));
+    decay = std::min(decay, length * dt / kFadeTime);
   } else {
     decay += std::abs(glm::dot(stylus_step, offset_D_)) / length;
   }
@@ -287,7 +311,8 @@ dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   // the proxy outruns the stylus and more of the coupling's damping would make energy instead of taking it.
   // Without a contact the proxy only catches up with the stylus: no motion to damp.
   const double damping = solved.contact ? damping_ : 0.0;
-  const dvec3 force = spring_D_ - damping * (v_stylus_D_ - v_proxy_D_) - controller_damping_ * v_stylus_D_;
+  const dvec3 force =
+      spring_D_ - damping * (v_stylus_D_ - v_proxy_D_) - controller_damping_ * (v_stylus_D_ - solved.v_DO);
   const dvec3 outward = spring_D_ / pull;
   const double along = glm::dot(force, outward);
   return along < 0.0 ? force - along * outward : force;
@@ -327,17 +352,18 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const Pose X_DS = X_DS_measured.isValid() ? X_DS_measured : stylus_;
   const dvec3 stylus_step = X_DS.p - stylus_.p;
   since_adoption_ += dt;
+  sets_[current_].age = std::min(sets_[current_].age + dt, kOldestAge);
 
   SetJump jump;
   Solved solved;
   solved.X_DP = X_DS;
   if (offered_)
-    solved = changeSet(X_DS, jump);
+    solved = changeSet(X_DS, dt, jump);
   else if (has_set_)
-    solved = moveProxy(sets_[current_], X_DS);
+    solved = moveProxy(sets_[current_], X_DS, dt);
 
   const dvec3 stretch_D = stretchOf(solved, X_DS);
-  const dvec3 proxy_step = takeOutJump(solved, stretch_D, jump, stylus_step);
+  const dvec3 proxy_step = takeOutJump(solved, stretch_D, jump, stylus_step, dt);
   filterVelocities(stylus_step, proxy_step, dt);
   decayOffset(solved, stylus_step, dt);
   held_stiffness_ = stiffness_;
@@ -346,10 +372,12 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const bool free = solved.active_rows == 0 && offset_D_ == dvec3(0.0);
   const dvec3 left_D = borne(free ? dvec3(0.0) : stretch_D);
   const dvec3 wanted_D = limited(pushing(left_D + offset_D_, left_D), forceLimit() / stiffness_);
-  const dvec3 spring_D = rationed(wanted_D, stylus_step, dt);
+  // What moves the obstacle pays as well as the hand does.
+  const dvec3 relative_step = stylus_step - dt * solved.v_DO;
+  const dvec3 spring_D = rationed(wanted_D, relative_step, dt);
   offset_D_ = spring_D - left_D;
   spring_D_ = stiffness_ * spring_D;
-  observeEnergy(stylus_step, solved.contact, dt);
+  observeEnergy(relative_step, solved.contact, dt);
   proxy_ = solved.X_DP;
   stylus_ = X_DS;
   contact_ = solved.contact;
@@ -359,6 +387,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   result.spring_D = spring_D_;
   result.force_D = couplingForce(solved);
   result.v_DS = v_stylus_D_;
+  result.v_DO = solved.v_DO;
   result.offset_D = offset_D_;
   result.active_rows = solved.active_rows;
   result.contact = solved.contact;

@@ -32,6 +32,7 @@ struct RenderResult {
   dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
   dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
   dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
+  dvec3 v_DO{0.0};                  ///< Of what is touched, m/s; its work on the hand is none that the renderer made.
   dvec3 offset_D{0.0};              ///< o, what is left of blended set changes, m.
   std::size_t active_rows = 0;      ///< Rows that hold the proxy back, the trust row included.
   bool contact = false;             ///< One of them is a constraint.
@@ -76,7 +77,8 @@ class ForceRenderer {
   void reset(const Pose& X_DS);
 
   /// Offers a new set; it takes effect with the next tick. Anything but kAdopted changes nothing.
-  Adoption adopt(const ConstraintSet& set);
+  /// `age` (s, at most 1 counts): how long ago the set was made, for what moves in it.
+  Adoption adopt(const ConstraintSet& set, double age = 0.0);
 
   /// One step of `dt` seconds (nominally 0.001). A pose that is not valid counts as the last valid one.
   RenderResult tick(const Pose& X_DS, double dt);
@@ -104,11 +106,12 @@ class ForceRenderer {
   };
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-  Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS) const;
-  void applyFriction(const GroupedSet& grouped, Solved& solved) const;
-  Solved changeSet(const Pose& X_DS, SetJump& jump);
+  Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS, double dt) const;
+  void applyFriction(const GroupedSet& grouped, Solved& solved, double dt) const;
+  Solved changeSet(const Pose& X_DS, double dt, SetJump& jump);
   dvec3 stretchOf(const Solved& solved, const Pose& X_DS) const;
-  dvec3 takeOutJump(const Solved& solved, const dvec3& stretch_D, const SetJump& jump, const dvec3& stylus_step);
+  dvec3 takeOutJump(const Solved& solved, const dvec3& stretch_D, const SetJump& jump, const dvec3& stylus_step,
+                    double dt);
   void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
   void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
   dvec3 rationed(const dvec3& spring_D, const dvec3& stylus_step, double dt);

@@ -36,12 +36,18 @@ void GroupedSet::take(const ConstraintSet& wanted) {
   }
 }
 
+Vector6 GroupedSet::seenFrom(std::size_t entry, const Vector6& xi) const {
+  const dvec3 gone = age * set.constraints[entry].velocity_D;
+  return {xi[0] - gone.x, xi[1] - gone.y, xi[2] - gone.z, xi[3], xi[4], xi[5]};
+}
+
 void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   const Twist motion = difference(X_DP, grouped.set.X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
   count = grouped.groups;
   for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
-  for (std::size_t i = 0; i < grouped.set.count; ++i) offer(grouped.row_of[i], i, grouped.set.constraints[i], xi);
+  for (std::size_t i = 0; i < grouped.set.count; ++i)
+    offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi));
   // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
   for (std::size_t i = 0; i < count; ++i) {
     if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};

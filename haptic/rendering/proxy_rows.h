@@ -16,9 +16,12 @@ struct GroupedSet {
   ConstraintSet set;
   std::array<std::uint8_t, kMaxConstraints> row_of{};
   std::size_t groups = 0;
+  double age = 0.0;  ///< s since the set was made: so far its moving obstacles have gone.
 
   /// Copies a well-formed set (only the entries that it has) and numbers its groups.
   void take(const ConstraintSet& wanted);
+  /// xi as it is seen from an obstacle that has moved since.
+  Vector6 seenFrom(std::size_t entry, const Vector6& xi) const;
 };
 
 /// The half-spaces of one set about one proxy pose: one row a group, from the group's entry that is freest, and the

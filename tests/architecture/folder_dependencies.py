@@ -26,6 +26,8 @@ ALLOWED = {
     "workcell": {"geometry", "config", "collision", "kinematics", "mannequin", "trajectory"},
     "manipulation": {"geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "workcell", "haptic/rendering",
                      "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
+    "feel": {"geometry", "config", "collision", "kinematics", "trajectory", "workcell", "manipulation",
+             "haptic/rendering", "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
     "cli": {"*"},
     "app": {"*"},
 }

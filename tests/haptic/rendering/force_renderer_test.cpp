@@ -9,12 +9,12 @@
 #include <random>
 #include <vector>
 
-#include "tests/haptic/rendering/feel_scene.h"
+#include "feel/scene.h"
 
 namespace hapticell::haptic {
 namespace {
 
-using test::planeConstraint;
+using feel::planeConstraint;
 
 constexpr double kTick = 0.001;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

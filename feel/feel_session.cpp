@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/haptic/rendering/feel_session.h"
-
-#include "geometry/assertion.h"
+#include "feel/feel_session.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace hapticell::haptic::test {
+#include "geometry/assertion.h"
+
+namespace hapticell::feel {
 
 namespace {
 
 constexpr double kTick = 0.001;
+constexpr double kAfterChange = 0.05;  // s after a change of contacts that are left out: true impacts.
+constexpr double kLeastDepth = 0.3e-3;
 
 double percentile(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;
@@ -19,34 +21,29 @@ double percentile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
-}  // namespace
-
-void SlowClient::step(double t, ForceRenderer& renderer) {
-  if (t + 1e-9 >= next_look_) {
-    next_look_ += 1.0 / rate_.rate_hz;
-    if (t < stall_from_ || t >= stall_until_) {
-      ConstraintSet set = scene_.setAt(renderer.proxy());
-      set.sequence = ++sequence_;
-      on_the_way_.push_back({t + rate_.latency, set});
-    }
-  }
-  while (!on_the_way_.empty() && on_the_way_.front().arrival <= t + 1e-9) {
-    renderer.adopt(on_the_way_.front().set);
-    on_the_way_.pop_front();
-  }
+std::unique_ptr<RenderingWay> wayOf(const SessionSetup& setup) {
+  if (setup.classic) return std::make_unique<ClassicWay>(setup.renderer);
+  return std::make_unique<ProxyWay>(setup.renderer);
 }
 
-FeelSession::FeelSession(const FeelScene& scene, ClientRate rate, HandOptions hand, config::DeviceProfile profile,
-                         RendererOptions options)
-    : scene_(scene), client_(scene, rate), device_(profile), renderer_(options), exact_(options) {
-  device_.hand().setOptions(hand);
+}  // namespace
+
+FeelSession::FeelSession(const FeelScene& scene, const SessionSetup& setup)
+    : scene_(scene),
+      hand_(setup.hand.value_or(scene.hand())),
+      client_(setup.seen != nullptr ? *setup.seen : scene, setup.rate),
+      device_(setup.device),
+      way_(wayOf(setup)),
+      exact_(setup.renderer) {
+  device_.hand().setOptions(hand_);
   HAPTICELL_DEMAND(device_.open().has_value());
 }
 
 void FeelSession::begin(const dvec3& start) {
-  device_.place(Pose::translation(start));
-  renderer_.reset(Pose::translation(start));
-  exact_.reset(Pose::translation(start));
+  const Pose X_DS = Pose::translation(start);
+  device_.place(X_DS);
+  way_->reset(X_DS);
+  exact_.reset(X_DS);
   follow([&](double) { return start; }, 1.2, false);
 }
 
@@ -71,24 +68,31 @@ void FeelSession::letGo(double duration) {
   for (int i = 0; i < static_cast<int>(std::lround(duration / kTick)); ++i) tick(false);
 }
 
+void FeelSession::forgetFigures() {
+  figures_ = {};
+  depth_errors_.clear();
+  direction_errors_.clear();
+  balance_.clear();
+}
+
 void FeelSession::tick(bool measured) {
   const dvec3 before = device_.truePose().p;
   device_.advance(kTick);
-  const dvec3 force_before = safety_result_.force_D;
-  DeviceReading reading;
+  const dvec3 force_before = result_.force_D;
+  haptic::DeviceReading reading;
   device_.read(reading);
-  client_.step(time_, renderer_);
-  result_ = renderer_.tick(reading.X_DS, kTick);
-  ConstraintSet exact = scene_.setAt(exact_.proxy());
+  client_.step(time_, *way_);
+  result_ = way_->tick(reading.X_DS, kTick);
+  ConstraintSet exact = scene_.setAt(exact_.proxy(), time_);
   exact.sequence = ++ticks_;
   exact_.adopt(exact);
   exact_result_ = exact_.tick(reading.X_DS, kTick);
-  SafetyInput input;
+  haptic::SafetyInput input;
   input.force_D = result_.force_D;
   input.v_DS = result_.v_DS;
   input.enabled = true;
   safety_result_ = safety_.tick(input);
-  renderer_.noteApplied(safety_result_.force_D);
+  way_->noteApplied(safety_result_.force_D);
   device_.write(safety_result_.force_D, dvec3(0.0));
   readings_.push_back(reading.X_DS.p);
   if (exact_result_.active_rows != exact_rows_) last_change_ = time_;
@@ -101,26 +105,26 @@ void FeelSession::tick(bool measured) {
 }
 
 void FeelSession::accountEnergy(const dvec3& moved) {
-  work_ -= glm::dot(device_.motorForce(), moved);
+  // What a moving obstacle does to the hand is none of the renderer's making.
+  work_ -= glm::dot(device_.motorForce(), moved - kTick * result_.v_DO);
   const dvec3 f = safety_result_.force_D;
-  balance_.push_back(work_ - glm::dot(f, f) / (2.0 * renderer_.options().stiffness));
+  balance_.push_back(work_ - glm::dot(f, f) / (2.0 * std::max(result_.stiffness, 1.0)));
 }
 
-void FeelSession::measure(const DeviceReading& reading, const dvec3& force_before) {
-  const dvec3 force = safety_result_.force_D;
-  const double size = glm::length(force);
-  figures_.force_max = std::max(figures_.force_max, size);
-  figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP));
+void FeelSession::measure(const haptic::DeviceReading& reading, const dvec3& force_before) {
+  figures_.force_max = std::max(figures_.force_max, glm::length(safety_result_.force_D));
+  figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP, time_));
   if (exact_result_.active_rows == 0 && glm::length(result_.offset_D) == 0.0 && result_.active_rows == 0) {
     ++figures_.free_ticks;
     figures_.free_force_max = std::max(figures_.free_force_max, glm::length(result_.force_D));
   }
-  if (time_ - last_change_ > 0.05) figures_.step_n = std::max(figures_.step_n, glm::length(force - force_before));
+  if (time_ - last_change_ <= kAfterChange) return;
+  figures_.step_n = std::max(figures_.step_n, glm::length(result_.force_D - force_before));
   const dvec3 exact_depth = exact_result_.X_DP.p - reading.X_DS.p;
   const double depth = glm::length(exact_depth);
-  if (exact_result_.active_rows == 0 || depth < 0.3e-3 || time_ - last_change_ <= 0.05) return;
+  if (exact_result_.active_rows == 0 || depth < kLeastDepth) return;
   ++figures_.contact_ticks;
-  const double rendered = glm::length(result_.spring_D) / renderer_.options().stiffness;
+  const double rendered = glm::length(result_.spring_D) / result_.stiffness;
   figures_.depth_error_max = std::max(figures_.depth_error_max, std::abs(rendered - depth));
   figures_.depth_excess_max = std::max(figures_.depth_excess_max, rendered - depth);
   depth_errors_.push_back(std::abs(rendered - depth) / depth);
@@ -143,6 +147,7 @@ FeelFigures FeelSession::figures() const {
   FeelFigures result = figures_;
   result.depth_error_p95 = percentile(depth_errors_, 0.95);
   result.direction_p95_deg = percentile(direction_errors_, 0.95);
+  // The least of balance[j] - balance[i], i < j < i + 1000.
   for (std::size_t i = 0; i < balance_.size(); ++i) {
     for (std::size_t j = i + 1; j < std::min(i + 1000, balance_.size()); ++j) {
       result.energy_min = std::min(result.energy_min, balance_[j] - balance_[i]);
@@ -151,4 +156,20 @@ FeelFigures FeelSession::figures() const {
   return result;
 }
 
-}  // namespace hapticell::haptic::test
+void touchAndSlide(FeelSession& session, const FeelScene& scene, double duration) {
+  const dvec3 outside = scene.start();
+  const double press = pressDepth(session.hand());
+  const dvec3 touch = scene.handAt(0.0, press) - 0.5 * scene.drift();
+  session.begin(outside);
+  session.follow([&](double t) { return glm::mix(outside, touch, std::min(1.0, t / 0.3)) + t * scene.drift(); }, 0.5);
+  session.followTurning([&](double t) { return scene.handAt(t, press); }, duration);
+}
+
+void pressAtRest(FeelSession& session, const FeelScene& scene) {
+  const dvec3 outside = scene.start();
+  const dvec3 goal = scene.rest() + pressDepth(session.hand()) * scene.pressDirection();
+  session.begin(outside);
+  session.follow([&](double t) { return glm::mix(outside, goal, std::min(1.0, t / 0.3)); }, 2.0);
+}
+
+}  // namespace hapticell::feel

@@ -7,14 +7,12 @@
 #include <memory>
 #include <random>
 
-#include "tests/haptic/rendering/feel_session.h"
+#include "feel/feel_session.h"
 #include "tests/support/test_data.h"
 
-namespace hapticell::haptic::test {
+namespace hapticell::feel {
 namespace {
 
-// The hand's spring and the coupling in series: the intended pose so deep that 2 N are felt.
-constexpr double kPress = 2.0 / 300.0 + 2.0 / 1000.0;
 // One step of a joint's encoder is this far at the tip where the arm is most stretched.
 constexpr double kCount = 0.03e-3;
 
@@ -49,27 +47,12 @@ void report(const std::string& name, ClientRate rate, const FeelFigures& f) {
       f.direction_p95_deg, f.energy_min * 1e3, f.force_max);
 }
 
-void touchAndSlide(FeelSession& session, const FeelScene& scene, double duration) {
-  const dvec3 outside = scene.start();
-  const dvec3 touch = scene.handAt(0.0, kPress);
-  session.begin(outside);
-  session.follow([&](double t) { return glm::mix(outside, touch, std::min(1.0, t / 0.3)); }, 0.5);
-  session.followTurning([&](double t) { return scene.handAt(t, kPress); }, duration);
-}
-
-void pressAtRest(FeelSession& session, const FeelScene& scene) {
-  const dvec3 outside = scene.start();
-  const dvec3 goal = scene.rest() + kPress * scene.pressDirection();
-  session.begin(outside);
-  session.follow([&](double t) { return glm::mix(outside, goal, std::min(1.0, t / 0.3)); }, 2.0);
-}
-
 class FeelOf : public ::testing::TestWithParam<Case> {};
 
 TEST_P(FeelOf, slidesAlikeAtEveryRate) {
   for (const ClientRate rate : kRates) {
     const auto scene = GetParam().make();
-    FeelSession session(*scene, rate);
+    FeelSession session(*scene, {rate});
     touchAndSlide(session, *scene, 4.0);
     const FeelFigures figures = session.figures();
     report(GetParam().name, rate, figures);
@@ -91,9 +74,9 @@ TEST_P(FeelOf, slidesAlikeAtEveryRate) {
 
 TEST_P(FeelOf, comesToRestUnderFirmAndLooseHands) {
   for (const ClientRate rate : kRates) {
-    for (const HandOptions& hand : {HandOptions::firm(), HandOptions::loose()}) {
+    for (const haptic::HandOptions& hand : {haptic::HandOptions::firm(), haptic::HandOptions::loose()}) {
       const auto scene = GetParam().make();
-      FeelSession session(*scene, rate, hand);
+      FeelSession session(*scene, {rate, hand});
       pressAtRest(session, *scene);
       EXPECT_GT(glm::length(session.safety().force_D), 1.0);
       EXPECT_LE(session.wobble(0.5), kCount) << rate.rate_hz << " Hz, b " << hand.damping;
@@ -106,7 +89,7 @@ TEST_P(FeelOf, comesToRestWhenLetGo) {
     const auto scene = GetParam().make();
     config::DeviceProfile profile;
     profile.weight = 0.44;  // All of the apparent mass: the worst case of the trial.
-    FeelSession session(*scene, rate, {}, profile);
+    FeelSession session(*scene, {rate, {}, profile});
     pressAtRest(session, *scene);
     session.letGo(3.0);
     EXPECT_LE(session.wobble(0.5), kCount) << rate.rate_hz;
@@ -116,7 +99,7 @@ TEST_P(FeelOf, comesToRestWhenLetGo) {
 TEST_P(FeelOf, ridesOutAStallOfTheClient) {
   for (const ClientRate rate : kRates) {
     const auto scene = GetParam().make();
-    FeelSession session(*scene, rate);
+    FeelSession session(*scene, {rate});
     session.client().stall(2.0, 2.5);
     touchAndSlide(session, *scene, 2.5);
     const FeelFigures figures = session.figures();
@@ -133,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FeelOf, ::testing::ValuesIn(kCases),
 TEST(Feel, facetsOfTenDegreesAreNoSteps) {
   for (const ClientRate rate : kRates) {
     const auto scene = facetScene(0.01, 36);
-    FeelSession session(*scene, rate);
+    FeelSession session(*scene, {rate});
     touchAndSlide(session, *scene, 4.0);
     const FeelFigures figures = session.figures();
     report("facets", rate, figures);
@@ -149,11 +132,11 @@ TEST(Feel, longerDelaysStayStableWithTheirStiffness) {
       config::DeviceProfile profile;
       profile.delay_ticks = delay;
       profile.weight = released ? 0.44 : profile.weight;
-      RendererOptions options;
+      haptic::RendererOptions options;
       options.delay = 1e-3 * delay;
       for (const Case& c : {kCases[0], kCases[5]}) {
         const auto scene = c.make();
-        FeelSession session(*scene, kRates[1], HandOptions::loose(), profile, options);
+        FeelSession session(*scene, {kRates[1], haptic::HandOptions::loose(), profile, options});
         pressAtRest(session, *scene);
         if (released) session.letGo(3.0);
         EXPECT_LE(session.wobble(0.5), kCount) << c.name << ", " << delay << " ms, released " << released;
@@ -167,10 +150,10 @@ TEST(Feel, theMeasureSeesALimitCycle) {
   config::DeviceProfile profile;
   profile.delay_ticks = 4;
   profile.weight = 0.44;
-  RendererOptions options;
+  haptic::RendererOptions options;
   options.stiffness = 1490.0;
   const auto scene = planeScene();
-  FeelSession session(*scene, kRates[1], HandOptions::loose(), profile, options);
+  FeelSession session(*scene, {kRates[1], haptic::HandOptions::loose(), profile, options});
   pressAtRest(session, *scene);
   session.letGo(3.0);
   EXPECT_GT(session.wobble(0.5), 5.0 * kCount);
@@ -181,13 +164,13 @@ TEST(Feel, everyShippedProfileComesToRest) {
     const auto file = hapticell::test::sourceFile(std::string("config/devices/") + name + ".toml");
     const auto profile = config::readDeviceProfile(file);
     ASSERT_TRUE(profile.has_value()) << profile.error().message();
-    RendererOptions options;
+    haptic::RendererOptions options;
     options.stiffness = profile->stiffness;
     options.damping = profile->damping;
     options.peak_force = profile->peak_force;
     for (const Case& c : {kCases[0], kCases[5]}) {
       const auto scene = c.make();
-      FeelSession session(*scene, kRates[1], HandOptions::loose(), *profile, options);
+      FeelSession session(*scene, {kRates[1], haptic::HandOptions::loose(), *profile, options});
       pressAtRest(session, *scene);
       EXPECT_GT(glm::length(session.safety().force_D), 0.8) << name;
       EXPECT_LE(session.wobble(0.5), 1.5 * profile->resolution) << name << ", " << c.name;
@@ -203,10 +186,10 @@ TEST(Feel, freeMotionCostsExactlyNothing) {
     for (const Case& c : {kCases[2], kCases[5]}) {
       const auto scene = c.make();
       // A hand so stiff that the stylus goes where the path goes, without overshoot into the obstacle.
-      HandOptions stiff;
+      haptic::HandOptions stiff;
       stiff.stiffness = 20000.0;
       stiff.damping = 60.0;
-      FeelSession session(*scene, rate, stiff);
+      FeelSession session(*scene, {rate, stiff});
       const dvec3 middle = scene->start() + dvec3(0.012, 0.012, 0.020);
       session.begin(middle);
       double largest = 0.0;
@@ -222,7 +205,7 @@ TEST(Feel, freeMotionCostsExactlyNothing) {
       }
       EXPECT_EQ(contacts, 0) << c.name;
       EXPECT_EQ(largest, 0.0) << c.name;
-      EXPECT_EQ(session.safety().gate, GateState::kOpen);
+      EXPECT_EQ(session.safety().gate, haptic::GateState::kOpen);
     }
   }
   EXPECT_EQ(ticks, 60000);
@@ -230,7 +213,7 @@ TEST(Feel, freeMotionCostsExactlyNothing) {
 
 TEST(Feel, offsetIsGoneSoonAfterRelease) {
   const auto scene = cylinderScene(0.01);
-  FeelSession session(*scene, kRates[0]);
+  FeelSession session(*scene, {kRates[0]});
   touchAndSlide(session, *scene, 1.0);
   const dvec3 from = session.device().truePose().p;
   session.follow([&](double t) { return from + dvec3(0, 0, std::min(0.02, 0.4 * t)); }, 0.2);
@@ -243,7 +226,7 @@ TEST(Feel, tapsMakeNoEnergy) {
   // 3 Hz taps of up to 0.25 m/s with a loose hand.
   for (const ClientRate rate : kRates) {
     const auto scene = planeScene();
-    FeelSession session(*scene, rate, HandOptions::loose());
+    FeelSession session(*scene, {rate, haptic::HandOptions::loose()});
     session.begin(dvec3(0, 0, 0.01));
     session.follow([&](double t) { return dvec3(0, 0, 0.008 * std::cos(6.0 * M_PI * t) + 0.002); }, 3.0);
     EXPECT_GE(session.figures().energy_min, -1e-3) << rate.rate_hz;
@@ -255,7 +238,7 @@ TEST(Feel, frictionSlidesAtItsCoefficient) {
   for (const ClientRate rate : kRates) {
     const auto scene = planeScene();
     scene->friction = 0.4;
-    FeelSession session(*scene, rate);
+    FeelSession session(*scene, {rate});
     session.begin(dvec3(-0.03, 0, 0.004));
     session.follow([&](double t) { return dvec3(-0.03, 0, 0.004 - (0.004 + kPress) * std::min(1.0, t / 0.3)); }, 0.5);
     double ratio_sum = 0.0;
@@ -273,7 +256,7 @@ TEST(Feel, frictionSlidesAtItsCoefficient) {
 class NoisyPlane final : public FeelScene {
  public:
   std::string name() const override { return "noisy plane"; }
-  ConstraintSet setAt(const Pose& X_DP) const override {
+  ConstraintSet setAt(const Pose& X_DP, double) const override {
     std::uniform_real_distribution<double> noise(-0.0105, 0.0105);
     ConstraintSet set;
     set.X_DR = X_DP;
@@ -283,7 +266,7 @@ class NoisyPlane final : public FeelScene {
     set.constraints[0].friction = friction;
     return set;
   }
-  double penetration(const Pose& X_DP) const override { return std::max(0.0, -X_DP.p.z); }
+  double penetration(const Pose& X_DP, double) const override { return std::max(0.0, -X_DP.p.z); }
   dvec3 handAt(double t, double press) const override { return {0.1 * t - 0.04, 0.0, -press}; }
 
  private:
@@ -294,7 +277,7 @@ TEST(Feel, frictionSticksWithoutDrift) {
   for (const ClientRate rate : kRates) {
     NoisyPlane scene;
     scene.friction = 0.3;
-    FeelSession session(scene, rate);
+    FeelSession session(scene, {rate});
     session.begin(dvec3(0, 0, 0.004));
     // A pull to the side of half the friction.
     const dvec3 goal(0.5 * 0.3 * kPress, 0, -kPress);
@@ -309,7 +292,7 @@ TEST(Feel, frictionSticksWithoutDrift) {
 TEST(Feel, noisyNormalsAreNotFeltAsSteps) {
   for (const ClientRate rate : kRates) {
     NoisyPlane scene;
-    FeelSession session(scene, rate);
+    FeelSession session(scene, {rate});
     session.begin(dvec3(-0.04, 0, 0.004));
     session.follow([&](double t) { return dvec3(-0.04, 0, 0.004 - (0.004 + kPress) * std::min(1.0, t / 0.3)); }, 0.5);
     session.follow([&](double t) { return scene.handAt(t, kPress); }, 0.8);
@@ -318,4 +301,4 @@ TEST(Feel, noisyNormalsAreNotFeltAsSteps) {
 }
 
 }  // namespace
-}  // namespace hapticell::haptic::test
+}  // namespace hapticell::feel

@@ -5,21 +5,31 @@
 #include <string>
 #include <vector>
 
+#include "geometry/error.h"
+#include "haptic/devices/simulated_hand.h"
 #include "haptic/rendering/constraint_set.h"
 
-namespace hapticell::haptic::test {
+namespace hapticell::feel {
+
+using haptic::Constraint;
+using haptic::ConstraintKind;
+using haptic::ConstraintSet;
 
 /// What a point stylus feels, known exactly. Device frame, metres.
 class FeelScene {
  public:
   virtual ~FeelScene() = default;
   virtual std::string name() const = 0;
-  /// The exact set about a proxy: everything within the zone.
-  virtual ConstraintSet setAt(const Pose& X_DP) const = 0;
+  /// The exact set about a proxy at time `t` (seconds of the session): everything within the zone.
+  virtual ConstraintSet setAt(const Pose& X_DP, double t) const = 0;
   /// How deep the proxy lies inside the obstacle (or off the guide), 0 outside; the second method for it.
-  virtual double penetration(const Pose& X_DP) const = 0;
+  virtual double penetration(const Pose& X_DP, double t) const = 0;
   /// Where the hand goes `t` seconds into the sliding, and for how long; `press` is the depth of the intended pose.
   virtual dvec3 handAt(double t, double press) const = 0;
+  /// How fast everything drifts, m/s (an obstacle on a conveyor and the hand that goes with it).
+  virtual dvec3 drift() const { return dvec3(0.0); }
+  /// The hand that goes there; one that is to follow a sharp curve must be stiffer than it presses deep.
+  virtual haptic::HandOptions hand() const { return {}; }
   /// How the hand turns the stylus meanwhile.
   virtual dquat turnAt(double) const { return dquat(1.0, 0.0, 0.0, 0.0); }
   /// A free place near the path's beginning, with no force.
@@ -52,6 +62,25 @@ std::unique_ptr<FeelScene> boxScene();
 /// A peg, 30 mm long, in a hole with 0.05 mm of clearance and a bottom: planes in 8 directions at both rims.
 std::unique_ptr<FeelScene> pegScene();
 
+/// Obstacle and hand drift at `velocity` (m/s), the hand besides along the scene's own path; for `duration` of sliding
+/// (s) about the middle of the workspace.
+std::unique_ptr<FeelScene> driftingScene(std::unique_ptr<FeelScene> scene, const dvec3& velocity, double duration);
+/// `cell` felt through a motion scale of so many metres of the cell a metre of hand; the hand goes along the path of
+/// `hand`, the same thing in its own size.
+std::unique_ptr<FeelScene> scaledScene(std::unique_ptr<FeelScene> cell, std::unique_ptr<FeelScene> hand, double scale);
+
+/// The built-in robot dragged by its tool centre point against the upper limit of its third joint.
+Expected<std::unique_ptr<FeelScene>> jointLimitScene();
+/// The same robot whose forearm touches a wall and slides along it.
+Expected<std::unique_ptr<FeelScene>> linkContactScene();
+
+/// An empty set about the proxy, with the zone that is asked for.
+ConstraintSet emptySet(const Pose& X_DP);
+/// Appends an entry; there is room for it (contract).
+void add(ConstraintSet& set, const Constraint& constraint);
+/// To and fro between -1 and 1 at constant speed; `rate` in ways per second.
+double triangleWave(double t, double rate);
+
 /// A plane patch through `point` with the normal, as seen from X_DR: exact for a point stylus.
 Constraint planeConstraint(const dvec3& point, const dvec3& normal, const Pose& X_DR, std::uint32_t group);
 
@@ -61,4 +90,4 @@ Constraint bodyPointConstraint(const dvec3& p_SB, double gap, const dvec3& norma
 /// f(w) = n.e + 1/2 e' M e with e = w - point, re-expanded about X_DR for a point stylus.
 Constraint quadricConstraint(const dvec3& point, const dvec3& normal, const dmat3& M, const Pose& X_DR);
 
-}  // namespace hapticell::haptic::test
+}  // namespace hapticell::feel

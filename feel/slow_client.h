@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+
+#include "feel/rendering_way.h"
+#include "feel/scene.h"
+
+namespace hapticell::feel {
+
+/// How often a client sends sets, and how late they arrive.
+struct ClientRate {
+  double rate_hz = 10.0;
+  double latency = 0.05;  ///< s.
+};
+
+inline constexpr ClientRate kRates[] = {{10.0, 0.05}, {60.0, 0.01}, {1000.0, 0.001}};
+
+/// A client that looks at its rate and whose sets arrive late.
+class SlowClient {
+ public:
+  SlowClient(const FeelScene& scene, ClientRate rate) : scene_(scene), rate_(rate) {}
+
+  /// At time t: looks when it is due; offers what has arrived.
+  void step(double t, RenderingWay& way);
+
+  void stall(double from, double until) {
+    stall_from_ = from;
+    stall_until_ = until;
+  }
+  /// Zones only so wide (m); groups that are free all over them are left out.
+  void setZone(double radius) { zone_ = radius; }
+  /// When the first set after the stall arrived; below 0: not yet.
+  double backAt() const { return back_at_; }
+
+ private:
+  struct Sent {
+    double made, arrival;
+    ConstraintSet set;
+  };
+  ConstraintSet look(const RenderingWay& way, double t) const;
+
+  const FeelScene& scene_;
+  ClientRate rate_;
+  double zone_ = 0.0;
+  double next_look_ = 0.0;
+  double stall_from_ = 1e9, stall_until_ = 1e9;
+  double back_at_ = -1.0;
+  std::uint64_t sequence_ = 0;
+  std::deque<Sent> on_the_way_;
+};
+
+}  // namespace hapticell::feel
