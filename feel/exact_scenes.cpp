@@ -159,8 +159,10 @@ class Corner final : public FeelScene {
     return std::max({0.0, -X_DP.p.x, -X_DP.p.y, -X_DP.p.z});
   }
   dvec3 handAt(double t, double press) const override {
-    // Along the edge into the corner and out of it again.
-    return {0.02 + (0.02 + 0.8 * press) * -triangleWave(t, 2.5), -0.6 * press, -press};
+    // Along the edge into the corner, a moment of rest, and out of it again, at 0.1 m/s.
+    const double half = 0.02 + 0.8 * press, longer = 1.4;
+    const double way = std::clamp(longer * triangleWave(t, 0.1 / (2.0 * longer * half)), -1.0, 1.0);
+    return {0.02 - half * way, -0.6 * press, -press};
   }
 };
 

@@ -17,28 +17,32 @@ constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
 constexpr int kIterations = 2;
 constexpr double kJumpAllowance = 0.01e-3;  // m the proxy may outrun the stylus in a tick.
 constexpr double kLargestOutrun = 3.0;
-constexpr double kOffsetDecay = 0.05e-3;     // m per millisecond.
-constexpr double kUnpaidPower = 3e-4;        // W that the spring may gain without the hand's work,
-constexpr double kUnpaidBudget = 2e-4;       // J at once.
-constexpr double kFadeTime = 0.02;           // s, of a small offset in contact.
-constexpr double kOffsetGone = 1e-6;         // m.
-constexpr double kPull = 1e-3;               // N.
-constexpr double kTrustForce = 0.8;          // N.
-constexpr double kFilterFrequency = 100.0;   // Hz.
-constexpr double kEnergyAllowance = 0.2e-3;  // J made before the controller acts.
-constexpr double kControllerStep = 0.1;      // N s/m per millisecond.
-constexpr double kControllerLimit = 5.0;     // N s/m.
-constexpr double kDampingLimit = 8.0;        // N s/m an entry can ask for.
-constexpr double kOldestAge = 1.0;           // s that a moving obstacle is foreseen.
-constexpr double kStiffnessTime = 0.1;       // s for a whole change of stiffness in contact.
+constexpr double kOffsetDecay = 0.05e-3;                     // m per millisecond.
+constexpr double kUnpaidPower = 3e-4;                        // W that the spring may gain without the hand's work,
+constexpr double kUnpaidBudget = 2e-4;                       // J at once.
+constexpr double kFadeTime = 0.02;                           // s, of a small offset in contact.
+constexpr double kOffsetGone = 1e-6;                         // m.
+constexpr double kPull = 1e-3;                               // N.
+constexpr double kTrustForce = 0.8;                          // N.
+constexpr double kQuietFilter = 60.0, kQuickFilter = 100.0;  // Hz, at kSoft and below, and for stiff couplings.
+constexpr double kSoft = 1000.0;                             // N/m.
+constexpr double kEnergyAllowance = 0.2e-3;                  // J made before the controller acts.
+constexpr double kControllerStep = 0.1;                      // N s/m per millisecond.
+constexpr double kControllerLimit = 5.0;                     // N s/m.
+constexpr double kDampingLimit = 8.0;                        // N s/m an entry can ask for.
+constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
+constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
 
 dvec3 limited(const dvec3& v, double limit) {
   const double length = glm::length(v);
   return length > limit ? v * (limit / length) : v;
 }
 
-double lowPassGain(double dt) {
-  return 1.0 - std::exp(-2.0 * std::numbers::pi * kFilterFrequency * dt);
+/// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
+/// quicker.
+double lowPassGain(double stiffness, double dt) {
+  const double frequency = std::clamp(kQuietFilter * stiffness / kSoft, kQuietFilter, kQuickFilter);
+  return 1.0 - std::exp(-2.0 * std::numbers::pi * frequency * dt);
 }
 
 double saneOr(double value, double fallback) {
@@ -53,6 +57,7 @@ RendererOptions limitedByDelay(RendererOptions options) {
   options.damping = saneOr(options.damping, defaults.damping);
   options.delay = saneOr(options.delay, defaults.delay);
   options.peak_force = saneOr(options.peak_force, defaults.peak_force);
+  if (!options.adapt) return options;
   const double ticks = std::max(1.0, options.delay / kMillisecond);
   options.stiffness = std::min(options.stiffness, 0.65 * 2300.0 / ticks);
   if (ticks >= 1.999) options.damping = std::max(options.damping, 4.0);
@@ -255,7 +260,7 @@ dvec3 ForceRenderer::takeOutJump(const Solved& solved, const dvec3& stretch_D, c
 }
 
 void ForceRenderer::filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt) {
-  const double gain = lowPassGain(dt);
+  const double gain = lowPassGain(options_.stiffness, dt);
   v_stylus_D_ += gain * (stylus_step / dt - v_stylus_D_);
   v_proxy_D_ += gain * (proxy_step / dt - v_proxy_D_);
 }

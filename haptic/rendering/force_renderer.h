@@ -18,6 +18,7 @@ struct RendererOptions {
   double stiffness = 1000.0;  ///< K wanted, N/m.
   double damping = 2.0;       ///< B wanted, N s/m.
   double delay = 0.001;       ///< From the measurement to the force that answers it, seconds.
+  bool adapt = true;          ///< False: K and B are taken as they are, for finding out where they become unstable.
   double peak_force = 6.4;    ///< Of the device, N; forces are compared at set changes after clamping to it.
 };
 

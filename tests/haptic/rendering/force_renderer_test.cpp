@@ -177,7 +177,7 @@ TEST(ForceRenderer, aTurnOfTheWristPaysForNothing) {
   ForceRenderer renderer;
   renderer.reset(at(0, 0, 0.001));
   ConstraintSet set = floorSet(1);
-  set.constraints[0] = test::bodyPointConstraint(dvec3(0.1, 0, 0), 0.0, dvec3(0, 0, 1), set.X_DR);
+  set.constraints[0] = feel::bodyPointConstraint(dvec3(0.1, 0, 0), 0.0, dvec3(0, 0, 1), set.X_DR);
   renderer.adopt(set);
   RenderResult result;
   for (int i = 1; i <= 2000; ++i) {
