@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "geometry/assertion.h"
+#include "kinematics/turns.h"
 
 namespace hapticell::kinematics {
 
@@ -23,12 +24,6 @@ constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not 
 constexpr double kElbowMargin = 0.01;   // rad from straight or folded
 constexpr double kSameSolution = 1e-4;  // rad or m
 constexpr std::size_t kMaxAlternatives = 64;
-
-double distanceSquared(const ChainPositions& a, const ChainPositions& b, std::size_t n) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < n; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return sum;
-}
 
 double largestChange(const ChainPositions& a, const ChainPositions& b, std::size_t n) {
   double largest = 0.0;
@@ -142,15 +137,22 @@ void NumericInverse::fill(const FitResult& fit, const std::vector<double>& q_sta
 
 void NumericInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                                   InverseSolution& solution) const {
+  descend(X_BT, q_start, duration_s, Yielding{options_.lever, -1}, solution);
+}
+
+void NumericInverse::descend(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                             const Yielding& yielding, InverseSolution& solution) const {
   HAPTICELL_DEMAND(duration_s > 0.0);
   const ChainPositions x = pick(q_start);
   FitBox box = limits();
   for (std::size_t i = 0; i < chain_.size(); ++i) {
-    box.lower[i] = std::max(box.lower[i], x[i] - chain_.velocity()[i] * duration_s);
-    box.upper[i] = std::min(box.upper[i], x[i] + chain_.velocity()[i] * duration_s);
+    const double reach = static_cast<int>(i) == yielding.held ? 0.0 : chain_.velocity()[i] * duration_s;
+    box.lower[i] = std::max(box.lower[i], x[i] - reach);
+    box.upper[i] = std::min(box.upper[i], x[i] + reach);
   }
   keepElbowSide(x, box);
   FitOptions options = options_;
+  options.lever = yielding.lever_m;
   options.max_iterations = kHapticIterations;
   FitResult fit = fitPose(chain_, X_BT, x, box, options);
   // Held by its speed is not held by a limit: only the latter is told.
@@ -176,23 +178,6 @@ std::vector<std::size_t> NumericInverse::seedsNear(const Pose& X_BT) const {
   return order;
 }
 
-// Shifts turning variables by whole turns to where they are nearest to x_start; false when one is outside its limits.
-bool NumericInverse::takeNearestTurns(ChainPositions& x, const ChainPositions& x_start) const {
-  bool within = true;
-  for (std::size_t i = 0; i < chain_.size(); ++i) {
-    constexpr double kSlack = 1e-9;
-    const double lower = chain_.lower()[i] - kSlack, upper = chain_.upper()[i] + kSlack;
-    if (chain_.turns(i)) {
-      x[i] += kTurn * std::round((x_start[i] - x[i]) / kTurn);
-      if (x[i] > upper) x[i] -= kTurn * std::ceil((x[i] - upper) / kTurn);
-      if (x[i] < lower) x[i] += kTurn * std::ceil((lower - x[i]) / kTurn);
-    }
-    within = within && x[i] >= lower && x[i] <= upper;
-    if (within) x[i] = std::clamp(x[i], chain_.lower()[i], chain_.upper()[i]);
-  }
-  return within;
-}
-
 // Points about the start, the first ones nearest: what one descent from the start itself passed by.
 ChainPositions NumericInverse::aboutStart(const ChainPositions& x_start, std::size_t index) const {
   const double radius = kNearEnough * static_cast<double>(1 + index / 4);
@@ -210,7 +195,7 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
   options.max_iterations = 200;
   FitResult best = fitPose(chain_, X_BT, x_start, limits(), options);
   if (best.converged) {
-    takeNearestTurns(best.x, x_start);
+    takeNearestTurns(chain_, x_start, best.x);
     if (largestChange(best.x, x_start, chain_.size()) < kNearEnough) return best;
   }
   const double first_joint_distance = glm::length(X_BT.p - chain_.elements()[0].p_PJ);
@@ -219,8 +204,7 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
   options.give_up_when_slow = true;
   options.second_order = false;
   const std::vector<std::size_t> order = seedsNear(X_BT);
-  double nearest =
-      best.converged ? distanceSquared(best.x, x_start, chain_.size()) : std::numeric_limits<double>::infinity();
+  double nearest = best.converged ? distanceSquared(chain_, best.x, x_start) : std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < kSeedsAboutStart + order.size(); ++s) {
     if (best.converged && s >= kSeedsAboutStart + kSeedsForNearest) break;
     const bool about_start = s < kSeedsAboutStart;
@@ -230,8 +214,8 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
       if (!best.converged && fitCost(fit, options.lever) < fitCost(best, options.lever)) best = fit;
       continue;
     }
-    takeNearestTurns(fit.x, x_start);
-    const double distance = distanceSquared(fit.x, x_start, chain_.size());
+    takeNearestTurns(chain_, x_start, fit.x);
+    const double distance = distanceSquared(chain_, fit.x, x_start);
     if (distance < nearest) {
       nearest = distance;
       best = fit;
@@ -251,6 +235,14 @@ bool NumericInverse::reachableWithoutLimits(const Pose& X_BT, const ChainPositio
     if (fitPose(chain_, X_BT, seeds_[order[s]].x, box, options_).converged) return true;
   }
   return false;
+}
+
+InverseSolution NumericInverse::nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const {
+  FitOptions options = options_;
+  options.max_iterations = 200;
+  InverseSolution solution;
+  fill(fitPose(chain_, X_BT, pick(q_start), limits(), options), q_start, solution);
+  return solution;
 }
 
 InverseSolution NumericInverse::solve(const Pose& X_BT, const std::vector<double>& q_start) const {
@@ -278,14 +270,9 @@ std::vector<AlternativeSolution> NumericInverse::solveAll(const Pose& X_BT, cons
   const auto take = [&](const ChainPositions& x_try) {
     FitResult fit = fitPose(chain_, X_BT, x_try, box, options);
     if (!fit.converged || found.size() >= kMaxAlternatives) return;
-    const bool within = takeNearestTurns(fit.x, x_start);
+    const bool within = takeNearestTurns(chain_, x_start, fit.x);
     const bool known = std::any_of(found.begin(), found.end(), [&](const ChainPositions& x) {
-      double largest = 0.0;
-      for (std::size_t i = 0; i < n; ++i) {
-        const double change = x[i] - fit.x[i];
-        largest = std::max(largest, std::abs(chain_.turns(i) ? std::remainder(change, kTurn) : change));
-      }
-      return largest < kSameSolution;
+      return sameButForTurns(chain_, x, fit.x, kSameSolution);
     });
     if (known) return;
     found.push_back(fit.x);
@@ -297,7 +284,7 @@ std::vector<AlternativeSolution> NumericInverse::solveAll(const Pose& X_BT, cons
   std::vector<std::size_t> order(found.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return distanceSquared(found[a], x_start, n) < distanceSquared(found[b], x_start, n);
+    return distanceSquared(chain_, found[a], x_start) < distanceSquared(chain_, found[b], x_start);
   });
   for (const std::size_t index : order) {
     AlternativeSolution solution{q_start, within_limits[index], configurationName(chain_, found[index])};

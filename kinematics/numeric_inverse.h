@@ -30,6 +30,18 @@ class NumericInverse final : public InverseModel {
   const std::vector<int>& variables() const override { return chain_.variables(); }
   void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                     InverseSolution& solution) const override;
+  /// What gives way where a pose cannot be met.
+  struct Yielding {
+    double lever_m = 0.25;  ///< 1 rad weighs like this many metres.
+    int held = -1;          ///< A variable of the chain that stands still, or -1.
+  };
+  /// solveNearest() with a choice of what yields.
+  void descend(const Pose& X_BT, const std::vector<double>& q_start, double duration_s, const Yielding& yielding,
+               InverseSolution& solution) const;
+
+  /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
+  InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
+
   InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
   std::vector<AlternativeSolution> solveAll(const Pose& X_BT, const std::vector<double>& q_start) const override;
 
@@ -53,7 +65,6 @@ class NumericInverse final : public InverseModel {
   ChainPositions pick(const std::vector<double>& q) const;
   void fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const;
   std::vector<std::size_t> seedsNear(const Pose& X_BT) const;
-  bool takeNearestTurns(ChainPositions& x, const ChainPositions& x_start) const;
   ChainPositions aboutStart(const ChainPositions& x_start, std::size_t index) const;
   FitResult searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const;
   bool reachableWithoutLimits(const Pose& X_BT, const ChainPositions& x_start) const;

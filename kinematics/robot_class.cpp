@@ -31,6 +31,10 @@ class Misfit {
     meet(a, b).meet(b, c);
     return length(glm::length(nearestPoint(axes_, a, b) - nearestPoint(axes_, b, c)));
   }
+  /// Two points at the same height along an axis.
+  Misfit& alongside(const dvec3& a, const dvec3& b, std::size_t axis) {
+    return length(glm::dot(b - a, axes_.axis_B[axis]));
+  }
   /// Parallel axes must not be the same line.
   Misfit& apart(std::size_t a, std::size_t b) {
     possible_ = possible_ && lineDistance(axes_, a, b) > kLeastLength;
@@ -94,9 +98,11 @@ Misfit fitTo(RobotClass robot_class, const ArmAxes& axes) {
     case RobotClass::kPanda: {
       Misfit misfit = Misfit(axes).meet(0, 1, 2).meet(4, 5);
       for (std::size_t i = 0; i < 6; ++i) misfit.square(i, i + 1);
-      return misfit.demand(distanceFromAxis(axes, nearestPoint(axes, 0, 1), 3) > kLeastLength)
-          .demand(distanceFromAxis(axes, nearestPoint(axes, 4, 5), 3) > kLeastLength)
-          .demand(distanceFromAxis(axes, nearestPoint(axes, 4, 5), 6) > kLeastLength);
+      const dvec3 shoulder = nearestPoint(axes, 0, 1), wrist = nearestPoint(axes, 4, 5);
+      // Shoulder, elbow and wrist in one plane, axis 7 square over the wrist.
+      misfit.alongside(shoulder, wrist, 3).alongside(wrist, axes.origin_B[6], 5);
+      return misfit.demand(distanceFromAxis(axes, shoulder, 3) > kLeastLength)
+          .demand(distanceFromAxis(axes, wrist, 3) > kLeastLength);
     }
     default:
       break;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/robot_model.h"
@@ -143,6 +144,85 @@ inline RobotModel scara() {
   lift.upper = 0.22;
   addJoint(model, 3, "j4", JointType::kContinuous, {0, 0, 1}, {});
   return model;
+}
+
+/// An S-R-S arm in the measures of KUKA's LBR iiwa 14: 360, 420, 400, 126 mm.
+inline RobotModel iiwa() {
+  constexpr double kHalfPi = 1.57079632679489661923;
+  RobotModel model = fromDh({{0, 0.36, 0, -kHalfPi},
+                             {0, 0, 0, kHalfPi},
+                             {0, 0.42, 0, kHalfPi},
+                             {0, 0, 0, -kHalfPi},
+                             {0, 0.4, 0, -kHalfPi},
+                             {0, 0, 0, kHalfPi},
+                             {0, 0.126, 0, 0}});
+  const double limits[] = {2.967, 2.094, 2.967, 2.094, 2.967, 2.094, 3.054};
+  for (std::size_t i = 0; i < 7; ++i) {
+    model.joints[i].lower = -limits[i];
+    model.joints[i].upper = limits[i];
+  }
+  return model;
+}
+
+/// Six axes (point, direction) at zero with the flange at `flange`: any arm, all limits +-2.8 rad.
+inline RobotModel fromAxes(const std::vector<std::pair<dvec3, dvec3>>& axes, const dvec3& flange) {
+  RobotModel model = emptyModel();
+  dvec3 before(0.0);
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    Joint& joint = addJoint(model, static_cast<int>(i), numbered("j", i + 1), JointType::kRevolute, axes[i].second,
+                            Pose::translation(axes[i].first - before));
+    joint.lower = -2.8;
+    joint.upper = 2.8;
+    before = axes[i].first;
+  }
+  addJoint(model, static_cast<int>(axes.size()), "to_flange", JointType::kFixed, {0, 0, 1},
+           {flange - before, glm::angleAxis(0.7, dvec3(0, 0.6, 0.8))});
+  model.links.back().name = "flange";
+  return model;
+}
+
+/// A cobot whose axis 6 passes the wrist at 80 mm, in the measures of ABB's CRB 15000-5.
+inline RobotModel offsetWrist() {
+  return fromAxes({{{0, 0, 0.265}, {0, 0, 1}},
+                   {{0, 0, 0.265}, {0, 1, 0}},
+                   {{0, 0, 0.709}, {0, 1, 0}},
+                   {{0, 0, 0.819}, {1, 0, 0}},
+                   {{0.47, 0, 0.819}, {0, 1, 0}},
+                   {{0.47, 0, 0.899}, {1, 0, 0}}},
+                  {0.571, 0, 0.899});
+}
+
+/// The same with a shoulder offset and axis 6 aslant: nothing of its reach is a plain cosine any more.
+inline RobotModel offsetWristWithShoulder() {
+  return fromAxes({{{0, 0, 0}, {0, 0, 1}},
+                   {{0.15, 0, 0.4}, {0, 1, 0}},
+                   {{0.15, 0, 1.0}, {0, 1, 0}},
+                   {{0.15, 0.05, 1.1}, {1, 0, 0}},
+                   {{0.75, 0.05, 1.1}, {0, 1, 0}},
+                   {{0.75, 0.05, 1.18}, {0.9, 0.3, 0.2}}},
+                  {0.95, 0.1, 1.2});
+}
+
+/// Axes 4 to 6 in a point, nothing parallel or square.
+inline RobotModel sphericalWrist() {
+  return fromAxes({{{0, 0, 0}, {0, 0, 1}},
+                   {{0.2, 0.05, 0.4}, {0.1, 0.9, 0.3}},
+                   {{0.25, 0, 0.9}, {-0.2, 0.8, 0.1}},
+                   {{0.7, 0.1, 1.0}, {1, 0.1, 0.2}},
+                   {{0.7, 0.1, 1.0}, {0, 1, 0.2}},
+                   {{0.7, 0.1, 1.0}, {0.9, -0.2, 0.1}}},
+                  {0.9, 0.1, 1.05});
+}
+
+/// Axes 1 to 3 in a point instead, the wrist spread out.
+inline RobotModel sphericalBase() {
+  return fromAxes({{{0, 0, 0.5}, {0, 0, 1}},
+                   {{0, 0, 0.5}, {0.1, 1, 0}},
+                   {{0, 0, 0.5}, {1, 0, 0.1}},
+                   {{0.5, 0.1, 0.6}, {0, 1, 0}},
+                   {{0.9, 0.1, 0.5}, {0.2, 0.1, 1}},
+                   {{1.0, 0.2, 0.5}, {1, 0, 0.3}}},
+                  {1.1, 0.2, 0.4});
 }
 
 /// Uniform joint positions within the limits (continuous joints within +-3 rad).

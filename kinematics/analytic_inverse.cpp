@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/analytic_inverse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/assertion.h"
+#include "kinematics/turns.h"
+
+namespace hapticell::kinematics {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kAccepted = 1e-9;       // m and rad: what counts as the pose met
+constexpr double kWorthPolishing = 0.2;  // m or rad: further off, an answer of the nominal arm is none
+constexpr double kSameSolution = 1e-7;   // rad or m
+constexpr double kNoJump = 0.3;          // rad or m in one call without a bound from speeds
+constexpr int kRefinements = 24;
+constexpr double kPositionFirst = 0.01;  // times the lever: the position weighs a hundred times as much
+
+struct PoseError {
+  double position = 0.0;
+  double orientation = 0.0;
+  bool within(double bound) const { return position < bound && orientation < bound; }
+};
+
+PoseError errorAt(const Chain& chain, const ChainPositions& x, const Pose& X_BT) {
+  ChainState state;
+  chain.evaluate(x, state);
+  const dmat3 R = X_BT.R();
+  // Half the sum of the columns' cross products is the axis times the sine of the angle between the two.
+  dvec3 sine(0.0);
+  double cosine = -1.0;
+  for (int i = 0; i < 3; ++i) {
+    sine += 0.5 * glm::cross(R[i], state.R_BT[i]);
+    cosine += glm::dot(R[i], state.R_BT[i]);
+  }
+  return {glm::length(state.p_BT - X_BT.p), std::atan2(glm::length(sine), 0.5 * cosine)};
+}
+
+// How many places of each free parameter are tried, by how many there are.
+int samplesFor(std::size_t count) {
+  constexpr int kSamples[] = {1, 64, 16, 8};
+  return count < 4 ? kSamples[count] : 4;
+}
+
+}  // namespace
+
+AnalyticInverse::AnalyticInverse(std::unique_ptr<NumericInverse> numeric, const Classification& classification,
+                                 const InverseOptions& options, std::size_t model_dof)
+    : numeric_(std::move(numeric)), classification_(classification), options_(options), model_dof_(model_dof) {
+  const Chain& chain = *numeric_->chain();
+  const ArmAxes axes = armAxes(chain);
+  rails_ = classification.rails;
+  rail_B_ = axes.rail_B;
+  closed_ = makeClosedForm(classification.robot_class, axes);
+  HAPTICELL_DEMAND(closed_ != nullptr);
+  bounds_.joints = static_cast<int>(chain.size() - rails_);
+  free_box_ = {chain.lower(), chain.upper()};
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (chain.turns(i)) {
+      free_box_.lower[i] = -std::numeric_limits<double>::infinity();
+      free_box_.upper[i] = std::numeric_limits<double>::infinity();
+    }
+    if (i < rails_) continue;
+    bounds_.lower[i - rails_] = chain.lower()[i];
+    bounds_.upper[i - rails_] = chain.upper()[i];
+    bounds_.turn[i - rails_] = chain.turns(i) ? kTurn : 0.0;
+  }
+}
+
+ChainPositions AnalyticInverse::pick(const std::vector<double>& q) const {
+  HAPTICELL_DEMAND(q.size() == model_dof_);
+  const Chain& chain = *numeric_->chain();
+  ChainPositions x{};
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    x[i] = std::clamp(q[static_cast<std::size_t>(chain.variables()[i])], chain.lower()[i], chain.upper()[i]);
+  }
+  return x;
+}
+
+AnalyticInverse::Free AnalyticInverse::freeAt(const Pose& X_BT, const ChainPositions& x) const {
+  Free free{};
+  dvec3 p = X_BT.p;
+  for (std::size_t i = 0; i < rails_; ++i) {
+    free[i] = x[i];
+    p -= x[i] * rail_B_[i];
+  }
+  if (closed_->redundancy() > 0) free[rails_] = closed_->redundancyAt(X_BT.R(), p, x.data() + rails_);
+  return free;
+}
+
+void AnalyticInverse::freeRange(std::size_t index, double& lower, double& upper) const {
+  const Chain& chain = *numeric_->chain();
+  lower = -std::numbers::pi;
+  upper = std::numbers::pi;
+  const bool last_joint = classification_.robot_class == RobotClass::kPanda;
+  if (index >= rails_ && !last_joint) return;  // a swivel angle
+  const std::size_t variable = index < rails_ ? index : chain.size() - 1;
+  const double bound = index < rails_ ? chain.reach() : std::numbers::pi;
+  lower = std::isfinite(chain.lower()[variable]) ? chain.lower()[variable] : -bound;
+  upper = std::isfinite(chain.upper()[variable]) ? chain.upper()[variable] : bound;
+}
+
+kernels::Choice AnalyticInverse::evaluate(const Pose& X_BT, const Free& free, const ChainPositions& x_start,
+                                          kernels::Solutions& solutions) const {
+  dvec3 p = X_BT.p;
+  for (std::size_t i = 0; i < rails_; ++i) p -= free[i] * rail_B_[i];
+  const double* previous = x_start.data() + rails_;
+  closed_->solve(X_BT.R(), p, free[rails_], previous, solutions);
+  return kernels::table().choose(bounds_, previous, closed_->groups(), solutions);
+}
+
+ChainPositions AnalyticInverse::assemble(const Free& free, const kernels::Solutions& solutions, int slot) const {
+  ChainPositions x{};
+  for (std::size_t i = 0; i < rails_; ++i) x[i] = free[i];
+  for (int joint = 0; joint < bounds_.joints; ++joint) {
+    x[rails_ + static_cast<std::size_t>(joint)] = solutions.q[joint][slot];
+  }
+  return x;
+}
+
+// Checks a solution on the true chain; one that is near is polished on it.
+bool AnalyticInverse::verify(const Pose& X_BT, const ChainPositions& x_start, Found& found) const {
+  const Chain& chain = *numeric_->chain();
+  const PoseError error = errorAt(chain, found.x, X_BT);
+  if (error.within(classification_.calibrated ? 1e-12 : kAccepted)) return true;
+  if (!error.within(kWorthPolishing)) return false;
+  FitOptions options;
+  options.lever = options_.lever_m;
+  options.max_iterations = 20;
+  options.second_order = false;
+  const FitResult fit = fitPose(chain, X_BT, found.x, free_box_, options);
+  if (!fit.converged) return false;
+  found.x = fit.x;
+  found.within = takeNearestTurns(chain, x_start, found.x);
+  return true;
+}
+
+// All solutions at one place of the free parameters. An arm that is only near its class may reach where the nominal one
+// just does not: then the branch's stretched pose is polished too.
+void AnalyticInverse::collect(const Pose& X_BT, const Free& free, const ChainPositions& x_start,
+                              std::vector<Found>& all) const {
+  kernels::Solutions solutions;
+  const kernels::Choice choice = evaluate(X_BT, free, x_start, solutions);
+  const std::size_t first = all.size();
+  const bool planar = classification_.robot_class == RobotClass::kOpw || classification_.robot_class == RobotClass::kUr;
+  for (int slot = 0; slot < 4 * closed_->groups(); ++slot) {
+    const bool valid = (solutions.valid >> slot & 1u) != 0;
+    if (!valid && !(classification_.calibrated && planar)) continue;
+    Found found{assemble(free, solutions, slot), (choice.within >> slot & 1u) != 0};
+    if (!std::all_of(found.x.begin(), found.x.end(), [](double x) { return std::isfinite(x); })) continue;
+    if (!verify(X_BT, x_start, found)) continue;
+    const bool known = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [&](const Found& one) {
+      return sameButForTurns(*numeric_->chain(), one.x, found.x, kSameSolution);
+    });
+    if (!known) all.push_back(found);
+  }
+}
+
+void AnalyticInverse::consider(const Pose& X_BT, const Free& free, const ChainPositions& x_start, Best& best) const {
+  kernels::Solutions solutions;
+  const kernels::Choice choice = evaluate(X_BT, free, x_start, solutions);
+  best.outside = best.outside || solutions.valid != 0;
+  if (choice.nearest < 0) return;
+  double distance = choice.distance_squared;
+  for (std::size_t i = 0; i < rails_; ++i) distance += (free[i] - x_start[i]) * (free[i] - x_start[i]);
+  if (best.any && distance >= best.distance_squared) return;
+  Found found{assemble(free, solutions, choice.nearest), true};
+  if (!verify(X_BT, x_start, found) || !found.within) return;
+  best.x = found.x;
+  best.any = true;
+  best.distance_squared = distance;
+}
+
+// A grid over the free parameters, then a search by halves about the best place.
+void AnalyticInverse::searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const {
+  const std::size_t count = freeCount();
+  const int samples = samplesFor(count);
+  Free lower{}, upper{}, place = freeAt(X_BT, x_start), best_place = place;
+  int total = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    freeRange(i, lower[i], upper[i]);
+    total *= samples;
+  }
+  const auto tryPlace = [&](const Free& free) {
+    const double before = best.any ? best.distance_squared : std::numeric_limits<double>::infinity();
+    consider(X_BT, free, x_start, best);
+    if (best.any && best.distance_squared < before) best_place = free;
+  };
+  tryPlace(place);
+  for (int index = 0; index < total; ++index) {
+    int rest = index;
+    for (std::size_t i = 0; i < count; ++i, rest /= samples) {
+      place[i] = lower[i] + (upper[i] - lower[i]) * (rest % samples + 0.5) / samples;
+    }
+    tryPlace(place);
+  }
+  if (!best.any) return;
+  double share = 0.5 / samples;
+  for (int round = 0; round < kRefinements; ++round) {
+    const Free around = best_place;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const double direction : {-1.0, 1.0}) {
+        place = around;
+        place[i] = std::clamp(around[i] + direction * share * (upper[i] - lower[i]), lower[i], upper[i]);
+        tryPlace(place);
+      }
+    }
+    if (best_place == around) share *= 0.5;
+  }
+}
+
+AnalyticInverse::Best AnalyticInverse::searchPlain(const Pose& X_BT, const ChainPositions& x_start) const {
+  std::vector<Found> all;
+  collect(X_BT, freeAt(X_BT, x_start), x_start, all);
+  Best best;
+  best.outside = !all.empty();
+  for (const Found& found : all) {
+    if (!found.within) continue;
+    const double distance = distanceSquared(*numeric_->chain(), found.x, x_start);
+    if (best.any && distance >= best.distance_squared) continue;
+    best.x = found.x;
+    best.distance_squared = distance;
+    best.any = true;
+  }
+  return best;
+}
+
+void AnalyticInverse::fill(const Pose& X_BT, const ChainPositions& x, const std::vector<double>& q_start,
+                           InverseSolution& solution) const {
+  const Chain& chain = *numeric_->chain();
+  const PoseError error = errorAt(chain, x, X_BT);
+  solution.q = q_start;
+  for (std::size_t i = 0; i < chain.size(); ++i) solution.q[static_cast<std::size_t>(chain.variables()[i])] = x[i];
+  solution.position_error = error.position;
+  solution.orientation_error = error.orientation;
+  solution.singular = chainIsSingular(chain, x);
+  solution.status = InverseStatus::kSolved;
+}
+
+InverseSolution AnalyticInverse::solve(const Pose& X_BT, const std::vector<double>& q_start) const {
+  const ChainPositions x_start = pick(q_start);
+  Best best;
+  if (freeCount() == 0) {
+    best = searchPlain(X_BT, x_start);
+  } else {
+    searchFree(X_BT, x_start, best);
+  }
+  InverseSolution solution;
+  if (best.any) {
+    fill(X_BT, best.x, q_start, solution);
+    return solution;
+  }
+  if (freeCount() > 0 || classification_.calibrated) {  // a narrow way between the samples, or off the nominal arm
+    solution = numeric_->solve(X_BT, q_start);
+    if (solution.status == InverseStatus::kUnreachable && best.outside) solution.status = InverseStatus::kLimit;
+    return solution;
+  }
+  // The least misfit; which of the two reasons it has is known for sure.
+  solution = numeric_->nearestMiss(X_BT, q_start);
+  solution.status = best.outside ? InverseStatus::kLimit : InverseStatus::kUnreachable;
+  return solution;
+}
+
+std::vector<AlternativeSolution> AnalyticInverse::solveAll(const Pose& X_BT, const std::vector<double>& q_start) const {
+  constexpr int kPlaces[] = {1, 16, 5, 3};
+  const ChainPositions x_start = pick(q_start);
+  const std::size_t count = freeCount();
+  std::vector<Found> all;
+  Free place = freeAt(X_BT, x_start);
+  collect(X_BT, place, x_start, all);
+  const int samples = count < 4 ? kPlaces[count] : 2;
+  int total = 1;
+  for (std::size_t i = 0; i < count; ++i) total *= samples;
+  for (int index = 0; count > 0 && index < total; ++index) {
+    int rest = index;
+    for (std::size_t i = 0; i < count; ++i, rest /= samples) {
+      double lower, upper;
+      freeRange(i, lower, upper);
+      place[i] = lower + (upper - lower) * (rest % samples + 0.5) / samples;
+    }
+    collect(X_BT, place, x_start, all);
+  }
+  const Chain& chain = *numeric_->chain();
+  std::stable_sort(all.begin(), all.end(), [&](const Found& a, const Found& b) {
+    return distanceSquared(chain, a.x, x_start) < distanceSquared(chain, b.x, x_start);
+  });
+  std::vector<AlternativeSolution> solutions;
+  for (const Found& found : all) {
+    AlternativeSolution solution{q_start, found.within, configurationName(chain, found.x)};
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      solution.q[static_cast<std::size_t>(chain.variables()[i])] = found.x[i];
+    }
+    solutions.push_back(std::move(solution));
+  }
+  return solutions;
+}
+
+// The closed form's nearest solution where every joint gets there in time; `too_fast` where only speeds are in the way.
+bool AnalyticInverse::quickAnswer(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                                  InverseSolution& solution, bool& too_fast) const {
+  if (freeCount() > 0 || classification_.calibrated || classification_.robot_class == RobotClass::kOffsetWrist) {
+    return false;
+  }
+  const Chain& chain = *numeric_->chain();
+  const ChainPositions x_start = pick(q_start);
+  kernels::Solutions solutions;
+  const kernels::Choice choice = evaluate(X_BT, {}, x_start, solutions);
+  if (choice.nearest < 0) return false;
+  const ChainPositions x = assemble({}, solutions, choice.nearest);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double allowed = std::isfinite(duration_s) ? chain.velocity()[i] * duration_s : kNoJump;
+    too_fast = too_fast || std::abs(x[i] - x_start[i]) > allowed;
+  }
+  if (too_fast) return false;
+  fill(X_BT, x, q_start, solution);
+  return solution.position_error < kAccepted && solution.orientation_error < kAccepted;
+}
+
+NumericInverse::Yielding AnalyticInverse::yieldingThroughSingularity() const {
+  switch (options_.at_singularity) {
+    case SingularityChoice::kKeepOrientation:
+      break;
+    case SingularityChoice::kKeepPosition:
+      return {kPositionFirst * options_.lever_m, -1};
+    case SingularityChoice::kKeepJoint4:
+      return {kPositionFirst * options_.lever_m, static_cast<int>(rails_) + 3};
+  }
+  return {options_.lever_m, -1};
+}
+
+void AnalyticInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                                   InverseSolution& solution) const {
+  HAPTICELL_DEMAND(duration_s > 0.0);
+  bool too_fast = false;
+  if (quickAnswer(X_BT, q_start, duration_s, solution, too_fast)) return;
+  const bool through = too_fast && std::isfinite(duration_s) && classification_.robot_class == RobotClass::kOpw;
+  if (through) return numeric_->descend(X_BT, q_start, duration_s, yieldingThroughSingularity(), solution);
+  numeric_->solveNearest(X_BT, q_start, duration_s, solution);
+}
+
+}  // namespace hapticell::kinematics

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinematics/kernels/choose_lanes.h"
+#include "kinematics/kernels/kernels.h"
+#include "kinematics/kernels/offset_lanes.h"
+#include "kinematics/kernels/opw_lanes.h"
+#include "kinematics/kernels/seven_lanes.h"
+#include "kinematics/kernels/ur_lanes.h"
+
+namespace hapticell::kinematics::kernels {
+namespace {
+
+/// The functions as this translation unit is compiled.
+constexpr Table tableNamed(const char* name) {
+  return {name, opw, opwError, ur, srs, panda, offsetWrist, choose};
+}
+
+}  // namespace
+}  // namespace hapticell::kinematics::kernels

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace hapticell::kinematics::kernels {
+
+// Closed forms in the arms' canonical frames, four branches at a time. Plain data only: the functions are compiled
+// twice (AVX2 with FMA, and the plain machine) and chosen when the program runs.
+
+inline constexpr int kMaxSolutions = 16;
+inline constexpr int kMaxJoints = 8;
+
+/// Pose of the last joint's frame in the arm's canonical base frame; R row by row.
+struct ArmPose {
+  double R[9];
+  double p[3];
+};
+
+/// Joint positions, joint by joint; bit k of `valid` tells whether solution k is one.
+struct alignas(32) Solutions {
+  double q[kMaxJoints][kMaxSolutions];
+  unsigned valid = 0;
+};
+
+/// Every canonical angle is theta = sign * q + offset.
+struct JointMap {
+  double sign[kMaxJoints] = {1, 1, 1, 1, 1, 1, 1, 1};
+  double offset[kMaxJoints] = {};
+};
+
+/// R06 = Rz(1) Ry(2 + 3) Rz(4) Ry(5) Rz(6); the frame of joint 6 has its origin in the wrist centre.
+///
+/// Axis 2 passes a1 in front of axis 1 at height 0; upper arm c2 along z at theta_2 = 0; the wrist centre lies at (a2,
+/// b, c3) from the elbow. As Brandstoetter, Angerer, Hofbaur 2014, with c1 and c4 in the frames.
+struct OpwArm {
+  double a1, b, c2, k, psi;  ///< k = hypot(a2, c3), psi = atan2(a2, c3).
+  double sin_psi, cos_psi;
+  JointMap map;
+};
+
+/// R06 = Rz(1) Ry(2 + 3 + 4) Rz(5) Rx(-90 deg) Rz(6); the frame of joint 6 has its origin where axes 5 and 6 meet.
+struct UrArm {
+  double a1, c2, c3, d4, d5;
+  JointMap map;
+};
+
+/// R07 = Rz(1) Ry(2) Rz(3) Ry(4) Rz(5) Ry(6) Rz(7), shoulder at the origin; axis 4 at d3 along z and a4 along x of
+/// frame 3, the wrist at (a5, 0, d5) from it in frame 4, axis 7 at a7 along x of frame 6. For the S-R-S arm a4 = a5 =
+/// a7 = 0.
+struct SevenArm {
+  double d3, a4, a5, d5, a7;
+  JointMap map;
+};
+
+/// A vector that turns with an angle t: middle + cos t * cosine + sin t * sine.
+struct Circle {
+  double middle[3], cosine[3], sine[3];
+};
+
+/// An arm of which joints 1 to 4 are an OpwArm's and axis 6 passes the point W where axes 4 and 5 meet; all vectors in
+/// the canonical base frame, turning with joint 6 as the wanted pose has it.
+struct OffsetArm {
+  OpwArm arm;  ///< Offsets of joints 5 and 6 are zero.
+  Circle wrist;
+  Circle across_5, axis_5, along_5;  ///< x, y (the axis) and z of the frame of link 5; z is axis 4 at q_5 = 0.
+};
+
+/// What makes a solution allowed and near; see Table::choose.
+struct JointBounds {
+  double lower[kMaxJoints];
+  double upper[kMaxJoints];
+  double turn[kMaxJoints];  ///< 2 pi where a full turn changes nothing, else 0.
+  int joints = 6;
+};
+
+struct Choice {
+  unsigned within = 0;  ///< Bit k: solution k is valid and within the bounds.
+  int nearest = -1;     ///< Of these the one nearest to the previous joints; -1 without any.
+  double distance_squared = 0.0;
+};
+
+/// The functions of one build. `previous` are the joints before, q as in Solutions: a joint that the pose leaves free
+/// (joint 4 at theta_5 = 0, joint 1 with the wrist centre on axis 1, joint 6 of a UR at theta_5 = 0, and the like)
+/// keeps its place. None allocates or throws.
+struct Table {
+  const char* name;
+  /// Eight solutions: lane 0 front, 1 back with one elbow, 2 and 3 with the other; 4 to 7 the same with the wrist
+  /// flipped.
+  void (*opw)(const OpwArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions);
+  /// The largest of the position's (m) and the rotation matrices' differences over all valid solutions.
+  double (*opwError)(const OpwArm& arm, const ArmPose& pose, const Solutions& solutions);
+  void (*ur)(const UrArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions);
+  /// Eight solutions for the swivel angle of the elbow about the line from shoulder to wrist (rad; zero: the elbow is
+  /// in the plane of that line and z).
+  void (*srs)(const SevenArm& arm, const ArmPose& pose, double swivel, const double* previous, Solutions& solutions);
+  /// Eight solutions for q_7 given.
+  void (*panda)(const SevenArm& arm, const ArmPose& pose, double q_7, const double* previous, Solutions& solutions);
+  /// Up to sixteen solutions of an arm with an offset wrist, found by a search over joint 6.
+  void (*offsetWrist)(const OffsetArm& arm, Solutions& solutions);
+  /// Turns each joint of each solution to the full turn nearest to `previous` within the bounds (a solution outside
+  /// stays where it is nearest), and finds the nearest one. `groups` of four solutions are looked at.
+  Choice (*choose)(const JointBounds& bounds, const double* previous, int groups, Solutions& solutions);
+};
+
+/// The functions for this processor: AVX2 with FMA where it has them.
+const Table& table();
+
+/// One build, for tests and measurements; null where the processor cannot run it.
+const Table* plainTable();
+const Table* avx2Table();
+
+}  // namespace hapticell::kinematics::kernels

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinematics/kernels/opw_lanes.h"
+
+namespace hapticell::kinematics::kernels {
+namespace {
+
+struct ShoulderAngles {
+  Lanes first, second, third;
+};
+
+/// Rz(1) Ry(2) Rz(3) with the third column z3 and the second column y3.
+inline ShoulderAngles shoulder(const Lanes3& z3, const Lanes3& y3, const JointMap& map, const double* previous) {
+  const Lanes s = squareRoot(z3.x * z3.x + z3.y * z3.y);
+  const Mask free = s < Lanes(kFree);
+  Lanes c1 = z3.x / s, s1 = z3.y / s;
+  if (bitsOf(free) != 0) {
+    Lanes c0, s0;
+    previousAngle(map, 0, previous, c0, s0);
+    c1 = select(free, c0, c1);
+    s1 = select(free, s0, s1);
+  }
+  const Lanes s2 = c1 * z3.x + s1 * z3.y;
+  // y3 in the frame turned by theta_1 and theta_2 is (-sin, cos, 0); its part along Ry(2)'s x needs no division.
+  const Lanes ahead = c1 * y3.x + s1 * y3.y, side = c1 * y3.y - s1 * y3.x;
+  return {arcTangent(s1, c1), arcTangent(s2, z3.z), arcTangent(s2 * y3.z - z3.z * ahead, side)};
+}
+
+inline Lanes3 column(const ArmPose& pose, int i) {
+  return {pose.R[i], pose.R[3 + i], pose.R[6 + i]};
+}
+
+// The eight solutions are one and three pairs of half turns; lanes: shoulder flip x elbow sign; groups: wrist flip.
+inline void srs(const SevenArm& arm, const ArmPose& pose, double swivel, const double* previous, Solutions& solutions) {
+  const double* p = pose.p;
+  const double flat = __builtin_sqrt(p[0] * p[0] + p[1] * p[1]);
+  const double r2 = flat * flat + p[2] * p[2], r = __builtin_sqrt(r2);
+  const double l1 = arm.d3, l2 = arm.d5;
+  const double cos_a = (r2 + l1 * l1 - l2 * l2) / (2.0 * r * l1);  // at the shoulder, between upper arm and line
+  const double sin_a_squared = (1.0 - cos_a) * (1.0 + cos_a);
+  solutions.valid = 0;
+  if (!(sin_a_squared >= -kStretched)) return;
+  const double sin_a = __builtin_sqrt(sin_a_squared > 0.0 ? sin_a_squared : 0.0);
+  // The line's direction w, "up" in its vertical plane, and the third direction.
+  const double wx = p[0] / r, wy = p[1] / r, wz = p[2] / r;
+  const bool upright = flat < 1e-12 * r;
+  const double cx = upright ? 1.0 : p[0] / flat, cy = upright ? 0.0 : p[1] / flat;
+  const double up[3] = {-wz * cx, -wz * cy, flat / r}, side[3] = {-cy, cx, 0.0};
+  const double cs = __builtin_cos(swivel), ss = __builtin_sin(swivel);
+  const double e[3] = {cs * up[0] + ss * side[0], cs * up[1] + ss * side[1], cs * up[2] + ss * side[2]};
+  const Lanes3 w{wx, wy, wz}, radial{e[0], e[1], e[2]};
+  const Lanes3 z3 = cos_a * w + Lanes(sin_a) * radial;
+  const double cos_b = (r - l1 * cos_a) / l2, sin_b = l1 * sin_a / l2;
+  const Lanes3 z5 = cos_b * w - Lanes(sin_b) * radial;
+  const Lanes3 y4 = cross(radial, w);
+  const double cos_4 = cos_a * cos_b - sin_a * sin_b, sin_4 = sin_a * cos_b + cos_a * sin_b;
+  const Lanes3 x4 = cross(y4, z5);
+  const ShoulderAngles first = shoulder(z3, y4, arm.map, previous);
+  const Lanes3 x7 = column(pose, 0), y7 = column(pose, 1), z7 = column(pose, 2);
+  const ZyzAngles wrist =
+      zyz({dot(x4, x7), dot(x4, y7), dot(x4, z7), dot(y4, x7), dot(y4, y7), dot(y4, z7), dot(z5, z7)}, arm.map, 4,
+          previous);
+  const Lanes theta4 = arcTangent(sin_4, cos_4);
+  const Mask shoulder_flips = Lanes(0.0, 1.0, 0.0, 1.0) > Lanes(0.5),
+             elbow_flips = Lanes(0.0, 0.0, 1.0, 1.0) > Lanes(0.5);
+  const Lanes theta1 = select(shoulder_flips, halfTurned(first.first), first.first);
+  const Lanes theta2 = select(shoulder_flips, -first.second, first.second);
+  const Lanes theta3 = select(shoulder_flips ^ elbow_flips, halfTurned(first.third), first.third);
+  for (int group = 0; group < 2; ++group) {
+    storeJoint(arm.map, 0, group, theta1, solutions);
+    storeJoint(arm.map, 1, group, theta2, solutions);
+    storeJoint(arm.map, 2, group, theta3, solutions);
+    storeJoint(arm.map, 3, group, select(elbow_flips, -theta4, theta4), solutions);
+    // An elbow bent the other way turns the frame before the wrist by half a turn.
+    const Lanes flipped = halfTurned(wrist.first);
+    storeJoint(arm.map, 4, group,
+               group == 0 ? select(elbow_flips, flipped, wrist.first) : select(elbow_flips, wrist.first, flipped),
+               solutions);
+    storeJoint(arm.map, 5, group, group == 0 ? wrist.second : -wrist.second, solutions);
+    storeJoint(arm.map, 6, group, group == 0 ? wrist.third : halfTurned(wrist.third), solutions);
+  }
+  solutions.valid = 0xffu;
+}
+
+// Lanes: the elbow's bend x the two directions of axis 5; groups: shoulder flip.
+inline void panda(const SevenArm& arm, const ArmPose& pose, double q_7, const double* previous, Solutions& solutions) {
+  const double theta7 = arm.map.sign[6] * q_7 + arm.map.offset[6];
+  const double c7 = __builtin_cos(theta7), s7 = __builtin_sin(theta7);
+  double x6[3], y6[3], w[3];
+  for (int i = 0; i < 3; ++i) {  // R06 = R07 Rz(-theta_7)
+    x6[i] = c7 * pose.R[3 * i] - s7 * pose.R[3 * i + 1];
+    y6[i] = s7 * pose.R[3 * i] + c7 * pose.R[3 * i + 1];
+    w[i] = pose.p[i] - arm.a7 * x6[i];
+  }
+  const double r2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+  // The triangle of shoulder, axis 4 and wrist, and the wrist seen from the shoulder in frame 4.
+  const double L1 = __builtin_sqrt(arm.d3 * arm.d3 + arm.a4 * arm.a4);
+  const double L2 = __builtin_sqrt(arm.d5 * arm.d5 + arm.a5 * arm.a5);
+  const double cos_g = (L1 * L1 + L2 * L2 - r2) / (2.0 * L1 * L2);
+  const double sin_g_squared = (1.0 - cos_g) * (1.0 + cos_g);
+  const double sin_w = arm.a5 / L2, cos_w = arm.d5 / L2, sin_s = -arm.a4 / L1, cos_s = -arm.d3 / L1;
+  const Lanes sin_g = Lanes(1.0, -1.0, 1.0, -1.0) * Lanes(__builtin_sqrt(sin_g_squared > 0.0 ? sin_g_squared : 0.0));
+  const Lanes wx = arm.a5 - L1 * (sin_w * cos_g - cos_w * sin_g), wz = arm.d5 - L1 * (cos_w * cos_g + sin_w * sin_g);
+  // theta_4 = g + angle of the shoulder - angle of the wrist.
+  const double cos_o = cos_s * cos_w + sin_s * sin_w, sin_o = sin_s * cos_w - cos_s * sin_w;
+  const Lanes s4 = sin_g * cos_o + cos_g * sin_o, c4 = cos_g * cos_o - sin_g * sin_o;
+  // Axis 5 is square to axis 6 and has the part wz along the wrist's direction.
+  const double along = w[0] * y6[0] + w[1] * y6[1] + w[2] * y6[2];
+  const double e[3] = {w[0] - along * y6[0], w[1] - along * y6[1], w[2] - along * y6[2]};
+  const double rho2 = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  const Lanes cos_f = wz / rho2;  // times e, which has the length rho
+  const Lanes sin_f_squared = (Lanes(rho2) - wz * wz) / (rho2 * rho2);
+  const Mask reached = sin_f_squared * rho2 >= Lanes(-kStretched);
+  const Lanes sin_f = Lanes(1.0, 1.0, -1.0, -1.0) * squareRoot(maximum(sin_f_squared, 0.0));
+  const Lanes3 w3{w[0], w[1], w[2]}, axis6{y6[0], y6[1], y6[2]}, e1{e[0], e[1], e[2]};
+  const Lanes3 z5 = cos_f * e1 + sin_f * cross(axis6, e1);
+  const Lanes3 rest = w3 - wz * z5;
+  const Mask usable = absolute(wx) > Lanes(1e-9);  // else axis 5 points at the shoulder and says nothing of axis 4
+  const Lanes3 x4 = (Lanes(1.0) / select(usable, wx, Lanes(1.0))) * rest;
+  const Lanes3 y4 = cross(z5, x4);
+  const Lanes3 z3 = c4 * z5 - s4 * x4;
+  const Lanes3 z7 = column(pose, 2);
+  const ShoulderAngles first = shoulder(z3, y4, arm.map, previous);
+  const Lanes theta4 = arcTangent(s4, c4), theta5 = arcTangent(-dot(x4, axis6), dot(y4, axis6));
+  const Lanes theta6 = arcTangent(dot(z7, cross(axis6, z5)), dot(z7, z5));
+  for (int group = 0; group < 2; ++group) {
+    storeJoint(arm.map, 0, group, group == 0 ? first.first : halfTurned(first.first), solutions);
+    storeJoint(arm.map, 1, group, group == 0 ? first.second : -first.second, solutions);
+    storeJoint(arm.map, 2, group, group == 0 ? first.third : halfTurned(first.third), solutions);
+    storeJoint(arm.map, 3, group, theta4, solutions);
+    storeJoint(arm.map, 4, group, theta5, solutions);
+    storeJoint(arm.map, 5, group, theta6, solutions);
+    store(solutions.q[6] + 4 * group, Lanes(q_7));
+  }
+  const unsigned lanes = sin_g_squared >= -kStretched && rho2 > 0.0 ? bitsOf(reached & usable) : 0u;
+  solutions.valid = lanes | lanes << 4;
+}
+
+}  // namespace
+}  // namespace hapticell::kinematics::kernels
