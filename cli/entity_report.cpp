@@ -7,7 +7,7 @@
 
 #include "cli/result_writer.h"
 #include "geometry/mass_properties.h"
-#include "kinematics/numeric_inverse.h"
+#include "kinematics/inverse_factory.h"
 
 namespace hapticell::cli {
 
@@ -94,7 +94,7 @@ ordered_json jointsReport(const kinematics::RobotModel& robot) {
 ordered_json inverseModelReport(const kinematics::RobotModel& robot, const std::string& tip_link) {
   const int tip = tip_link.empty() ? robot.defaultTip() : robot.findLink(tip_link);
   if (tip < 0) return nullptr;
-  const auto inverse = kinematics::NumericInverse::create(robot, tip);
+  const auto inverse = kinematics::createInverse(robot, tip);
   return inverse ? ordered_json((*inverse)->name()) : ordered_json(nullptr);
 }
 

@@ -46,7 +46,7 @@ Expected<ordered_json> solve(const ForwardOptions& options) {
 void addForwardKinematicsCommand(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("fk", "Poses of a robot's tip in its root link, for joint positions");
   const auto options = std::make_shared<ForwardOptions>();
-  command->add_option("--robot", options->robot, "The robot: URDF")->required();
+  command->add_option("--robot", options->robot, "The robot: a file, or library:NAME")->required();
   command->add_option("--joints", options->joints, "CSV: one column a joint, by name, for all joints that move the tip")
       ->required();
   command->add_option("--tip", options->tip, "The link asked for; the tool or the end of the arm where not given");

@@ -7,7 +7,8 @@
 #include "cli/commands.h"
 #include "cli/robot_options.h"
 #include "cli/timing.h"
-#include "kinematics/numeric_inverse.h"
+#include "kinematics/inverse_factory.h"
+#include "kinematics/solution_list.h"
 #include "trajectory/csv_table.h"
 #include "trajectory/pose_csv.h"
 
@@ -23,6 +24,7 @@ struct InverseOptions {
   std::string tip;
   std::string start;
   bool all = false;
+  bool turns_once = false;
   bool fail_on_limit = false;
 };
 
@@ -53,28 +55,27 @@ ordered_json chainPositions(const RobotWithTip& robot, const std::vector<double>
 }
 
 /// A search finds most solutions, not surely all: the answer itself is listed whether the search came upon it or not.
-std::vector<kinematics::AlternativeSolution> allSolutions(const kinematics::InverseModel& inverse, const Pose& X_BT,
-                                                          const std::vector<double>& q,
-                                                          const kinematics::InverseSolution& answer) {
-  std::vector<kinematics::AlternativeSolution> all = inverse.solveAll(X_BT, q);
+ordered_json alternatives(const RobotWithTip& robot, const std::vector<kinematics::ListedSolution>& all,
+                          const kinematics::InverseSolution& answer) {
   constexpr double kSame = 1e-4;  // rad or m
-  const auto isAnswer = [&](const kinematics::AlternativeSolution& one) {
+  const auto isAnswer = [&](const kinematics::ListedSolution& one) {
     return std::equal(one.q.begin(), one.q.end(), answer.q.begin(), answer.q.end(),
                       [](double a, double b) { return std::abs(a - b) < kSame; });
   };
-  if (answer.status == kinematics::InverseStatus::kSolved && std::none_of(all.begin(), all.end(), isAnswer)) {
-    all.insert(all.begin(), {answer.q, true, ""});
-  }
-  return all;
-}
-
-ordered_json alternatives(const RobotWithTip& robot, const std::vector<kinematics::AlternativeSolution>& all) {
   ordered_json solutions = ordered_json::array();
-  for (const kinematics::AlternativeSolution& one : all) {
+  const auto add = [&](const std::vector<double>& joints, const std::string& configuration, bool within_limits) {
     const std::string unnamed = "solution " + std::to_string(solutions.size() + 1);
-    solutions.push_back({{"joints", chainPositions(robot, one.q)},
-                         {"configuration", one.configuration.empty() ? unnamed : one.configuration},
-                         {"within_limits", one.within_limits}});
+    solutions.push_back({{"joints", chainPositions(robot, joints)},
+                         {"configuration", configuration.empty() ? unnamed : configuration},
+                         {"within_limits", within_limits}});
+  };
+  if (answer.status == kinematics::InverseStatus::kSolved && std::none_of(all.begin(), all.end(), isAnswer)) {
+    add(answer.q, "", true);
+  }
+  for (const kinematics::ListedSolution& one : all) {
+    add(one.q, one.configuration, one.within_limits);
+    if (!one.maker_flags.empty()) solutions.back()["maker_flags"] = one.maker_flags;
+    if (!one.reason.empty()) solutions.back()["reason"] = one.reason;
   }
   return solutions;
 }
@@ -91,7 +92,7 @@ Expected<Answer> solve(const InverseOptions& options) {
   if (!poses) return makeError(poses.error());
   const auto start = readStart(options, *robot);
   if (!start) return makeError(start.error());
-  const auto inverse = kinematics::NumericInverse::create(robot->model, robot->tip);
+  const auto inverse = kinematics::createInverse(robot->model, robot->tip);
   if (!inverse) return makeError(inverse.error());
 
   Answer answer;
@@ -108,7 +109,12 @@ Expected<Answer> solve(const InverseOptions& options) {
                         {"joints", chainPositions(*robot, solution.q)},
                         {"position_error", solution.position_error},
                         {"orientation_error", solution.orientation_error}};
-    if (options.all) result["solutions"] = alternatives(*robot, allSolutions(**inverse, X_BT, previous, solution));
+    if (options.all) {
+      kinematics::SolutionListOptions listing;
+      listing.with_turns = !options.turns_once;
+      const auto all = kinematics::listSolutions(robot->model, **inverse, X_BT, previous, listing);
+      result["solutions"] = alternatives(*robot, all, solution);
+    }
     results.push_back(std::move(result));
     answer.all_solved = answer.all_solved && solution.status == kinematics::InverseStatus::kSolved;
     previous = solution.q;
@@ -136,14 +142,16 @@ void addInverseKinematicsCommand(CLI::App& app, Action& chosen) {
   CLI::App* command =
       app.add_subcommand("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
   const auto options = std::make_shared<InverseOptions>();
-  command->add_option("--robot", options->robot, "The robot: URDF")->required();
+  command->add_option("--robot", options->robot, "The robot: a file, or library:NAME")->required();
   command->add_option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
       ->required();
   command->add_option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
   command->add_option(
       "--start", options->start,
       "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
-  command->add_flag("--all", options->all, "List all solutions of each pose");
+  command->add_flag("--all", options->all,
+                    "List all solutions of each pose; within limits also those turned by full turns");
+  command->add_flag("--turns-once", options->turns_once, "With --all: each solution only with its nearest turns");
   command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit status 1 when a pose is not solved");
   command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }

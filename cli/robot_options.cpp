@@ -3,7 +3,7 @@
 
 #include "cli/result_writer.h"
 #include "kinematics/jacobian.h"
-#include "workcell/urdf_reader.h"
+#include "workcell/entity_source.h"
 
 namespace hapticell::cli {
 
@@ -18,10 +18,12 @@ std::vector<std::string> RobotWithTip::jointNames() const {
 
 Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name) {
   Diagnostics diagnostics;
-  auto model = workcell::readUrdf(file, diagnostics);
+  workcell::EntityLoader loader(".");
+  const auto entity = loader.load(file, 1.0, diagnostics);
   for (const std::string& sentence : diagnostics.warnings) warn(sentence);
-  if (!model) return makeError(model.error());
-  RobotWithTip robot{std::move(*model), -1, {}};
+  if (!entity) return makeError(entity.error());
+  if (!entity->robot) return makeError({file, "", "it is no robot", "a robot file, or library:NAME", ""});
+  RobotWithTip robot{*entity->robot, -1, {}};
   robot.tip = tip_name.empty() ? robot.model.defaultTip() : robot.model.findLink(tip_name);
   if (robot.tip < 0) {
     std::string links;

@@ -18,7 +18,8 @@ struct RobotWithTip {
   std::vector<std::string> jointNames() const;  ///< Of these variables.
 };
 
-/// Reads a robot and finds its tip by name (empty: RobotModel::defaultTip()). Warnings go to standard error.
+/// Reads a robot from a file or "library:NAME" and finds its tip by name (empty: RobotModel::defaultTip()). Warnings go
+/// to standard error.
 Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name);
 
 }  // namespace hapticell::cli

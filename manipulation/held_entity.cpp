@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "haptic/rendering/active_set_solver.h"
-#include "kinematics/numeric_inverse.h"
+#include "kinematics/inverse_factory.h"
 #include "manipulation/robot_manipulator.h"
 #include "manipulation/solid_manipulator.h"
 
@@ -135,7 +135,7 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
     if (tip < 0) tip = entity.robot->defaultTip();
     const Pose X_LT = named_link >= 0 ? Pose::identity() : entity.X_LT;
     if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
-    auto inverse = kinematics::NumericInverse::create(*entity.robot, tip, X_LT);
+    auto inverse = kinematics::createInverse(*entity.robot, tip, X_LT);
     if (!inverse) return makeError(inverse.error());
     manipulator_ = std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, X_LT},
                                                       std::move(*inverse), links_);

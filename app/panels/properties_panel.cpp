@@ -18,7 +18,7 @@
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
-#include "kinematics/numeric_inverse.h"
+#include "kinematics/inverse_factory.h"
 
 namespace hapticell::app {
 namespace {
@@ -282,7 +282,7 @@ void PropertiesPanel::placeEntity(const Pose& X_WE) {
 void PropertiesPanel::placeTool(const Pose& X_WT) {
   const workcell::Entity* now = entity();
   if (!now || !now->robot) return;
-  const auto model = kinematics::NumericInverse::create(*now->robot, now->robot->findLink(now->tip_link), now->X_LT);
+  const auto model = kinematics::createInverse(*now->robot, now->robot->findLink(now->tip_link), now->X_LT);
   if (!model) return host_.messages().tell(Severity::kWarning, QString::fromStdString(model.error().message()));
   const auto solution = (*model)->solve(now->X_WE.inverse() * X_WT, now->joints);
   if (solution.status == kinematics::InverseStatus::kSolved) {
