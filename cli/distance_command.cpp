@@ -11,8 +11,8 @@
 #include "collision/contact_regions.h"
 #include "collision/scene.h"
 #include "trajectory/pose_csv.h"
+#include "workcell/imported_entities.h"
 #include "workcell/length_unit.h"
-#include "workcell/mesh_reader.h"
 
 namespace hapticell::cli {
 
@@ -26,7 +26,7 @@ struct DistanceOptions {
   std::vector<std::string> environment;
   std::string poses;
   std::optional<double> safety_zone;
-  std::string unit = "m";
+  std::string unit;  ///< Empty: as the file says, metres where it says none.
   bool fail_on_contact = false;
 };
 
@@ -38,13 +38,14 @@ struct Prepared {
   double build_ms = 0.0;
 };
 
-Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& file, double scale, double& build_ms) {
+Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& file, std::optional<double> scale,
+                                                           double& build_ms) {
   // Not welded: merging corners would shift them by a millionth of the part's size, and the answer with them.
-  workcell::MeshReadOptions options;
-  options.scale = scale;
+  workcell::ImportOptions options;
+  options.metres_per_unit = scale;
   options.weld = false;
   Diagnostics diagnostics;
-  const auto mesh = workcell::readMesh(file, options, diagnostics);
+  const auto mesh = workcell::readWholeMesh(file, options, diagnostics);
   for (const std::string& sentence : diagnostics.warnings) warn(sentence);
   if (!mesh) return tl::unexpected(mesh.error());
   const auto begin = Timing::Clock::now();
@@ -54,13 +55,13 @@ Expected<std::shared_ptr<const MeshCollider>> readCollider(const std::string& fi
 }
 
 Expected<std::unique_ptr<Prepared>> prepare(const DistanceOptions& options) {
-  const auto unit = workcell::parseLengthUnit(options.unit);
+  const auto unit = workcell::parseLengthUnit(options.unit.empty() ? "m" : options.unit);
   if (!unit) return tl::unexpected(unit.error());
   if (options.safety_zone && !(*options.safety_zone >= 0.0 && std::isfinite(*options.safety_zone))) {
     return makeError({"", "--safety-zone", std::to_string(*options.safety_zone), "metres, 0 or more", ""});
   }
   auto prepared = std::make_unique<Prepared>();
-  const double scale = workcell::metresPer(*unit);
+  const std::optional<double> scale = options.unit.empty() ? std::nullopt : std::optional(workcell::metresPer(*unit));
   const auto moving = readCollider(options.moving, scale, prepared->build_ms);
   if (!moving) return tl::unexpected(moving.error());
   prepared->moving = prepared->scene.addPart({0, 0}, *moving);
@@ -154,8 +155,8 @@ void addDistanceCommand(CLI::App& app, Action& chosen) {
   command->add_option(
       "--safety-zone", options->safety_zone,
       "Metres: what is farther is reported as null with distance_at_least; contacts inside are counted");
-  command->add_option("--unit", options->unit, "What one unit of the mesh files is: m, mm or in")
-      ->capture_default_str();
+  command->add_option("--unit", options->unit,
+                      "What one unit of the files is: m, mm or in; as they say, or m, when not given");
   command->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 when any pose collides");
   command->callback(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runDistance(*options, writer); }; });

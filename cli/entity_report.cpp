@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "cli/result_writer.h"
 #include "geometry/mass_properties.h"
@@ -138,25 +139,92 @@ ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& m
 
 ordered_json entityReport(const workcell::Entity& entity) {
   if (entity.robot) return robotReport(entity);
+  if (!entity.mesh) return groupReport(entity.name, "assembly", ordered_json::array());
   return meshReport(entity.name, *entity.mesh, entity.X_WE, entity.color);
 }
 
-ordered_json treeReport(const std::vector<workcell::Entity>& entities) {
-  ordered_json tree = ordered_json::array();
-  std::map<std::string, std::size_t> folders;  // Where in the tree each stands.
-  for (const workcell::Entity& entity : entities) {
-    if (entity.parent.empty()) {
-      tree.push_back(entityReport(entity));
-      continue;
+namespace {
+
+/// The tree that `parent`s make; those that name no entity are mere folders.
+class TreeReporter {
+ public:
+  explicit TreeReporter(const std::vector<workcell::Entity>& entities) : entities_(entities) {
+    for (const workcell::Entity& entity : entities) names_.insert(entity.name);
+    for (std::size_t k = 0; k < entities.size(); ++k) children_[entities[k].parent].push_back(k);
+  }
+
+  ordered_json report() {
+    ordered_json tree = ordered_json::array();
+    std::set<std::string> folders;
+    for (const workcell::Entity& entity : entities_) {
+      if (entity.parent.empty()) {
+        tree.push_back(reportOf(entity));
+      } else if (!names_.contains(entity.parent) && folders.insert(entity.parent).second) {
+        tree.push_back(groupReport(entity.parent, "assembly", below(entity.parent)));
+      }
     }
-    const auto [it, is_new] = folders.try_emplace(entity.parent, tree.size());
-    if (is_new) tree.push_back({{"name", entity.parent}, {"children", ordered_json::array()}});
-    tree[it->second]["children"].push_back(entityReport(entity));
+    return tree;
   }
-  for (const auto& [name, at] : folders) {
-    ordered_json below = std::move(tree[at]["children"]);
-    tree[at] = groupReport(name, "assembly", std::move(below));
+
+ private:
+  ordered_json below(const std::string& name) {
+    ordered_json children = ordered_json::array();
+    for (std::size_t k : children_[name]) children.push_back(reportOf(entities_[k]));
+    return children;
   }
+
+  ordered_json reportOf(const workcell::Entity& entity) {
+    ordered_json children = entity.parent == entity.name ? ordered_json::array() : below(entity.name);
+    if (entity.kind == workcell::EntityKind::kAssembly) {
+      return groupReport(entity.name, "assembly", std::move(children));
+    }
+    ordered_json own = entityReport(entity);
+    for (ordered_json& child : children) own["children"].push_back(std::move(child));
+    return own;
+  }
+
+  const std::vector<workcell::Entity>& entities_;
+  std::set<std::string> names_;
+  std::map<std::string, std::vector<std::size_t>> children_;
+};
+
+}  // namespace
+
+ordered_json treeReport(const std::vector<workcell::Entity>& entities) {
+  return TreeReporter(entities).report();
+}
+
+ordered_json sceneReport(const workcell::ImportedScene& scene) {
+  const std::vector<Pose> X_W = workcell::nodePoses(scene);
+  std::vector<ordered_json> reports(scene.nodes.size());
+  std::vector<ordered_json> children(scene.nodes.size(), ordered_json::array());
+  std::map<int, ordered_json> shapes;  // What is the same for all uses of a mesh is worked out once.
+  ordered_json tree = ordered_json::array();
+  for (std::size_t k = scene.nodes.size(); k-- > 0;) {
+    const workcell::SceneNode& node = scene.nodes[k];
+    ordered_json& report = reports[k];
+    std::reverse(children[k].begin(), children[k].end());
+    if (node.mesh < 0) {
+      report = groupReport(node.name, "assembly", std::move(children[k]));
+      if (node.color) report["color"] = colorReport((*node.color)[0], (*node.color)[1], (*node.color)[2]);
+    } else {
+      const geometry::TriangleMesh& mesh = scene.meshes[static_cast<std::size_t>(node.mesh)];
+      const workcell::Entity plain;
+      const auto color = node.color.value_or(plain.color);
+      auto& known = shapes[node.mesh];
+      if (known.is_null()) known = meshReport(node.name, mesh, Pose::identity(), color);
+      report = known;
+      report["name"] = node.name;
+      report["color"] = colorReport(color[0], color[1], color[2]);
+      geometry::Bounds bounds;
+      for (const dvec3& p_MV : mesh.vertices) bounds.add(X_W[k] * p_MV);
+      report["bounds"] = boundsReport(bounds);
+      report["children"] = std::move(children[k]);
+    }
+    if (!node.instance.empty()) report["instance"] = node.instance;
+    (node.parent < 0 ? tree : children[static_cast<std::size_t>(node.parent)]).push_back(std::move(report));
+  }
+  std::reverse(tree.begin(), tree.end());
   return tree;
 }
 

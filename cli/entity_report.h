@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "workcell/entity.h"
+#include "workcell/import_scene.h"
 
 namespace hapticell::cli {
 
@@ -17,7 +18,10 @@ nlohmann::ordered_json entityReport(const workcell::Entity& entity);
 nlohmann::ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
                                   const std::array<float, 3>& color);
 
-/// Entities as a tree: those with a parent stand below an assembly of that name.
+/// Entities as a tree: those with a parent stand below the entity of that name, or below an assembly made for it.
 nlohmann::ordered_json treeReport(const std::vector<workcell::Entity>& entities);
+
+/// The nodes of a CAD file as a tree, with the names of the parts; `instance` where the use of a part has its own.
+nlohmann::ordered_json sceneReport(const workcell::ImportedScene& scene);
 
 }  // namespace hapticell::cli

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <string>
 
 #include "cli/commands.h"
 #include "cli/entity_report.h"
+#include "cli/import_arguments.h"
 #include "geometry/topology.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
+#include "workcell/import_scene.h"
 #include "workcell/length_unit.h"
 #include "workcell/mesh_reader.h"
 
@@ -20,7 +24,8 @@ using nlohmann::ordered_json;
 
 struct InspectOptions {
   std::string file;
-  std::string unit;  ///< Empty: guessed.
+  std::string unit;  ///< Empty: as the file says, else guessed.
+  workcell::Tessellation tessellation;
 };
 
 ordered_json inspection(const char* format, const char* unit, ordered_json entities, const Diagnostics& notes) {
@@ -78,6 +83,39 @@ Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& n
   return result;
 }
 
+/// The names that users know; other units are shown as metres per unit.
+std::string unitWord(double metres_per_unit) {
+  for (workcell::LengthUnit unit :
+       {workcell::LengthUnit::kMetre, workcell::LengthUnit::kMillimetre, workcell::LengthUnit::kInch}) {
+    if (std::abs(workcell::metresPer(unit) - metres_per_unit) < 1e-9 * metres_per_unit) return workcell::unitName(unit);
+  }
+  std::ostringstream text;
+  text << metres_per_unit << " m";
+  return text.str();
+}
+
+Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& notes) {
+  workcell::ImportOptions reading;
+  reading.tessellation = options.tessellation;
+  if (!options.unit.empty()) {
+    const auto said = workcell::parseLengthUnit(options.unit);
+    if (!said) return tl::unexpected(said.error());
+    reading.metres_per_unit = workcell::metresPer(*said);
+  }
+  const auto scene = workcell::readForeignCad(options.file, reading, nullptr);
+  if (!scene) return tl::unexpected(scene.error());
+  notes.warnings = scene->warnings;
+  if (!scene->unit_is_stated) notes.warn("the file names no unit; it is taken as " + unitWord(scene->metres_per_unit));
+  if (scene->up_axis != workcell::UpAxis::kZ) {
+    notes.warn(std::string("the file has ") + workcell::axisName(scene->up_axis) +
+               " up; it was turned so that z is up");
+  }
+  const std::string unit = unitWord(scene->metres_per_unit);
+  ordered_json result = inspection(scene->format.c_str(), unit.c_str(), sceneReport(*scene), notes);
+  result["up_axis"] = workcell::axisName(scene->up_axis);
+  return result;
+}
+
 Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& notes) {
   if (!options.unit.empty() && options.unit != "m") {
     return makeError({options.file, "--unit", "'" + options.unit + "'", "none: robot files are in metres", ""});
@@ -106,6 +144,7 @@ Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostic
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
   const auto result = looksLikeDocument(options.file)         ? inspectDocument(options, notes)
+                      : workcell::isForeignCad(options.file)  ? inspectCad(options, notes)
                       : workcell::looksLikeUrdf(options.file) ? inspectRobot(options, notes)
                                                               : inspectMesh(options, notes);
   const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
@@ -120,9 +159,15 @@ void addInspectCommand(CLI::App& app, Action& chosen) {
   CLI::App* command =
       app.add_subcommand("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
   const auto options = std::make_shared<InspectOptions>();
-  command->add_option("file", options->file, "A mesh (STL, OBJ, PLY, OFF), a robot (URDF) or a workcell (.hcell)")
+  command
+      ->add_option(
+          "file", options->file,
+          "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF) or "
+          "a workcell (.hcell)")
       ->required();
-  command->add_option("--unit", options->unit, "What one unit of a mesh file is: m, mm or in; guessed when not given");
+  command->add_option("--unit", options->unit,
+                      "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");
+  addTessellationOptions(*command, options->tessellation);
   command->callback(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runInspect(*options, writer); }; });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trajectory/csv_table.h"
+#include "workcell/length_unit.h"
 
 namespace hapticell::cli {
 
@@ -72,26 +73,46 @@ std::vector<std::string> namesOf(const std::string& side) {
   return side.empty() ? std::vector<std::string>{} : split(side, '+');
 }
 
+/// One option behind WHAT; an error names it.
+Expected<void> readOption(const std::string& key, const std::string& value, Addition& addition) {
+  if (key == "name") {
+    if (value.empty()) return makeError(wrong("--add, name", value, "a name"));
+    addition.name = value;
+  } else if (key == "unit") {
+    const auto unit = workcell::parseLengthUnit(value);
+    if (!unit) return makeError(wrong("--add, unit", value, "m, mm or in"));
+    addition.options.metres_per_unit = workcell::metresPer(*unit);
+  } else if (key == "up") {
+    const auto axis = workcell::parseAxis(value);
+    if (!axis) return makeError(wrong("--add, up", value, "x, y or z"));
+    addition.options.up_axis = *axis;
+  } else if (key == "tree") {
+    if (value != "keep" && value != "merge") return makeError(wrong("--add, tree", value, "keep or merge"));
+    addition.options.merge = value == "merge";
+  } else if (key == "pose") {
+    const auto pose = parsePose(value);
+    if (!pose) return makeError(pose.error());
+    addition.X_WE = *pose;
+  } else {
+    const bool chord = key == "chord";
+    const auto number = trajectory::parseNumber(value);
+    if (!number || !(*number >= (chord ? 1e-9 : 1e-3)) || !(*number <= (chord ? 1e3 : 3.0))) {
+      return makeError(wrong("--add, " + key, value, chord ? "metres, 1e-9 to 1000" : "radians, 0.001 to 3"));
+    }
+    (chord ? addition.options.tessellation.chord : addition.options.tessellation.angle) = *number;
+  }
+  return {};
+}
+
 }  // namespace
 
 Expected<Addition> parseAddition(const std::string& text) {
-  const Arguments arguments = splitOptions(text, {"name", "unit", "pose"});
+  const Arguments arguments = splitOptions(text, {"name", "unit", "up", "tree", "chord", "angle", "pose"});
   Addition addition;
   addition.what = arguments.head;
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
   for (const auto& [key, value] : arguments.options) {
-    if (key == "name") {
-      if (value.empty()) return makeError(wrong("--add, name", value, "a name"));
-      addition.name = value;
-    } else if (key == "unit") {
-      const auto unit = workcell::parseLengthUnit(value);
-      if (!unit) return makeError(wrong("--add, unit", value, "m, mm or in"));
-      addition.unit = *unit;
-    } else {
-      const auto pose = parsePose(value);
-      if (!pose) return makeError(pose.error());
-      addition.X_WE = *pose;
-    }
+    if (auto read = readOption(key, value, addition); !read) return makeError(read.error());
   }
   return addition;
 }

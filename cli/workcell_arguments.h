@@ -5,15 +5,16 @@
 
 #include "geometry/error.h"
 #include "workcell/entity.h"
+#include "workcell/import_options.h"
 #include "workcell/length_unit.h"
 
 namespace hapticell::cli {
 
-/// One `--add WHAT[,name=N][,unit=mm][,pose=x,y,z,qw,qx,qy,qz]`.
+/// One `--add WHAT[,name=N][,unit=mm][,up=y][,tree=keep|merge][,chord=M][,angle=RAD][,pose=x,y,z,qw,qx,qy,qz]`.
 struct Addition {
   std::string what;
-  std::string name;  ///< Empty: by the file.
-  workcell::LengthUnit unit = workcell::LengthUnit::kMetre;
+  std::string name;                 ///< Empty: by the file.
+  workcell::ImportOptions options;  ///< Unit, up axis, tree or one solid, tessellation.
   Pose X_WE;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 #include "cli/workcell_arguments.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
+#include "workcell/imported_entities.h"
 
 namespace hapticell::cli {
 
@@ -22,15 +24,37 @@ struct NewOptions {
   std::vector<std::string> checks;
 };
 
+/// Gives what was imported the name that was asked for: its root, or an assembly above its roots.
+void nameImported(const std::string& name, std::vector<workcell::Entity>& entities) {
+  const auto isRoot = [](const workcell::Entity& entity) { return entity.parent.empty(); };
+  const bool one = std::count_if(entities.begin(), entities.end(), isRoot) == 1;
+  const std::string old = entities.front().name;
+  for (workcell::Entity& entity : entities) {
+    if (one ? entity.parent == old : entity.parent.empty()) entity.parent = name;
+  }
+  if (one) {
+    entities.front().name = name;
+  } else {
+    workcell::Entity group;
+    group.kind = workcell::EntityKind::kAssembly;
+    group.name = name;
+    entities.insert(entities.begin(), std::move(group));
+  }
+}
+
 Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader, workcell::Document& document,
                          Diagnostics& notes) {
   const auto addition = parseAddition(text);
   if (!addition) return tl::unexpected(addition.error());
-  auto entity = loader.load(addition->what, workcell::metresPer(addition->unit), notes);
-  if (!entity) return tl::unexpected(entity.error());
-  entity->name = addition->name.empty() ? document.uniqueName(entity->name) : addition->name;
-  entity->X_WE = addition->X_WE;
-  const auto added = document.execute(workcell::AddEntity{std::move(*entity)});
+  auto imported = loader.loadTree(addition->what, addition->options, notes);
+  if (!imported) return tl::unexpected(imported.error());
+  if (!addition->name.empty()) {
+    if (document.findByName(addition->name)) {
+      return makeError({"--add " + text, "", "the name '" + addition->name + "' is taken", "a name of its own", ""});
+    }
+    nameImported(addition->name, imported->entities);
+  }
+  const auto added = workcell::addImported(document, std::move(imported->entities), addition->X_WE);
   if (!added) return makeError({"--add " + text, "", added.error().message(), "", ""});
   return {};
 }
@@ -95,9 +119,11 @@ void addWorkcellCommand(CLI::App& app, Action& chosen) {
   CLI::App* make = command->add_subcommand("new", "A document of the entities and checks that are named");
   const auto options = std::make_shared<NewOptions>();
   make->add_option("file", options->file, "The document to write (.hcell)")->required();
-  make->add_option("--add", options->additions,
-                   "WHAT[,name=N][,unit=m|mm|in][,pose=x,y,z,qw,qx,qy,qz]; WHAT is a mesh or robot file, library:NAME, "
-                   "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
+  make->add_option(
+          "--add", options->additions,
+          "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,pose=x,y,z,qw,qx,qy,qz]; "
+          "WHAT is a mesh, CAD or robot file, library:NAME, "
+          "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
       ->allow_extra_args(false);
   make->add_option("--check", options->checks,
                    "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "

@@ -55,9 +55,18 @@ class Applier {
   Expected<EntityId> operator()(const RemoveEntity& command) {
     const auto entity = movable(command.id);
     if (!entity) return makeError(entity.error());
-    dropFromPairSets((*entity)->name);
-    releaseAllFrom((*entity)->name);
-    std::erase_if(state_.entities, [&](const auto& other) { return other->id == command.id; });
+    const std::vector<EntityId> family = familyOf(state_, command.id);
+    for (EntityId id : family) {
+      if (auto free = movable(id); !free) return makeError(free.error());
+    }
+    for (EntityId id : family) {
+      const std::string name = state_.find(id)->name;
+      dropFromPairSets(name);
+      releaseAllFrom(name);
+    }
+    std::erase_if(state_.entities, [&](const auto& other) {
+      return std::find(family.begin(), family.end(), other->id) != family.end();
+    });
     return command.id;
   }
 
@@ -72,9 +81,10 @@ class Applier {
       std::replace(set.second.begin(), set.second.end(), (*entity)->name, command.name);
     }
     const std::string before = (*entity)->name;
-    for (const auto& carried : std::vector(state_.entities)) {
-      if (carried->attachment.to != before) continue;
-      change(carried->id, [&](Entity& changed) { changed.attachment.to = command.name; });
+    for (const auto& near : std::vector(state_.entities)) {
+      if (near->parent == before) change(near->id, [&](Entity& changed) { changed.parent = command.name; });
+      if (near->attachment.to != before) continue;
+      change(near->id, [&](Entity& changed) { changed.attachment.to = command.name; });
     }
     return change(command.id, [&](Entity& changed) { changed.name = command.name; });
   }
@@ -83,7 +93,7 @@ class Applier {
     const auto entity = movable(command.id);
     if (!entity) return makeError(entity.error());
     if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
-    return move(command.id, [&](Entity& changed) { changed.X_WE = command.X_WE; });
+    return moveFamily(**entity, [&](Entity& changed) { changed.X_WE = command.X_WE; });
   }
 
   Expected<EntityId> operator()(const SetJoints& command) {
@@ -98,7 +108,7 @@ class Applier {
     if (!entity) return makeError(entity.error());
     if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
     if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
-    return move(command.id, [&](Entity& changed) {
+    return moveFamily(**entity, [&](Entity& changed) {
       changed.X_WE = command.X_WE;
       changed.joints = command.joints;
     });
@@ -118,6 +128,16 @@ class Applier {
     if (command.mass) changed.mass = *command.mass;
     if (command.parent) changed.parent = *command.parent;
     if (auto checked = checkProperties(changed); !checked) return makeError(checked.error());
+    const std::vector<EntityId> family = familyOf(state_, command.id);
+    if (command.parent) {
+      const Entity* parent = state_.findByName(changed.parent);
+      if (parent && std::find(family.begin(), family.end(), parent->id) != family.end()) {
+        return makeError(refusal(inQuotes(changed.name), "a place below itself", "another assembly"));
+      }
+    }
+    if (changed.kind == EntityKind::kAssembly) {
+      for (EntityId id : family) change(id, [&](Entity& target) { handDown(command, target); });
+    }
     return change(command.id, [&](Entity& target) { target = changed; });
   }
 
@@ -450,6 +470,34 @@ class Applier {
     return checkTool(entity);
   }
 
+  /// Moves an entity, and with an assembly all that stands below it.
+  template <typename Edit>
+  EntityId moveFamily(const Entity& entity, const Edit& edit) {
+    const EntityId id = entity.id;
+    const Pose X_OldW = entity.X_WE.inverse();
+    const bool assembly = entity.kind == EntityKind::kAssembly;
+    move(id, edit);
+    if (!assembly) return id;
+    const Pose X_WNew_WOld = state_.find(id)->X_WE * X_OldW;
+    for (EntityId below : familyOf(state_, id)) {
+      if (below == id) continue;
+      change(below, [&](Entity& changed) { changed.X_WE = X_WNew_WOld * changed.X_WE; });
+      carryAll(below);
+    }
+    return id;
+  }
+
+  /// What an assembly's properties mean for those below it.
+  static void handDown(const SetProperties& command, Entity& target) {
+    if (command.color) target.color = *command.color;
+    if (command.visible) target.visible = *command.visible;
+    if (command.locked) target.locked = *command.locked;
+    if (command.checked) target.checked = *command.checked;
+    if (command.on_contact) target.on_contact = *command.on_contact;
+    if (command.force_class) target.force_class = *command.force_class;
+    if (command.material) target.material = *command.material;
+  }
+
   /// A side that loses its last name would mean "everything": such a set is removed instead.
   void dropFromPairSets(const std::string& name) {
     std::erase_if(state_.pair_sets, [&](PairSet& set) {
@@ -462,8 +510,8 @@ class Applier {
   Expected<void> checkNew(const Entity& entity) const {
     if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
     if (state_.findByName(entity.name)) return makeError(taken(entity.name));
-    const bool solid = entity.kind == EntityKind::kSolid;  // Else a robot or a mechanism.
-    if (solid ? !entity.mesh : !entity.robot) {
+    const bool solid = entity.kind == EntityKind::kSolid, assembly = entity.kind == EntityKind::kAssembly;
+    if (!assembly && (solid ? !entity.mesh : !entity.robot)) {
       return makeError(refusal(inQuotes(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
     }
     if (auto checked = checkPose(inQuotes(entity.name), entity.X_WE); !checked) return checked;
@@ -592,6 +640,23 @@ Expected<EntityId> apply(const Command& command, DocumentState& state, EntityId 
 
 std::string commandText(const Command& command, const DocumentState& state) {
   return std::visit(Describer(state), command);
+}
+
+std::vector<EntityId> familyOf(const DocumentState& state, EntityId id) {
+  const Entity* root = state.find(id);
+  std::vector<EntityId> family;
+  if (!root) return family;
+  std::vector<const Entity*> open{root};
+  while (!open.empty()) {
+    const Entity* parent = open.back();
+    open.pop_back();
+    family.push_back(parent->id);
+    for (const auto& entity : state.entities) {
+      const bool known = std::find(family.begin(), family.end(), entity->id) != family.end();
+      if (entity->parent == parent->name && !known) open.push_back(entity.get());
+    }
+  }
+  return family;
 }
 
 const Entity* DocumentState::find(EntityId id) const {

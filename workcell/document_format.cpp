@@ -19,7 +19,8 @@ namespace {
 
 constexpr const char* kFormat = "hapticell-workcell";
 constexpr int kVersion = 1;
-const std::vector<std::string> kKindWords = {"solid", "robot", "mechanism"};
+const std::vector<std::string> kKindWords = {"solid", "robot", "mechanism", "assembly"};  // As EntityKind.
+const std::vector<std::string> kAxisWords = {"x", "y", "z"};                              // As UpAxis.
 const std::vector<std::string> kJointWords = {"fixed", "revolute", "prismatic", "screw"};
 const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 const std::vector<std::string> kForceClassWords = {"constant", "contact", "dynamics"};
@@ -44,7 +45,16 @@ Json jsonFromJoints(const Entity& entity) {
 }
 
 Json jsonFromSource(const SourceFile& source, const fs::path& folder) {
-  return {{"file", isBuiltIn(source.path) ? source.path : relativeName(source.path, folder)}, {"scale", source.scale}};
+  Json json;
+  json["file"] = isBuiltIn(source.path) ? source.path : relativeName(source.path, folder);
+  json["scale"] = source.scale;
+  if (!source.part.empty()) json["part"] = source.part;
+  if (source.up_axis) json["up_axis"] = axisName(*source.up_axis);
+  if (source.tessellation != Tessellation{}) {
+    json["chord"] = source.tessellation.chord;
+    json["angle"] = source.tessellation.angle;
+  }
+  return json;
 }
 
 Json jsonFromColor(const std::array<float, 3>& color) {
@@ -96,7 +106,7 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
   Json json;
   json["name"] = entity.name;
   json["kind"] = kKindWords[static_cast<std::size_t>(entity.kind)];
-  if (!entity.mechanism) json["source"] = jsonFromSource(entity.source, folder);
+  if (!entity.source.path.empty()) json["source"] = jsonFromSource(entity.source, folder);
   json["placement"] = toJson(entity.X_WE);
   json["parent"] = entity.parent;
   json["color"] = jsonFromColor(entity.color);
@@ -181,8 +191,6 @@ class StateReader {
   void readEntity(const Json& json, std::size_t index) {
     Entity head;
     int kind = -1;
-    double scale = 1.0;
-    std::string file;
     FieldReader naming(json, "entity " + std::to_string(index + 1), error_);
     naming.require("name");
     naming.read("name", head.name);
@@ -191,40 +199,61 @@ class StateReader {
     fields.read("name", head.name);
     fields.readWord("kind", kKindWords, kind);
     const Json* mechanism = fields.object("mechanism");
-    if (!mechanism) {
-      fields.require("source");
-      readSource(fields, place, file, scale);
-    }
+    const bool assembly = kind == static_cast<int>(EntityKind::kAssembly);
+    if (!mechanism && !assembly) fields.require("source");
+    if (const Json* source = fields.object("source")) readSource(*source, place, head.source);
     if (error_) return;
+    if (assembly) {
+      head.kind = EntityKind::kAssembly;
+      if (!head.source.path.empty()) head.source.path = (folder_ / head.source.path).lexically_normal().string();
+      if (head.source.scale == 0.0) head.source.scale = 1.0;
+      return addEntity(fields, place, std::move(head));
+    }
     Expected<Entity> loaded =
-        mechanism ? readMechanism(*mechanism, head.name, place) : loader_.load(file, scale, diagnostics_);
+        mechanism ? readMechanism(*mechanism, head.name, place) : loader_.loadSource(head.source, diagnostics_);
     if (!loaded) return failIn(place, loaded.error());
     loaded->name = head.name;
     if (kind >= 0 && kind != static_cast<int>(loaded->kind)) {
       const std::string& is = kKindWords[static_cast<std::size_t>(loaded->kind)];
       return fields.fail("kind", kKindWords[static_cast<std::size_t>(kind)], is + ", as its file is");
     }
-    readEntityFields(fields, place, *loaded);
+    addEntity(fields, place, std::move(*loaded));
+  }
+
+  void readSource(const Json& json, const std::string& place, SourceFile& source) {
+    FieldReader fields(json, place + ", \"source\"", error_);
+    int axis = -1;
+    source.scale = 0.0;
+    fields.require("file");
+    fields.read("file", source.path);
+    fields.read("scale", source.scale);
+    fields.read("part", source.part);
+    fields.readWord("up_axis", kAxisWords, axis);
+    fields.read("chord", source.tessellation.chord);
+    fields.read("angle", source.tessellation.angle);
+    if (error_) return;
+    if (axis >= 0) source.up_axis = static_cast<UpAxis>(axis);
+    if (json.contains("scale") && !(source.scale >= 1e-9 && source.scale <= 1e9)) {
+      fields.fail("scale", "out of range", "metres per unit, 1e-9 to 1e9");
+    } else if (!(source.tessellation.chord >= 1e-9 && source.tessellation.chord <= 1e3)) {
+      fields.fail("chord", "out of range", "metres, 1e-9 to 1000");
+    } else if (!(source.tessellation.angle >= 1e-3 && source.tessellation.angle <= 3.0)) {
+      fields.fail("angle", "out of range", "radians, 0.001 to 3");
+    } else {
+      fields.warnAboutOthers(diagnostics_);
+    }
+  }
+
+  void addEntity(FieldReader& fields, const std::string& place, Entity entity) {
+    readEntityFields(fields, place, entity);
     if (error_) return;
     fields.warnAboutOthers(diagnostics_);
     // What it hangs on may stand further down in the file.
     Attachment attachment;
-    std::swap(attachment, loaded->attachment);
-    const auto added = apply(AddEntity{std::move(*loaded)}, state_, state_.entities.size() + 1);
+    std::swap(attachment, entity.attachment);
+    const auto added = apply(AddEntity{std::move(entity)}, state_, state_.entities.size() + 1);
     if (!added) return failIn(place, added.error());
     if (!attachment.to.empty()) attachments_.emplace_back(state_.entities.size() - 1, std::move(attachment));
-  }
-
-  void readSource(FieldReader& fields, const std::string& place, std::string& file, double& scale) {
-    const Json* source = fields.object("source");
-    if (!source) return;
-    FieldReader source_fields(*source, place + ", \"source\"", error_);
-    source_fields.require("file");
-    source_fields.read("file", file);
-    source_fields.read("scale", scale);
-    if (!error_ && !(scale >= 1e-9 && scale <= 1e9))
-      source_fields.fail("scale", "out of range", "metres per unit, 1e-9 to 1e9");
-    if (!error_) source_fields.warnAboutOthers(diagnostics_);
   }
 
   /// All entities are there: what hangs on which.
@@ -275,14 +304,12 @@ class StateReader {
 
   void readPart(const Json& json, const std::string& place, MechanismDefinition& definition) {
     MechanismPart part;
-    std::string file;
-    double scale = 1.0;
     std::vector<double> color;
     FieldReader fields(json, place, error_);
     fields.require("name");
     fields.require("source");
     fields.read("name", part.name);
-    readSource(fields, place, file, scale);
+    if (const Json* source = fields.object("source")) readSource(*source, place, part.source);
     fields.read("placement", part.X_MP);
     if (fields.readNumbers("color", 3, color)) {
       for (std::size_t k = 0; k < 3; ++k) part.color[k] = static_cast<float>(color[k]);
@@ -290,7 +317,7 @@ class StateReader {
     fields.read("material", part.material);
     if (error_) return;
     fields.warnAboutOthers(diagnostics_);
-    Expected<Entity> loaded = loader_.load(file, scale, diagnostics_);
+    Expected<Entity> loaded = loader_.loadSource(part.source, diagnostics_);
     if (!loaded) return failIn(place, loaded.error());
     if (!loaded->mesh) return fields.fail("source", "a robot", "a solid");
     part.mesh = loaded->mesh;

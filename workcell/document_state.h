@@ -37,4 +37,7 @@ struct DocumentState {
   const PairSet* findPairSet(std::string_view name) const;
 };
 
+/// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.
+std::vector<EntityId> familyOf(const DocumentState& state, EntityId id);
+
 }  // namespace hapticell::workcell

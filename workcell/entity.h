@@ -10,6 +10,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "kinematics/robot_model.h"
+#include "workcell/import_options.h"
 
 namespace hapticell::workcell {
 
@@ -18,7 +19,9 @@ struct MechanismDefinition;
 /// Never reused within one document; 0 means none.
 using EntityId = std::uint64_t;
 
-enum class EntityKind { kSolid, kRobot, kMechanism };
+/// An assembly holds others: it has neither mesh nor robot, and moving, hiding, locking or removing it does so to all
+/// that stands below it.
+enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly };
 
 /// What happens to a moved entity that meets an obstacle.
 enum class OnContact { kStop, kSlide, kPass };
@@ -31,7 +34,11 @@ struct SourceFile {
   /// A file (absolute while in memory, written relative to the document) or a built-in shape or robot as
   /// loadEntity() understands it: "library:NAME", "box:X,Y,Z", "cylinder:R,H", "sphere:R".
   std::string path;
-  double scale = 1.0;  ///< Metres per unit of the file.
+  double scale = 1.0;  ///< Metres per unit of the file; 0 before it was loaded: as the file says, else 1.
+  /// The part of a file that holds a tree (partPaths()); empty: all of it as one.
+  std::string part = {};
+  std::optional<UpAxis> up_axis = {};  ///< Where another one than the file's was chosen.
+  Tessellation tessellation = {};      ///< STEP and IGES.
 };
 
 /// A named frame F on an entity, to move it by or to take axes from (frame:NAME).
@@ -61,8 +68,9 @@ struct Entity {
   EntityId id = 0;
   std::string name;
   EntityKind kind = EntityKind::kSolid;
-  Pose X_WE;           ///< Placement: a solid's own origin, a robot's root link.
-  std::string parent;  ///< Name of the tree's folder it stands in; empty at the top.
+  Pose X_WE;  ///< Placement: a solid's own origin, a robot's root link.
+  /// Name of the assembly or solid it stands below, or of a mere folder where no entity is called so; empty at the top.
+  std::string parent;
   std::array<float, 3> color{0.72f, 0.74f, 0.76f};
   bool visible = true;
   bool locked = false;  ///< Cannot be grabbed or moved.

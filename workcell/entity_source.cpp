@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <fstream>
 
 #include "config/configuration.h"
 #include "geometry/shapes.h"
 #include "workcell/mesh_reader.h"
+#include "workcell/scene_exchange.h"
 #include "workcell/text_cursor.h"
 #include "workcell/urdf_reader.h"
 
@@ -38,6 +40,12 @@ std::vector<double> sizesOf(const std::string& what, std::size_t count, double s
   return sizes;
 }
 
+void turnUp(geometry::TriangleMesh& mesh, const std::optional<UpAxis>& up) {
+  if (!up || *up == UpAxis::kZ) return;
+  const Pose X_WF = turnedUp(*up);
+  for (dvec3& vertex : mesh.vertices) vertex = X_WF * vertex;
+}
+
 }  // namespace
 
 bool isBuiltIn(const std::string& what) {
@@ -60,20 +68,101 @@ bool looksLikeUrdf(const fs::path& file) {
 }
 
 Expected<Entity> EntityLoader::load(const std::string& what, double scale, Diagnostics& diagnostics) {
+  return loadSource({what, scale}, diagnostics);
+}
+
+Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics& diagnostics) {
+  const std::string& what = source.path;
   const std::string scheme = schemeOf(what);
+  const bool said = source.scale != 0.0 && source.scale != 1.0;
   if (scheme == "mannequin") {
     return makeError({what, "", "mannequins are not in this version", "a solid or a robot",
                       "They come in a later version of HaptiCell."});
   }
   if (scheme == "library") return loadLibraryRobot(what, diagnostics);
-  if (!scheme.empty()) return loadShape(what, scale);
+  if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();
-  if (!looksLikeUrdf(file)) return loadMesh(file, scale, diagnostics);
-  if (scale != 1.0) {
+  if (isForeignCad(file)) return loadPart(file, source, diagnostics);
+  if (!looksLikeUrdf(file)) return loadMesh(file, source, diagnostics);
+  if (said) {
     return makeError(
         {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
   }
   return loadRobot(file, diagnostics);
+}
+
+Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const ImportOptions& options,
+                                              Diagnostics& diagnostics, ImportMonitor* monitor) {
+  const fs::path file = (folder_ / what).lexically_normal();
+  if (!isBuiltIn(what) && isForeignCad(file)) {
+    Expected<ImportedScene> scene = readForeignCad(file, options, monitor);
+    if (!scene) return makeError(scene.error());
+    return entitiesFromScene(std::move(*scene), {file.string()}, options, diagnostics);
+  }
+  if (monitor) monitor->report("reading", 0.0);
+  if (!isBuiltIn(what) && !looksLikeUrdf(file)) return loadMeshTree(file, options, diagnostics);
+  Expected<Entity> entity = load(what, options.metres_per_unit.value_or(0.0), diagnostics);
+  if (!entity) return makeError(entity.error());
+  ImportResult result;
+  result.report.format = entity->robot ? "urdf" : "shape";
+  result.report.parts = 1;
+  if (entity->mesh) result.report.triangles = entity->mesh->triangles.size();
+  result.entities.push_back(std::move(*entity));
+  return result;
+}
+
+Expected<ImportResult> EntityLoader::loadMeshTree(const fs::path& file, const ImportOptions& options,
+                                                  Diagnostics& diagnostics) const {
+  MeshReadOptions reading;
+  reading.scale = options.metres_per_unit.value_or(1.0);
+  reading.weld = options.weld;
+  reading.warn_about_unit = options.warn_about_unit && !options.metres_per_unit;
+  Expected<MeshFile> read = readMeshFile(file, reading, diagnostics);
+  if (!read) return makeError(read.error());
+  ImportResult result;
+  result.report.format = formatName(read->format);
+  result.report.metres_per_unit = reading.scale;
+  result.report.unit_is_stated = false;
+  result.report.up_axis = options.up_axis.value_or(UpAxis::kZ);
+  result.report.parts = 1;
+  result.report.triangles = read->mesh.triangles.size();
+  result.report.merged_vertices = read->weld.merged_vertices;
+  result.report.degenerate_triangles = read->weld.degenerate_triangles;
+  result.report.duplicate_triangles = read->weld.duplicate_triangles;
+  Entity entity;
+  entity.name = file.stem().string();
+  entity.source = {file.string(), reading.scale, "", options.up_axis, {}};
+  turnUp(read->mesh, options.up_axis);
+  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(read->mesh));
+  result.entities.push_back(std::move(entity));
+  return result;
+}
+
+Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& source, Diagnostics& diagnostics) {
+  ImportOptions options;
+  if (source.scale != 0.0) options.metres_per_unit = source.scale;
+  options.up_axis = source.up_axis;
+  options.tessellation = source.tessellation;
+  options.merge = source.part.empty();
+  char how[120];
+  std::snprintf(how, sizeof how, "|%.17g|%d|%.17g|%.17g|%d", source.scale,
+                source.up_axis ? static_cast<int>(*source.up_axis) : -1, source.tessellation.chord,
+                source.tessellation.angle, options.merge);
+  const std::string key = file.string() + how;
+  auto known = trees_.find(key);
+  if (known == trees_.end()) {
+    Expected<ImportResult> tree = loadTree(file.string(), options, diagnostics);
+    if (!tree) return makeError(tree.error());
+    known = trees_.emplace(key, std::move(*tree)).first;
+  }
+  for (const Entity& entity : known->second.entities) {
+    if (!options.merge && entity.source.part != source.part) continue;
+    Entity found = entity;
+    found.parent.clear();
+    return found;
+  }
+  return makeError({file.string(), "", "no part '" + source.part + "'", "a part that the file still holds",
+                    "Import the file anew."});
 }
 
 Expected<Entity> EntityLoader::loadShape(const std::string& what, double scale) const {
@@ -132,19 +221,23 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diag
   return entity;
 }
 
-Expected<Entity> EntityLoader::loadMesh(const fs::path& file, double scale, Diagnostics& diagnostics) {
-  auto& known = meshes_[{file.string(), scale}];
+Expected<Entity> EntityLoader::loadMesh(const fs::path& file, const SourceFile& source, Diagnostics& diagnostics) {
+  const double scale = source.scale == 0.0 ? 1.0 : source.scale;
+  const char* up = source.up_axis ? axisName(*source.up_axis) : "";
+  auto& known = meshes_[{file.string() + "|" + up, scale}];
   if (!known) {
     Diagnostics notes;
-    Expected<geometry::TriangleMesh> mesh = readMesh(file, {.scale = scale, .warn_about_unit = !unit_is_stated_}, notes);
+    Expected<geometry::TriangleMesh> mesh =
+        readMesh(file, {.scale = scale, .warn_about_unit = !unit_is_stated_}, notes);
     if (!mesh) return makeError(mesh.error());
+    turnUp(*mesh, source.up_axis);
     known = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
     for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
   }
   Entity entity;
   entity.mesh = known;
   entity.name = file.stem().string();
-  entity.source = {file.string(), scale};
+  entity.source = {file.string(), scale, "", source.up_axis, {}};
   return entity;
 }
 

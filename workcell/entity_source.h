@@ -9,12 +9,14 @@
 
 #include "geometry/error.h"
 #include "workcell/entity.h"
+#include "workcell/imported_entities.h"
 
 namespace hapticell::workcell {
 
-/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a robot file (URDF), "library:NAME" (a built-in
-/// robot: a folder under the shipped robots/), or a built-in solid, "box:X,Y,Z", "cylinder:RADIUS,HEIGHT",
-/// "sphere:RADIUS" (sizes in the given unit). Files that are named twice are read once. One thread.
+/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readForeignCad), a robot file
+/// (URDF), a cell (SDF model or world), "library:NAME" (a built-in robot: a folder under the shipped robots/), or a
+/// built-in solid, "box:X,Y,Z", "cylinder:RADIUS,HEIGHT", "sphere:RADIUS" (sizes in the given unit). Files that are
+/// named twice are read once. One thread.
 class EntityLoader {
  public:
   /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
@@ -22,22 +24,37 @@ class EntityLoader {
   explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false)
       : folder_(std::move(folder)), unit_is_stated_(unit_is_stated) {}
 
-  /// An entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
-  /// by default, joints empty. `scale` is metres per unit of the file; a robot's file is always in metres, another
-  /// scale for it is an error. What is missing, broken or not known is an error that names it. Mannequins come in a
-  /// later version and are refused.
+  /// One entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
+  /// by default, joints empty. `scale` is metres per unit of the file (0: as the file says, metres where it says none);
+  /// a robot's file is always in metres, another scale for it is an error. A file with a tree becomes one solid. What
+  /// is missing, broken or not known is an error that names it. Mannequins come in a later version and are refused.
   Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
 
+  /// The entity that a source in a document stands for: as load(), but the one part of the file that `source.part`
+  /// names where it does. The parts of one file are read together, once.
+  Expected<Entity> loadSource(const SourceFile& source, Diagnostics& diagnostics);
+
+  /// All that a file holds, as a tree of entities (parents first) placed in the file's frame, with a report. `monitor`
+  /// may be null. Robots, meshes and built-in shapes are one entity.
+  Expected<ImportResult> loadTree(const std::string& what, const ImportOptions& options, Diagnostics& diagnostics,
+                                  ImportMonitor* monitor = nullptr);
+
  private:
+  using MeshPointer = std::shared_ptr<const geometry::TriangleMesh>;
+
   Expected<Entity> loadShape(const std::string& what, double scale) const;
   Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
   Expected<Entity> loadRobot(const std::filesystem::path& file, Diagnostics& diagnostics);
-  Expected<Entity> loadMesh(const std::filesystem::path& file, double scale, Diagnostics& diagnostics);
+  Expected<Entity> loadMesh(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
+  Expected<Entity> loadPart(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
+  Expected<ImportResult> loadMeshTree(const std::filesystem::path& file, const ImportOptions& options,
+                                      Diagnostics& diagnostics) const;
 
   std::filesystem::path folder_;
   bool unit_is_stated_ = false;
-  std::map<std::pair<std::string, double>, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
+  std::map<std::pair<std::string, double>, MeshPointer> meshes_;
   std::map<std::string, std::shared_ptr<const kinematics::RobotModel>> robots_;
+  std::map<std::string, ImportResult> trees_;  // By file and how it was read.
 };
 
 /// True for a source that is no file: "library:", "box:", "cylinder:", "sphere:", "mannequin:".

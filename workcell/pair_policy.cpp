@@ -8,19 +8,34 @@ namespace hapticell::workcell {
 
 namespace {
 
-bool names(const std::vector<std::string>& side, const std::string& name) {
-  return side.empty() || std::find(side.begin(), side.end(), name) != side.end();
+/// An entity's name and those of the assemblies it stands in: a set that names one of them means it.
+using Names = std::vector<std::string>;
+
+Names namesOf(std::span<const Entity> entities, const Entity& entity) {
+  Names names{entity.name};
+  for (std::string parent = entity.parent; !parent.empty();) {
+    if (std::find(names.begin(), names.end(), parent) != names.end()) break;
+    names.push_back(parent);
+    const auto above =
+        std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.name == parent; });
+    parent = above == entities.end() ? "" : above->parent;
+  }
+  return names;
 }
 
-bool joins(const PairSet& set, const Entity& a, const Entity& b) {
-  return (names(set.first, a.name) && names(set.second, b.name)) ||
-         (names(set.first, b.name) && names(set.second, a.name));
+bool means(const std::vector<std::string>& side, const Names& names) {
+  return side.empty() || std::find_first_of(side.begin(), side.end(), names.begin(), names.end()) != side.end();
 }
 
-std::optional<EffectivePair> pairOf(const Entity& moved, const Entity& other, std::span<const PairSet> sets) {
+bool joins(const PairSet& set, const Names& a, const Names& b) {
+  return (means(set.first, a) && means(set.second, b)) || (means(set.first, b) && means(set.second, a));
+}
+
+std::optional<EffectivePair> pairOf(const Entity& moved, const Names& moved_names, const Entity& other,
+                                    const Names& other_names, std::span<const PairSet> sets) {
   std::optional<EffectivePair> pair;
   for (const PairSet& set : sets) {
-    if (!set.enabled || !joins(set, moved, other)) continue;
+    if (!set.enabled || !joins(set, moved_names, other_names)) continue;
     if (!pair) pair = EffectivePair{moved.id, other.id, 0.0, 0.0, moved.on_contact};
     pair->safety_distance = std::max(pair->safety_distance, set.safety_distance);
     pair->near_miss = std::max(pair->near_miss, set.near_miss);
@@ -36,11 +51,12 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
   std::vector<EffectivePair> pairs;
   const auto held = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == moved; });
   if (held == entities.end() || !held->checked) return pairs;
+  const Names held_names = namesOf(entities, *held);
   for (const Entity& other : entities) {
     if (other.id == moved || !other.checked) continue;
     if (sets.empty()) {
       pairs.push_back({moved, other.id, defaults.safety_distance, defaults.near_miss, held->on_contact});
-    } else if (const auto pair = pairOf(*held, other, sets)) {
+    } else if (const auto pair = pairOf(*held, held_names, other, namesOf(entities, other), sets)) {
       pairs.push_back(*pair);
     }
   }

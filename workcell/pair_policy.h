@@ -26,9 +26,9 @@ struct EffectivePair {
 
 /// What is checked against the entity `moved`, in the order of `entities`. Without pair sets everything is checked
 /// against everything, with `defaults`; with sets only what the enabled ones name (either way round; an empty side
-/// means everything). Where several name a pair, its larger distances and the later set's choice on contact count.
-/// Entities that are not `checked` take no part; neither does the moved one against itself (the links of one robot are
-/// the manipulation loop's matter). Empty when there is no entity `moved`.
+/// means everything, an assembly's name all that stands below it). Where several name a pair, its larger distances and
+/// the later set's choice on contact count. Entities that are not `checked` take no part; neither does the moved one
+/// against itself (the links of one robot are the manipulation loop's matter). Empty when there is no entity `moved`.
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
                                           EntityId moved, const PairDefaults& defaults = {});
 

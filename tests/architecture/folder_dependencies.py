@@ -24,6 +24,7 @@ ALLOWED = {
     "haptic/server": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/devices",
                       "haptic/client"},
     "workcell": {"geometry", "config", "collision", "kinematics", "mannequin", "trajectory"},
+    "importer": {"geometry", "workcell"},
     "manipulation": {"geometry", "config", "collision", "kinematics", "mannequin", "trajectory", "workcell", "haptic/rendering",
                      "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
     "feel": {"geometry", "config", "collision", "kinematics", "trajectory", "workcell", "manipulation",
@@ -40,7 +41,7 @@ FOREIGN = {
     r"^CLI/": {"cli"},
     r"^OpenMesh/": {"geometry"},
     r"^flatbuffers/": {"haptic/protocol"},
-    r"^(Standard|TopoDS|STEP|XCAF|gp_)": {"importer"},
+    r"^(Standard|TopoDS|STEP|XCAF|gp_|BRep|TDF_|Poly_|IGES|assimp/)": {"importer"},
 }
 # Eigen stays inside .cpp files.
 SOURCE_ONLY = re.compile(r"^Eigen/")
@@ -85,6 +86,9 @@ def self_test():
     assert found("collision/a.h", "#include <Eigen/Core>")
     assert found("haptic/server/a.cpp", "#include <QString>")
     assert found("haptic/rendering/a.cpp", '#include "haptic/server/loop.h"')
+    assert found("workcell/a.cpp", "#include <STEPCAFControl_Reader.hxx>")
+    assert found("app/a.cpp", "#include <assimp/scene.h>")
+    assert not found("importer/a.cpp", "#include <STEPCAFControl_Reader.hxx>")
     assert not found("collision/a.cpp", "#include <Eigen/Core>")
     assert not found("collision/a.cpp", '#include "geometry/pose.h"')
     assert not found("manipulation/a.cpp", '#include "haptic/client/haptic_link.h"')

@@ -164,7 +164,7 @@ TEST(WorkcellArguments, whatMayHoldCommas) {
   ASSERT_TRUE(addition.has_value());
   EXPECT_EQ(addition->what, "odd,name.stl");
   EXPECT_EQ(addition->name, "a,b");
-  EXPECT_EQ(addition->unit, workcell::LengthUnit::kInch);
+  EXPECT_DOUBLE_EQ(addition->options.metres_per_unit.value_or(0.0), 0.0254);
   EXPECT_EQ(addition->X_WE.p.x, 1.0);
   EXPECT_FALSE(parseAddition(",name=a").has_value());
 }

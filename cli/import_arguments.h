@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "workcell/import_options.h"
+
+namespace hapticell::cli {
+
+/// --chord METRES and --angle RADIANS: how finely the curved faces of STEP and IGES are cut into triangles.
+void addTessellationOptions(CLI::App& command, workcell::Tessellation& tessellation);
+
+}  // namespace hapticell::cli

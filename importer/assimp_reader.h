@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/error.h"
+#include "importer/reading.h"
+
+namespace hapticell::importer {
+
+/// Reads glTF, GLB, Collada, 3MF, FBX or 3DS with assimp. Node scales and mirrorings go into the meshes, so that every
+/// placement is rigid; triangles with a corner that is not finite are dropped and told. May throw.
+Expected<workcell::ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent);
+
+}  // namespace hapticell::importer

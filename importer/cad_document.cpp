@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/cad_document.h"
+
+#include <unistd.h>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESData_BasicEditor.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDataStd_Name.hxx>
+#include <TopLoc_Location.hxx>
+#include <XCAFApp_Application.hxx>
+#include <fstream>
+#include <gp_Quaternion.hxx>
+#include <gp_Trsf.hxx>
+#include <map>
+
+namespace hapticell::importer {
+
+namespace {
+
+class Indicator : public Message_ProgressIndicator {
+ public:
+  explicit Indicator(std::function<void(double)> progress) : progress_(std::move(progress)) {}
+
+ protected:
+  void Show(const Message_ProgressScope&, Standard_Boolean) override { progress_(GetPosition()); }
+
+ private:
+  std::function<void(double)> progress_;
+};
+
+/// Metres per unit by its name in a STEP file; 0 where it is not known.
+double metresOf(const TCollection_AsciiString& name) {
+  static const std::map<std::string, double> kUnits = {
+      {"millimetre", 1e-3}, {"millimeter", 1e-3}, {"metre", 1.0},   {"meter", 1.0},       {"centimetre", 1e-2},
+      {"centimeter", 1e-2}, {"inch", 0.0254},     {"foot", 0.3048}, {"micrometre", 1e-6}, {"kilometre", 1e3},
+      {"mm", 1e-3},         {"m", 1.0},           {"cm", 1e-2},     {"in", 0.0254},       {"decimetre", 0.1}};
+  TCollection_AsciiString lower(name);
+  lower.LowerCase();
+  const auto found = kUnits.find(lower.ToCString());
+  return found == kUnits.end() ? 0.0 : found->second;
+}
+
+bool looksLikeStep(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(256, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head.find("ISO-10303-21") != std::string::npos;
+}
+
+Error unreadable(const char* format) {
+  return {"", "", std::string("it is not readable as ") + format, std::string("a sound ") + format + " file",
+          "Export it again."};
+}
+
+Expected<CadDocument> openStep(const std::string& name, const Message_ProgressRange& range) {
+  STEPCAFControl_Reader reader;
+  reader.SetNameMode(true);
+  reader.SetColorMode(true);
+  reader.SetLayerMode(false);
+  reader.SetPropsMode(false);
+  Message_ProgressScope scope(range, "reading", 1.0);
+  if (reader.ReadFile(name.c_str()) != IFSelect_RetDone) return makeError(unreadable("STEP"));
+  CadDocument result = newCadDocument();
+  result.format = "step";
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
+  if (!lengths.IsEmpty()) {
+    if (const double metres = metresOf(lengths.First()); metres > 0.0) {
+      result.metres_per_unit = metres;
+      result.unit_is_stated = true;
+    }
+  }
+  if (!reader.Transfer(result.document, scope.Next())) {
+    return makeError({"", "", "no shape could be made of it", "a STEP file with solids or surfaces", ""});
+  }
+  return result;
+}
+
+Expected<CadDocument> openIges(const std::string& name, const Message_ProgressRange& range) {
+  IGESCAFControl_Reader reader;
+  reader.SetNameMode(true);
+  reader.SetColorMode(true);
+  reader.SetLayerMode(false);
+  Message_ProgressScope scope(range, "reading", 1.0);
+  if (reader.ReadFile(name.c_str()) != IFSelect_RetDone) return makeError(unreadable("IGES"));
+  CadDocument result = newCadDocument();
+  result.format = "iges";
+  if (const auto model = reader.IGESModel(); !model.IsNull()) {
+    const double millimetres = model->GlobalSection().UnitValue();
+    if (millimetres > 0.0) {
+      result.metres_per_unit = millimetres * 1e-3;
+      result.unit_is_stated = true;
+    }
+  }
+  if (!reader.Transfer(result.document, scope.Next())) {
+    return makeError({"", "", "no shape could be made of it", "an IGES file with surfaces", ""});
+  }
+  return result;
+}
+
+}  // namespace
+
+CadDocument newCadDocument() {
+  CadDocument result;
+  XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", result.document);
+  return result;
+}
+
+Expected<CadDocument> openCad(const std::filesystem::path& file, const std::function<void(double)>& progress) {
+  // References to other files are relative to the file, but the library looks for them from where the process is.
+  if (::chdir(file.parent_path().c_str()) != 0) return makeError({"", "", "its folder cannot be entered", "", ""});
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Handle(Indicator) indicator = new Indicator(progress);
+  const std::string name = file.filename().string();
+  return looksLikeStep(file) ? openStep(name, indicator->Start()) : openIges(name, indicator->Start());
+}
+
+std::string nameOf(const TDF_Label& label) {
+  Handle(TDataStd_Name) attribute;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), attribute)) return {};
+  const TCollection_ExtendedString& wide = attribute->Get();
+  std::string name(static_cast<std::size_t>(wide.LengthOfCString()), '\0');
+  if (!name.empty()) {
+    char* begin = name.data();
+    wide.ToUTF8CString(begin);
+  }
+  while (!name.empty() && name.back() == '\0') name.pop_back();
+  const bool made_up = name.starts_with("=>[") || name.starts_with("NAUO") || name == "NONE" || name == "COMPOUND" ||
+                       name == "SOLID" || name == "SHELL" || name == "ASSEMBLY" ||
+                       name.starts_with("Open CASCADE STEP translator");
+  return made_up ? std::string() : name;
+}
+
+Pose poseOf(const TopLoc_Location& location, double factor) {
+  const gp_Trsf transform = location.Transformation();
+  const gp_XYZ p = transform.TranslationPart();
+  const gp_Quaternion q = transform.GetRotation();
+  Pose X{dvec3(p.X(), p.Y(), p.Z()) * (1e-3 * factor), dquat(q.W(), q.X(), q.Y(), q.Z())};
+  X.q = glm::normalize(X.q);
+  return X;
+}
+
+}  // namespace hapticell::importer

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/cad_reader.h"
+
+#include <BRep_Builder.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <map>
+#include <string>
+
+#include "importer/cad_document.h"
+#include "importer/shape_mesher.h"
+
+namespace hapticell::importer {
+
+namespace {
+
+using workcell::ImportedScene;
+using workcell::SceneNode;
+
+constexpr XCAFDoc_ColorType kColorTypes[] = {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv};
+
+/// Walks an OpenCASCADE document and builds the scene.
+class SceneBuilder {
+ public:
+  SceneBuilder(const CadDocument& cad, const Reading& reading, ParentLink& parent)
+      : reading_(reading),
+        parent_(parent),
+        shapes_(XCAFDoc_DocumentTool::ShapeTool(cad.document->Main())),
+        colors_(XCAFDoc_DocumentTool::ColorTool(cad.document->Main())) {
+    scene_.format = cad.format;
+    scene_.unit_is_stated = cad.unit_is_stated;
+    scene_.metres_per_unit = reading.metres_per_unit.value_or(cad.metres_per_unit);
+    factor_ = scene_.metres_per_unit / cad.metres_per_unit;
+  }
+
+  ImportedScene build() {
+    TDF_LabelSequence roots;
+    shapes_->GetFreeShapes(roots);
+    TopoDS_Compound loose;
+    BRep_Builder().MakeCompound(loose);
+    int loose_shapes = 0;
+    const bool gather = scene_.format == "iges" && roots.Length() > 1;
+    total_ = countParts();
+    for (const TDF_Label& root : roots) {
+      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(root);
+      if (gather && !XCAFDoc_ShapeTool::IsAssembly(root) && !TopExp_Explorer(shape, TopAbs_SOLID).More()) {
+        if (!shape.IsNull()) BRep_Builder().Add(loose, shape);
+        ++loose_shapes;
+        bindColors(root);
+      } else {
+        add(root, -1);
+      }
+    }
+    if (loose_shapes > 0) addLoose(loose, loose_shapes);
+    tellMissing();
+    return std::move(scene_);
+  }
+
+ private:
+  int countParts() const {
+    TDF_LabelSequence all;
+    shapes_->GetShapes(all);
+    int parts = 0;
+    for (const TDF_Label& label : all) parts += XCAFDoc_ShapeTool::IsSimpleShape(label) ? 1 : 0;
+    return parts;
+  }
+
+  std::optional<std::array<float, 3>> colorOf(const TDF_Label& label) const {
+    Quantity_Color color;
+    for (XCAFDoc_ColorType type : kColorTypes) {
+      if (colors_->GetColor(label, type, color)) return plainColor(color);
+    }
+    return std::nullopt;
+  }
+
+  /// Colours the faces of a coloured sub-shape, unless they have a colour of their own.
+  void bindColors(const TDF_Label& label) {
+    TDF_LabelSequence parts;
+    XCAFDoc_ShapeTool::GetSubShapes(label, parts);
+    parts.Append(label);
+    for (const bool faces_only : {true, false}) {
+      for (const TDF_Label& part : parts) {
+        const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part);
+        Quantity_Color color;
+        if (shape.IsNull() || (shape.ShapeType() == TopAbs_FACE) != faces_only) continue;
+        for (XCAFDoc_ColorType type : kColorTypes) {
+          if (!colors_->GetColor(part, type, color)) continue;
+          for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+            if (!face_colors_.IsBound(faces.Current())) face_colors_.Bind(faces.Current(), color);
+          }
+          break;
+        }
+      }
+    }
+  }
+
+  /// `label` is a part, an assembly, or the use of one.
+  void add(const TDF_Label& label, int parent) {
+    SceneNode node;
+    node.parent = parent;
+    node.X_PN = poseOf(XCAFDoc_ShapeTool::GetLocation(label), factor_);
+    TDF_Label definition = label;
+    XCAFDoc_ShapeTool::GetReferredShape(label, definition);
+    const std::string instance = definition == label ? "" : nameOf(label);
+    node.name = nameOf(definition);
+    if (node.name.empty()) node.name = instance;
+    if (instance != node.name) node.instance = instance;
+    node.color = colorOf(label);
+    if (!node.color) node.color = colorOf(definition);
+    if (!node.color && parent >= 0) node.color = scene_.nodes[static_cast<std::size_t>(parent)].color;
+    const bool assembly = XCAFDoc_ShapeTool::IsAssembly(definition);
+    if (node.name.empty()) node.name = assembly ? "assembly" : parent < 0 ? reading_.file.stem().string() : "part";
+    const auto index = static_cast<int>(scene_.nodes.size());
+    if (!assembly) useMesh(definition, node);
+    scene_.nodes.push_back(std::move(node));
+    if (!assembly) return;
+    TDF_LabelSequence components;
+    XCAFDoc_ShapeTool::GetComponents(definition, components);
+    for (const TDF_Label& component : components) add(component, index);
+  }
+
+  void useMesh(const TDF_Label& definition, SceneNode& node) {
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(definition);
+    if (shape.IsNull() || !TopExp_Explorer(shape, TopAbs_FACE).More()) {
+      ++without_shape_;
+      if (first_without_shape_.empty()) first_without_shape_ = node.name;
+      return;
+    }
+    auto [known, is_new] = meshes_.try_emplace(definition.Tag());
+    if (is_new) {
+      bindColors(definition);
+      known->second = addMesh(shape, node.name);
+    }
+    if (known->second.mesh < 0) return;
+    node.mesh = known->second.mesh;
+    if (!node.color || known->second.several_colors) {
+      if (known->second.color) node.color = known->second.color;
+    }
+  }
+
+  struct Known {
+    int mesh = -1;
+    std::optional<std::array<float, 3>> color;
+    bool several_colors = false;
+  };
+
+  Known addMesh(const TopoDS_Shape& shape, const std::string& name) {
+    MeshedShape meshed = meshShape(shape, factor_, reading_.tessellation, face_colors_);
+    constexpr double kReading = 0.6;
+    ++done_;
+    parent_.progress(kReading + (1.0 - kReading) * done_ / std::max(total_, done_), "meshing");
+    if (meshed.missing_faces > 0) {
+      scene_.warnings.push_back("'" + name + "': " + std::to_string(meshed.missing_faces) + " of " +
+                                std::to_string(meshed.faces) +
+                                " faces could not be cut into triangles and are missing");
+    }
+    if (meshed.several_colors) {
+      scene_.warnings.push_back("'" + name + "' has faces of several colours; it is shown in that of most of its area");
+    }
+    Known known{-1, meshed.color, meshed.several_colors};
+    if (meshed.mesh.triangles.empty()) return known;
+    known.mesh = static_cast<int>(scene_.meshes.size());
+    scene_.meshes.push_back(std::move(meshed.mesh));
+    return known;
+  }
+
+  void addLoose(const TopoDS_Shape& shape, int count) {
+    SceneNode node;
+    node.name = reading_.file.stem().string();
+    const Known known = addMesh(shape, node.name);
+    node.mesh = known.mesh;
+    node.color = known.color;
+    scene_.nodes.push_back(std::move(node));
+    if (count > 1) {
+      scene_.warnings.push_back(std::to_string(count) + " surfaces that belong to no solid were put into one part");
+    }
+  }
+
+  void tellMissing() {
+    if (without_shape_ == 0) return;
+    scene_.warnings.push_back(std::to_string(without_shape_) + " parts have no shape (first '" + first_without_shape_ +
+                              "'): a file that they refer to is missing, or they hold lines only");
+  }
+
+  const Reading& reading_;
+  ParentLink& parent_;
+  Handle(XCAFDoc_ShapeTool) shapes_;
+  Handle(XCAFDoc_ColorTool) colors_;
+  ImportedScene scene_;
+  double factor_ = 1.0;
+  FaceColors face_colors_;
+  std::map<int, Known> meshes_;  // By the tag of the part's label.
+  int total_ = 0;
+  int done_ = 0;
+  int without_shape_ = 0;
+  std::string first_without_shape_;
+};
+
+}  // namespace
+
+Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
+  parent.progress(0.02, "reading");
+  constexpr double kReading = 0.6;
+  const auto cad = openCad(reading.file, [&](double share) { parent.progress(kReading * share, "reading"); });
+  if (!cad) return makeError(cad.error());
+  return SceneBuilder(*cad, reading, parent).build();
+}
+
+}  // namespace hapticell::importer

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/error.h"
+#include "importer/reading.h"
+
+namespace hapticell::importer {
+
+/// Reads STEP (AP203, AP214, AP242) or IGES with OpenCASCADE and cuts the faces into triangles. Names are those of the
+/// parts; a part that is used several times has one mesh. Changes the working directory (external references are found
+/// from there). May throw what the library throws.
+Expected<workcell::ImportedScene> readCad(const Reading& reading, ParentLink& parent);
+
+}  // namespace hapticell::importer

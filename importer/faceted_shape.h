@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+
+#include "geometry/triangle_mesh.h"
+
+namespace hapticell::importer {
+
+/// A shape (millimetres) with one plane face a triangle; neighbours share their edges. A solid where the mesh is
+/// closed, else a shell. The mesh should be welded. Null where it has no triangle with an area.
+TopoDS_Shape facetedShape(const geometry::TriangleMesh& mesh);
+
+}  // namespace hapticell::importer

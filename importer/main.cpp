@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// hapticell-importer: reads and writes CAD files for the other programs, so that a library that crashes, hangs or eats
+// all memory takes nobody with it. What it is told and what it answers: workcell/import_process.h.
+#include <unistd.h>
+#include <Standard_Failure.hxx>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <new>
+#include <string>
+
+#include "importer/assimp_reader.h"
+#include "importer/cad_reader.h"
+#include "importer/parent_link.h"
+#include "importer/resource_limits.h"
+#include "importer/step_writer.h"
+#include "workcell/scene_exchange.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using hapticell::Error;
+using hapticell::Expected;
+using namespace hapticell::importer;
+
+struct Call {
+  std::string action;
+  fs::path file;
+  std::map<std::string, double> numbers;  // By option.
+
+  std::optional<double> number(const std::string& option) const {
+    const auto found = numbers.find(option);
+    return found == numbers.end() ? std::nullopt : std::optional(found->second);
+  }
+};
+
+Call parse(int argc, char** argv) {
+  Call call;
+  if (argc > 1) call.action = argv[1];
+  if (argc > 2) call.file = argv[2];
+  for (int k = 3; k + 1 < argc; k += 2) call.numbers[argv[k]] = std::strtod(argv[k + 1], nullptr);
+  return call;
+}
+
+/// STEP and IGES are OpenCASCADE's, told by content; the rest is assimp's.
+bool isCad(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(256, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.find("ISO-10303-21") != std::string::npos) return true;
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".iges" ||
+         extension == ".igs";
+}
+
+Expected<void> read(const Call& call, ParentLink& parent) {
+  Reading reading;
+  reading.file = call.file;
+  reading.metres_per_unit = call.number("--unit");
+  reading.tessellation.chord = call.number("--chord").value_or(reading.tessellation.chord);
+  reading.tessellation.angle = call.number("--angle").value_or(reading.tessellation.angle);
+  const auto scene = isCad(call.file) ? readCad(reading, parent) : readWithAssimp(reading, parent);
+  if (!scene) return hapticell::makeError(scene.error());
+  if (scene->meshes.empty()) {
+    return hapticell::makeError({"", "", "no shape in it", "at least one solid or surface", ""});
+  }
+  parent.progress(1.0, "handing over");
+  if (!parent.writeScene(hapticell::workcell::sceneBytes(*scene))) {
+    return hapticell::makeError({"", "", "no room to hand it over", "", ""});
+  }
+  return {};
+}
+
+Expected<void> write(const Call& call, ParentLink& parent) {
+  const auto scene = hapticell::workcell::sceneFromBytes(parent.readScene());
+  if (!scene) return hapticell::makeError(scene.error());
+  return writeStep(*scene, call.file, parent);
+}
+
+Expected<void> guarded(const Call& call, ParentLink& parent) {
+  try {
+    return call.action == "write" ? write(call, parent) : read(call, parent);
+  } catch (const std::bad_alloc&) {
+    return hapticell::makeError({"", "", "it needs more memory than an import may use", "a smaller or coarser model",
+                                 "Choose a coarser tessellation or import it in parts."});
+  } catch (const Standard_Failure& failure) {
+    const char* text = failure.GetMessageString();
+    return hapticell::makeError(
+        {"", "", std::string("OpenCASCADE refuses it: ") + failure.DynamicType()->Name() + " " + (text ? text : ""),
+         "a sound file", "Export it again."});
+  } catch (const std::exception& failure) {
+    return hapticell::makeError({"", "", std::string("it is refused: ") + failure.what(), "a sound file", ""});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Call call = parse(argc, argv);
+  if (call.action != "read" && call.action != "write") return 2;
+  limitResources(static_cast<std::uint64_t>(call.number("--memory").value_or(6e9)),
+                 static_cast<std::uint64_t>(call.number("--seconds").value_or(600.0)));
+  ParentLink parent;
+  const Expected<void> result = guarded(call, parent);
+  if (result) {
+    parent.done();
+  } else {
+    parent.error(result.error());
+  }
+  ::_exit(result ? 0 : 1);  // The libraries' own tidying up takes long and may crash.
+}

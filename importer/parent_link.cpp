@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/parent_link.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "workcell/import_process.h"
+
+namespace hapticell::importer {
+
+namespace {
+
+/// One part of a line: tabs and line ends would break it.
+std::string flat(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  }
+  return text;
+}
+
+bool writeAll(int file, const std::string& bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const ssize_t written = ::write(file, bytes.data() + at, bytes.size() - at);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    at += static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+}  // namespace
+
+void ParentLink::line(const std::string& text) {
+  writeAll(workcell::kLinesDescriptor, text + "\n");
+}
+
+void ParentLink::progress(double share, const std::string& stage) {
+  constexpr double kStep = 0.01;
+  if (share < told_ + kStep && stage == stage_) return;
+  told_ = share;
+  stage_ = stage;
+  char text[40];
+  std::snprintf(text, sizeof text, "progress %.3f ", share);
+  line(text + flat(stage));
+}
+
+void ParentLink::error(const Error& error) {
+  line("error " + flat(error.place) + "\t" + flat(error.found) + "\t" + flat(error.expected) + "\t" + flat(error.fix));
+}
+
+void ParentLink::done() {
+  line("done");
+}
+
+std::string ParentLink::readScene() {
+  struct stat state {};
+  if (::fstat(workcell::kSceneDescriptor, &state) != 0 || state.st_size <= 0) return {};
+  std::string bytes(static_cast<std::size_t>(state.st_size), '\0');
+  const ssize_t got = ::pread(workcell::kSceneDescriptor, bytes.data(), bytes.size(), 0);
+  if (got < 0) return {};
+  bytes.resize(static_cast<std::size_t>(got));
+  return bytes;
+}
+
+bool ParentLink::writeScene(const std::string& bytes) {
+  return ::ftruncate(workcell::kSceneDescriptor, 0) == 0 && ::lseek(workcell::kSceneDescriptor, 0, SEEK_SET) == 0 &&
+         writeAll(workcell::kSceneDescriptor, bytes);
+}
+
+}  // namespace hapticell::importer

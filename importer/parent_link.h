@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "geometry/error.h"
+
+namespace hapticell::importer {
+
+/// The importer's end of what workcell/import_process.h describes: lines to the parent, the scene's bytes both ways.
+/// One thread.
+class ParentLink {
+ public:
+  /// Share of the whole work, 0 to 1, and what is going on. Told at most a hundred times.
+  void progress(double share, const std::string& stage);
+  void error(const Error& error);
+  void done();
+
+  /// The scene that the parent left; empty where there is none.
+  std::string readScene();
+  /// Leaves a scene for the parent; false where there is no room.
+  bool writeScene(const std::string& bytes);
+
+ private:
+  void line(const std::string& text);
+  double told_ = -1.0;
+  std::string stage_;
+};
+
+}  // namespace hapticell::importer

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "importer/parent_link.h"
+#include "workcell/import_scene.h"
+
+namespace hapticell::importer {
+
+/// What is read, and how.
+struct Reading {
+  std::filesystem::path file;                  ///< Absolute.
+  std::optional<double> metres_per_unit = {};  ///< Where another unit than the file's was chosen.
+  workcell::Tessellation tessellation = {};
+};
+
+}  // namespace hapticell::importer

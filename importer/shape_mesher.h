@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <NCollection_DataMap.hxx>
+#include <Quantity_Color.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS_Shape.hxx>
+#include <array>
+#include <optional>
+#include <string>
+
+#include "geometry/triangle_mesh.h"
+#include "workcell/import_options.h"
+
+namespace hapticell::importer {
+
+using FaceColors = NCollection_DataMap<TopoDS_Shape, Quantity_Color, TopTools_ShapeMapHasher>;
+
+/// A shape as triangles, metres.
+struct MeshedShape {
+  geometry::TriangleMesh mesh;
+  int faces = 0;
+  int missing_faces = 0;                      ///< Could not be cut into triangles.
+  std::optional<std::array<float, 3>> color;  ///< Of most of the coloured area, sRGB.
+  bool several_colors = false;
+};
+
+/// Cuts a shape (millimetres) into triangles and scales it by `factor` to the size that was chosen. Corners of
+/// neighbouring faces are not merged. The chord is raised to 1e-5 of the shape's diagonal.
+MeshedShape meshShape(const TopoDS_Shape& shape, double factor, const workcell::Tessellation& tessellation,
+                      const FaceColors& colors);
+
+/// The numbers that stand in the file (OpenCASCADE keeps them linear).
+std::array<float, 3> plainColor(const Quantity_Color& color);
+
+}  // namespace hapticell::importer

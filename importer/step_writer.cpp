@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/step_writer.h"
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRep_Builder.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Quaternion.hxx>
+#include <gp_Trsf.hxx>
+#include <map>
+#include <tuple>
+#include <unordered_map>
+
+#include "importer/cad_document.h"
+#include "importer/faceted_shape.h"
+
+namespace hapticell::importer {
+
+namespace {
+
+using workcell::SceneNode;
+
+/// The parts of one opened source by their paths (as workcell::partPaths() makes them).
+class SourceParts {
+ public:
+  explicit SourceParts(CadDocument cad) : cad_(std::move(cad)) {
+    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(cad_.document->Main());
+    TDF_LabelSequence roots;
+    shapes->GetFreeShapes(roots);
+    for (const TDF_Label& root : roots) add(root, -1);
+    const std::vector<std::string> paths = workcell::partPaths(tree_);
+    for (std::size_t k = 0; k < paths.size(); ++k) parts_[paths[k]] = labels_[k];
+  }
+
+  double metresPerUnit() const { return cad_.metres_per_unit; }
+
+  /// The shape of a part in its own frame; of everything where `path` is empty. Null where there is none.
+  TopoDS_Shape find(const std::string& path) const {
+    if (path.empty()) return whole();
+    const auto found = parts_.find(path);
+    return found == parts_.end() ? TopoDS_Shape() : XCAFDoc_ShapeTool::GetShape(found->second);
+  }
+
+ private:
+  void add(const TDF_Label& label, int parent) {
+    TDF_Label definition = label;
+    XCAFDoc_ShapeTool::GetReferredShape(label, definition);
+    SceneNode node;
+    node.parent = parent;
+    node.name = nameOf(definition);
+    if (node.name.empty() && definition != label) node.name = nameOf(label);
+    const bool assembly = XCAFDoc_ShapeTool::IsAssembly(definition);
+    if (node.name.empty()) node.name = assembly ? "assembly" : "part";
+    const auto index = static_cast<int>(tree_.nodes.size());
+    tree_.nodes.push_back(std::move(node));
+    labels_.push_back(definition);
+    if (!assembly) return;
+    TDF_LabelSequence components;
+    XCAFDoc_ShapeTool::GetComponents(definition, components);
+    for (const TDF_Label& component : components) add(component, index);
+  }
+
+  TopoDS_Shape whole() const {
+    TDF_LabelSequence roots;
+    XCAFDoc_DocumentTool::ShapeTool(cad_.document->Main())->GetFreeShapes(roots);
+    TopoDS_Compound all;
+    BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (const TDF_Label& root : roots) {
+      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(root);
+      if (!shape.IsNull()) builder.Add(all, shape);
+    }
+    return all;
+  }
+
+  CadDocument cad_;
+  workcell::ImportedScene tree_;
+  std::vector<TDF_Label> labels_;
+  std::unordered_map<std::string, TDF_Label> parts_;
+};
+
+gp_Trsf transformOf(const Pose& X) {
+  gp_Trsf transform;
+  transform.SetRotation(gp_Quaternion(X.q.x, X.q.y, X.q.z, X.q.w));
+  transform.SetTranslationPart(gp_Vec(1e3 * X.p.x, 1e3 * X.p.y, 1e3 * X.p.z));
+  return transform;
+}
+
+class StepBuilder {
+ public:
+  StepBuilder(const workcell::ImportedScene& scene, ParentLink& parent)
+      : scene_(scene),
+        parent_(parent),
+        cad_(newCadDocument()),
+        shapes_(XCAFDoc_DocumentTool::ShapeTool(cad_.document->Main())),
+        colors_(XCAFDoc_DocumentTool::ColorTool(cad_.document->Main())),
+        children_(scene.nodes.size()) {
+    for (std::size_t k = 0; k < scene.nodes.size(); ++k) {
+      const int above = scene.nodes[k].parent;
+      (above < 0 ? roots_ : children_[static_cast<std::size_t>(above)]).push_back(k);
+    }
+  }
+
+  Expected<CadDocument> build() {
+    // A root that is moved needs something to stand in; so do several of them.
+    const bool plain = roots_.size() == 1 && isIdentity(scene_.nodes[roots_[0]].X_PN);
+    if (plain) {
+      if (auto root = define(roots_[0]); !root) return makeError(root.error());
+    } else {
+      const TDF_Label top = shapes_->NewShape();
+      setName(top, scene_.format.empty() ? "workcell" : scene_.format);
+      for (std::size_t root : roots_) {
+        if (auto used = use(root, top); !used) return makeError(used.error());
+      }
+    }
+    shapes_->UpdateAssemblies();
+    return cad_;
+  }
+
+ private:
+  static bool isIdentity(const Pose& X) { return glm::length(X.p) < 1e-12 && glm::length(rotationVector(X.q)) < 1e-12; }
+
+  static void setName(const TDF_Label& label, const std::string& name) {
+    TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
+  }
+
+  void setColor(const TDF_Label& label, const SceneNode& node) {
+    if (!node.color) return;
+    const auto [r, g, b] = *node.color;
+    colors_->SetColor(
+        label,
+        Quantity_Color(static_cast<double>(r), static_cast<double>(g), static_cast<double>(b), Quantity_TOC_sRGB),
+        XCAFDoc_ColorSurf);
+  }
+
+  /// The part or assembly that a node is, without its placement.
+  Expected<TDF_Label> define(std::size_t index) {
+    const SceneNode& node = scene_.nodes[index];
+    if (node.mesh >= 0 && children_[index].empty()) return definePart(node);
+    const TDF_Label label = shapes_->NewShape();
+    setName(label, node.name);
+    if (node.mesh >= 0) {  // A solid with others below it: it becomes the first among them.
+      auto own = definePart(node);
+      if (!own) return own;
+      setName(shapes_->AddComponent(label, *own, TopLoc_Location()), node.name);
+    }
+    for (std::size_t child : children_[index]) {
+      if (auto used = use(child, label); !used) return makeError(used.error());
+    }
+    return label;
+  }
+
+  Expected<bool> use(std::size_t index, const TDF_Label& assembly) {
+    const SceneNode& node = scene_.nodes[index];
+    auto definition = define(index);
+    if (!definition) return makeError(definition.error());
+    const TDF_Label component = shapes_->AddComponent(assembly, *definition, TopLoc_Location(transformOf(node.X_PN)));
+    setName(component, node.instance.empty() ? node.name : node.instance);
+    return true;
+  }
+
+  Expected<TDF_Label> definePart(const SceneNode& node) {
+    const auto color = node.color.value_or(std::array<float, 3>{-1.0f, -1.0f, -1.0f});
+    const auto key = std::tuple(node.mesh, node.name, color);
+    if (const auto known = parts_.find(key); known != parts_.end()) return known->second;
+    auto shape = shapeOf(node);
+    if (!shape) return makeError(shape.error());
+    const TDF_Label label = shapes_->AddShape(*shape, false);
+    setName(label, node.name);
+    setColor(label, node);
+    parts_[key] = label;
+    parent_.progress(0.8 * static_cast<double>(parts_.size()) / static_cast<double>(scene_.nodes.size()), "collecting");
+    return label;
+  }
+
+  Expected<TopoDS_Shape> shapeOf(const SceneNode& node) {
+    if (node.origin) return exactShape(node);
+    const geometry::TriangleMesh& mesh = scene_.meshes[static_cast<std::size_t>(node.mesh)];
+    constexpr std::size_t kMostFaces = 200'000;
+    if (mesh.triangles.size() > kMostFaces) {
+      return makeError({"", "'" + node.name + "'", std::to_string(mesh.triangles.size()) + " triangles",
+                        "at most 200000 as STEP faces", "Export it as glTF or STL, or make the mesh coarser first."});
+    }
+    const TopoDS_Shape shape = facetedShape(mesh);
+    if (shape.IsNull()) return makeError({"", "'" + node.name + "'", "no triangle with an area", "a mesh", ""});
+    return shape;
+  }
+
+  Expected<TopoDS_Shape> exactShape(const SceneNode& node) {
+    auto& source = sources_[node.origin->file];
+    if (!source) {
+      auto cad = openCad(node.origin->file, [](double) {});
+      if (!cad) {
+        Error error = cad.error();
+        error.place = node.origin->file;
+        return makeError(error);
+      }
+      source = std::make_unique<SourceParts>(std::move(*cad));
+    }
+    TopoDS_Shape shape = source->find(node.origin->part);
+    if (shape.IsNull()) {
+      return makeError({"", "'" + node.name + "'", "no part '" + node.origin->part + "' in " + node.origin->file,
+                        "the file that it was imported from, unchanged", "Import it anew."});
+    }
+    const double factor =
+        node.origin->metres_per_unit > 0.0 ? node.origin->metres_per_unit / source->metresPerUnit() : 1.0;
+    constexpr double kSame = 1e-9;
+    if (std::abs(factor - 1.0) < kSame) return copied(shape);
+    gp_Trsf scaling;
+    scaling.SetScale(gp_Pnt(), factor);
+    return BRepBuilderAPI_Transform(shape, scaling, true).Shape();
+  }
+
+  /// The same shape as an object of its own: two parts of different names must not become one.
+  static TopoDS_Shape copied(const TopoDS_Shape& shape) {
+    return shape.EmptyCopied().IsNull() ? shape : deepened(shape);
+  }
+  static TopoDS_Shape deepened(const TopoDS_Shape& shape) {
+    TopoDS_Shape copy = shape.EmptyCopied();
+    BRep_Builder builder;
+    for (TopoDS_Iterator below(shape, false, false); below.More(); below.Next()) builder.Add(copy, below.Value());
+    copy.Closed(shape.Closed());
+    return copy;
+  }
+
+  const workcell::ImportedScene& scene_;
+  ParentLink& parent_;
+  CadDocument cad_;
+  Handle(XCAFDoc_ShapeTool) shapes_;
+  Handle(XCAFDoc_ColorTool) colors_;
+  std::vector<std::size_t> roots_;
+  std::vector<std::vector<std::size_t>> children_;
+  std::map<std::tuple<int, std::string, std::array<float, 3>>, TDF_Label> parts_;
+  std::map<std::string, std::unique_ptr<SourceParts>> sources_;
+};
+
+}  // namespace
+
+Expected<void> writeStep(const workcell::ImportedScene& scene, const std::filesystem::path& file, ParentLink& parent) {
+  const auto cad = StepBuilder(scene, parent).build();
+  if (!cad) return makeError(cad.error());
+  STEPCAFControl_Writer writer;
+  writer.SetNameMode(true);
+  writer.SetColorMode(true);
+  writer.SetLayerMode(false);
+  writer.SetPropsMode(false);
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  parent.progress(0.85, "writing");
+  if (!writer.Transfer(cad->document, STEPControl_AsIs)) {
+    return makeError({"", "", "the parts cannot be written as STEP", "", ""});
+  }
+  if (writer.Write(file.filename().c_str()) != IFSelect_RetDone) {
+    return makeError({"", "", "the file cannot be written", "room and permission", ""});
+  }
+  return {};
+}
+
+}  // namespace hapticell::importer

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/import_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "workcell/text_cursor.h"
+
+extern char** environ;
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr const char* kProgram = "hapticell-importer";
+
+/// A file descriptor that is closed with the object.
+class Descriptor {
+ public:
+  /// Takes `file` to a number that no descriptor of the child's has, so that handing it over overwrites none.
+  explicit Descriptor(int file) : file_(file < 0 ? -1 : ::fcntl(file, F_DUPFD_CLOEXEC, 10)) {
+    if (file >= 0) ::close(file);
+  }
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return file_; }
+  void close() {
+    if (file_ >= 0) ::close(file_);
+    file_ = -1;
+  }
+
+ private:
+  int file_;
+};
+
+/// Beside the running program, where an installation puts it, or (for developers) where the environment says.
+fs::path findProgram() {
+  if (const char* named = std::getenv("HAPTICELL_IMPORTER")) return named;
+  std::error_code fault;
+  const fs::path self = fs::read_symlink("/proc/self/exe", fault);
+  for (const char* place : {".", "../bin", "../libexec/hapticell", "../lib/hapticell"}) {
+    const fs::path beside = self.parent_path() / place / kProgram;
+    if (!fault && ::access(beside.c_str(), X_OK) == 0) return beside;
+  }
+  return kProgram;  // On the PATH, perhaps.
+}
+
+bool writeAll(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::string readAll(int file) {
+  struct stat state {};
+  if (::fstat(file, &state) != 0 || state.st_size <= 0) return {};
+  std::string content(static_cast<std::size_t>(state.st_size), '\0');
+  std::size_t have = 0;
+  while (have < content.size()) {
+    const ssize_t got = ::pread(file, content.data() + have, content.size() - have, static_cast<off_t>(have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return {};
+    have += static_cast<std::size_t>(got);
+  }
+  return content;
+}
+
+/// The child, killed and reaped with the object at the latest.
+class Child {
+ public:
+  ~Child() {
+    if (id_ <= 0) return;
+    ::kill(id_, SIGKILL);
+    ::waitpid(id_, nullptr, 0);
+  }
+
+  /// 0 or an errno.
+  int start(const ImporterCall& call, int scene, int lines) {
+    std::vector<std::string> words{findProgram().string()};
+    words.insert(words.end(), call.arguments.begin(), call.arguments.end());
+    words.insert(words.end(), {"--memory", std::to_string(call.limits.bytes), "--seconds",
+                               std::to_string(static_cast<long>(call.limits.seconds) + 1)});
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    const bool loud = std::getenv("HAPTICELL_IMPORTER_VERBOSE") != nullptr;
+    for (int standard = 0; standard < (loud ? 1 : 3); ++standard) {
+      posix_spawn_file_actions_addopen(&actions, standard, "/dev/null", standard == 0 ? O_RDONLY : O_WRONLY, 0);
+    }
+    posix_spawn_file_actions_adddup2(&actions, scene, kSceneDescriptor);
+    posix_spawn_file_actions_adddup2(&actions, lines, kLinesDescriptor);
+    posix_spawn_file_actions_addclosefrom_np(&actions, kLinesDescriptor + 1);
+    const int fault = ::posix_spawnp(&id_, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (fault != 0) id_ = -1;
+    return fault;
+  }
+
+  /// The status of waitpid() once it has ended; kills it when it has not by then.
+  int wait(Clock::time_point until) {
+    int status = 0;
+    while (::waitpid(id_, &status, WNOHANG) == 0) {
+      if (Clock::now() >= until) ::kill(id_, SIGKILL);
+      ::usleep(1000);
+    }
+    id_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t id_ = -1;
+};
+
+/// What the child's lines said.
+class Lines {
+ public:
+  explicit Lines(const ImporterCall& call) : call_(call) {}
+
+  bool done = false;
+  std::optional<Error> error;
+
+  void add(std::string_view bytes) {
+    constexpr std::size_t kLongest = 100'000;
+    text_.append(bytes);
+    std::size_t end = 0;
+    while ((end = text_.find('\n')) != std::string::npos) {
+      line(std::string_view(text_).substr(0, end));
+      text_.erase(0, end + 1);
+    }
+    if (text_.size() > kLongest) text_.clear();
+  }
+
+ private:
+  void line(std::string_view line) {
+    if (line == "done") {
+      done = true;
+    } else if (line.starts_with("error ")) {
+      error = Error{call_.file, "", "", "", ""};
+      std::string* parts[] = {&error->place, &error->found, &error->expected, &error->fix};
+      std::size_t part = 0;
+      for (char c : line.substr(6)) {
+        if (c == '\t' && part < 3) {
+          ++part;
+        } else {
+          *parts[part] += c;
+        }
+      }
+    } else if (line.starts_with("progress ") && call_.monitor) {
+      line.remove_prefix(9);
+      const std::size_t space = line.find(' ');
+      const std::optional<double> share = parseNumber(line.substr(0, space));
+      if (share && space != std::string_view::npos) {
+        call_.monitor->report(std::string(line.substr(space + 1)), *share);
+      }
+    }
+  }
+
+  const ImporterCall& call_;
+  std::string text_;
+};
+
+Error inFile(const ImporterCall& call, std::string found, std::string expected = {}, std::string fix = {}) {
+  return {call.file, "", std::move(found), std::move(expected), std::move(fix)};
+}
+
+/// Reads lines until the child closes its end. An error when it was cancelled or its time is up.
+Expected<void> listen(const ImporterCall& call, int lines_end, Lines& lines) {
+  const auto end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(call.limits.seconds));
+  while (true) {
+    if (call.monitor && call.monitor->isCancelled()) return makeError(inFile(call, "the import was cancelled"));
+    if (Clock::now() >= end) {
+      char text[80];
+      std::snprintf(text, sizeof text, "not done after %.0f s", call.limits.seconds);
+      return makeError(inFile(call, text, "a file that is read in that time", "Simplify it or raise the time limit."));
+    }
+    pollfd waiting{lines_end, POLLIN, 0};
+    constexpr int kCancelledWithinMs = 50;
+    if (::poll(&waiting, 1, kCancelledWithinMs) <= 0) continue;
+    char buffer[4096];
+    const ssize_t got = ::read(lines_end, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return {};
+    lines.add(std::string_view(buffer, static_cast<std::size_t>(got)));
+  }
+}
+
+Error crashed(const ImporterCall& call, int status) {
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+    return inFile(call, "it took too much computing time", "a file that is read in the time allowed",
+                  "Simplify it or raise the time limit.");
+  }
+  const std::string how = WIFSIGNALED(status) ? std::string(" (") + ::strsignal(WTERMSIG(status)) + ")" : "";
+  return inFile(call, "the importer failed on it" + how, "a sound file", "Export it again, or in another format.");
+}
+
+}  // namespace
+
+Expected<std::string> callImporter(const ImporterCall& call) {
+  const Descriptor scene(::memfd_create("hapticell-scene", MFD_CLOEXEC));
+  int ends[2] = {-1, -1};
+  const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
+  const Descriptor listening(ends[0]);
+  Descriptor speaking(ends[1]);
+  if (!piped || scene.get() < 0 || !writeAll(scene.get(), call.scene) || ::lseek(scene.get(), 0, SEEK_SET) != 0) {
+    return makeError(inFile(call, std::string("no memory to import into: ") + std::strerror(errno)));
+  }
+  Child child;
+  if (const int fault = child.start(call, scene.get(), speaking.get()); fault != 0) {
+    return makeError(inFile(call,
+                            std::string("the program ") + kProgram + " could not be started: " + std::strerror(fault),
+                            "it beside the other programs of HaptiCell", "Install HaptiCell again."));
+  }
+  speaking.close();
+  Lines lines(call);
+  if (auto heard = listen(call, listening.get(), lines); !heard) return makeError(heard.error());
+  const int status = child.wait(Clock::now() + std::chrono::seconds(2));
+  if (lines.error) return makeError(*lines.error);
+  if (!lines.done) return makeError(crashed(call, status));
+  return readAll(scene.get());
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/import_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <fstream>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "workcell/import_process.h"
+#include "workcell/scene_exchange.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+std::string lowerExtension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+std::string headOf(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(4096, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head;
+}
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+std::string plainName(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '_');
+  std::replace(name.begin(), name.end(), '#', '_');
+  return name.empty() ? "_" : name;
+}
+
+}  // namespace
+
+bool isForeignCad(const std::filesystem::path& file) {
+  constexpr std::array<std::string_view, 11> kExtensions = {".step", ".stp", ".p21", ".iges", ".igs", ".gltf",
+                                                            ".glb",  ".dae", ".3mf", ".fbx",  ".3ds"};
+  const std::string head = headOf(file);
+  if (head.starts_with("ISO-10303-21") || head.starts_with("glTF") || head.starts_with("Kaydara FBX")) return true;
+  if (head.find("<COLLADA") != std::string::npos) return true;
+  const std::string extension = lowerExtension(file);
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+Expected<ImportedScene> readForeignCad(const std::filesystem::path& file, const ImportOptions& options,
+                                       ImportMonitor* monitor) {
+  std::error_code fault;
+  const std::filesystem::path absolute = std::filesystem::absolute(file);
+  if (!std::filesystem::exists(absolute, fault)) return makeError({file.string(), "", "there is no such file", "", ""});
+  if (!std::filesystem::is_regular_file(absolute, fault)) {
+    return makeError({file.string(), "", "not a regular file", "a file", ""});
+  }
+  ImporterCall call;
+  call.file = file.string();
+  call.arguments = {"read",    absolute.string(),
+                    "--chord", number(options.tessellation.chord),
+                    "--angle", number(options.tessellation.angle)};
+  if (options.metres_per_unit)
+    call.arguments.insert(call.arguments.end(), {"--unit", number(*options.metres_per_unit)});
+  call.limits = options.limits;
+  call.monitor = monitor;
+  const Expected<std::string> bytes = callImporter(call);
+  if (!bytes) return makeError(bytes.error());
+  Expected<ImportedScene> scene = sceneFromBytes(*bytes);
+  if (!scene) {
+    Error error = scene.error();
+    error.file = file.string();
+    return makeError(error);
+  }
+  if (options.up_axis) scene->up_axis = *options.up_axis;
+  for (SceneNode& node : scene->nodes) {
+    if (node.parent < 0 && scene->up_axis != UpAxis::kZ) node.X_PN = turnedUp(scene->up_axis) * node.X_PN;
+  }
+  return scene;
+}
+
+std::vector<Pose> nodePoses(const ImportedScene& scene) {
+  std::vector<Pose> poses;
+  poses.reserve(scene.nodes.size());
+  for (const SceneNode& node : scene.nodes) {
+    poses.push_back(node.parent < 0 ? node.X_PN : poses[static_cast<std::size_t>(node.parent)] * node.X_PN);
+  }
+  return poses;
+}
+
+std::vector<std::string> partPaths(const ImportedScene& scene) {
+  std::vector<std::string> paths;
+  std::unordered_map<std::string, int> used;
+  for (const SceneNode& node : scene.nodes) {
+    std::string path = node.parent < 0 ? "" : paths[static_cast<std::size_t>(node.parent)] + "/";
+    path += plainName(node.name);
+    if (const int times = ++used[path]; times > 1) path += "#" + std::to_string(times);
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+}  // namespace hapticell::workcell
