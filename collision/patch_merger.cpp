@@ -34,10 +34,29 @@ struct Growing {
   Patch patch;
   std::vector<HullPlane> faces;  ///< Planes of its triangles, equal ones once.
   geometry::Bounds bounds;
+  double area = 0.0;
 };
+
+/// Of the front rim of a prism (convexPrism), its first vertices.
+double rimArea(const ConvexHull& prism) {
+  dvec3 sum(0.0);
+  const std::size_t count = prism.vertices.size() / 2;
+  for (std::size_t i = 2; i < count; ++i) {
+    sum += glm::cross(prism.vertices[i - 1] - prism.vertices[0], prism.vertices[i] - prism.vertices[0]);
+  }
+  return 0.5 * glm::length(sum);
+}
 
 /// What of a triangle lies behind all planes, each moved inwards by `depth`, is more than nothing.
 bool reachesInside(const ConvexHull& hull, const std::array<dvec3, 3>& corners, double depth) {
+  // Most triangles lie beyond one plane, and are done without being cut.
+  for (const HullPlane& plane : hull.planes) {
+    const double limit = plane.offset - depth;
+    if (glm::dot(plane.nhat, corners[0]) >= limit && glm::dot(plane.nhat, corners[1]) >= limit &&
+        glm::dot(plane.nhat, corners[2]) >= limit) {
+      return false;
+    }
+  }
   std::vector<dvec3> polygon(corners.begin(), corners.end());
   std::vector<dvec3> kept;
   for (const HullPlane& plane : hull.planes) {
@@ -88,6 +107,7 @@ PatchMerger::PatchMerger(const SurfaceGraph& graph, const Patch& component, cons
     Growing& growing = growing_[triangle];
     growing.patch = graph.patchOf({triangle});
     growing.faces = {{graph.normal(triangle), glm::dot(graph.normal(triangle), graph.mesh().corner(triangle, 0))}};
+    growing.area = graph.area(triangle);
     for (int k = 0; k < 3; ++k) growing.bounds.add(graph.mesh().corner(triangle, k));
   }
 }
@@ -143,9 +163,14 @@ bool PatchMerger::merge(std::uint32_t a, std::uint32_t b) {
   std::set_union(first.patch.vertices.begin(), first.patch.vertices.end(), second.patch.vertices.begin(),
                  second.patch.vertices.end(), std::back_inserter(both.vertices));
   const auto hull = hullOfPatch(graph_, both);
-  if (!hull || !isHollow(*hull, a, b)) return false;
+  if (!hull) return false;
+  // A flat patch without a gap covers nothing that its two parts did not.
+  const double area = first.area + second.area;
+  const bool covered = graph_.isFlat(both) && rimArea(*hull) <= area * (1.0 + 1e-6);
+  if (!covered && !isHollow(*hull, a, b)) return false;
   first.patch = std::move(both);
   first.bounds.add(second.bounds);
+  first.area = area;
   for (const HullPlane& plane : second.faces) {
     const bool known = std::any_of(first.faces.begin(), first.faces.end(), [&](const HullPlane& other) {
       return glm::dot(other.nhat, plane.nhat) > 1.0 - 1e-12 && std::abs(other.offset - plane.offset) < 1e-9;

@@ -2,8 +2,15 @@
 #include "manipulation/prepared_scene.h"
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace hapticell::manipulation {
+
+struct PreparedScene::Job {
+  MeshKey key;
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+};
 
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
                                                             std::vector<workcell::PairSet> pair_sets,
@@ -13,27 +20,51 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell
   scene->entities_ = std::move(entities);
   scene->pair_sets_ = std::move(pair_sets);
   scene->defaults_ = defaults;
-  for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, previous);
+  std::vector<Job> jobs;
+  for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
+  scene->run(jobs, previous);
   return scene;
 }
 
-PreparedMesh PreparedScene::prepared(const MeshKey& key, const geometry::TriangleMesh& mesh,
-                                     const PreparedScene* previous) {
-  if (const auto found = meshes_.find(key); found != meshes_.end()) return found->second;
-  PreparedMesh result;
-  if (previous != nullptr && previous->meshes_.count(key) != 0) {
-    result = previous->meshes_.at(key);
-  } else {
-    result = {collision::MeshCollider::build(mesh), collision::ConvexPieces::build(mesh)};
-  }
-  meshes_[key] = result;
-  return result;
+void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
+                            std::vector<Job>& jobs) {
+  if (meshes_.emplace(key, PreparedMesh{}).second) jobs.push_back({key, std::move(mesh)});
+  parts_.push_back(std::move(part));
+  keys_.push_back(key);
 }
 
-void PreparedScene::addParts(const workcell::Entity& entity, const PreparedScene* previous) {
+/// The largest meshes first, each by whoever is free: what comes of it does not depend on who does it.
+void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous) {
+  std::vector<const Job*> order;
+  for (const Job& job : jobs) {
+    if (previous != nullptr && previous->meshes_.count(job.key) != 0) {
+      meshes_[job.key] = previous->meshes_.at(job.key);
+    } else {
+      order.push_back(&job);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Job* a, const Job* b) { return a->mesh->triangles.size() > b->mesh->triangles.size(); });
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < order.size(); i = next++) {
+      const geometry::TriangleMesh& mesh = *order[i]->mesh;
+      meshes_.find(order[i]->key)->second = {collision::MeshCollider::build(mesh),
+                                             collision::ConvexPieces::build(mesh)};
+    }
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::thread> helpers;
+  for (std::size_t i = 1; i < std::min(cores, order.size()); ++i) helpers.emplace_back(work);
+  work();
+  for (std::thread& helper : helpers) helper.join();
+  for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].mesh = meshes_.at(keys_[i]);
+}
+
+void PreparedScene::addParts(const workcell::Entity& entity, std::vector<Job>& jobs) {
   if (entity.kind == workcell::EntityKind::kSolid) {
     if (!entity.mesh || entity.mesh->triangles.empty()) return;
-    parts_.push_back({entity.id, -1, "", prepared({entity.mesh.get(), -1}, *entity.mesh, previous)});
+    addPart({entity.id, -1, "", {}}, {entity.mesh.get(), -1}, entity.mesh, jobs);
     return;
   }
   if (!entity.robot) return;
@@ -45,7 +76,8 @@ void PreparedScene::addParts(const workcell::Entity& entity, const PreparedScene
     }
     if (whole.triangles.empty()) continue;
     const MeshKey key{entity.robot.get(), static_cast<int>(i)};
-    parts_.push_back({entity.id, static_cast<int>(i), link.name, prepared(key, whole, previous)});
+    addPart({entity.id, static_cast<int>(i), link.name, {}}, key,
+            std::make_shared<const geometry::TriangleMesh>(std::move(whole)), jobs);
   }
 }
 

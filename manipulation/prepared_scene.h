@@ -33,7 +33,7 @@ struct ScenePart {
 /// against what. Immutable; any thread.
 class PreparedScene {
  public:
-  /// Takes as long as the meshes need (about a second for a million triangles); meshes that `previous` has prepared are
+  /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
   /// taken over from it. Entities without a mesh have no parts.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       std::vector<workcell::PairSet> pair_sets,
@@ -61,13 +61,17 @@ class PreparedScene {
  private:
   using MeshKey = std::pair<const void*, int>;  ///< Mesh, or robot model and link.
   PreparedScene() = default;
-  void addParts(const workcell::Entity& entity, const PreparedScene* previous);
-  PreparedMesh prepared(const MeshKey& key, const geometry::TriangleMesh& mesh, const PreparedScene* previous);
+  struct Job;  ///< A mesh that is still to be prepared.
+  void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
+  void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
+               std::vector<Job>& jobs);
+  void run(const std::vector<Job>& jobs, const PreparedScene* previous);
 
   std::vector<workcell::Entity> entities_;
   std::vector<workcell::PairSet> pair_sets_;
   workcell::PairDefaults defaults_;
   std::vector<ScenePart> parts_;
+  std::vector<MeshKey> keys_;  ///< Of the parts' meshes.
   std::map<MeshKey, PreparedMesh> meshes_;
 };
 
