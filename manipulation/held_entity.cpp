@@ -29,6 +29,9 @@ constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is use
 constexpr double kCrowdedStays = 0.010;  ///< m of hand until a complete set is tried again.
 constexpr int kTryLarger = 4;            ///< A wider zone is tried with each so many sets.
 constexpr double kArrived = 1e-9;        ///< m: less is not worth another slide.
+constexpr double kStood = 1e-6;          ///< m: the hand has not moved.
+constexpr double kTangentStays = 1e-4;   ///< m of hand that a contact's tangent is good for.
+constexpr std::size_t kMostKept = 16;
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
   return {.file = {},
@@ -85,6 +88,7 @@ std::string choicesOf(const Entity& entity) {
 
 }  // namespace
 
+/// Half-spaces over small motions of the hand.
 struct HeldEntity::Rows {
   std::array<haptic::SolverRow, haptic::kMaxRows> rows{};
   std::size_t count = 0;
@@ -98,6 +102,43 @@ struct HeldEntity::Rows {
     }
   }
 };
+
+/// What stood in the way lately.
+struct HeldEntity::Way {
+  Rows contacts;
+  std::array<double, haptic::kMaxRows> moved{};  ///< m of hand since each was found.
+  dquat axes{1.0, 0.0, 0.0, 0.0};
+  double scale = 0.0;
+  Pose X_WWanted;       ///< Of the last step,
+  FollowResult result;  ///< and what came of it.
+  bool known = false;
+
+  void found(const haptic::SolverRow& row) {
+    if (contacts.count >= kMostKept) return;
+    moved[contacts.count] = 0.0;
+    contacts.add(row);
+  }
+  void moveBy(const haptic::Vector6& d) {
+    double length = 0.0;
+    for (const double x : d) length += x * x;
+    length = std::sqrt(length);
+    contacts.moveBy(d);
+    for (std::size_t i = 0; i < contacts.count; ++i) moved[i] += length;
+  }
+  /// A tangent is true near where it was found only.
+  void forgetOld() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < contacts.count; ++i) {
+      if (moved[i] > kTangentStays) continue;
+      contacts.rows[kept] = contacts.rows[i];
+      moved[kept++] = moved[i];
+    }
+    contacts.count = kept;
+  }
+};
+
+HeldEntity::HeldEntity() : way_(std::make_unique<Way>()) {}
+HeldEntity::~HeldEntity() = default;
 
 Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const PreparedScene> scene,
                                                        workcell::EntityId entity, const Placements& placements,
@@ -295,8 +336,7 @@ void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping&
   }
 }
 
-void HeldEntity::addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest,
-                               Rows& rows) const {
+haptic::SolverRow HeldEntity::contactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest) const {
   const std::vector<PartDifferential> parts = manipulator_->differentiate(accepted_);
   PointCondition condition;
   condition.p_WQ = answer.contact.p_WA;
@@ -308,15 +348,34 @@ void HeldEntity::addContactRow(const MotionAnswer& answer, const MotionMapping& 
   const double outwards = std::clamp(kPushOut * rest, kSkin, std::max(kSkin, feel_[answer.pair].boundary));
   constraint.gap = answer.contact.distance - outwards;
   mapping.toDevice(constraint);
-  rows.add(rowOf(constraint.gradient, constraint.gap));
+  return rowOf(constraint.gradient, constraint.gap);
+}
+
+/// True when the hand asks for what it asked for at the last step.
+bool HeldEntity::recall(const MotionMapping& mapping, const Pose& X_WWanted) {
+  const bool same_hand = way_->axes == mapping.axes() && way_->scale == mapping.scale();
+  if (!same_hand) way_->contacts.count = 0;
+  way_->axes = mapping.axes();
+  way_->scale = mapping.scale();
+  const Twist moved = difference(X_WWanted, way_->X_WWanted);
+  const double limit = kStood * mapping.scale();
+  if (same_hand && way_->known && glm::length(moved.linear) < limit &&
+      haptic::kRotationLever * glm::length(moved.angular) < limit) {
+    return true;
+  }
+  way_->forgetOld();
+  way_->X_WWanted = X_WWanted;
+  way_->known = true;
+  return false;
 }
 
 HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,
                                             const BuiltConstraints* built) {
-  FollowResult result;
-  Rows rows;
-  addSoftRows(built, mapping, rows);
   const Pose X_WWanted = mapping.toCell(X_DP);
+  if (recall(mapping, X_WWanted)) return way_->result;
+  FollowResult& result = way_->result = {};
+  Rows rows = way_->contacts;
+  addSoftRows(built, mapping, rows);
   Pose X_WTarget = X_WWanted;
   for (int slide = 0; slide < kSlides; ++slide) {
     const Pose X_WM = movedFrame();
@@ -332,12 +391,16 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
     const EntityConfiguration target = manipulator_->propose(accepted_, X_WTarget);
     const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, target);
     accepted_ = answer.s >= 1.0 ? target : manipulator_->between(accepted_, target, answer.s);
-    rows.moveBy(inMetric(mapping.toDevice(difference(movedFrame(), X_WM))));
+    const haptic::Vector6 moved = inMetric(mapping.toDevice(difference(movedFrame(), X_WM)));
+    rows.moveBy(moved);
+    way_->moveBy(moved);
     if (!answer.blocked) break;
     result.blocked = true;
     result.stopped = pairs_[answer.pair].on_contact == OnContact::kStop;
     if (result.stopped) break;
-    addContactRow(answer, mapping, glm::length(X_WWanted.p - movedFrame().p), rows);
+    const haptic::SolverRow row = contactRow(answer, mapping, glm::length(X_WWanted.p - movedFrame().p));
+    rows.add(row);
+    way_->found(row);
   }
   return result;
 }

@@ -14,6 +14,10 @@
 #include "manipulation/manipulator.h"
 #include "manipulation/prepared_scene.h"
 
+namespace hapticell::haptic {
+struct SolverRow;
+}
+
 namespace hapticell::manipulation {
 
 /// Where every entity stands that does not stand as in the document.
@@ -43,6 +47,7 @@ struct HeldPair {
 /// taken. Manipulation thread only.
 class HeldEntity {
  public:
+  ~HeldEntity();
   /// Takes an entity as it stands. Errors: it is locked, has no such frame, cannot be moved in this way.
   static Expected<std::unique_ptr<HeldEntity>> take(std::shared_ptr<const PreparedScene> scene,
                                                     workcell::EntityId entity, const Placements& placements,
@@ -75,7 +80,7 @@ class HeldEntity {
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
 
  private:
-  HeldEntity() = default;
+  HeldEntity();
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
@@ -83,8 +88,10 @@ class HeldEntity {
   void raiseBoundaries();
   BuiltConstraints plainConstraints(ConstraintInputs inputs);
   struct Rows;
+  struct Way;
   void addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const;
-  void addContactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest, Rows& rows) const;
+  haptic::SolverRow contactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest) const;
+  bool recall(const MotionMapping& mapping, const Pose& X_WWanted);
 
   std::shared_ptr<const PreparedScene> scene_;
   workcell::EntityId id_ = 0;
@@ -97,6 +104,7 @@ class HeldEntity {
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;
+  std::unique_ptr<Way> way_;
   bool crowded_ = false;         ///< The last complete set was too small to be of use.
   double crowded_radius_ = 0.0;  ///< What it was good for, m of hand.
   Pose X_DCrowded_;              ///< Where that was.
