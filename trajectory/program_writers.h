@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "trajectory/program_export.h"
+
+namespace hapticell::trajectory {
+
+/// What all writers need, checked by exportProgram: at least one frame; six joints or none.
+struct ProgramInput {
+  const Trajectory& trajectory;
+  const ProgramOptions& options;
+  std::string name;            ///< Fit for the controller.
+  std::vector<double> blends;  ///< One a frame, m; 0 at the ends and at dwells.
+
+  bool hasJoints() const { return trajectory.hasJoints(); }
+  std::string configurationAt(std::size_t i) const;
+};
+
+std::vector<ProgramFile> writeKrl(const ProgramInput& input);
+std::vector<ProgramFile> writeRapid(const ProgramInput& input);
+std::vector<ProgramFile> writeFanuc(const ProgramInput& input);
+std::vector<ProgramFile> writeUrScript(const ProgramInput& input);
+std::vector<ProgramFile> writeVal3(const ProgramInput& input);
+
+/// "a, b, c" of numbers times `unit`, with `decimals` digits.
+std::string numberList(std::initializer_list<double> values, int decimals, std::string_view separator = ",");
+std::string jointList(std::span<const double> joints, int decimals, double unit, std::string_view separator = ",");
+
+inline constexpr double kDegreesPerRadian = 57.295779513082323;
+inline constexpr double kMillimetres = 1000.0;
+
+}  // namespace hapticell::trajectory

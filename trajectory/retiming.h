@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/error.h"
+#include "trajectory/time_optimal.h"
+#include "trajectory/trajectory.h"
+
+namespace hapticell::trajectory {
+
+enum class TimingMode {
+  kConstantSpeed,  ///< One speed of the moved frame all along, reached and left at the acceleration given.
+  kTimeOptimal,    ///< As fast as the limits of the joints allow (of the frame, for a solid).
+};
+
+struct RetimingOptions {
+  TimingMode mode = TimingMode::kTimeOptimal;
+  double speed = 0.1;         ///< m/s, for kConstantSpeed; turning counts `metres_per_radian`.
+  double acceleration = 1.0;  ///< m/s2, likewise.
+  double metres_per_radian = 0.1;
+  /// One entry a joint, or, for a trajectory without joints, six: x, y, z, then the rotation about them.
+  MotionLimits limits{};
+  std::size_t grid_points = 1000;
+  double sample_s = 0.01;  ///< Between the frames of the result.
+};
+
+struct RetimingReport {
+  double duration_before = 0.0, duration_after = 0.0;
+  PoseDistance max_deviation{};      ///< Of the result's path from the given frames.
+  double max_joint_deviation = 0.0;  ///< rad (m)
+  LimitUse use{};                    ///< Of the limits, kTimeOptimal only.
+  std::size_t still_frames = 0;      ///< Dropped because nothing moved.
+};
+
+struct Retimed {
+  Trajectory trajectory;
+  RetimingReport report;
+};
+
+/// A copy that runs through the same places with new times, sampled evenly. Still frames are dropped first; frames with
+/// a dwell are waited at (the motion comes to rest there). Errors: fewer than two different frames, limits that are
+/// missing or not positive.
+Expected<Retimed> retimed(const Trajectory& trajectory, const RetimingOptions& options);
+
+}  // namespace hapticell::trajectory

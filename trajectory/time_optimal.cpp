@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory/time_optimal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "geometry/assertion.h"
+
+namespace hapticell::trajectory {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kTiny = 1e-12;
+
+/// With x = (ds/dt)^2 and u = d2s/dt2 each bound on acceleration is -m <= a u + b x <= m.
+struct Row {
+  double a, b, m;
+};
+
+/// u between lines of x: lower <= u <= upper.
+struct Line {
+  double constant, slope;
+  double at(double x) const { return constant + slope * x; }
+};
+
+/// All that bounds (u, x) at one grid point.
+struct Stage {
+  std::vector<Line> lower, upper;
+  double x_most = kInfinity;
+
+  void clear() {
+    lower.clear();
+    upper.clear();
+  }
+  void add(const Row& row) {
+    if (std::abs(row.a) < kTiny) {
+      if (std::abs(row.b) > kTiny) x_most = std::min(x_most, row.m / std::abs(row.b));
+      return;
+    }
+    const Line one{row.m / row.a, -row.b / row.a};
+    const Line other{-row.m / row.a, -row.b / row.a};
+    upper.push_back(row.a > 0.0 ? one : other);
+    lower.push_back(row.a > 0.0 ? other : one);
+  }
+};
+
+struct Interval {
+  double least = 0.0, most = 0.0;
+  bool isEmpty() const { return most < least; }
+};
+
+class Grid {
+ public:
+  Grid(const CubicSpline& path, const MotionLimits& limits, std::size_t points) : limits_(limits) {
+    const std::size_t d = path.dimensions();
+    layGrid(path, points);
+    const std::size_t halves = 2 * s_.size() - 1;
+    first_.resize(halves * d);
+    second_.resize(halves * d);
+    dimensions_ = d;
+    for (std::size_t i = 0; i < halves; ++i) {
+      const double s = i % 2 == 0 ? s_[i / 2] : 0.5 * (s_[i / 2] + s_[i / 2 + 1]);
+      path.evaluate(s, 1, std::span(first_).subspan(i * d, d));
+      path.evaluate(s, 2, std::span(second_).subspan(i * d, d));
+    }
+  }
+
+  std::size_t size() const { return s_.size(); }
+  double step(std::size_t i) const { return s_[i + 1] - s_[i]; }
+  const std::vector<double>& s() const { return s_; }
+
+  /// Velocity bounds x; velocity and acceleration are bounded here, half way and at the end of the step that begins
+  /// here: at a part w of the step x' = x + 2 w step u.
+  void fill(std::size_t i, Stage& stage) const {
+    stage.clear();
+    stage.x_most = speedBound(2 * i);
+    const std::size_t last = i + 1 == size() ? 2 * i : 2 * i + 2;
+    for (std::size_t k = 2 * i; k <= last; ++k) {
+      const double way = k == 2 * i ? 0.0 : static_cast<double>(k - 2 * i) * step(i);  // 2 w step
+      for (std::size_t j = 0; j < dimensions_; ++j) {
+        const double a = first_[k * dimensions_ + j];
+        const double b = second_[k * dimensions_ + j];
+        stage.add({a + way * b, b, limits_.acceleration[j]});
+      }
+    }
+    if (last > 2 * i) stage.upper.push_back({speedBound(2 * i + 1) / step(i), -1.0 / step(i)});
+  }
+
+  /// Of x = (ds/dt)^2 at half step k.
+  double speedBound(std::size_t k) const {
+    double most = 1e12;
+    for (std::size_t j = 0; j < dimensions_; ++j) {
+      const double slope = std::abs(first_[k * dimensions_ + j]);
+      if (slope > kTiny) most = std::min(most, (limits_.velocity[j] / slope) * (limits_.velocity[j] / slope));
+    }
+    return most;
+  }
+
+ private:
+  /// Even steps, and the path's own breaks, where its bend kinks; a break takes the place of a step's end nearby.
+  void layGrid(const CubicSpline& path, std::size_t points) {
+    const std::vector<double>& breaks = path.breaks();
+    const double step = (breaks.back() - breaks.front()) / static_cast<double>(points - 1);
+    s_ = breaks;
+    std::size_t next = 1;
+    for (std::size_t i = 1; i + 1 < points; ++i) {
+      const double s = breaks.front() + step * static_cast<double>(i);
+      while (breaks[next] < s) ++next;
+      if (s - breaks[next - 1] > 0.1 * step && breaks[next] - s > 0.1 * step) s_.push_back(s);
+    }
+    std::sort(s_.begin(), s_.end());
+  }
+
+  const MotionLimits& limits_;
+  std::size_t dimensions_ = 0;
+  std::vector<double> s_;
+  std::vector<double> first_, second_;  ///< dq/ds and d2q/ds2 at every half step.
+};
+
+/// The x for which some u lies between all lines: each pair of a lower and an upper line bounds x.
+Interval feasible(const Stage& stage) {
+  Interval x{0.0, stage.x_most};
+  for (const Line& low : stage.lower) {
+    for (const Line& high : stage.upper) {
+      // low.constant + low.slope x <= high.constant + high.slope x
+      const double slope = low.slope - high.slope;
+      const double room = high.constant - low.constant;
+      if (std::abs(slope) < kTiny) {
+        if (room < -kTiny) return {1.0, 0.0};
+      } else if (slope > 0.0) {
+        x.most = std::min(x.most, room / slope);
+      } else {
+        x.least = std::max(x.least, room / slope);
+      }
+    }
+  }
+  return x;
+}
+
+void addNextSet(Stage& stage, const Interval& next, double step) {
+  stage.upper.push_back({next.most / (2.0 * step), -1.0 / (2.0 * step)});
+  stage.lower.push_back({next.least / (2.0 * step), -1.0 / (2.0 * step)});
+}
+
+Expected<void> checkLimits(const CubicSpline& path, const MotionLimits& limits) {
+  const std::size_t d = path.dimensions();
+  const auto bad = [](const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double v) { return !(v > 0.0) || !std::isfinite(v); });
+  };
+  if (limits.velocity.size() != d || limits.acceleration.size() != d || bad(limits.velocity) ||
+      bad(limits.acceleration) || (!limits.jerk.empty() && (limits.jerk.size() != d || bad(limits.jerk)))) {
+    return makeError({"", "limits", "limits that are missing or not positive",
+                      "a positive velocity and acceleration for each of " + std::to_string(d) + " axes", ""});
+  }
+  if (!(path.breaks().back() > path.breaks().front())) {
+    return makeError({"", "path", "a path of no length", "frames that move", ""});
+  }
+  return {};
+}
+
+/// Speeds at the grid points, or none where the start or the end speed cannot be had.
+std::optional<std::vector<double>> reach(const Grid& grid, const TimingOptions& options) {
+  const std::size_t n = grid.size();
+  std::vector<Interval> sets(n);
+  const double end = options.end_speed * options.end_speed;
+  sets[n - 1] = {end, end};
+  if (end > grid.speedBound(2 * (n - 1))) return std::nullopt;
+  std::vector<Stage> stages(n);
+  for (std::size_t i = n - 1; i-- > 0;) {
+    grid.fill(i, stages[i]);
+    addNextSet(stages[i], sets[i + 1], grid.step(i));
+    sets[i] = feasible(stages[i]);
+    if (sets[i].isEmpty()) return std::nullopt;
+  }
+  double x = options.start_speed * options.start_speed;
+  if (x < sets[0].least - 1e-9 || x > sets[0].most + 1e-9) return std::nullopt;
+  std::vector<double> speeds{std::sqrt(x)};
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    double u = kInfinity;
+    for (const Line& high : stages[i].upper) u = std::min(u, high.at(x));
+    // Rounding may put x a hair outside; the next set is met all the same.
+    x = std::clamp(x + 2.0 * grid.step(i) * u, sets[i + 1].least, std::max(sets[i + 1].least, sets[i + 1].most));
+    speeds.push_back(std::sqrt(std::max(0.0, x)));
+  }
+  return speeds;
+}
+
+/// The same way with speeds averaged over `window` seconds, which takes that much longer and bounds the jerk. Laid in
+/// even steps of time: near a rest the way hardly grows.
+PathTiming averaged(const PathTiming& timing, double window) {
+  constexpr std::size_t kSteps = 4000;
+  const double dt = (timing.duration() + window) / static_cast<double>(kSteps);
+  std::vector<double> s{timing.grid().front()}, speeds{0.0};
+  for (std::size_t i = 1; i <= kSteps; ++i) {
+    const double t = dt * static_cast<double>(i);
+    // The mean speed over a time is the way over it; before the start and after the end all stands still.
+    const double speed = (timing.at(t).s - timing.at(t - window).s) / window;
+    const double way = 0.5 * dt * (speeds.back() + speed);
+    if (way <= 0.0) continue;
+    s.push_back(s.back() + way);
+    speeds.push_back(speed);
+  }
+  const double scale = (timing.grid().back() - s.front()) / (s.back() - s.front());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    s[i] = s.front() + scale * (s[i] - s.front());
+    speeds[i] *= scale;
+  }
+  speeds.back() = 0.0;
+  return {std::move(s), std::move(speeds)};
+}
+
+/// How much slower everything must go so that all limits hold.
+double stretchFor(const LimitUse& use) {
+  return std::max({1.0, use.velocity, std::sqrt(use.acceleration), std::cbrt(use.jerk)});
+}
+
+PathTiming stretched(const PathTiming& timing, double factor) {
+  std::vector<double> speeds = timing.speeds();
+  for (double& speed : speeds) speed /= factor;
+  return {timing.grid(), std::move(speeds)};
+}
+
+}  // namespace
+
+PathTiming::PathTiming(std::vector<double> s, std::vector<double> speed) : s_(std::move(s)), speed_(std::move(speed)) {
+  HAPTICELL_DEMAND(s_.size() == speed_.size() && s_.size() >= 2);
+  t_.reserve(s_.size());
+  t_.push_back(0.0);
+  for (std::size_t i = 1; i < s_.size(); ++i) {
+    const double sum = std::max(speed_[i] + speed_[i - 1], 1e-9);
+    t_.push_back(t_.back() + 2.0 * (s_[i] - s_[i - 1]) / sum);
+  }
+}
+
+PathTiming::State PathTiming::at(double t) const {
+  if (t <= 0.0) return {s_.front(), speed_.front(), 0.0};
+  if (t >= t_.back()) return {s_.back(), speed_.back(), 0.0};
+  const auto after = std::upper_bound(t_.begin(), t_.end(), t);
+  const auto i = static_cast<std::size_t>(after - t_.begin()) - 1;
+  const double dt = t_[i + 1] - t_[i];
+  const double acceleration = (speed_[i + 1] - speed_[i]) / dt;
+  const double tau = t - t_[i];
+  return {std::min(s_[i + 1], s_[i] + (speed_[i] + 0.5 * acceleration * tau) * tau), speed_[i] + acceleration * tau,
+          acceleration};
+}
+
+LimitUse limitUse(const CubicSpline& path, const PathTiming& timing, const MotionLimits& limits, double dt) {
+  const std::size_t d = path.dimensions();
+  std::vector<double> first(d), second(d), before(d, 0.0), acceleration(d);
+  LimitUse use;
+  const auto steps = static_cast<std::size_t>(std::ceil(timing.duration() / dt));
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const PathTiming::State state = timing.at(static_cast<double>(i) * dt);
+    path.evaluate(state.s, 1, first);
+    path.evaluate(state.s, 2, second);
+    for (std::size_t j = 0; j < d; ++j) {
+      acceleration[j] = first[j] * state.acceleration + second[j] * state.speed * state.speed;
+      use.velocity = std::max(use.velocity, std::abs(first[j] * state.speed) / limits.velocity[j]);
+      use.acceleration = std::max(use.acceleration, std::abs(acceleration[j]) / limits.acceleration[j]);
+      if (!limits.jerk.empty()) {
+        use.jerk = std::max(use.jerk, std::abs(acceleration[j] - before[j]) / dt / limits.jerk[j]);
+      }
+    }
+    before = acceleration;
+  }
+  return use;
+}
+
+Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {
+  if (auto checked = checkLimits(path, limits); !checked) return tl::unexpected(checked.error());
+  const Grid grid(path, limits, std::max<std::size_t>(options.grid_points, 3));
+  auto speeds = reach(grid, options);
+  if (!speeds) {
+    return makeError(
+        {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
+  }
+  PathTiming timing(grid.s(), std::move(*speeds));
+  if (options.start_speed > 0.0 || options.end_speed > 0.0) return timing;
+  // Between the places looked at a limit may still be passed by parts in a thousand.
+  MotionLimits without_jerk = limits;
+  without_jerk.jerk.clear();
+  const double dt = timing.duration() / static_cast<double>(4 * grid.size());
+  return stretched(timing, stretchFor(limitUse(path, timing, without_jerk, dt)));
+}
+
+Expected<PathTiming> jerkLimited(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {
+  auto fastest = timeOptimal(path, limits, options);
+  if (!fastest || limits.jerk.empty()) return fastest;
+  std::optional<PathTiming> best;
+  for (double share = 0.01; share < 0.5; share *= 1.5) {
+    const double window = share * fastest->duration();
+    PathTiming smooth = averaged(*fastest, window);
+    // Jerk is looked at over steps that a controller would see.
+    for (int round = 0; round < 3; ++round) {
+      const double dt = std::max(1e-3, smooth.duration() / 4000.0);
+      const double factor = stretchFor(limitUse(path, smooth, limits, dt));
+      if (factor <= 1.0 + 1e-9) break;
+      smooth = stretched(smooth, factor);
+    }
+    if (!best || smooth.duration() < best->duration()) best = std::move(smooth);
+  }
+  return *best;
+}
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.h"
+
+namespace hapticell::trajectory {
+
+/// A recorded or processed motion of one entity: frames in time, each with the pose of the moved frame and, for a
+/// robot, its joints. A value; recordings are kept as they are and edited as copies.
+///
+/// Times increase strictly (addFrame sees to it). Joints lie in one block so that hours of frames fit in memory.
+class Trajectory {
+ public:
+  std::string name;
+  std::string entity;                    ///< Whose motion it is; may be empty.
+  std::string moved;                     ///< "tcp", "base", "self_origin", ... as it was recorded; may be empty.
+  std::vector<std::string> joint_names;  ///< Empty for a solid. Fixed before the first frame.
+
+  struct Frame {
+    double t = 0.0;  ///< Seconds.
+    Pose X_WT;       ///< The moved frame in the world (or in what the file says).
+    /// Set by hand: kept by simplifying and met closely by smoothing.
+    bool by_hand = false;
+    double dwell = 0.0;  ///< Seconds that a program waits here.
+  };
+
+  std::size_t size() const { return frames_.size(); }
+  bool empty() const { return frames_.empty(); }
+  const Frame& operator[](std::size_t i) const { return frames_[i]; }
+  std::span<const Frame> frames() const { return frames_; }
+  std::span<const double> joints(std::size_t i) const;
+  bool hasJoints() const { return !joint_names.empty(); }
+  /// From the first frame to the last, seconds.
+  double duration() const { return empty() ? 0.0 : frames_.back().t - frames_.front().t; }
+
+  /// Adds a frame at the end. Returns false, and adds nothing, when its time is not after the last one's.
+  /// @pre joints.size() == joint_names.size()
+  bool addFrame(const Frame& frame, std::span<const double> joints = {});
+  void reserve(std::size_t frames);
+
+  /// A trajectory of the same entity and joints without frames.
+  Trajectory emptyCopy() const;
+
+  /// Pose and joints at time t (clamped to the ends): positions straight, rotations about a fixed axis, joints straight
+  /// between frames.
+  Pose poseAt(double t) const;
+  std::vector<double> jointsAt(double t) const;
+
+ private:
+  struct Place {
+    std::size_t before;
+    double share;
+  };
+  Place placeOf(double t) const;
+
+  std::vector<Frame> frames_;
+  std::vector<double> joints_;
+};
+
+/// How far two poses are apart.
+struct PoseDistance {
+  double position = 0.0;  ///< m
+  double angle = 0.0;     ///< rad
+};
+PoseDistance distanceBetween(const Pose& a, const Pose& b);
+
+/// What a deviation may be.
+struct PathTolerance {
+  double position = 0.001;              ///< m
+  double angle = 0.017453292519943295;  ///< rad
+  /// The larger of both shares; over 1 is out of tolerance.
+  double shareOf(const PoseDistance& distance) const;
+};
+
+}  // namespace hapticell::trajectory

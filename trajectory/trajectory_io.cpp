@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory/trajectory_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "trajectory/csv_table.h"
+#include "trajectory/ros_trajectory.h"
+
+namespace hapticell::trajectory {
+
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr int kVersion = 1;
+constexpr const char* kFormat = "hapticell-trajectory";
+constexpr double kUnitTolerance = 1e-3;
+
+const std::vector<std::string>& poseColumns() {
+  static const std::vector<std::string> kColumns{"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
+  return kColumns;
+}
+
+/// The quaternion as it stands where it is a unit one to rounding, so that writing and reading change nothing.
+Expected<Pose> poseOf(const double* v) {
+  const dquat q(v[3], v[4], v[5], v[6]);
+  const double norm = glm::length(q);
+  if (!(std::abs(norm - 1.0) <= kUnitTolerance)) {
+    return makeError({"", "qw,qx,qy,qz", "a quaternion of length " + shortestText(norm), "a unit quaternion", ""});
+  }
+  return Pose{{v[0], v[1], v[2]}, std::abs(norm - 1.0) < 1e-9 ? q : q / norm};
+}
+
+/// A frame as both formats give it: t, pose, joints.
+Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers, bool by_hand, double dwell) {
+  const auto pose = poseOf(numbers.data() + 1);
+  if (!pose) return tl::unexpected(pose.error());
+  const std::span<const double> joints = std::span(numbers).subspan(8);
+  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell}, joints)) {
+    return makeError({"", "t", shortestText(numbers[0]) + " s",
+                      "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s", ""});
+  }
+  return {};
+}
+
+Error placed(Error error, const fs::path& file, const std::string& place) {
+  error.file = file.string();
+  error.place = error.place.empty() ? place : place + ", " + error.place;
+  return error;
+}
+
+/// The joint columns of a CSV file: all that are not known names.
+Expected<std::vector<std::string>> jointColumns(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  do {
+    if (!std::getline(stream, line)) return std::vector<std::string>{};
+    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  } while (line.empty() || line.front() == '#' || line == "\r");
+  const char separator = line.find(';') != std::string::npos ? ';' : ',';
+  std::vector<std::string> names;
+  std::string name;
+  for (const char c : line + separator) {
+    if (c != separator) {
+      if (c != '"' && c != '\r' && !(c == ' ' && name.empty())) name += c;
+      continue;
+    }
+    while (!name.empty() && name.back() == ' ') name.pop_back();
+    static const std::vector<std::string> kOther{"button", "by_hand", "dwell", ""};
+    const auto& known = poseColumns();
+    if (std::find(known.begin(), known.end(), name) == known.end() &&
+        std::find(kOther.begin(), kOther.end(), name) == kOther.end()) {
+      names.push_back(name);
+    }
+    name.clear();
+  }
+  return names;
+}
+
+Expected<Trajectory> readCsv(const fs::path& file) {
+  auto joints = jointColumns(file);
+  if (!joints) return tl::unexpected(joints.error());
+  std::vector<std::string> wanted = poseColumns();
+  wanted.insert(wanted.end(), joints->begin(), joints->end());
+  const auto table = readCsvTable(file, wanted, {"by_hand", "dwell"});
+  if (!table) return tl::unexpected(table.error());
+  Trajectory trajectory;
+  trajectory.name = file.stem().string();
+  trajectory.joint_names = *joints;
+  trajectory.reserve(table->rows.size());
+  for (std::size_t i = 0; i < table->rows.size(); ++i) {
+    std::vector<double> row = table->rows[i];
+    const double dwell = row.back();
+    const bool by_hand = row[row.size() - 2] != 0.0;
+    row.resize(wanted.size());
+    if (auto added = append(trajectory, row, by_hand, dwell); !added) {
+      return tl::unexpected(placed(added.error(), file, "line " + std::to_string(table->lines[i])));
+    }
+  }
+  return trajectory;
+}
+
+/// Numbers of one frame in the file: [t, x, y, z, qw, qx, qy, qz, joints...].
+Expected<std::vector<double>> numbersOf(const json& list, std::size_t count) {
+  const bool is_right = list.is_array() && list.size() == count &&
+                        std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
+  if (!is_right) {
+    return makeError({"", "", list.is_array() ? std::to_string(list.size()) + " entries" : "no list of numbers",
+                      std::to_string(count) + " numbers: t,x,y,z,qw,qx,qy,qz and the joints", ""});
+  }
+  auto numbers = list.get<std::vector<double>>();
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) {
+    return makeError({"", "", "a number that is not finite", "finite numbers", ""});
+  }
+  return numbers;
+}
+
+Expected<void> checkHeader(const json& document, const fs::path& file) {
+  const std::string name = file.string();
+  if (!document.is_object() || document.value("format", json()) != kFormat) {
+    return makeError({name, "field 'format'", "no HaptiCell trajectory", std::string("\"") + kFormat + "\"", ""});
+  }
+  const json version = document.value("version", json());
+  if (!version.is_number_integer() || version.get<std::int64_t>() < 1) {
+    return makeError({name, "field 'version'", version.dump(), "a whole number from 1", ""});
+  }
+  if (version.get<std::int64_t>() > kVersion) {
+    return makeError({name, "field 'version'", version.dump(), "at most " + std::to_string(kVersion),
+                      "The file was written by a newer HaptiCell: open it there and export it as CSV."});
+  }
+  return {};
+}
+
+Expected<void> readText(const json& document, const char* field, std::string& text) {
+  const auto value = document.find(field);
+  if (value == document.end()) return {};
+  if (!value->is_string()) return makeError({"", std::string("field '") + field + "'", value->dump(), "a text", ""});
+  text = value->get<std::string>();
+  return {};
+}
+
+/// Frames that a list of indices marks ("by_hand") or that carry a number ("dwells": [[index, seconds], ...]).
+struct Marks {
+  std::vector<bool> by_hand;
+  std::vector<double> dwell;
+};
+
+Expected<Marks> readMarks(const json& document, std::size_t count) {
+  Marks marks{std::vector<bool>(count, false), std::vector<double>(count, 0.0)};
+  const auto isIndex = [count](const json& i) { return i.is_number_unsigned() && i.get<std::size_t>() < count; };
+  for (const json& index : document.value("by_hand", json::array())) {
+    if (!isIndex(index)) return makeError({"", "field 'by_hand'", index.dump(), "the number of a frame, from 0", ""});
+    marks.by_hand[index.get<std::size_t>()] = true;
+  }
+  for (const json& dwell : document.value("dwells", json::array())) {
+    if (!dwell.is_array() || dwell.size() != 2 || !isIndex(dwell[0]) || !dwell[1].is_number()) {
+      return makeError({"", "field 'dwells'", dwell.dump(), "[frame, seconds]", ""});
+    }
+    marks.dwell[dwell[0].get<std::size_t>()] = dwell[1].get<double>();
+  }
+  return marks;
+}
+
+Expected<Trajectory> fromJson(const json& document) {
+  Trajectory trajectory;
+  for (auto [field, text] : {std::pair("name", &trajectory.name), std::pair("entity", &trajectory.entity),
+                             std::pair("moved", &trajectory.moved)}) {
+    if (auto read = readText(document, field, *text); !read) return tl::unexpected(read.error());
+  }
+  for (const json& joint : document.value("joints", json::array())) {
+    if (!joint.is_string()) return makeError({"", "field 'joints'", joint.dump(), "names of joints", ""});
+    trajectory.joint_names.push_back(joint.get<std::string>());
+  }
+  const json frames = document.value("frames", json());
+  if (!frames.is_array()) return makeError({"", "field 'frames'", "none", "a list of frames", ""});
+  const auto marks = readMarks(document, frames.size());
+  if (!marks) return tl::unexpected(marks.error());
+  trajectory.reserve(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::string place = "frame " + std::to_string(i);
+    const auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size());
+    if (!numbers) return tl::unexpected(placed(numbers.error(), {}, place));
+    if (auto added = append(trajectory, *numbers, marks->by_hand[i], marks->dwell[i]); !added) {
+      return tl::unexpected(placed(added.error(), {}, place));
+    }
+  }
+  return trajectory;
+}
+
+Expected<Trajectory> readJson(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return makeError({file.string(), "", "the file cannot be opened", "a readable trajectory", ""});
+  const json document = json::parse(stream, nullptr, false);
+  if (document.is_discarded()) return makeError({file.string(), "", "it is not JSON", "a HaptiCell trajectory", ""});
+  if (auto header = checkHeader(document, file); !header) return tl::unexpected(header.error());
+  auto trajectory = fromJson(document);
+  if (!trajectory) trajectory.error().file = file.string();
+  return trajectory;
+}
+
+void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i) {
+  const auto& frame = trajectory[i];
+  const Pose& X = frame.X_WT;
+  for (const double value : {frame.t, X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z}) {
+    text += shortestText(value);
+    text += ',';
+  }
+  for (const double joint : trajectory.joints(i)) {
+    text += shortestText(joint);
+    text += ',';
+  }
+  text.pop_back();
+}
+
+}  // namespace
+
+Expected<Trajectory> readTrajectory(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) return makeError({file.string(), "", "a folder", "a trajectory file", ""});
+  if (!fs::exists(file, ignored)) return makeError({file.string(), "", "there is no such file", "a trajectory", ""});
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (extension == ".csv") return readCsv(file);
+  if (extension == ".yaml" || extension == ".yml") return readRosTrajectory(file);
+  if (extension == ".htraj" || extension == ".json") return readJson(file);
+  return makeError({file.string(), "", "the extension '" + extension + "'", ".htraj, .csv, .json or .yaml", ""});
+}
+
+std::string toJsonText(const Trajectory& trajectory) {
+  nlohmann::ordered_json head{{"format", kFormat},         {"version", kVersion},
+                              {"name", trajectory.name},   {"entity", trajectory.entity},
+                              {"moved", trajectory.moved}, {"joints", trajectory.joint_names}};
+  std::vector<std::size_t> by_hand;
+  nlohmann::ordered_json dwells = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (trajectory[i].by_hand) by_hand.push_back(i);
+    if (trajectory[i].dwell > 0.0) dwells.push_back({i, trajectory[i].dwell});
+  }
+  head["by_hand"] = by_hand;
+  head["dwells"] = std::move(dwells);
+  std::string text = head.dump(1);
+  text.erase(text.size() - 2);  // the closing brace, so that frames stand one a line
+  text += ",\n \"frames\": [";
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    text += i == 0 ? "\n  [" : ",\n  [";
+    appendFrame(text, trajectory, i);
+    text += ']';
+  }
+  text += "\n ]\n}\n";
+  return text;
+}
+
+std::string toCsvText(const Trajectory& trajectory) {
+  std::string text = "t,x,y,z,qw,qx,qy,qz";
+  for (const std::string& joint : trajectory.joint_names) text += "," + joint;
+  text += '\n';
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    appendFrame(text, trajectory, i);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace hapticell::trajectory

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "geometry/error.h"
+#include "trajectory/trajectory.h"
+
+namespace hapticell::trajectory {
+
+/// Reads `*.htraj` (JSON, docs/formats.md), `*.csv` (`t,x,y,z,qw,qx,qy,qz` and one column a joint) or `*.yaml` (a ROS 2
+/// JointTrajectory: joints only, the poses stay at identity). Errors name the file and the frame or line; newer
+/// versions of the format are refused. Numbers come back bit for bit as they were written.
+Expected<Trajectory> readTrajectory(const std::filesystem::path& file);
+
+/// The text of either twin; every number with as many digits as bring it back exactly.
+std::string toJsonText(const Trajectory& trajectory);
+std::string toCsvText(const Trajectory& trajectory);
+
+/// The shortest decimal text that reads back as `value`, with `.` whatever the locale.
+std::string shortestText(double value);
+/// With `decimals` digits after the point, trailing zeros kept, never "-0.000".
+std::string fixedText(double value, int decimals);
+
+}  // namespace hapticell::trajectory

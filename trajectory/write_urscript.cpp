@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory/program_writers.h"
+#include "trajectory/trajectory_io.h"
+
+namespace hapticell::trajectory {
+
+std::vector<ProgramFile> writeUrScript(const ProgramInput& input) {
+  const auto poseText = [](const Pose& X) {
+    const dvec3 r = rotationVector(X.q);
+    return "p[" + numberList({X.p.x, X.p.y, X.p.z}, 7) + "," + numberList({r.x, r.y, r.z}, 8) + "]";
+  };
+  const std::string acceleration = fixedText(input.options.acceleration, 4);
+  const std::string speed = fixedText(input.options.speed, 4);
+  std::string text =
+      "# Made by HaptiCell. m and rad. Before running: check the TCP, the payload and the start, run slowly.\n";
+  text += "def " + input.name + "():\n";
+  text += input.options.tool.empty() ? "  # The user's own: set_tcp(...)\n" : "  set_tcp(" + input.options.tool + ")\n";
+  for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
+    const auto& frame = input.trajectory[i];
+    if (i == 0) {
+      // Joint acceleration and speed of the first move, rad/s2 and rad/s: a share of what the arms reach.
+      const std::string joints =
+          input.hasJoints() ? "[" + jointList(input.trajectory.joints(0), 8, 1.0) + "]" : poseText(frame.X_WT);
+      text += "  movej(" + joints + ",a=1.4,v=" + fixedText(3.14 * input.options.joint_speed, 3) + ")\n";
+    } else {
+      text += "  movel(" + poseText(frame.X_WT) + ",a=" + acceleration + ",v=" + speed;
+      text += (input.blends[i] > 0.0 ? ",r=" + fixedText(input.blends[i], 6) : std::string()) + ")\n";
+    }
+    if (frame.dwell > 0.0) text += "  sleep(" + fixedText(frame.dwell, 3) + ")\n";
+  }
+  text += "end\n" + input.name + "()\n";
+  return {{input.name + ".script", std::move(text)}};
+}
+
+}  // namespace hapticell::trajectory

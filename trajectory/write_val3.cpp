@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+
+#include "trajectory/program_writers.h"
+#include "trajectory/robot_angles.h"
+#include "trajectory/trajectory_io.h"
+
+namespace hapticell::trajectory {
+
+namespace {
+
+constexpr const char* kMark = "\xEF\xBB\xBF";  // VAL3 reads UTF-8 with a byte order mark
+constexpr const char* kDeclaration = "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n";
+constexpr const char* kNamespace = "http://www.staubli.com/robotics/VAL3/";
+
+std::string program(const std::string& name, const std::string& code) {
+  return std::string(kMark) + kDeclaration + "<Programs xmlns=\"" + kNamespace + "Program/2\">\n  <Program name=\"" +
+         name + "\">\n    <Code><![CDATA[begin\n" + code + "end]]></Code>\n  </Program>\n</Programs>\n";
+}
+
+std::string project(const ProgramInput& input) {
+  return std::string(kMark) + kDeclaration + "<Project xmlns=\"" + kNamespace +
+         "Project/3\">\n  <Parameters version=\"s7.10.2\" stackSize=\"5000\" millimeterUnit=\"true\" />\n"
+         "  <Programs>\n    <Program file=\"start.pgx\" />\n    <Program file=\"stop.pgx\" />\n  </Programs>\n"
+         "  <Database>\n    <Data file=\"" +
+         input.name + ".dtx\" />\n  </Database>\n  <Libraries />\n</Project>\n";
+}
+
+std::string jointValue(std::span<const double> joints) {
+  std::string text = "      <Value key=\"0\"";
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    text += " j" + std::to_string(i + 1) + "=\"" + fixedText(joints[i] * kDegreesPerRadian, 6) + "\"";
+  }
+  return text + " />\n";
+}
+
+std::string pointValue(const Pose& X, std::size_t key) {
+  const dvec3 p = kMillimetres * X.p;
+  const dvec3 r = staubliAngles(X.q);
+  return "      <Value key=\"" + std::to_string(key) + "\" x=\"" + fixedText(p.x, 4) + "\" y=\"" + fixedText(p.y, 4) +
+         "\" z=\"" + fixedText(p.z, 4) + "\" rx=\"" + fixedText(r.x, 5) + "\" ry=\"" + fixedText(r.y, 5) + "\" rz=\"" +
+         fixedText(r.z, 5) + "\" fatherId=\"" + "world[0]\" />\n";
+}
+
+std::string motionValue(double blend, double speed, std::size_t key) {
+  const std::string mm = fixedText(kMillimetres * blend, 3);
+  return "      <Value key=\"" + std::to_string(key) + "\" accel=\"100\" vel=\"100\" decel=\"100\" tmax=\"" +
+         fixedText(kMillimetres * speed, 3) + "\" rmax=\"180\" blend=\"" + (blend > 0.0 ? "joint" : "off") +
+         "\" leave=\"" + mm + "\" reach=\"" + mm + "\" />\n";
+}
+
+std::string array(const std::string& name, const std::string& type, std::size_t size, const std::string& values) {
+  return "    <Data name=\"" + name + "\" access=\"private\" xsi:type=\"array\" type=\"" + type + "\" size=\"" +
+         std::to_string(size) + "\">\n" + values + "    </Data>\n";
+}
+
+}  // namespace
+
+/// An application: project, data, and the programs start and stop, in a folder of its name.
+std::vector<ProgramFile> writeVal3(const ProgramInput& input) {
+  const std::string tool = input.options.tool.empty() ? "tTool" : input.options.tool;
+  std::map<double, std::size_t> motions;  // by blend
+  for (const double blend : input.blends) motions.emplace(blend, 0);
+  std::string motion_values;
+  std::size_t key = 0;
+  for (auto& [blend, index] : motions) {
+    index = key;
+    motion_values += motionValue(blend, input.options.speed, key++);
+  }
+  std::string points;
+  std::string code =
+      "  // Made by HaptiCell. mm and degrees. Before running: check tool, frame and start, run slowly.\n"
+      "  // The user's own: " +
+      tool + ", world\n";
+  for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
+    const auto& frame = input.trajectory[i];
+    points += pointValue(frame.X_WT, i);
+    const std::string motion = "," + tool + ",mMotion[" + std::to_string(motions[input.blends[i]]) + "])\n";
+    if (i == 0) {
+      code += (input.hasJoints() ? "  movej(jStart[0]" : std::string("  movej(pPoint[0]")) + motion;
+    } else {
+      code += "  movel(pPoint[" + std::to_string(i) + "]" + motion;
+    }
+    if (frame.dwell > 0.0) code += "  waitEndMove()\n  delay(" + fixedText(frame.dwell, 3) + ")\n";
+  }
+  code += "  waitEndMove()\n";
+  std::string data = std::string(kMark) + kDeclaration + "<Database xmlns=\"" + kNamespace +
+                     "Data/2\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\">\n  <Datas>\n";
+  if (input.hasJoints()) data += array("jStart", "jointRx", 1, jointValue(input.trajectory.joints(0)));
+  data += array("pPoint", "pointRx", input.trajectory.size(), points);
+  data += array("mMotion", "mdesc", motions.size(), motion_values);
+  if (input.options.tool.empty()) {
+    data +=
+        array("tTool", "tool", 1,
+              "      <Value key=\"0\" x=\"0\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" fatherId=\"flange[0]\" />\n");
+  }
+  data += "  </Datas>\n</Database>\n";
+  const std::string folder = input.name + "/";
+  return {{folder + input.name + ".pjx", project(input)},
+          {folder + input.name + ".dtx", std::move(data)},
+          {folder + "start.pgx", program("start", code)},
+          {folder + "stop.pgx", program("stop", "  resetMotion()\n")}};
+}
+
+}  // namespace hapticell::trajectory
