@@ -48,6 +48,7 @@ int runCommandLine(int argc, char** argv) {
   addForwardKinematicsCommand(app, chosen);
   addInspectCommand(app, chosen);
   addInverseKinematicsCommand(app, chosen);
+  addLibraryCommand(app, chosen);
   addWorkcellCommand(app, chosen);
   addSessionCommand(app, chosen);
 

@@ -25,6 +25,7 @@ void addDistanceCommand(CLI::App& app, Action& chosen);
 void addErgonomicsCommand(CLI::App& app, Action& chosen);
 void addForwardKinematicsCommand(CLI::App& app, Action& chosen);
 void addInverseKinematicsCommand(CLI::App& app, Action& chosen);
+void addLibraryCommand(CLI::App& app, Action& chosen);
 void addWorkcellCommand(CLI::App& app, Action& chosen);
 void addSessionCommand(CLI::App& app, Action& chosen);
 

@@ -101,11 +101,7 @@ ordered_json inverseModelReport(const kinematics::RobotModel& robot, const std::
 
 ordered_json robotReport(const workcell::Entity& entity) {
   const kinematics::RobotModel& robot = *entity.robot;
-  std::vector<double> q = entity.joints;
-  for (std::size_t k = q.size(); k < robot.dof(); ++k) {
-    const kinematics::Joint& joint = robot.joints[static_cast<std::size_t>(robot.moving[k])];
-    q.push_back(std::min(std::max(0.0, joint.lower), joint.upper));
-  }
+  const std::vector<double> q = entity.joints.size() == robot.dof() ? entity.joints : kinematics::restPositions(robot);
   std::vector<Pose> X_BL;
   kinematics::forwardKinematics(robot, q, X_BL);
   ordered_json links = ordered_json::array();

@@ -14,6 +14,7 @@
 #include "workcell/import_scene.h"
 #include "workcell/length_unit.h"
 #include "workcell/mesh_reader.h"
+#include "workcell/robot_reader.h"
 
 namespace hapticell::cli {
 
@@ -116,13 +117,19 @@ Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& no
   return result;
 }
 
+bool isRobot(const std::string& file) {
+  return file.starts_with("library:") || workcell::looksLikeRobot(file);
+}
+
 Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& notes) {
   if (!options.unit.empty() && options.unit != "m") {
     return makeError({options.file, "--unit", "'" + options.unit + "'", "none: robot files are in metres", ""});
   }
   const auto robot = workcell::EntityLoader(fs::current_path()).load(options.file, 1.0, notes);
   if (!robot) return tl::unexpected(robot.error());
-  return inspection("urdf", "m", ordered_json::array({entityReport(*robot)}), notes);
+  const auto format = workcell::robotFormatOf(options.file);
+  return inspection(format ? workcell::formatName(*format) : "library", "m",
+                    ordered_json::array({entityReport(*robot)}), notes);
 }
 
 Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostics& notes) {
@@ -143,10 +150,10 @@ Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostic
 
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
-  const auto result = looksLikeDocument(options.file)         ? inspectDocument(options, notes)
-                      : workcell::isForeignCad(options.file)  ? inspectCad(options, notes)
-                      : workcell::looksLikeUrdf(options.file) ? inspectRobot(options, notes)
-                                                              : inspectMesh(options, notes);
+  const auto result = looksLikeDocument(options.file)        ? inspectDocument(options, notes)
+                      : workcell::isForeignCad(options.file) ? inspectCad(options, notes)
+                      : isRobot(options.file)                ? inspectRobot(options, notes)
+                                                             : inspectMesh(options, notes);
   const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
   if (written) return ExitStatus::kDone;
   report(written.error());
@@ -162,8 +169,8 @@ void addInspectCommand(CLI::App& app, Action& chosen) {
   command
       ->add_option(
           "file", options->file,
-          "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF) or "
-          "a workcell (.hcell)")
+          "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, xacro, SDF, "
+          "robot.toml, library:NAME) or a workcell (.hcell)")
       ->required();
   command->add_option("--unit", options->unit,
                       "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <fstream>
 
-#include "config/configuration.h"
 #include "geometry/shapes.h"
 #include "workcell/mesh_reader.h"
+#include "workcell/robot_library.h"
+#include "workcell/robot_reader.h"
 #include "workcell/scene_exchange.h"
 #include "workcell/text_cursor.h"
-#include "workcell/urdf_reader.h"
 
 namespace hapticell::workcell {
 
@@ -52,21 +51,6 @@ bool isBuiltIn(const std::string& what) {
   return !schemeOf(what).empty();
 }
 
-bool looksLikeUrdf(const fs::path& file) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return false;
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(65536, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (begin == std::string::npos || head[begin] != '<') return false;
-  if (head.find("<robot") != std::string::npos) return true;
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".urdf";
-}
-
 Expected<Entity> EntityLoader::load(const std::string& what, double scale, Diagnostics& diagnostics) {
   return loadSource({what, scale}, diagnostics);
 }
@@ -83,7 +67,7 @@ Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics&
   if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();
   if (isForeignCad(file)) return loadPart(file, source, diagnostics);
-  if (!looksLikeUrdf(file)) return loadMesh(file, source, diagnostics);
+  if (!looksLikeRobot(file)) return loadMesh(file, source, diagnostics);
   if (said) {
     return makeError(
         {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
@@ -188,15 +172,8 @@ Expected<Entity> EntityLoader::loadShape(const std::string& what, double scale) 
 
 Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnostics& diagnostics) {
   const std::string name = what.substr(what.find(':') + 1);
-  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
-  });
-  const Expected<std::string> file =
-      plain ? config::findShippedFile("robots/" + name + "/robot.urdf") : Expected<std::string>(makeError({}));
-  if (!file) {
-    return makeError(
-        {what, "", "no robot of that name is built in", "a folder of the shipped robots/, such as hc6", ""});
-  }
+  const Expected<fs::path> file = findLibraryRobot(name);
+  if (!file) return makeError(file.error());
   Expected<Entity> entity = loadRobot(*file, diagnostics);
   if (!entity) return entity;
   entity->source = {what, 1.0};
@@ -206,18 +183,19 @@ Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnos
 
 Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diagnostics) {
   auto& known = robots_[file.string()];
-  if (!known) {
-    Expected<kinematics::RobotModel> robot = readUrdf(file, diagnostics);
+  if (!known.model) {
+    Expected<TomlRobot> robot = readRobot(file, diagnostics);
     if (!robot) return makeError(robot.error());
-    known = std::make_shared<const kinematics::RobotModel>(std::move(*robot));
+    known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools)};
   }
   Entity entity;
   entity.kind = EntityKind::kRobot;
-  entity.robot = known;
-  entity.name = known->name.empty() ? file.stem().string() : known->name;
+  entity.robot = known.model;
+  entity.tools = known.tools;
+  entity.name = known.model->name.empty() ? file.stem().string() : known.model->name;
   entity.source = {file.string(), 1.0};
-  const int tip = known->defaultTip();
-  if (tip >= 0) entity.tip_link = known->links[static_cast<std::size_t>(tip)].name;
+  const int tip = known.model->defaultTip();
+  if (tip >= 0) entity.tip_link = known.model->links[static_cast<std::size_t>(tip)].name;
   return entity;
 }
 

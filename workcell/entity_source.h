@@ -14,7 +14,7 @@
 namespace hapticell::workcell {
 
 /// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readForeignCad), a robot file
-/// (URDF), a cell (SDF model or world), "library:NAME" (a built-in robot: a folder under the shipped robots/), or a
+/// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), or a
 /// built-in solid, "box:X,Y,Z", "cylinder:RADIUS,HEIGHT", "sphere:RADIUS" (sizes in the given unit). Files that are
 /// named twice are read once. One thread.
 class EntityLoader {
@@ -53,14 +53,15 @@ class EntityLoader {
   std::filesystem::path folder_;
   bool unit_is_stated_ = false;
   std::map<std::pair<std::string, double>, MeshPointer> meshes_;
-  std::map<std::string, std::shared_ptr<const kinematics::RobotModel>> robots_;
+  struct KnownRobot {
+    std::shared_ptr<const kinematics::RobotModel> model;
+    std::vector<ToolFrame> tools;
+  };
+  std::map<std::string, KnownRobot> robots_;
   std::map<std::string, ImportResult> trees_;  // By file and how it was read.
 };
 
 /// True for a source that is no file: "library:", "box:", "cylinder:", "sphere:", "mannequin:".
 bool isBuiltIn(const std::string& what);
-
-/// True when the file begins like a URDF: an XML document whose first element is "robot".
-bool looksLikeUrdf(const std::filesystem::path& file);
 
 }  // namespace hapticell::workcell

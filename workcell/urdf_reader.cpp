@@ -145,9 +145,14 @@ void addTree(const urdf::ModelInterface& source, const UrdfStructure& structure,
 Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics) {
   const auto content = readFile(path);
   if (!content) return makeError(content.error());
-  const auto structure = checkUrdfStructure(*content, path.string());
+  return readUrdfText(*content, path, diagnostics);
+}
+
+Expected<RobotModel> readUrdfText(const std::string& content, const std::filesystem::path& path,
+                                  Diagnostics& diagnostics) {
+  const auto structure = checkUrdfStructure(content, path.string());
   if (!structure) return makeError(structure.error());
-  const auto source = parse(*content, path.string());
+  const auto source = parse(content, path.string());
   if (!source) return makeError(source.error());
   RobotModel model;
   model.name = structure->robot_name;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "geometry/error.h"
 #include "kinematics/robot_model.h"
@@ -19,5 +20,9 @@ namespace hapticell::workcell {
 /// Errors name file, line or link, and the fix: what checkUrdfStructure() refuses, a mesh that is missing or broken, a
 /// shape without positive size. Nothing throws. Any thread (the XML library's messages pass one lock).
 Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics);
+
+/// The same of a text, as if it stood in the file `path` (for messages and relative mesh paths).
+Expected<kinematics::RobotModel> readUrdfText(const std::string& content, const std::filesystem::path& path,
+                                              Diagnostics& diagnostics);
 
 }  // namespace hapticell::workcell

@@ -36,7 +36,7 @@ ALLOWED = {
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
     r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
-    r"^toml\+\+": {"config"},
+    r"^toml\+\+": {"config", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
     r"^CLI/": {"cli"},
     r"^OpenMesh/": {"geometry"},

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/error.h"
+#include "workcell/robot_toml.h"
+
+namespace hapticell::workcell {
+
+/// A robot of the shipped library: "library:NAME" loads it.
+struct LibraryRobot {
+  std::string name;
+  RobotSheet sheet;
+  std::filesystem::path file;  ///< robots/NAME.toml, or robots/NAME/robot.toml or robot.urdf.
+};
+
+/// All built-in robots, by name. Files that cannot be read are told in `diagnostics` and left out.
+std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics);
+
+/// The file of one of them; an error that names some where there is none of that name.
+Expected<std::filesystem::path> findLibraryRobot(const std::string& name);
+
+}  // namespace hapticell::workcell
