@@ -84,11 +84,12 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
     return entitiesFromScene(std::move(*scene), {file.string()}, options, diagnostics);
   }
   if (monitor) monitor->report("reading", 0.0);
-  if (!isBuiltIn(what) && !looksLikeUrdf(file)) return loadMeshTree(file, options, diagnostics);
+  if (!isBuiltIn(what) && !looksLikeRobot(file)) return loadMeshTree(file, options, diagnostics);
   Expected<Entity> entity = load(what, options.metres_per_unit.value_or(0.0), diagnostics);
   if (!entity) return makeError(entity.error());
   ImportResult result;
-  result.report.format = entity->robot ? "urdf" : "shape";
+  const std::optional<RobotFormat> format = robotFormatOf(file);
+  result.report.format = format ? formatName(*format) : entity->robot ? "library" : "shape";
   result.report.parts = 1;
   if (entity->mesh) result.report.triangles = entity->mesh->triangles.size();
   result.entities.push_back(std::move(*entity));
