@@ -45,6 +45,7 @@ int runCommandLine(int argc, char** argv) {
   // One line a command; each comes with the file that defines it.
   addDistanceCommand(app, chosen);
   addErgonomicsCommand(app, chosen);
+  addFeelCommand(app, chosen);
   addForwardKinematicsCommand(app, chosen);
   addInspectCommand(app, chosen);
   addInverseKinematicsCommand(app, chosen);

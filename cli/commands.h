@@ -23,6 +23,7 @@ using Action = std::function<ExitStatus(ResultWriter&)>;
 void addInspectCommand(CLI::App& app, Action& chosen);
 void addDistanceCommand(CLI::App& app, Action& chosen);
 void addErgonomicsCommand(CLI::App& app, Action& chosen);
+void addFeelCommand(CLI::App& app, Action& chosen);
 void addForwardKinematicsCommand(CLI::App& app, Action& chosen);
 void addInverseKinematicsCommand(CLI::App& app, Action& chosen);
 void addLibraryCommand(CLI::App& app, Action& chosen);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "feel/scene.h"
+#include "geometry/assertion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -235,6 +236,7 @@ ConstraintSet emptySet(const Pose& X_DP) {
 }
 
 void add(ConstraintSet& set, const Constraint& constraint) {
+  HAPTICELL_DEMAND(set.count < haptic::kMaxConstraints);
   set.constraints[set.count++] = constraint;
 }
 

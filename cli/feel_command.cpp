@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "cli/commands.h"
+#include "feel/benchmark.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numberOrNull(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json figureJson(const feel::Figure& figure) {
+  return {{"id", figure.id},
+          {"scene", figure.scene},
+          {"rate", figure.rate},
+          {"value", numberOrNull(figure.value)},
+          {"limit", figure.limit ? numberOrNull(*figure.limit) : ordered_json(nullptr)},
+          {"pass", figure.pass()},
+          {"classic", figure.classic ? numberOrNull(*figure.classic) : ordered_json(nullptr)},
+          {"unit", figure.unit},
+          {"comparison", figure.at_least ? "at least" : "at most"}};
+}
+
+ExitStatus runFeel(feel::BenchmarkOptions options, ResultWriter& writer) {
+  options.progress = [](const std::string& what) { std::fprintf(stderr, "feel: %s\n", what.c_str()); };
+  const auto figures = feel::runBenchmark(options);
+  if (!figures) {
+    report(figures.error());
+    return ExitStatus::kBadInput;
+  }
+  ordered_json lines = ordered_json::array();
+  std::size_t passed = 0;
+  for (const feel::Figure& figure : *figures) {
+    lines.push_back(figureJson(figure));
+    passed += figure.pass() ? 1 : 0;
+  }
+  const ordered_json result{
+      {"full", options.full}, {"passed", passed}, {"failed", figures->size() - passed}, {"figures", lines}};
+  if (const auto written = writer.write(result); !written) {
+    report(written.error());
+    return ExitStatus::kBadInput;
+  }
+  return ExitStatus::kDone;
+}
+
+}  // namespace
+
+void addFeelCommand(CLI::App& app, Action& chosen) {
+  auto options = std::make_shared<feel::BenchmarkOptions>();
+  CLI::App* command = app.add_subcommand("feel", "Measure the feel in virtual time, beside the classic way");
+  command->add_option("--only", options->only, "One figure (M4) or part of a scene's name");
+  command->add_flag("--full", options->full, "The full counts (minutes)");
+  command->add_flag("--timing", options->timing, "Also M7 and M11, by the clock on the wall");
+  command->callback(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runFeel(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

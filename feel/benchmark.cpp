@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "feel/benchmark.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "feel/figure_job.h"
+
+namespace hapticell::feel {
+
+namespace {
+
+constexpr unsigned kThreads = 2;
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool sameId(const std::string& id, const std::string& only) {
+  const std::string low = lower(id);
+  return low == only || low.substr(0, low.find('.')) == only;
+}
+
+bool wanted(const FigureJob& job, const std::string& only) {
+  if (only.empty() || lower(job.scene).find(only) != std::string::npos) return true;
+  return std::any_of(job.ids.begin(), job.ids.end(), [&](const std::string& id) {
+    return sameId(id, only) || id == only.substr(0, only.find('.')) || lower(id) == only.substr(0, only.find('.'));
+  });
+}
+
+bool wanted(const Figure& figure, const std::string& only) {
+  return only.empty() || sameId(figure.id, only) || lower(figure.scene).find(only) != std::string::npos;
+}
+
+std::vector<FigureJob> allJobs(const BenchmarkOptions& options) {
+  std::vector<FigureJob> jobs;
+  addSlidingJobs(options, jobs);
+  addEnergyJobs(options, jobs);
+  addStabilityJobs(options, jobs);
+  addWallJobs(options, jobs);
+  if (options.timing) addTimedJobs(options, jobs);
+  return jobs;
+}
+
+std::string names(const std::vector<FigureJob>& jobs) {
+  std::set<std::string> scenes;
+  for (const FigureJob& job : jobs) scenes.insert(job.scene);
+  std::string text = "M1 .. M14";
+  for (const std::string& scene : scenes) text += ", " + scene;
+  return text;
+}
+
+using Answers = std::vector<Expected<std::vector<Figure>>>;
+
+/// Does the jobs that may run beside each other, then those that must not.
+void runAll(const std::vector<FigureJob>& jobs, const BenchmarkOptions& options, Answers& answers) {
+  std::mutex telling;
+  const auto run = [&](std::size_t i) {
+    if (options.progress) {
+      const std::lock_guard<std::mutex> lock(telling);
+      options.progress(jobs[i].ids.front() + " " + jobs[i].scene);
+    }
+    answers[i] = jobs[i].run();
+  };
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      if (!jobs[i].alone) run(i);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::min(kThreads, std::thread::hardware_concurrency()); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (jobs[i].alone) run(i);
+  }
+}
+
+}  // namespace
+
+Expected<std::vector<Figure>> runBenchmark(const BenchmarkOptions& options) {
+  const std::string only = lower(options.only);
+  std::vector<FigureJob> jobs = allJobs(options);
+  const std::string known = names(jobs);
+  std::erase_if(jobs, [&](const FigureJob& job) { return !wanted(job, only); });
+  if (jobs.empty()) {
+    return makeError({"", "--only", "'" + options.only + "'", "one of " + known,
+                      options.timing ? "" : "M7 and M11 are measured only with --timing."});
+  }
+  Answers answers(jobs.size(), Expected<std::vector<Figure>>(std::vector<Figure>{}));
+  runAll(jobs, options, answers);
+  std::vector<Figure> figures;
+  for (const auto& answer : answers) {
+    if (!answer) return tl::unexpected(answer.error());
+    std::copy_if(answer->begin(), answer->end(), std::back_inserter(figures),
+                 [&](const Figure& figure) { return wanted(figure, only); });
+  }
+  return figures;
+}
+
+}  // namespace hapticell::feel

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// What only a clock on the wall can tell. M7: stylus motion to constraint over a loopback connection. M11: one tick.
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "feel/figure_job.h"
+#include "geometry/shapes.h"
+#include "manipulation/local_server.h"
+#include "manipulation/session.h"
+
+namespace hapticell::feel {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kBallsOnSide = 14;  // 196 balls of 5040 triangles: a cell of a million.
+constexpr int kBallSegments = 72;
+constexpr double kHandTime = 6.0;  // s.
+
+double percentile(std::vector<double>& values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+workcell::Entity solid(workcell::EntityId id, const std::string& name,
+                       std::shared_ptr<const geometry::TriangleMesh> mesh, const dvec3& p_WE) {
+  workcell::Entity entity;
+  entity.id = id;
+  entity.name = name;
+  entity.X_WE = Pose::translation(p_WE);
+  entity.mesh = std::move(mesh);
+  return entity;
+}
+
+/// A box over a table among a million triangles of balls.
+std::vector<workcell::Entity> crowdedCell() {
+  const auto box = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.06)));
+  const auto table = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({3.0, 3.0, 0.1}));
+  const auto ball = std::make_shared<const geometry::TriangleMesh>(geometry::makeSphere(0.04, kBallSegments));
+  std::vector<workcell::Entity> entities{solid(1, "table", table, {0, 0, -0.05}), solid(2, "box", box, {0, 0, 0.035})};
+  for (int i = 0; i < kBallsOnSide * kBallsOnSide; ++i) {
+    const dvec3 p(0.2 * (i % kBallsOnSide) - 1.3, 0.2 * (i / kBallsOnSide) - 1.3, 0.04);
+    entities.push_back(solid(static_cast<workcell::EntityId>(3 + i), "ball " + std::to_string(i + 1), ball, p));
+  }
+  return entities;
+}
+
+haptic::HandPath slidingHand() {
+  std::vector<haptic::HandSample> samples;
+  for (int i = 0; i <= static_cast<int>(100.0 * kHandTime); ++i) {
+    const double t = 0.01 * i, down = std::clamp(t - 1.5, 0.0, 1.0) * 0.012;
+    const dvec3 p(0.025 * std::sin(2.0 * t), 0.025 * std::sin(3.1 * t), -down);
+    samples.push_back({t, Pose::translation(p), t >= 0.05 && t < 0.15 ? 1U : 0U});
+  }
+  return haptic::HandPath(std::move(samples));
+}
+
+Expected<std::vector<Figure>> latencyFigures() {
+  manipulation::SessionOptions options;
+  options.entities = crowdedCell();
+  options.entity = "box";
+  options.hand = slidingHand();
+  auto server = manipulation::LocalServer::start(options.device, options.configuration);
+  if (!server) return tl::unexpected(server.error());
+  const auto report = manipulation::runSessionOnServer(options, "127.0.0.1", (*server)->port());
+  if (!report) return tl::unexpected(report.error());
+  return std::vector<Figure>{
+      {"M7.p50", "box among a million triangles, loopback", "", "ms", report->latency_p50_ms, 2.0},
+      {"M7.p99", "box among a million triangles, loopback", "", "ms", report->latency_p99_ms, 10.0}};
+}
+
+haptic::Vector6 direction(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  haptic::Vector6 v{};
+  double sum = 0.0;
+  for (double& number : v) {
+    number = normal(random);
+    sum += number * number;
+  }
+  for (double& number : v) number /= std::sqrt(sum);
+  return v;
+}
+
+/// Obstacles all round a free core, each curved and a group of its own. Every fifth is there twice, every seventh has
+/// an opposite that contradicts it.
+ConstraintSet crowdedSet(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> gap(0.001, 0.004);
+  ConstraintSet set;
+  set.count = haptic::kMaxConstraints;
+  for (std::size_t i = 0; i < set.count; ++i) {
+    Constraint& c = set.constraints[i];
+    c.friction = 0.2;
+    if (i % 5 == 4 || i % 7 == 6) {
+      c = set.constraints[i - 1];
+      if (i % 7 == 6) {
+        for (double& number : c.gradient) number = -number;
+        c.gap = -c.gap - 1e-4;
+      }
+    } else {
+      const haptic::Vector6 n = direction(random);
+      const double linear = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      for (std::size_t k = 0; k < 6; ++k) c.gradient[k] = k < 3 ? n[k] / linear : 0.05 * n[k];
+      c.gap = gap(random);
+      c.curvature[0] = c.curvature[6] = c.curvature[11] = 20.0;
+    }
+    c.group = static_cast<std::uint32_t>(i);
+    c.id = i + 1;
+  }
+  return set;
+}
+
+std::vector<Figure> tickFigures(int ticks) {
+  std::mt19937_64 random(5);
+  const auto renderer = std::make_unique<haptic::ForceRenderer>();
+  haptic::SafetyChain chain;
+  renderer->reset(Pose::identity());
+  std::vector<ConstraintSet> sets;
+  for (int i = 0; i < 32; ++i) sets.push_back(crowdedSet(random));
+  std::vector<double> microseconds;
+  microseconds.reserve(static_cast<std::size_t>(ticks));
+  for (int i = 0; i < ticks; ++i) {
+    const double t = 1e-3 * i;
+    const dvec3 p = 0.008 * dvec3(std::sin(7.0 * t), std::sin(11.0 * t + 1.0), std::sin(13.0 * t + 2.0));
+    ConstraintSet& set = sets[static_cast<std::size_t>(i / 17) % sets.size()];
+    set.sequence = static_cast<std::uint64_t>(i) + 1;
+    const Clock::time_point begin = Clock::now();
+    if (i % 17 == 0) renderer->adopt(set);
+    const haptic::RenderResult result = renderer->tick(Pose::translation(p), 1e-3);
+    haptic::SafetyInput input;
+    input.force_D = result.force_D;
+    input.v_DS = result.v_DS;
+    input.enabled = true;
+    renderer->noteApplied(chain.tick(input).force_D);
+    microseconds.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
+  }
+  const char* scene = "64 curved entries in 64 groups";
+  return {{"M11.p99", scene, "", "us", percentile(microseconds, 0.99), 50.0},
+          {"M11.p999", scene, "", "us", percentile(microseconds, 0.999), 100.0}};
+}
+
+}  // namespace
+
+void addTimedJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs) {
+  const int ticks = options.full ? 200000 : 30000;
+  jobs.push_back({{"M7"}, "box among a million triangles, loopback", latencyFigures, true});
+  jobs.push_back({{"M11"}, "64 curved entries in 64 groups", [ticks] { return tickFigures(ticks); }, true});
+}
+
+}  // namespace hapticell::feel
