@@ -117,7 +117,7 @@ std::vector<Figure> releaseFigures() {
   for (const ClientRate& rate : kRates) {
     SessionSetup setup;
     setup.rate = rate;
-    const double facets = releaseTime(*facetScene(0.01, 36), setup);
+    const double facets = releaseTime(*facetScene(0.01, 10.0), setup);
     figures.push_back({"M6.release", "cylinder R10 of 10 degree facets", rateName(rate), "ms", facets, 150.0});
   }
   return figures;

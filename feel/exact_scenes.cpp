@@ -70,7 +70,10 @@ class Cylinder final : public FeelScene {
 
 class Facets final : public FeelScene {
  public:
-  Facets(double radius, int count) : round_(radius), radius_(radius), count_(count) {}
+  Facets(double radius, double step) : round_(radius), radius_(radius), step_(step) {
+    // More than a set holds would be needed all round: the rest is left out at the bottom, which stays closed.
+    count_ = std::min(60, static_cast<int>(std::lround(2.0 * kPi / step)));
+  }
   std::string name() const override { return "facets"; }
   ConstraintSet setAt(const Pose& X_DP, double) const override {
     ConstraintSet set = emptySet(X_DP);
@@ -90,14 +93,14 @@ class Facets final : public FeelScene {
   haptic::HandOptions hand() const override { return round_.hand(); }
 
  private:
-  double apothem() const { return radius_ * std::cos(kPi / count_); }
+  double apothem() const { return radius_ * std::cos(0.5 * step_); }
   dvec3 normal(int i) const {
-    const double angle = 2.0 * kPi * (i + 0.5) / count_;
+    const double angle = step_ * (i + 0.5 - 0.5 * count_);
     return {std::sin(angle), 0.0, std::cos(angle)};
   }
   Cylinder round_;
-  double radius_;
-  int count_;
+  double radius_, step_;
+  int count_ = 0;
 };
 
 class Bore final : public FeelScene {
@@ -273,8 +276,8 @@ std::unique_ptr<FeelScene> planeScene() {
 std::unique_ptr<FeelScene> cylinderScene(double radius) {
   return std::make_unique<Cylinder>(radius);
 }
-std::unique_ptr<FeelScene> facetScene(double radius, int facets) {
-  return std::make_unique<Facets>(radius, facets);
+std::unique_ptr<FeelScene> facetScene(double radius, double degrees) {
+  return std::make_unique<Facets>(radius, degrees * kPi / 180.0);
 }
 std::unique_ptr<FeelScene> boreScene(double radius) {
   return std::make_unique<Bore>(radius);

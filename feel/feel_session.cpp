@@ -107,8 +107,9 @@ void FeelSession::tick(bool measured) {
 void FeelSession::accountEnergy(const dvec3& moved) {
   // What a moving obstacle does to the hand is none of the renderer's making.
   work_ -= glm::dot(device_.motorForce(), moved - kTick * result_.v_DO);
-  const dvec3 f = safety_result_.force_D;
-  balance_.push_back(work_ - glm::dot(f, f) / (2.0 * std::max(result_.stiffness, 1.0)));
+  const double stiffness = std::max(result_.stiffness, 1.0);
+  const double acting = glm::length(safety_result_.force_D), spring = glm::length(result_.spring_D);
+  balance_.push_back(work_ - haptic::storedEnergy(spring, stiffness, acting));
 }
 
 void FeelSession::measure(const haptic::DeviceReading& reading, const dvec3& force_before) {

@@ -44,8 +44,8 @@ class FeelScene {
 std::unique_ptr<FeelScene> planeScene();
 /// A cylinder along y whose top is the origin.
 std::unique_ptr<FeelScene> cylinderScene(double radius);
-/// The same, tessellated: flat facets of so many degrees, all in one group.
-std::unique_ptr<FeelScene> facetScene(double radius, int facets);
+/// The same, tessellated: flat facets of so many degrees each, all in one group.
+std::unique_ptr<FeelScene> facetScene(double radius, double degrees);
 /// A bore along y about the origin.
 std::unique_ptr<FeelScene> boreScene(double radius);
 /// The convex edge of a block (x < 0 and z < 0), along y.

@@ -62,9 +62,9 @@ std::vector<Sliding> slidings() {
   Limits facets;
   facets.step = 0.12;
   facets.direction = 5.0;
-  all.push_back({made("cylinder R10 of 6 degree facets", [] { return facetScene(0.01, 60); }), facets});
+  all.push_back({made("cylinder R10 of 5 degree facets", [] { return facetScene(0.01, 5.0); }), facets});
   facets.direction = -1.0;
-  all.push_back({made("cylinder R10 of 10 degree facets", [] { return facetScene(0.01, 36); }), facets});
+  all.push_back({made("cylinder R10 of 10 degree facets", [] { return facetScene(0.01, 10.0); }), facets});
   return all;
 }
 

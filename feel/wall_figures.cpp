@@ -52,7 +52,8 @@ HingeOutcome pullSideways(const SessionSetup& setup) {
   session.begin(scene->start());
   const double press = pressDepth(session.hand(), kPull);
   HingeOutcome outcome;
-  for (int i = 1; i <= 3000; ++i) {
+  // Not longer: the motors would warm and be derated.
+  for (int i = 1; i <= 1200; ++i) {
     const double share = std::min(1.0, i / 500.0);
     // Stays clear of the stop: only half of the scene's way.
     session.follow([&](double) { return scene->handAt(0.12 * std::sin(4e-3 * i), share * press); }, 1e-3);
@@ -61,7 +62,7 @@ HingeOutcome pullSideways(const SessionSetup& setup) {
     outcome.off_circle = std::max(outcome.off_circle, 1e3 * scene->penetration(now.X_DP, 0.0));
     const double pull = glm::length(session.safety().force_D);
     const double stretch = glm::distance(now.X_DP.p, session.device().truePose().p);
-    if (i % 500 == 0) outcome.stylus = std::max(outcome.stylus, 100.0 * std::abs(stretch * now.stiffness / pull - 1.0));
+    if (i % 100 == 0) outcome.stylus = std::max(outcome.stylus, 100.0 * std::abs(stretch * now.stiffness / pull - 1.0));
   }
   return outcome;
 }
@@ -74,8 +75,10 @@ double stopTime(const SessionSetup& setup) {
   double crossed = -1.0;
   for (int i = 1; i <= 400; ++i) {
     session.follow([&](double) { return dvec3(0, 0, 0.006 - kStopSpeed * 1e-3 * i); }, 1e-3);
-    if (crossed < 0.0 && session.device().truePose().p.z <= 0.0) crossed = session.time();
-    if (crossed >= 0.0 && session.device().motorForce().z >= kFelt) return 1e3 * (session.time() - crossed);
+    const double depth = -session.device().truePose().p.z;
+    if (crossed < 0.0 && depth >= 0.0) crossed = session.time() + depth / session.device().trueVelocity().z;
+    // The motors have exerted it since the beginning of the tick.
+    if (crossed >= 0.0 && session.device().motorForce().z >= kFelt) return 1e3 * (session.time() - 1e-3 - crossed);
   }
   return std::nan("");
 }

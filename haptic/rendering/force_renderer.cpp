@@ -20,11 +20,11 @@ constexpr double kLargestOutrun = 3.0;
 constexpr double kOffsetDecay = 0.05e-3;                     // m per millisecond.
 constexpr double kUnpaidPower = 3e-4;                        // W that the spring may gain without the hand's work,
 constexpr double kUnpaidBudget = 2e-4;                       // J at once.
-constexpr double kFadeTime = 0.02;                           // s, of a small offset in contact.
+constexpr double kFadeTime = 0.005;                          // s, of a small offset in contact.
 constexpr double kOffsetGone = 1e-6;                         // m.
 constexpr double kPull = 1e-3;                               // N.
 constexpr double kTrustForce = 0.8;                          // N.
-constexpr double kQuietFilter = 60.0, kQuickFilter = 100.0;  // Hz, at kSoft and below, and for stiff couplings.
+constexpr double kQuietFilter = 75.0, kQuickFilter = 100.0;  // Hz, at kSoft and below, and for stiff couplings.
 constexpr double kSoft = 1000.0;                             // N/m.
 constexpr double kEnergyAllowance = 0.2e-3;                  // J made before the controller acts.
 constexpr double kControllerStep = 0.1;                      // N s/m per millisecond.

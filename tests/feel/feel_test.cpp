@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FeelOf, ::testing::ValuesIn(kCases),
 
 TEST(Feel, facetsOfTenDegreesAreNoSteps) {
   for (const ClientRate rate : kRates) {
-    const auto scene = facetScene(0.01, 36);
+    const auto scene = facetScene(0.01, 10.0);
     FeelSession session(*scene, {rate});
     touchAndSlide(session, *scene, 4.0);
     const FeelFigures figures = session.figures();

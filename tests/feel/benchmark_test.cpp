@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "feel/benchmark.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "feel/feel_session.h"
+
+namespace hapticell::feel {
+namespace {
+
+BenchmarkOptions only(const std::string& what) {
+  BenchmarkOptions options;
+  options.only = what;
+  return options;
+}
+
+TEST(Figure, judgesByItsLimit) {
+  Figure most{"M1", "s", "r", "N", 0.1, 0.1};
+  EXPECT_TRUE(most.pass());
+  most.value = 0.1001;
+  EXPECT_FALSE(most.pass());
+  Figure least{"M3", "s", "r", "mJ", -0.4, -0.5, true};
+  EXPECT_TRUE(least.pass());
+  least.value = std::nan("");
+  EXPECT_FALSE(least.pass());
+  least.limit.reset();
+  EXPECT_FALSE(least.pass()) << "what was not measured does not pass";
+}
+
+TEST(Benchmark, givesTheSameTwiceAndPassesAtTheHinge) {
+  const auto first = runBenchmark(only("hinge, 5 N"));
+  const auto second = runBenchmark(only("hinge, 5 n"));
+  ASSERT_TRUE(first.has_value()) << first.error().message();
+  ASSERT_TRUE(second.has_value());
+  ASSERT_EQ(first->size(), second->size());
+  ASSERT_FALSE(first->empty());
+  for (std::size_t i = 0; i < first->size(); ++i) {
+    EXPECT_EQ((*first)[i].value, (*second)[i].value);
+    EXPECT_TRUE((*first)[i].pass()) << (*first)[i].id << " " << (*first)[i].value;
+  }
+}
+
+TEST(Benchmark, showsWhatTheClassicWayLoses) {
+  const auto figures = runBenchmark(only("corner of three planes"));
+  ASSERT_TRUE(figures.has_value());
+  bool seen = false;
+  for (const Figure& figure : *figures) {
+    if (figure.id != "M2.penetration") continue;
+    seen = true;
+    EXPECT_LE(figure.value, 0.05);
+    ASSERT_TRUE(figure.classic.has_value());
+    EXPECT_GT(*figure.classic, 1.0);
+  }
+  EXPECT_TRUE(seen);
+}
+
+TEST(Benchmark, choosesOneFigure) {
+  const auto figures = runBenchmark(only("m10.released"));
+  ASSERT_TRUE(figures.has_value());
+  ASSERT_EQ(figures->size(), 1U);
+  EXPECT_EQ(figures->front().id, "M10.released");
+}
+
+TEST(Benchmark, refusesAnUnknownName) {
+  const auto figures = runBenchmark(only("no such scene"));
+  ASSERT_FALSE(figures.has_value());
+  EXPECT_NE(figures.error().message().find("thin wall"), std::string::npos);
+}
+
+TEST(FeelScenes, theRobotsJointLimitIsFelt) {
+  const auto scene = jointLimitScene();
+  ASSERT_TRUE(scene.has_value()) << scene.error().message();
+  FeelSession session(**scene, {kRates[0]});
+  touchAndSlide(session, **scene, 1.0);
+  EXPECT_GT(session.figures().force_max, 1.5);
+  EXPECT_LT(session.figures().penetration, 0.05e-3);
+}
+
+TEST(FeelScenes, aConveyorIsForeseenOverTheLatency) {
+  const auto scene = driftingScene(cylinderScene(0.05), {0.2, 0.0, 0.0}, 0.5);
+  FeelSession slow(*scene, {kRates[0]}), quick(*scene, {kRates[2]});
+  touchAndSlide(slow, *scene, 0.5);
+  touchAndSlide(quick, *scene, 0.5);
+  EXPECT_GT(slow.figures().contact_ticks, 300);
+  EXPECT_LT(slow.figures().depth_error_p95, 0.01);
+  EXPECT_NEAR(slow.figures().force_max, quick.figures().force_max, 0.02);
+}
+
+TEST(FeelScenes, aScaleOfTheCellIsNotFelt) {
+  const auto scaled = scaledScene(cylinderScene(0.5), cylinderScene(0.05), 10.0);
+  const auto plain = cylinderScene(0.05);
+  FeelSession through(*scaled, {kRates[1]}), direct(*plain, {kRates[1]});
+  touchAndSlide(through, *scaled, 0.5);
+  touchAndSlide(direct, *plain, 0.5);
+  EXPECT_NEAR(glm::distance(through.last().force_D, direct.last().force_D), 0.0, 1e-3);
+}
+
+}  // namespace
+}  // namespace hapticell::feel
