@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/assertion.h"
+#include "kinematics/true_arm.h"
 #include "kinematics/turns.h"
 
 namespace hapticell::kinematics {
@@ -13,10 +14,11 @@ namespace hapticell::kinematics {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kAccepted = 1e-9;       // m and rad: what counts as the pose met
-constexpr double kWorthPolishing = 0.2;  // m or rad: further off, an answer of the nominal arm is none
-constexpr double kSameSolution = 1e-7;   // rad or m
-constexpr double kNoJump = 0.3;          // rad or m in one call without a bound from speeds
+constexpr double kAccepted = 1e-9;  // m and rad: what counts as the pose met
+constexpr int kExactSteps = 3;      // real files are off by 1e-10
+constexpr int kCalibratedSteps = 10;
+constexpr double kSameSolution = 1e-7;  // rad or m
+constexpr double kNoJump = 0.3;         // rad or m in one call without a bound from speeds
 constexpr int kRefinements = 24;
 constexpr double kPositionFirst = 0.01;  // times the lever: the position weighs a hundred times as much
 
@@ -58,12 +60,8 @@ AnalyticInverse::AnalyticInverse(std::unique_ptr<NumericInverse> numeric, const 
   closed_ = makeClosedForm(classification.robot_class, axes);
   HAPTICELL_DEMAND(closed_ != nullptr);
   bounds_.joints = static_cast<int>(chain.size() - rails_);
-  free_box_ = {chain.lower(), chain.upper()};
+  arm_ = trueArm(chain, rails_);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.turns(i)) {
-      free_box_.lower[i] = -std::numeric_limits<double>::infinity();
-      free_box_.upper[i] = std::numeric_limits<double>::infinity();
-    }
     if (i < rails_) continue;
     bounds_.lower[i - rails_] = chain.lower()[i];
     bounds_.upper[i - rails_] = chain.upper()[i];
@@ -105,12 +103,32 @@ void AnalyticInverse::freeRange(std::size_t index, double& lower, double& upper)
 }
 
 kernels::Choice AnalyticInverse::evaluate(const Pose& X_BT, const Free& free, const ChainPositions& x_start,
-                                          kernels::Solutions& solutions) const {
+                                          bool checked, kernels::Solutions& solutions) const {
   dvec3 p = X_BT.p;
   for (std::size_t i = 0; i < rails_; ++i) p -= free[i] * rail_B_[i];
   const double* previous = x_start.data() + rails_;
   closed_->solve(X_BT.R(), p, free[rails_], previous, solutions);
+  if (checked || classification_.calibrated) check(X_BT, p, solutions);
   return kernels::table().choose(bounds_, previous, closed_->groups(), solutions);
+}
+
+// Checks all solutions on the true arm and polishes those that are off. An arm that is only near its class may reach
+// where the nominal one just does not: then the branches' stretched poses are polished too.
+void AnalyticInverse::check(const Pose& X_BT, const dvec3& p_BT, kernels::Solutions& solutions) const {
+  const dmat3 R = X_BT.R();
+  const double rows[9] = {R[0][0], R[1][0], R[2][0], R[0][1], R[1][1], R[2][1], R[0][2], R[1][2], R[2][2]};
+  const double p[3] = {p_BT.x, p_BT.y, p_BT.z};
+  const bool planar = classification_.robot_class == RobotClass::kOpw || classification_.robot_class == RobotClass::kUr;
+  if (classification_.calibrated && planar) solutions.valid = 0xffu;
+  for (int group = 0; group < closed_->groups(); ++group) {
+    if ((solutions.valid >> (4 * group) & 0xfu) == 0) continue;
+    double errors[4];
+    kernels::table().polish(arm_, rows, p, group, classification_.calibrated ? kCalibratedSteps : kExactSteps,
+                            solutions, errors);
+    for (int lane = 0; lane < 4; ++lane) {
+      if (!(errors[lane] < kAccepted)) solutions.valid &= ~(1u << (4 * group + lane));
+    }
+  }
 }
 
 ChainPositions AnalyticInverse::assemble(const Free& free, const kernels::Solutions& solutions, int slot) const {
@@ -122,37 +140,15 @@ ChainPositions AnalyticInverse::assemble(const Free& free, const kernels::Soluti
   return x;
 }
 
-// Checks a solution on the true chain; one that is near is polished on it.
-bool AnalyticInverse::verify(const Pose& X_BT, const ChainPositions& x_start, Found& found) const {
-  const Chain& chain = *numeric_->chain();
-  const PoseError error = errorAt(chain, found.x, X_BT);
-  if (error.within(classification_.calibrated ? 1e-12 : kAccepted)) return true;
-  if (!error.within(kWorthPolishing)) return false;
-  FitOptions options;
-  options.lever = options_.lever_m;
-  options.max_iterations = 20;
-  options.second_order = false;
-  const FitResult fit = fitPose(chain, X_BT, found.x, free_box_, options);
-  if (!fit.converged) return false;
-  found.x = fit.x;
-  found.within = takeNearestTurns(chain, x_start, found.x);
-  return true;
-}
-
-// All solutions at one place of the free parameters. An arm that is only near its class may reach where the nominal one
-// just does not: then the branch's stretched pose is polished too.
+// All solutions at one place of the free parameters; polishing may have brought two branches together.
 void AnalyticInverse::collect(const Pose& X_BT, const Free& free, const ChainPositions& x_start,
                               std::vector<Found>& all) const {
   kernels::Solutions solutions;
-  const kernels::Choice choice = evaluate(X_BT, free, x_start, solutions);
+  const kernels::Choice choice = evaluate(X_BT, free, x_start, true, solutions);
   const std::size_t first = all.size();
-  const bool planar = classification_.robot_class == RobotClass::kOpw || classification_.robot_class == RobotClass::kUr;
   for (int slot = 0; slot < 4 * closed_->groups(); ++slot) {
-    const bool valid = (solutions.valid >> slot & 1u) != 0;
-    if (!valid && !(classification_.calibrated && planar)) continue;
-    Found found{assemble(free, solutions, slot), (choice.within >> slot & 1u) != 0};
-    if (!std::all_of(found.x.begin(), found.x.end(), [](double x) { return std::isfinite(x); })) continue;
-    if (!verify(X_BT, x_start, found)) continue;
+    if ((solutions.valid >> slot & 1u) == 0) continue;
+    const Found found{assemble(free, solutions, slot), (choice.within >> slot & 1u) != 0};
     const bool known = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [&](const Found& one) {
       return sameButForTurns(*numeric_->chain(), one.x, found.x, kSameSolution);
     });
@@ -162,15 +158,14 @@ void AnalyticInverse::collect(const Pose& X_BT, const Free& free, const ChainPos
 
 void AnalyticInverse::consider(const Pose& X_BT, const Free& free, const ChainPositions& x_start, Best& best) const {
   kernels::Solutions solutions;
-  const kernels::Choice choice = evaluate(X_BT, free, x_start, solutions);
+  const kernels::Choice choice = evaluate(X_BT, free, x_start, false, solutions);
   best.outside = best.outside || solutions.valid != 0;
   if (choice.nearest < 0) return;
   double distance = choice.distance_squared;
   for (std::size_t i = 0; i < rails_; ++i) distance += (free[i] - x_start[i]) * (free[i] - x_start[i]);
   if (best.any && distance >= best.distance_squared) return;
-  Found found{assemble(free, solutions, choice.nearest), true};
-  if (!verify(X_BT, x_start, found) || !found.within) return;
-  best.x = found.x;
+  best.x = assemble(free, solutions, choice.nearest);
+  best.place = free;
   best.any = true;
   best.distance_squared = distance;
 }
@@ -179,38 +174,38 @@ void AnalyticInverse::consider(const Pose& X_BT, const Free& free, const ChainPo
 void AnalyticInverse::searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const {
   const std::size_t count = freeCount();
   const int samples = samplesFor(count);
-  Free lower{}, upper{}, place = freeAt(X_BT, x_start), best_place = place;
+  Free lower{}, upper{}, place = freeAt(X_BT, x_start);
   int total = 1;
   for (std::size_t i = 0; i < count; ++i) {
     freeRange(i, lower[i], upper[i]);
     total *= samples;
   }
-  const auto tryPlace = [&](const Free& free) {
-    const double before = best.any ? best.distance_squared : std::numeric_limits<double>::infinity();
-    consider(X_BT, free, x_start, best);
-    if (best.any && best.distance_squared < before) best_place = free;
-  };
-  tryPlace(place);
+  consider(X_BT, place, x_start, best);
   for (int index = 0; index < total; ++index) {
     int rest = index;
     for (std::size_t i = 0; i < count; ++i, rest /= samples) {
       place[i] = lower[i] + (upper[i] - lower[i]) * (rest % samples + 0.5) / samples;
     }
-    tryPlace(place);
+    consider(X_BT, place, x_start, best);
   }
   if (!best.any) return;
   double share = 0.5 / samples;
   for (int round = 0; round < kRefinements; ++round) {
-    const Free around = best_place;
+    const Free around = best.place;
     for (std::size_t i = 0; i < count; ++i) {
       for (const double direction : {-1.0, 1.0}) {
         place = around;
         place[i] = std::clamp(around[i] + direction * share * (upper[i] - lower[i]), lower[i], upper[i]);
-        tryPlace(place);
+        consider(X_BT, place, x_start, best);
       }
     }
-    if (best_place == around) share *= 0.5;
+    if (best.place == around) share *= 0.5;
   }
+  // Only now on the true arm.
+  kernels::Solutions solutions;
+  const kernels::Choice choice = evaluate(X_BT, best.place, x_start, true, solutions);
+  best.any = choice.nearest >= 0;
+  if (best.any) best.x = assemble(best.place, solutions, choice.nearest);
 }
 
 AnalyticInverse::Best AnalyticInverse::searchPlain(const Pose& X_BT, const ChainPositions& x_start) const {
@@ -308,7 +303,7 @@ bool AnalyticInverse::quickAnswer(const Pose& X_BT, const std::vector<double>& q
   const Chain& chain = *numeric_->chain();
   const ChainPositions x_start = pick(q_start);
   kernels::Solutions solutions;
-  const kernels::Choice choice = evaluate(X_BT, {}, x_start, solutions);
+  const kernels::Choice choice = evaluate(X_BT, {}, x_start, true, solutions);
   if (choice.nearest < 0) return false;
   const ChainPositions x = assemble({}, solutions, choice.nearest);
   for (std::size_t i = 0; i < chain.size(); ++i) {

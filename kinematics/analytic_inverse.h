@@ -41,6 +41,7 @@ class AnalyticInverse final : public InverseModel {
   struct Best {
     ChainPositions x{};
     double distance_squared = 0.0;
+    Free place{};
     bool any = false;      ///< Within limits.
     bool outside = false;  ///< One out of limits was seen.
   };
@@ -53,16 +54,16 @@ class AnalyticInverse final : public InverseModel {
   std::array<dvec3, kMaxChainVariables> rail_B_;
   std::unique_ptr<const ClosedForm> closed_;
   kernels::JointBounds bounds_{};
-  FitBox free_box_;  ///< Turning joints without limits.
+  kernels::TrueArm arm_{};  ///< Without the rails.
 
   std::size_t freeCount() const { return rails_ + static_cast<std::size_t>(closed_->redundancy()); }
   ChainPositions pick(const std::vector<double>& q) const;
   Free freeAt(const Pose& X_BT, const ChainPositions& x) const;
   void freeRange(std::size_t index, double& lower, double& upper) const;
-  kernels::Choice evaluate(const Pose& X_BT, const Free& free, const ChainPositions& x_start,
+  kernels::Choice evaluate(const Pose& X_BT, const Free& free, const ChainPositions& x_start, bool check,
                            kernels::Solutions& solutions) const;
+  void check(const Pose& X_BT, const dvec3& p_BT, kernels::Solutions& solutions) const;
   ChainPositions assemble(const Free& free, const kernels::Solutions& solutions, int slot) const;
-  bool verify(const Pose& X_BT, const ChainPositions& x_start, Found& found) const;
   void collect(const Pose& X_BT, const Free& free, const ChainPositions& x_start, std::vector<Found>& all) const;
   void consider(const Pose& X_BT, const Free& free, const ChainPositions& x_start, Best& best) const;
   void searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;

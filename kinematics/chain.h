@@ -56,6 +56,10 @@ class Chain {
 
   void evaluate(const ChainPositions& x, ChainState& state) const;
 
+  /// From the last element to the tip.
+  const dmat3& R_LT() const { return R_LT_; }
+  const dvec3& p_LT() const { return p_LT_; }
+
  private:
   std::vector<Element> elements_;
   std::vector<int> variables_;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "geometry/assertion.h"
+#include "kinematics/true_arm.h"
 #include "kinematics/turns.h"
 
 namespace hapticell::kinematics {
@@ -18,6 +19,7 @@ constexpr std::size_t kSeedCount = 1024;
 constexpr std::size_t kSeedsForNearest = 64;  // enough to meet every configuration of a 6R arm
 constexpr std::size_t kSeedsAboutStart = 16;
 constexpr std::size_t kSeedsWithoutLimits = 96;
+constexpr std::size_t kFurtherSeeds = 300;
 constexpr int kHapticIterations = 24;
 constexpr int kRestartIterations = 60;
 constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
@@ -70,22 +72,34 @@ NumericInverse::NumericInverse(Chain chain, std::size_t model_dof, double lever_
   options_.lever = lever_m;
   options_.max_iterations = kRestartIterations;
   elbow_ = findElbow(chain_);
+  constexpr std::size_t kFastJoints = 7;
+  if (chain_.size() <= kFastJoints && fitsTrueArm(chain_)) arm_ = trueArm(chain_);
   makeSeeds();
 }
 
-void NumericInverse::makeSeeds() {
+// The Halton sequence within the limits; a variable without limits goes half a turn (or metre) either way.
+ChainPositions NumericInverse::haltonPoint(std::size_t index) const {
   constexpr std::size_t kPrimes[kMaxChainVariables] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
+  ChainPositions x{};
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    const bool endless = !std::isfinite(chain_.lower()[i]) || !std::isfinite(chain_.upper()[i]);
+    const double lower = endless ? -std::numbers::pi : chain_.lower()[i];
+    const double upper = endless ? std::numbers::pi : chain_.upper()[i];
+    x[i] = lower + (upper - lower) * radicalInverse(index + 20, kPrimes[i]);
+  }
+  return x;
+}
+
+void NumericInverse::makeSeeds() {
   seeds_.resize(kSeedCount);
   ChainState state;
   for (std::size_t s = 0; s < kSeedCount; ++s) {
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      const bool endless = !std::isfinite(chain_.lower()[i]) || !std::isfinite(chain_.upper()[i]);
-      const double lower = endless ? -std::numbers::pi : chain_.lower()[i];
-      const double upper = endless ? std::numbers::pi : chain_.upper()[i];
-      seeds_[s].x[i] = lower + (upper - lower) * radicalInverse(s + 20, kPrimes[i]);
-    }
+    seeds_[s].x = haltonPoint(s);
     chain_.evaluate(seeds_[s].x, state);
     seeds_[s].X_BT = {state.p_BT, glm::normalize(glm::quat_cast(state.R_BT))};
+    const Pose& X = seeds_[s].X_BT;
+    const double numbers[7] = {X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z};
+    for (std::size_t i = 0; i < 7; ++i) seed_columns_[i].push_back(static_cast<float>(numbers[i]));
   }
 }
 
@@ -154,7 +168,7 @@ void NumericInverse::descend(const Pose& X_BT, const std::vector<double>& q_star
   FitOptions options = options_;
   options.lever = yielding.lever_m;
   options.max_iterations = kHapticIterations;
-  FitResult fit = fitPose(chain_, X_BT, x, box, options);
+  FitResult fit = fitPose(chain_, X_BT, x, box, options, arm());
   // Held by its speed is not held by a limit: only the latter is told.
   bool at_limit = false;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
@@ -193,7 +207,7 @@ ChainPositions NumericInverse::aboutStart(const ChainPositions& x_start, std::si
 FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const {
   FitOptions options = options_;
   options.max_iterations = 200;
-  FitResult best = fitPose(chain_, X_BT, x_start, limits(), options);
+  FitResult best = fitPose(chain_, X_BT, x_start, limits(), options, arm());
   if (best.converged) {
     takeNearestTurns(chain_, x_start, best.x);
     if (largestChange(best.x, x_start, chain_.size()) < kNearEnough) return best;
@@ -209,7 +223,7 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
     if (best.converged && s >= kSeedsAboutStart + kSeedsForNearest) break;
     const bool about_start = s < kSeedsAboutStart;
     const ChainPositions x_try = about_start ? aboutStart(x_start, s) : seeds_[order[s - kSeedsAboutStart]].x;
-    FitResult fit = fitPose(chain_, X_BT, x_try, limits(), options);
+    FitResult fit = fitPose(chain_, X_BT, x_try, limits(), options, arm());
     if (!fit.converged) {
       if (!best.converged && fitCost(fit, options.lever) < fitCost(best, options.lever)) best = fit;
       continue;
@@ -223,25 +237,68 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
   }
   if (best.converged) return best;
   // The least misfit of all tries, taken to its minimum.
-  return fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 200, true, false});
+  return fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 200, true, false}, arm());
 }
 
 bool NumericInverse::reachableWithoutLimits(const Pose& X_BT, const ChainPositions& x_start) const {
   if (glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach()) return false;
   const FitBox box = withoutTurningLimits();
-  if (fitPose(chain_, X_BT, x_start, box, options_).converged) return true;
+  if (fitPose(chain_, X_BT, x_start, box, options_, arm()).converged) return true;
   const std::vector<std::size_t> order = seedsNear(X_BT);
   for (std::size_t s = 0; s < kSeedsWithoutLimits; ++s) {
-    if (fitPose(chain_, X_BT, seeds_[order[s]].x, box, options_).converged) return true;
+    if (fitPose(chain_, X_BT, seeds_[order[s]].x, box, options_, arm()).converged) return true;
   }
   return false;
+}
+
+// One descent from the start, from the seeds nearest to the pose, from the best of these with curvature, then from ever
+// further points.
+FitResult NumericInverse::searchAny(const Pose& X_BT, const ChainPositions& x_start) const {
+  FitOptions options = options_;
+  options.max_iterations = kRestartIterations;
+  options.give_up_when_slow = true;
+  options.second_order = false;
+  const FitBox box = limits();
+  FitResult best = fitPose(chain_, X_BT, x_start, box, options, arm());
+  if (best.converged || glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach()) return best;
+  const auto tryFrom = [&](const ChainPositions& x) {
+    const FitResult fit = fitPose(chain_, X_BT, x, box, options, arm());
+    if (fit.converged || fitCost(fit, options.lever) < fitCost(best, options.lever)) best = fit;
+    return best.converged;
+  };
+  kernels::SeedPoses seeds;
+  seeds.count = static_cast<int>(kSeedCount);
+  for (std::size_t i = 0; i < 7; ++i) seeds.values[i] = seed_columns_[i].data();
+  const double wanted[7] = {X_BT.p.x, X_BT.p.y, X_BT.p.z, X_BT.q.w, X_BT.q.x, X_BT.q.y, X_BT.q.z};
+  float numbers[7];
+  std::transform(wanted, wanted + 7, numbers, [](double number) { return static_cast<float>(number); });
+  int order[kernels::kSeedGroups] = {};
+  kernels::table().nearestSeeds(seeds, numbers, static_cast<float>(3.0 / std::max(chain_.reach(), 1e-3)), order);
+  for (const int seed : order) {
+    if (tryFrom(seeds_[static_cast<std::size_t>(seed)].x)) return best;
+  }
+  const FitResult patient = fitPose(chain_, X_BT, best.x, box, FitOptions{options_.lever, 200, true, false}, arm());
+  if (patient.converged) return patient;
+  for (std::size_t s = 0; s < kFurtherSeeds; ++s) {
+    if (tryFrom(haltonPoint(kSeedCount + s))) return best;
+  }
+  return patient;
+}
+
+InverseSolution NumericInverse::solveAny(const Pose& X_BT, const std::vector<double>& q_start) const {
+  const ChainPositions x_start = pick(q_start);
+  FitResult fit = searchAny(X_BT, x_start);
+  if (fit.converged) takeNearestTurns(chain_, x_start, fit.x);
+  InverseSolution solution;
+  fill(fit, q_start, solution);
+  return solution;
 }
 
 InverseSolution NumericInverse::nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const {
   FitOptions options = options_;
   options.max_iterations = 200;
   InverseSolution solution;
-  fill(fitPose(chain_, X_BT, pick(q_start), limits(), options), q_start, solution);
+  fill(fitPose(chain_, X_BT, pick(q_start), limits(), options, arm()), q_start, solution);
   return solution;
 }
 
@@ -268,7 +325,7 @@ std::vector<AlternativeSolution> NumericInverse::solveAll(const Pose& X_BT, cons
   const FitBox box = withoutTurningLimits();
   std::vector<bool> within_limits;
   const auto take = [&](const ChainPositions& x_try) {
-    FitResult fit = fitPose(chain_, X_BT, x_try, box, options);
+    FitResult fit = fitPose(chain_, X_BT, x_try, box, options, arm());
     if (!fit.converged || found.size() >= kMaxAlternatives) return;
     const bool within = takeNearestTurns(chain_, x_start, fit.x);
     const bool known = std::any_of(found.begin(), found.end(), [&](const ChainPositions& x) {

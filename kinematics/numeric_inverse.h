@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -42,6 +43,9 @@ class NumericInverse final : public InverseModel {
   /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
   InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
 
+  /// Any solution within limits, the start tried first: as solve(), but the first one found is the answer.
+  InverseSolution solveAny(const Pose& X_BT, const std::vector<double>& q_start) const;
+
   InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
   std::vector<AlternativeSolution> solveAll(const Pose& X_BT, const std::vector<double>& q_start) const override;
 
@@ -52,18 +56,23 @@ class NumericInverse final : public InverseModel {
   };
 
   Chain chain_;
+  std::optional<kernels::TrueArm> arm_;  ///< For the fast descent, where the chain allows it.
   std::optional<Elbow> elbow_;
   FitOptions options_;
   std::size_t model_dof_ = 0;
   std::vector<Seed> seeds_;
+  std::array<std::vector<float>, 7> seed_columns_;  ///< The seeds' poses, column by column.
 
   NumericInverse(Chain chain, std::size_t model_dof, double lever_m);
+  const kernels::TrueArm* arm() const { return arm_ ? &*arm_ : nullptr; }
   void makeSeeds();
   FitBox limits() const;
   FitBox withoutTurningLimits() const;
   void keepElbowSide(const ChainPositions& x, FitBox& box) const;
   ChainPositions pick(const std::vector<double>& q) const;
   void fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const;
+  ChainPositions haltonPoint(std::size_t index) const;
+  FitResult searchAny(const Pose& X_BT, const ChainPositions& x_start) const;
   std::vector<std::size_t> seedsNear(const Pose& X_BT) const;
   ChainPositions aboutStart(const ChainPositions& x_start, std::size_t index) const;
   FitResult searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const;

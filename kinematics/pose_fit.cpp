@@ -253,10 +253,41 @@ FitResult Descent::run(const ChainPositions& x_start) {
   return result;
 }
 
+FitResult fitArm(const kernels::TrueArm& arm, const Pose& X_BT, const ChainPositions& x_start, const FitBox& box,
+                 const FitOptions& options) {
+  kernels::FitTask task;
+  const dmat3 R = X_BT.R();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) task.R[3 * row + column] = R[column][row];
+    task.p[row] = X_BT.p[row];
+  }
+  for (int i = 0; i < arm.joints; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    task.lower[i] = box.lower[k];
+    task.upper[i] = box.upper[k];
+    task.start[i] = x_start[k];
+  }
+  task.lever = options.lever;
+  task.max_iterations = options.max_iterations;
+  task.second_order = options.second_order;
+  task.give_up_when_slow = options.give_up_when_slow;
+  kernels::FitAnswer answer;
+  kernels::table().fit(arm, task, answer);
+  FitResult result;
+  std::copy(answer.x, answer.x + arm.joints, result.x.begin());
+  result.position_error = answer.position_error;
+  result.orientation_error = answer.orientation_error;
+  result.converged = answer.position_error < 1e-9 && answer.orientation_error < 1e-9;
+  result.held = !result.converged && answer.held;
+  result.iterations = answer.iterations;
+  return result;
+}
+
 }  // namespace
 
 FitResult fitPose(const Chain& chain, const Pose& X_BT, const ChainPositions& x_start, const FitBox& box,
-                  const FitOptions& options) {
+                  const FitOptions& options, const kernels::TrueArm* arm) {
+  if (arm != nullptr) return fitArm(*arm, X_BT, x_start, box, options);
   return Descent(chain, X_BT, box, options).run(x_start);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinematics/chain.h"
+#include "kinematics/kernels/kernels.h"
 
 namespace hapticell::kinematics {
 
@@ -36,7 +37,8 @@ struct FitResult {
 /// its bound is set on it and the others are solved again. The damping follows the error and the gain ratio (Nielsen
 /// 1999). Where the error hardly falls the exact Hessian replaces JᵀJ as long as it is positive definite, so that a
 /// pose out of reach is approached in a few steps, not hundreds. No allocation, no exception.
+/// `arm`: the same chain as trueArm() has it, for seven joints at most; it is several times as fast. Null: any chain.
 FitResult fitPose(const Chain& chain, const Pose& X_BT, const ChainPositions& x_start, const FitBox& box,
-                  const FitOptions& options);
+                  const FitOptions& options, const kernels::TrueArm* arm = nullptr);
 
 }  // namespace hapticell::kinematics

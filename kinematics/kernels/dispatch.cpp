@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <atomic>
+
 #include "kinematics/kernels/kernels.h"
 
 namespace hapticell::kinematics::kernels {
@@ -14,9 +16,23 @@ const Table* avx2Table() {
 #endif
 }
 
+namespace {
+
+const Table* best() {
+  return avx2Table() != nullptr ? avx2Table() : plainTable();
+}
+
+// Set before main, changed only by usePlain().
+std::atomic<const Table*> chosen{best()};
+
+}  // namespace
+
 const Table& table() {
-  static const Table& chosen = avx2Table() != nullptr ? *avx2Table() : *plainTable();
-  return chosen;
+  return *chosen.load(std::memory_order_relaxed);
+}
+
+void usePlain(bool plain) {
+  chosen = plain ? plainTable() : best();
 }
 
 }  // namespace hapticell::kinematics::kernels

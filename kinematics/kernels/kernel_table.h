@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinematics/kernels/chain_lanes.h"
 #include "kinematics/kernels/choose_lanes.h"
+#include "kinematics/kernels/fit_lanes.h"
 #include "kinematics/kernels/kernels.h"
 #include "kinematics/kernels/offset_lanes.h"
 #include "kinematics/kernels/opw_lanes.h"
+#include "kinematics/kernels/seed_lanes.h"
 #include "kinematics/kernels/seven_lanes.h"
 #include "kinematics/kernels/ur_lanes.h"
 
@@ -13,7 +16,7 @@ namespace {
 
 /// The functions as this translation unit is compiled.
 constexpr Table tableNamed(const char* name) {
-  return {name, opw, opwError, ur, srs, panda, offsetWrist, choose};
+  return {name, opw, opwError, ur, srs, panda, offsetWrist, polish, fit, nearestSeeds, choose};
 }
 
 }  // namespace

@@ -64,6 +64,40 @@ struct OffsetArm {
   Circle across_5, axis_5, along_5;  ///< x, y (the axis) and z of the frame of link 5; z is axis 4 at q_5 = 0.
 };
 
+/// An arm as it truly is. Before joint i a constant step R[i], p[i] (row by row); each joint turns about, or slides
+/// along, z of the frame after it.
+struct TrueArm {
+  int joints = 0;
+  bool slides[kMaxJoints] = {};
+  double R[kMaxJoints][9], p[kMaxJoints][3];
+  double R_tip[9], p_tip[3];
+  double scale = 1.0;  ///< 1 / m: what a metre weighs against a radian in a step.
+};
+
+/// One descent of Table::fit; see fitPose().
+struct FitTask {
+  double R[9], p[3];  ///< The wanted pose, R row by row.
+  double lower[kMaxJoints], upper[kMaxJoints], start[kMaxJoints];
+  double lever = 0.25;
+  int max_iterations = 40;
+  bool second_order = true;
+  bool give_up_when_slow = false;
+};
+struct FitAnswer {
+  double x[kMaxJoints];
+  double position_error = 0.0;
+  double orientation_error = 0.0;
+  bool held = false;  ///< A bound was in the way at the end.
+  int iterations = 0;
+};
+
+/// Poses of the tip to begin descents at: x, y, z, qw, qx, qy, qz, each `count` numbers; a multiple of 16.
+struct SeedPoses {
+  int count = 0;
+  const float* values[7] = {};
+};
+inline constexpr int kSeedGroups = 16;
+
 /// What makes a solution allowed and near; see Table::choose.
 struct JointBounds {
   double lower[kMaxJoints];
@@ -96,6 +130,16 @@ struct Table {
   void (*panda)(const SevenArm& arm, const ArmPose& pose, double q_7, const double* previous, Solutions& solutions);
   /// Up to sixteen solutions of an arm with an offset wrist, found by a search over joint 6.
   void (*offsetWrist)(const OffsetArm& arm, Solutions& solutions);
+  /// How far the four solutions of a group are from the pose R (row by row), p on the true arm: `errors` gets the
+  /// larger of the distance (m) and the sine of the angle between, 1 beyond 60 deg. Valid ones that are off are brought
+  /// nearer by so many Newton steps at most.
+  void (*polish)(const TrueArm& arm, const double* R, const double* p, int group, int iterations, Solutions& solutions,
+                 double* errors);
+  /// A bounded least-squares descent for an arm of seven joints at most.
+  void (*fit)(const TrueArm& arm, const FitTask& task, FitAnswer& answer);
+  /// Of each of sixteen interleaved groups of seeds the one nearest to the wanted pose (by position times scale, 1/m,
+  /// and angle), nearest first.
+  void (*nearestSeeds)(const SeedPoses& seeds, const float* wanted, float scale, int* order);
   /// Turns each joint of each solution to the full turn nearest to `previous` within the bounds (a solution outside
   /// stays where it is nearest), and finds the nearest one. `groups` of four solutions are looked at.
   Choice (*choose)(const JointBounds& bounds, const double* previous, int groups, Solutions& solutions);
@@ -103,6 +147,9 @@ struct Table {
 
 /// The functions for this processor: AVX2 with FMA where it has them.
 const Table& table();
+
+/// From now on the plain build serves everybody (true), or the best one again: for tests and measurements.
+void usePlain(bool plain);
 
 /// One build, for tests and measurements; null where the processor cannot run it.
 const Table* plainTable();

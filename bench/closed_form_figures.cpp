@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "bench/kinematics_figures.h"
+#include "kinematics/analytic_inverse.h"
+#include "kinematics/opw_geometry.h"
+#include "kinematics/turns.h"
+#include "tests/kinematics/test_robots.h"
+
+namespace hapticell::bench {
+
+using namespace kinematics;
+
+namespace {
+
+double bestMean(int count, int passes, const std::function<void(int)>& call) {
+  double best = 1e300;
+  for (int pass = 0; pass < passes; ++pass) {
+    const auto begin = Clock::now();
+    for (int i = 0; i < count; ++i) call(i);
+    best = std::min(best, nanoseconds(begin) / count);
+  }
+  return best;
+}
+
+/// One arm with its closed form, and poses as matrices.
+struct Subject {
+  std::unique_ptr<const ClosedForm> closed;
+  kernels::JointBounds bounds{};
+  std::vector<ReachedPose> poses;
+  std::vector<dmat3> R;
+
+  Subject(const RobotModel& model, int count) : poses(reachedPoses(model, count)) {
+    const auto chain = Chain::create(model, model.defaultTip(), {});
+    closed = makeClosedForm(classify(*chain).robot_class, armAxes(*chain));
+    bounds.joints = static_cast<int>(chain->size());
+    for (std::size_t i = 0; i < chain->size(); ++i) {
+      bounds.lower[i] = chain->lower()[i];
+      bounds.upper[i] = chain->upper()[i];
+      bounds.turn[i] = chain->turns(i) ? 2.0 * std::numbers::pi : 0.0;
+    }
+    for (const ReachedPose& pose : poses) R.push_back(pose.X_BT.R());
+  }
+};
+
+void sixJoints(const char* name, const RobotModel& model, int count) {
+  const Subject arm(model, count);
+  kernels::Solutions solutions;
+  double sum = 0.0;
+  const auto solve = [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    arm.closed->solve(arm.R[k], arm.poses[k].X_BT.p, 0.0, arm.poses[k == 0 ? 0 : k - 1].q.data(), solutions);
+  };
+  const double bare = bestMean(count, 15, [&](int i) {
+    solve(i);
+    sum += solutions.q[3][5];
+  });
+  const double full = bestMean(count, 15, [&](int i) {
+    solve(i);
+    const auto k = static_cast<std::size_t>(i == 0 ? 0 : i - 1);
+    sum += kernels::table().choose(arm.bounds, arm.poses[k].q.data(), arm.closed->groups(), solutions).nearest;
+  });
+  std::printf("%-8s %-5s all solutions: bare %7.1f ns, with limits, turns, nearest %7.1f ns  (%g)\n", name,
+              kernels::table().name, bare, full, sum > 0 ? 1.0 : 0.0);
+}
+
+void checkedOpw(const char* name, const RobotModel& model, int count) {
+  const auto chain = Chain::create(model, model.defaultTip(), {});
+  const OpwGeometry geometry(armAxes(*chain));
+  const Subject arm(model, count);
+  kernels::Solutions solutions;
+  double worst = 0.0;
+  const double checked = bestMean(count, 15, [&](int i) {
+    const auto k = static_cast<std::size_t>(i), before = k == 0 ? 0 : k - 1;
+    kernels::ArmPose pose;
+    geometry.frames.map(arm.R[k], arm.poses[k].X_BT.p, pose);
+    kernels::table().opw(geometry.arm, pose, arm.poses[before].q.data(), solutions);
+    kernels::table().choose(arm.bounds, arm.poses[before].q.data(), 2, solutions);
+    worst = std::max(worst, kernels::table().opwError(geometry.arm, pose, solutions));
+  });
+  std::printf("%-8s %-5s with the forward check of all eight %7.1f ns, worst %.1e\n", name, kernels::table().name,
+              checked, worst);
+}
+
+void sevenJoints(const char* name, const RobotModel& model, int count) {
+  const Subject arm(model, count);
+  kernels::Solutions solutions;
+  double sum = 0.0;
+  const auto given = [&](std::size_t k, double redundant) {
+    arm.closed->solve(arm.R[k], arm.poses[k].X_BT.p, redundant, arm.poses[k].q.data(), solutions);
+    sum += solutions.q[3][5];
+  };
+  const double one = bestMean(count, 15, [&](int i) { given(static_cast<std::size_t>(i), 0.3); });
+  const double ring = bestMean(count / 50, 5, [&](int i) {
+    for (int k = 0; k < 64; ++k) given(static_cast<std::size_t>(i), (k - 31.5) * (std::numbers::pi / 32.0));
+  });
+  std::printf("%-8s %-5s redundancy given %7.1f ns, ring of 64 %9.1f ns  (%g)\n", name, kernels::table().name, one,
+              ring, sum > 0 ? 1.0 : 0.0);
+}
+
+void everyArm(int poses) {
+  sixJoints("KR 120", kinematics::test::kr120(), poses);
+  checkedOpw("KR 120", kinematics::test::kr120(), poses);
+  sixJoints("UR5e", kinematics::test::ur5e(), poses);
+  sixJoints("wrist", kinematics::test::sphericalWrist(), poses);
+  sixJoints("base", kinematics::test::sphericalBase(), poses);
+  sixJoints("offset", kinematics::test::offsetWrist(), poses);
+  sevenJoints("iiwa 14", kinematics::test::iiwa(), poses);
+  sevenJoints("Panda", kinematics::test::panda(), poses);
+}
+
+/// The arm with its axes turned by up to 0.8 mrad and moved by up to 0.5 mm.
+RobotModel calibrated(RobotModel model) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (Joint& joint : model.joints) {
+    const dvec3 tilt(unit(random), unit(random), unit(random)), shift(unit(random), unit(random), unit(random));
+    joint.X_PJ.q = glm::normalize(joint.X_PJ.q * quaternionFromRotationVector(0.8e-3 / std::sqrt(3.0) * tilt));
+    joint.X_PJ.p += 0.5e-3 / std::sqrt(3.0) * shift;
+  }
+  return model;
+}
+
+void everySolution(const char* name, const RobotModel& model, int count) {
+  const auto inverse = createInverse(model, model.defaultTip());
+  const Chain& chain = *(*inverse)->chain();
+  std::vector<double> ns;
+  int own = 0, solved = 0;
+  double solutions = 0.0;
+  const std::vector<ReachedPose> poses = reachedPoses(model, count);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto begin = Clock::now();
+    const auto all = (*inverse)->solveAll(poses[k].X_BT, poses[k == 0 ? 0 : k - 1].q);
+    ns.push_back(nanoseconds(begin));
+    ChainPositions x{}, y{};
+    std::copy(poses[k].q.begin(), poses[k].q.end(), x.begin());
+    bool found = false;
+    for (const AlternativeSolution& one : all) {
+      std::copy(one.q.begin(), one.q.end(), y.begin());
+      found = found || sameButForTurns(chain, x, y, 1e-5);
+    }
+    own += found ? 1 : 0;
+    solved += (*inverse)->solve(poses[k].X_BT, poses[k == 0 ? 0 : k - 1].q).status == InverseStatus::kSolved ? 1 : 0;
+    solutions += static_cast<double>(all.size()) / count;
+  }
+  std::printf("%-8s %-22s own %.3f %%, solved %.3f %%, %.2f solutions;  ", name, (*inverse)->name().c_str(),
+              100.0 * own / count, 100.0 * solved / count, solutions);
+  print("", "all, as lists", ns);
+}
+
+}  // namespace
+
+std::vector<ReachedPose> reachedPoses(const RobotModel& model, int count) {
+  std::mt19937_64 random(11);
+  std::vector<ReachedPose> poses;
+  for (int i = 0; i < count; ++i) {
+    std::vector<double> q = kinematics::test::randomJoints(model, random);
+    const Pose X_BT = kinematics::test::tipPose(model, q, model.defaultTip());
+    poses.push_back({std::move(q), X_BT});
+  }
+  return poses;
+}
+
+void print(const char* robot, const char* what, std::vector<double>& ns) {
+  std::sort(ns.begin(), ns.end());
+  double mean = 0.0;
+  for (const double value : ns) mean += value / static_cast<double>(ns.size());
+  std::printf("%-8s %-28s mean %7.2f us, median %7.2f us, p99 %7.2f us\n", robot, what, 1e-3 * mean,
+              1e-3 * ns[ns.size() / 2], 1e-3 * ns[ns.size() * 99 / 100]);
+}
+
+void closedForms(int poses) {
+  everyArm(poses);
+  kernels::usePlain(true);
+  everyArm(poses);
+  kernels::usePlain(false);
+}
+
+void allSolutions(int poses) {
+  everySolution("KR 120", kinematics::test::kr120(), poses);
+  everySolution("UR5e", kinematics::test::ur5e(), poses);
+  everySolution("wrist", kinematics::test::sphericalWrist(), poses);
+  everySolution("offset", kinematics::test::offsetWrist(), poses);
+  everySolution("KR 120 c", calibrated(kinematics::test::kr120()), poses);
+  everySolution("UR5e c", calibrated(kinematics::test::ur5e()), poses);
+}
+
+}  // namespace hapticell::bench

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/kdl_peer.h"
+
+#include <cstdio>
+#include <kdl/chain.hpp>
+#include <kdl/chainfksolverpos_recursive.hpp>
+#include <kdl/chainiksolverpos_lma.hpp>
+#include <kdl/chainiksolverpos_nr_jl.hpp>
+#include <kdl/chainiksolvervel_pinv.hpp>
+#include <string>
+
+#include "kinematics/jacobian.h"
+
+namespace hapticell::bench {
+
+using namespace kinematics;
+
+namespace {
+
+KDL::Frame frameOf(const Pose& X) {
+  return {KDL::Rotation::Quaternion(X.q.x, X.q.y, X.q.z, X.q.w), KDL::Vector(X.p.x, X.p.y, X.p.z)};
+}
+
+KDL::Chain chainOf(const RobotModel& model) {
+  KDL::Chain chain;
+  for (const int index : chainToTip(model, model.defaultTip())) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(index)];
+    const KDL::Frame X_PJ = frameOf(joint.X_PJ);
+    const KDL::Vector axis(joint.axis_J.x, joint.axis_J.y, joint.axis_J.z);
+    if (joint.type == JointType::kFixed) {
+      chain.addSegment(KDL::Segment(KDL::Joint(KDL::Joint::None), X_PJ));
+      continue;
+    }
+    const auto type = joint.type == JointType::kPrismatic ? KDL::Joint::TransAxis : KDL::Joint::RotAxis;
+    chain.addSegment(KDL::Segment(KDL::Joint(joint.name, X_PJ.p, X_PJ.M * axis, type), X_PJ));
+  }
+  return chain;
+}
+
+}  // namespace
+
+void kdlFromMiddle(const char* robot, const RobotModel& model, int count) {
+  const KDL::Chain chain = chainOf(model);
+  const unsigned n = chain.getNrOfJoints();
+  KDL::JntArray lower(n), upper(n), middle(n), q(n);
+  for (unsigned i = 0; i < n; ++i) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
+    lower(i) = joint.lower;
+    upper(i) = joint.upper;
+    middle(i) = 0.5 * (joint.lower + joint.upper);
+  }
+  KDL::ChainFkSolverPos_recursive forward(chain);
+  KDL::ChainIkSolverVel_pinv velocity(chain);
+  KDL::ChainIkSolverPos_NR_JL newton(chain, lower, upper, forward, velocity, 100, 1e-6);
+  KDL::ChainIkSolverPos_LMA levenberg(chain);
+  const std::vector<ReachedPose> poses = reachedPoses(model, count);
+  for (const bool lma : {false, true}) {
+    std::vector<double> ns;
+    int solved = 0;
+    for (const ReachedPose& pose : poses) {
+      const KDL::Frame target = frameOf(pose.X_BT);
+      const auto begin = Clock::now();
+      const int status = lma ? levenberg.CartToJnt(middle, target, q) : newton.CartToJnt(middle, target, q);
+      ns.push_back(nanoseconds(begin));
+      bool within = status >= 0;
+      for (unsigned i = 0; i < n; ++i) within = within && q(i) >= lower(i) && q(i) <= upper(i);
+      solved += within ? 1 : 0;
+    }
+    std::printf("%-8s KDL %s, one shot: %.3f %% within limits;  ", robot, lma ? "LMA" : "NR_JL",
+                100.0 * solved / count);
+    print("", "", ns);
+  }
+}
+
+}  // namespace hapticell::bench
