@@ -59,9 +59,9 @@ void kdlFromMiddle(const char* robot, const RobotModel& model, int count) {
     int solved = 0;
     for (const ReachedPose& pose : poses) {
       const KDL::Frame target = frameOf(pose.X_BT);
-      const auto begin = Clock::now();
-      const int status = lma ? levenberg.CartToJnt(middle, target, q) : newton.CartToJnt(middle, target, q);
-      ns.push_back(nanoseconds(begin));
+      int status = 0;
+      ns.push_back(
+          timed([&] { status = lma ? levenberg.CartToJnt(middle, target, q) : newton.CartToJnt(middle, target, q); }));
       bool within = status >= 0;
       for (unsigned i = 0; i < n; ++i) within = within && q(i) >= lower(i) && q(i) <= upper(i);
       solved += within ? 1 : 0;

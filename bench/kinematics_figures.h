@@ -1,17 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
+#include <time.h>
+
+#include <algorithm>
 #include <vector>
 
 #include "kinematics/robot_model.h"
 
 namespace hapticell::bench {
 
-using Clock = std::chrono::steady_clock;
+/// Nanoseconds that this thread worked; what other programs do to the machine is out of it.
+inline double threadTime() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
 
-inline double nanoseconds(Clock::time_point begin) {
-  return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
+/// What reading the clock twice costs by itself, taken off each single call.
+double clockCost();
+
+/// The time of one call, ns.
+template <typename Call>
+double timed(const Call& call) {
+  const double begin = threadTime();
+  call();
+  const double end = threadTime();
+  return std::max(0.0, end - begin - clockCost());
 }
 
 /// A pose of the tip and the joints that made it, uniform within limits.

@@ -34,9 +34,8 @@ void track(const char* robot, const char* what, const RobotModel& model, const I
       const double t = i * 1e-3;
       const Pose X_BT = displaced(X_0, {t * dvec3(0.16, 0.1, 0.06), t * dvec3(0.2, 0.3, 0.17)});
       q = solution.q;
-      const auto begin = Clock::now();
-      inverse.solveNearest(X_BT, q, 1e-3, solution);
-      if (i >= 200) ns.push_back(nanoseconds(begin));
+      const double one = timed([&] { inverse.solveNearest(X_BT, q, 1e-3, solution); });
+      if (i >= 200) ns.push_back(one);
     }
   }
   print(robot, what, ns);
@@ -50,9 +49,8 @@ void coldStart(const char* robot, const RobotModel& model, int count) {
   int solved = 0;
   for (const ReachedPose& pose : poses) {
     const std::vector<double> q_start = kinematics::test::randomJoints(model, random);
-    const auto begin = Clock::now();
-    const InverseSolution solution = (*numeric)->solveAny(pose.X_BT, q_start);
-    ns.push_back(nanoseconds(begin));
+    InverseSolution solution;
+    ns.push_back(timed([&] { solution = (*numeric)->solveAny(pose.X_BT, q_start); }));
     solved += solution.status == InverseStatus::kSolved ? 1 : 0;
   }
   std::printf("%-8s numeric, any solution: %.3f %% within limits;  ", robot, 100.0 * solved / count);

@@ -42,6 +42,17 @@ PoseError errorAt(const Chain& chain, const ChainPositions& x, const Pose& X_BT)
   return {glm::length(state.p_BT - X_BT.p), std::atan2(glm::length(sine), 0.5 * cosine)};
 }
 
+struct PoseRows {
+  double R[9], p[3];
+  PoseRows(const Pose& X_BT, const dvec3& p_BT) {
+    const dmat3 rotation = X_BT.R();
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) R[3 * row + column] = rotation[column][row];
+      p[row] = p_BT[row];
+    }
+  }
+};
+
 // How many places of each free parameter are tried, by how many there are.
 int samplesFor(std::size_t count) {
   constexpr int kSamples[] = {1, 64, 16, 8};
@@ -115,15 +126,13 @@ kernels::Choice AnalyticInverse::evaluate(const Pose& X_BT, const Free& free, co
 // Checks all solutions on the true arm and polishes those that are off. An arm that is only near its class may reach
 // where the nominal one just does not: then the branches' stretched poses are polished too.
 void AnalyticInverse::check(const Pose& X_BT, const dvec3& p_BT, kernels::Solutions& solutions) const {
-  const dmat3 R = X_BT.R();
-  const double rows[9] = {R[0][0], R[1][0], R[2][0], R[0][1], R[1][1], R[2][1], R[0][2], R[1][2], R[2][2]};
-  const double p[3] = {p_BT.x, p_BT.y, p_BT.z};
+  const PoseRows pose(X_BT, p_BT);
   const bool planar = classification_.robot_class == RobotClass::kOpw || classification_.robot_class == RobotClass::kUr;
   if (classification_.calibrated && planar) solutions.valid = 0xffu;
   for (int group = 0; group < closed_->groups(); ++group) {
     if ((solutions.valid >> (4 * group) & 0xfu) == 0) continue;
     double errors[4];
-    kernels::table().polish(arm_, rows, p, group, classification_.calibrated ? kCalibratedSteps : kExactSteps,
+    kernels::table().polish(arm_, pose.R, pose.p, group, classification_.calibrated ? kCalibratedSteps : kExactSteps,
                             solutions, errors);
     for (int lane = 0; lane < 4; ++lane) {
       if (!(errors[lane] < kAccepted)) solutions.valid &= ~(1u << (4 * group + lane));
@@ -303,16 +312,27 @@ bool AnalyticInverse::quickAnswer(const Pose& X_BT, const std::vector<double>& q
   const Chain& chain = *numeric_->chain();
   const ChainPositions x_start = pick(q_start);
   kernels::Solutions solutions;
-  const kernels::Choice choice = evaluate(X_BT, {}, x_start, true, solutions);
+  const kernels::Choice choice = evaluate(X_BT, {}, x_start, false, solutions);
   if (choice.nearest < 0) return false;
-  const ChainPositions x = assemble({}, solutions, choice.nearest);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const double allowed = std::isfinite(duration_s) ? chain.velocity()[i] * duration_s : kNoJump;
-    too_fast = too_fast || std::abs(x[i] - x_start[i]) > allowed;
+    too_fast = too_fast || std::abs(solutions.q[i][choice.nearest] - x_start[i]) > allowed;
   }
   if (too_fast) return false;
-  fill(X_BT, x, q_start, solution);
-  return solution.position_error < kAccepted && solution.orientation_error < kAccepted;
+  double errors[4];
+  const PoseRows pose(X_BT, X_BT.p);
+  kernels::table().polish(arm_, pose.R, pose.p, choice.nearest / 4, kExactSteps, solutions, errors);
+  const double error = errors[choice.nearest % 4];
+  if (!(error < kAccepted)) return false;
+  solution.q = q_start;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    solution.q[static_cast<std::size_t>(chain.variables()[i])] =
+        std::clamp(solutions.q[i][choice.nearest], chain.lower()[i], chain.upper()[i]);
+  }
+  solution.position_error = solution.orientation_error = error;
+  solution.singular = false;
+  solution.status = InverseStatus::kSolved;
+  return true;
 }
 
 NumericInverse::Yielding AnalyticInverse::yieldingThroughSingularity() const {

@@ -25,7 +25,7 @@ struct InverseSolution {
   std::vector<double> q;           ///< One a variable of the model; those that do not move the tip as in the start.
   double position_error = 0.0;     ///< m
   double orientation_error = 0.0;  ///< rad, the angle between the two orientations.
-  bool singular = false;           ///< A direction of the tip is (nearly) lost there; see Manipulability.
+  bool singular = false;  ///< A direction of the tip is (nearly) lost there, see Manipulability; solve() looks at it.
 };
 
 /// One of several answers for the same pose.

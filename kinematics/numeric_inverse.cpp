@@ -144,7 +144,7 @@ void NumericInverse::fill(const FitResult& fit, const std::vector<double>& q_sta
     solution.q[static_cast<std::size_t>(chain_.variables()[i])] = fit.x[i];
   solution.position_error = fit.position_error;
   solution.orientation_error = fit.orientation_error;
-  solution.singular = chainIsSingular(chain_, fit.x);
+  solution.singular = false;
   solution.status =
       fit.converged ? InverseStatus::kSolved : (fit.held ? InverseStatus::kLimit : InverseStatus::kUnreachable);
 }
@@ -298,7 +298,9 @@ InverseSolution NumericInverse::nearestMiss(const Pose& X_BT, const std::vector<
   FitOptions options = options_;
   options.max_iterations = 200;
   InverseSolution solution;
-  fill(fitPose(chain_, X_BT, pick(q_start), limits(), options, arm()), q_start, solution);
+  const FitResult fit = fitPose(chain_, X_BT, pick(q_start), limits(), options, arm());
+  fill(fit, q_start, solution);
+  solution.singular = chainIsSingular(chain_, fit.x);
   return solution;
 }
 
@@ -307,6 +309,7 @@ InverseSolution NumericInverse::solve(const Pose& X_BT, const std::vector<double
   const ChainPositions x_start = pick(q_start);
   const FitResult fit = searchWithinLimits(X_BT, x_start);
   fill(fit, q_start, solution);
+  solution.singular = chainIsSingular(chain_, fit.x);
   if (!fit.converged) {
     solution.status = reachableWithoutLimits(X_BT, x_start) ? InverseStatus::kLimit : InverseStatus::kUnreachable;
   }

@@ -43,7 +43,8 @@ class NumericInverse final : public InverseModel {
   /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
   InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
 
-  /// Any solution within limits, the start tried first: as solve(), but the first one found is the answer.
+  /// Any solution within limits, the start tried first: as solve(), but the first one found is the answer, and its
+  /// singularity is not looked at.
   InverseSolution solveAny(const Pose& X_BT, const std::vector<double>& q_start) const;
 
   InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
