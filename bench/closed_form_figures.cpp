@@ -115,18 +115,6 @@ void everyArm(int poses) {
   sevenJoints("Panda", kinematics::test::panda(), poses);
 }
 
-/// The arm with its axes turned by up to 0.8 mrad and moved by up to 0.5 mm.
-RobotModel calibrated(RobotModel model) {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  for (Joint& joint : model.joints) {
-    const dvec3 tilt(unit(random), unit(random), unit(random)), shift(unit(random), unit(random), unit(random));
-    joint.X_PJ.q = glm::normalize(joint.X_PJ.q * quaternionFromRotationVector(0.8e-3 / std::sqrt(3.0) * tilt));
-    joint.X_PJ.p += 0.5e-3 / std::sqrt(3.0) * shift;
-  }
-  return model;
-}
-
 void everySolution(const char* name, const RobotModel& model, int count) {
   const auto inverse = createInverse(model, model.defaultTip());
   const Chain& chain = *(*inverse)->chain();
@@ -199,8 +187,8 @@ void allSolutions(int poses) {
   everySolution("UR5e", kinematics::test::ur5e(), poses);
   everySolution("wrist", kinematics::test::sphericalWrist(), poses);
   everySolution("offset", kinematics::test::offsetWrist(), poses);
-  everySolution("KR 120 c", calibrated(kinematics::test::kr120()), poses);
-  everySolution("UR5e c", calibrated(kinematics::test::ur5e()), poses);
+  everySolution("KR 120 c", kinematics::test::calibrated(kinematics::test::kr120()), poses);
+  everySolution("UR5e c", kinematics::test::calibrated(kinematics::test::ur5e()), poses);
 }
 
 }  // namespace hapticell::bench

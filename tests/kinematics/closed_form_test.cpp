@@ -85,7 +85,7 @@ TEST_P(ClosedFormOf, FindsTheJointsThatMadeThePoseAndOnlyTrueSolutions) {
     }
   }
   EXPECT_LT(worst, arm.tolerance);
-  std::printf("%s: worst %g, %.2f solutions a pose\n", arm.name.c_str(), worst, solutions_seen / double(kPoses));
+  EXPECT_GT(solutions_seen, kPoses);
 }
 
 INSTANTIATE_TEST_SUITE_P(Arms, ClosedFormOf, testing::ValuesIn(arms()),

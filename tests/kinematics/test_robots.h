@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -223,6 +224,41 @@ inline RobotModel sphericalBase() {
                    {{0.9, 0.1, 0.5}, {0.2, 0.1, 1}},
                    {{1.0, 0.2, 0.5}, {1, 0, 0.3}}},
                   {1.1, 0.2, 0.4});
+}
+
+/// The arm on slides along x, y and z (the first `count` of them), 2 m either way.
+inline RobotModel onSlides(const RobotModel& arm, int count) {
+  RobotModel model = emptyModel();
+  const dvec3 directions[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = 0; i < count; ++i) {
+    Joint& slide = addJoint(model, i, numbered("slide", static_cast<std::size_t>(i + 1)), JointType::kPrismatic,
+                            directions[i], Pose::translation({0.1, 0.2, 0.3}));
+    slide.lower = -2.0;
+    slide.upper = 2.0;
+    slide.velocity = 1.0;
+  }
+  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+    const Joint& from = arm.joints[i];
+    Joint& joint = addJoint(model, count + static_cast<int>(i), from.name, from.type, from.axis_J, from.X_PJ);
+    joint.lower = from.lower;
+    joint.upper = from.upper;
+  }
+  model.links.back().name = "flange";
+  return model;
+}
+
+/// The arm as a calibration finds it: axes turned by up to 0.8 mrad, moved by up to 0.5 mm.
+inline RobotModel calibrated(RobotModel model) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto vector = [&](double size) {
+    return size / std::sqrt(3.0) * dvec3(unit(random), unit(random), unit(random));
+  };
+  for (Joint& joint : model.joints) {
+    joint.X_PJ.q = glm::normalize(joint.X_PJ.q * quaternionFromRotationVector(vector(0.8e-3)));
+    joint.X_PJ.p += vector(0.5e-3);
+  }
+  return model;
 }
 
 /// Uniform joint positions within the limits (continuous joints within +-3 rad).
