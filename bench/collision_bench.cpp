@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proximity engine against its peer, same process, same poses. Prints the table of docs/performance.md.
+// Proximity engine against its peer, same process, same poses. Prints the tables of docs/performance.md.
 //
-// usage: collision_bench [FOLDER]   FOLDER: the shared test data; default $HAPTICELL_TEST_DATA, else ../shared/data
+// usage: collision_bench [--data FOLDER] [SCENE...]
+// FOLDER: the shared test data; default $HAPTICELL_TEST_DATA, else ../shared/data. SCENE: cad10k, cad100k, real,
+// pulley, scan100k, cad10k-1M, cad1M, scan1M, group, group30; default all.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,6 +17,7 @@
 
 #include "bench/collision_scenes.h"
 #include "collision/proximity_query.h"
+#include "collision/scene.h"
 #include "workcell/mesh_reader.h"
 #ifdef HAPTICELL_HAS_FCL
 #include "bench/fcl_peer.h"
@@ -24,7 +27,12 @@ namespace hapticell::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Collider = std::shared_ptr<const collision::MeshCollider>;
 constexpr int kWalks = 3;
+
+double millisecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
 
 struct Times {
   double median_us = 0.0, p99_us = 0.0, max_us = 0.0;
@@ -32,14 +40,13 @@ struct Times {
 
 /// Walks the path several times from a fresh state; each step's time is the least of its walks (takes the system's
 /// noise out and keeps the engine's own spikes). `begin_walk` forgets what was warm.
-Times timed(const std::vector<Pose>& path, const std::function<void()>& begin_walk,
-            const std::function<void(const Pose&)>& query) {
-  std::vector<double> least(path.size(), std::numeric_limits<double>::infinity());
+Times timed(std::size_t steps, const std::function<void()>& begin_walk, const std::function<void(std::size_t)>& query) {
+  std::vector<double> least(steps, std::numeric_limits<double>::infinity());
   for (int walk = 0; walk < kWalks; ++walk) {
     begin_walk();
-    for (std::size_t i = 0; i < path.size(); ++i) {
+    for (std::size_t i = 0; i < steps; ++i) {
       const auto begin = Clock::now();
-      query(path[i]);
+      query(i);
       least[i] = std::min(least[i], std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
     }
   }
@@ -47,71 +54,202 @@ Times timed(const std::vector<Pose>& path, const std::function<void()>& begin_wa
   return {least[least.size() / 2], least[least.size() * 99 / 100], least.back()};
 }
 
-void row(const std::string& scene, const char* query, const char* engine, const Times& t, const Times& ours) {
-  std::printf("| %s | %s | %s | %.1f | %.1f | %.1f | %.1f | %.1f |\n", scene.c_str(), query, engine, t.median_us,
-              t.p99_us, t.max_us, t.median_us / ours.median_us, t.p99_us / ours.p99_us);
+/// What issue and facts ask of a row; zero asks nothing.
+struct Asked {
+  double times_median = 0.0, times_p99 = 0.0;  ///< Of the peer's time over ours.
+  double median_us = 0.0, p99_us = 0.0;        ///< Absolute.
+};
+
+void row(const std::string& scene, const char* query, const Times& ours, const Times* peer, const Asked& asked) {
+  std::printf("| %s | %s | %.2f / %.1f / %.0f |", scene.c_str(), query, ours.median_us, ours.p99_us, ours.max_us);
+  bool reached = (asked.median_us == 0.0 || ours.median_us <= asked.median_us) &&
+                 (asked.p99_us == 0.0 || ours.p99_us <= asked.p99_us);
+  if (peer != nullptr) {
+    const double median = peer->median_us / ours.median_us, p99 = peer->p99_us / ours.p99_us;
+    std::printf(" %.0f / %.0f / %.0f | %.1f | %.1f |", peer->median_us, peer->p99_us, peer->max_us, median, p99);
+    reached = reached && median >= asked.times_median && p99 >= asked.times_p99;
+  } else {
+    std::printf(" | | |");
+  }
+  const bool asks = asked.times_median > 0.0 || asked.median_us > 0.0 || asked.p99_us > 0.0;
+  std::printf(" %s |\n", !asks ? "" : reached ? "yes" : "**no**");
   std::fflush(stdout);
+}
+
+#ifdef HAPTICELL_HAS_FCL
+/// The peer on the same poses, and how far the answers agree.
+struct Peer {
+  FclPeer fcl;
+  explicit Peer(const Scene& scene) : fcl(scene.moved, scene.standing) {}
+  Times distance(const std::vector<Pose>& path) {
+    return timed(
+        path.size(), [] {}, [&](std::size_t i) { fcl.distance(path[i]); });
+  }
+  Times collide(const std::vector<Pose>& path) {
+    return timed(
+        path.size(), [] {}, [&](std::size_t i) { fcl.collides(path[i]); });
+  }
+  void compare(const Scene& scene, collision::ProximityQuery& query) {
+    double worst = 0.0;
+    int booleans = 0, near = 0;
+    for (const Pose& X : scene.X_WM) {
+      const collision::DistanceResult ours = query.distance(X, {});
+      if (!ours.contained) worst = std::max(worst, std::abs(ours.distance - std::max(0.0, fcl.distance(X))));
+      if ((ours.colliding && !ours.contained) != fcl.collides(X)) ++booleans;
+      near += ours.distance < 0.01;
+    }
+    std::printf(
+        "%s: largest difference of the distances %.2g m, of %zu booleans %d differ; %d poses nearer than 10 mm\n",
+        scene.name.c_str(), worst, scene.X_WM.size(), booleans, near);
+  }
+};
+#endif
+
+void measureHaptic(const Scene& scene, collision::ProximityQuery& query, const std::function<void()>& fresh,
+                   const Times* peer) {
+  const std::vector<Pose> path = hapticSteps(scene.X_WM, kApproach + 100, 150, 20);
+  const Times ours = timed(path.size(), fresh, [&](std::size_t i) { query.distance(path[i], {}); });
+  const bool large = scene.moved.triangles.size() > 500000;
+  row(scene.name, "distance, 0.15 mm steps", ours, peer, {45.0, 0.0, 0.0, large ? 60.0 : 40.0});
 }
 
 void measure(const Scene& scene) {
   auto begin = Clock::now();
-  const auto moved = collision::MeshCollider::build(scene.moved),
-             standing = collision::MeshCollider::build(scene.standing);
-  const double build_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  const Collider moved = collision::MeshCollider::build(scene.moved),
+                 standing = collision::MeshCollider::build(scene.standing);
+  const double build_ms = millisecondsSince(begin);
   collision::ProximityQuery query(moved, standing);
-  const auto fresh = [&] { query = collision::ProximityQuery(moved, standing); };
-  const Times distance = timed(scene.X_WM, fresh, [&](const Pose& X) { query.distance(X, {}); });
-  const Times cold = timed(scene.X_WM, fresh, [&](const Pose& X) {
+  const std::function<void()> fresh = [&] { query = collision::ProximityQuery(moved, standing); };
+  const std::vector<Pose>& path = scene.X_WM;
+  const Times distance = timed(path.size(), fresh, [&](std::size_t i) { query.distance(path[i], {}); });
+  const Times cold = timed(path.size(), fresh, [&](std::size_t i) {
     fresh();
-    query.distance(X, {});
+    query.distance(path[i], {});
   });
-  const Times within = timed(scene.X_WM, fresh, [&](const Pose& X) { query.within(X, {}, 0.005); });
-  const Times collide = timed(scene.X_WM, fresh, [&](const Pose& X) { query.collides(X, {}); });
-  const std::string name = scene.name + " (" + std::to_string(scene.moved.triangles.size()) + " x " +
-                           std::to_string(scene.standing.triangles.size()) + ")";
-  row(name, "distance", "HaptiCell", distance, distance);
-  row(name, "distance", "HaptiCell, cold", cold, distance);
-  row(name, "within 5 mm", "HaptiCell", within, within);
-  row(name, "collide", "HaptiCell", collide, collide);
+  const Times within = timed(path.size(), fresh, [&](std::size_t i) { query.within(path[i], {}, 0.005); });
+  const Times collide = timed(path.size(), fresh, [&](std::size_t i) { query.collides(path[i], {}); });
+  const bool haptic = scene.name == "cad100k" || scene.name == "cad1M";
 #ifdef HAPTICELL_HAS_FCL
-  FclPeer peer(scene.moved, scene.standing);
-  row(name, "distance", "FCL",
-      timed(
-          scene.X_WM, [] {}, [&](const Pose& X) { peer.distance(X); }),
-      distance);
-  row(name, "collide", "FCL",
-      timed(
-          scene.X_WM, [] {}, [&](const Pose& X) { peer.collides(X); }),
-      collide);
-  double worst = 0.0;
-  int booleans = 0;
-  for (const Pose& X : scene.X_WM) {
-    const collision::DistanceResult ours = query.distance(X, {});
-    const bool surfaces_meet = ours.colliding && !ours.contained;
-    if (!ours.contained) worst = std::max(worst, std::abs(ours.distance - std::max(0.0, peer.distance(X))));
-    if (surfaces_meet != peer.collides(X)) ++booleans;
-  }
-  std::printf(
-      "%s: build %.0f ms, FCL %.0f ms; largest difference of the distances %.2g m, of %zu booleans %d differ\n\n",
-      name.c_str(), build_ms, peer.buildMilliseconds(), worst, scene.X_WM.size(), booleans);
+  Peer peer(scene);
+  const Times peer_distance = peer.distance(path), peer_collide = peer.collide(path);
+  const Times peer_haptic = haptic ? peer.distance(hapticSteps(path, kApproach + 100, 150, 2)) : Times{};
+  const Times *distance_of_peer = &peer_distance, *collide_of_peer = &peer_collide, *haptic_of_peer = &peer_haptic;
 #else
-  std::printf("%s: build %.0f ms; FCL is not installed (libfcl-dev)\n\n", name.c_str(), build_ms);
+  const Times *distance_of_peer = nullptr, *collide_of_peer = nullptr, *haptic_of_peer = nullptr;
 #endif
+  row(scene.name, "distance", distance, distance_of_peer, {30.0, 20.0, 0.0, 0.0});
+  row(scene.name, "distance, cold", cold, distance_of_peer, {});
+  if (haptic) measureHaptic(scene, query, fresh, haptic_of_peer);
+  row(scene.name, "within 5 mm", within, nullptr, {0.0, 0.0, 3.0, 60.0});
+  row(scene.name, "collide", collide, collide_of_peer, {8.0, 0.0, 0.0, 0.0});
+  const std::size_t triangles = scene.moved.triangles.size() + scene.standing.triangles.size();
+  std::printf("%s: %zu x %zu triangles; build %.0f ms, %.0f bytes a triangle", scene.name.c_str(),
+              scene.moved.triangles.size(), scene.standing.triangles.size(), build_ms,
+              static_cast<double>(moved->memory() + standing->memory()) / static_cast<double>(triangles));
+#ifdef HAPTICELL_HAS_FCL
+  std::printf("; FCL's build %.0f ms (%.2f)\n", peer.fcl.buildMilliseconds(), build_ms / peer.fcl.buildMilliseconds());
+  peer.compare(scene, query);
+#endif
+  std::printf("\n");
 }
 
-void measureFiles(const std::filesystem::path& folder) {
-  const auto moved_file = folder / "cad/stl/odri_transmission_pulley_at3_t30_output.stl";
-  const auto standing_file = folder / "cad/stl/odri_hip_aa_module_shell_base.stl";
-  Diagnostics ignored;
-  workcell::MeshReadOptions millimetres;
-  millimetres.scale = 0.001;
-  auto moved = workcell::readMesh(moved_file, millimetres, ignored);
-  auto standing = workcell::readMesh(standing_file, millimetres, ignored);
-  if (!moved || !standing) {
-    std::printf("real parts skipped: %s\n", (!moved ? moved.error() : standing.error()).message().c_str());
-    return;
+/// Seven links against many parts: one least distance over all pairs.
+void measureGroup(const char* name, int parts, double speed) {
+  const int steps = 600;
+  Chain chain = makeChain(steps);
+  if (speed < 1.0) {
+    Chain fine = makeChain(200);
+    for (std::size_t step = 0; step < chain.X_WL.size(); ++step) {
+      const double at = static_cast<double>(step) * speed;
+      const auto from = static_cast<std::size_t>(at);
+      for (std::size_t i = 0; i < chain.links.size(); ++i) {
+        chain.X_WL[step][i] = interpolate(fine.X_WL[from][i], fine.X_WL[from + 1][i], at - static_cast<double>(from));
+      }
+    }
   }
-  measure(fileScene("real", std::move(*moved), std::move(*standing)));
+  const std::vector<PlacedPart> placed = partsAround(makeChain(steps), parts, 20000);
+  collision::Scene scene;
+  std::vector<collision::PartIndex> links, standing;
+  for (const auto& link : chain.links) links.push_back(scene.addPart({0, 0}, collision::MeshCollider::build(link)));
+  const Collider part = collision::MeshCollider::build(placed.front().mesh);
+  for (const PlacedPart& p : placed) standing.push_back(scene.addPart({1, 0}, part, p.X_WP));
+  for (const auto link : links) {
+    for (const auto other : standing) scene.addPair(link, other);
+  }
+  const auto pose = [&](std::size_t step) {
+    for (std::size_t i = 0; i < links.size(); ++i) scene.setPose(links[i], chain.X_WL[step][i]);
+  };
+  std::vector<double> distances(chain.X_WL.size());
+  const Times ours = timed(
+      chain.X_WL.size(), [] {},
+      [&](std::size_t step) {
+        pose(step);
+        distances[step] = scene.nearest()->result.distance;
+      });
+  const Asked asked{speed < 1.0 ? 0.0 : 80.0, speed < 1.0 ? 0.0 : 45.0, 0.0, 0.0};
+#ifdef HAPTICELL_HAS_FCL
+  std::vector<geometry::TriangleMesh> meshes;
+  std::vector<Pose> poses;
+  for (const PlacedPart& p : placed) {
+    meshes.push_back(p.mesh);
+    poses.push_back(p.X_WP);
+  }
+  FclGroup fcl(chain.links, meshes, poses);
+  double worst = 0.0;
+  const Times peer = timed(
+      chain.X_WL.size(), [] {},
+      [&](std::size_t step) { worst = std::max(worst, std::abs(fcl.distance(chain.X_WL[step]) - distances[step])); });
+  row(name, "least distance", ours, &peer, asked);
+  std::printf("%s: largest difference of the distances %.2g m", name, worst);
+#else
+  row(name, "least distance", ours, nullptr, asked);
+#endif
+  std::sort(distances.begin(), distances.end());
+  std::printf("; least %.1f mm, median %.1f mm\n\n", 1e3 * distances.front(), 1e3 * distances[distances.size() / 2]);
+}
+
+/// All files in one mesh, as they lie.
+geometry::TriangleMesh readAll(const std::vector<std::filesystem::path>& files, double scale) {
+  geometry::TriangleMesh whole;
+  for (const auto& file : files) {
+    Diagnostics ignored;
+    workcell::MeshReadOptions options;
+    options.scale = scale;
+    const auto mesh = workcell::readMesh(file, options, ignored);
+    if (mesh)
+      append(whole, *mesh, {});
+    else
+      std::fprintf(stderr, "%s\n", mesh.error().message().c_str());
+  }
+  return whole;
+}
+
+geometry::TriangleMesh robotLinks(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return readAll(files, 1.0);
+}
+
+void measureNamed(const std::string& name, const std::filesystem::path& data) {
+  const std::filesystem::path stl = data / "cad/stl";
+  if (name == "cad10k") measure(makeScene(name, cadPart(10000), cadPlate(10000)));
+  if (name == "cad100k") measure(makeScene(name, cadPart(100000), cadPlate(100000)));
+  if (name == "cad10k-1M") measure(makeScene(name, cadPart(10000), cadPlate(1000000)));
+  if (name == "cad1M") measure(makeScene(name, cadPart(1000000), cadPlate(1000000)));
+  if (name == "scan100k") measure(makeScene(name, scanPart(100000), scanTerrain(100000)));
+  if (name == "scan1M") measure(makeScene(name, scanPart(1000000), scanTerrain(1000000)));
+  if (name == "group") measureGroup("7 links x 80 parts", 80, 1.0);
+  if (name == "group30") measureGroup("7 links x 30 parts, 1/20 of the speed", 30, 0.05);
+  if (name == "pulley" && std::filesystem::exists(stl)) {
+    measure(makeScene(name, readAll({stl / "odri_transmission_pulley_at3_t30_output.stl"}, 0.001),
+                      readAll({stl / "odri_hip_aa_module_shell_base.stl"}, 0.001)));
+  }
+  if (name == "real" && std::filesystem::exists(stl)) {
+    const auto robots = data / "robots";
+    measure(makeScene(name, readAll({stl / "odri_hip_aa_module_shell_base.stl"}, 0.004),
+                      robotLinks(robots / "kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision")));
+  }
 }
 
 }  // namespace
@@ -120,11 +258,20 @@ void measureFiles(const std::filesystem::path& folder) {
 int main(int argc, char** argv) {
   using namespace hapticell::bench;
   const char* named = std::getenv("HAPTICELL_TEST_DATA");
-  const std::filesystem::path folder = argc > 1 ? argv[1] : named ? named : "../shared/data";
-  std::printf("| scene (triangles) | query | engine | median us | p99 us | max us | x median | x p99 |\n");
-  std::printf("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
-  measure(cadScene("cad10k", 10000));
-  measure(cadScene("cad100k", 100000));
-  measureFiles(folder);
+  std::filesystem::path data = named ? named : "../shared/data";
+  std::vector<std::string> scenes;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--data" && i + 1 < argc)
+      data = argv[++i];
+    else
+      scenes.push_back(argument);
+  }
+  if (scenes.empty()) {
+    scenes = {"cad10k", "cad100k", "real", "pulley", "scan100k", "cad10k-1M", "cad1M", "scan1M", "group", "group30"};
+  }
+  std::printf("| scene | query | HaptiCell, us (median / p99 / max) | FCL, us | x median | x p99 | reached |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const std::string& scene : scenes) measureNamed(scene, data);
   return 0;
 }

@@ -65,4 +65,44 @@ double FclPeer::buildMilliseconds() const {
   return models_->build_ms;
 }
 
+struct FclGroup::Objects {
+  std::vector<std::unique_ptr<fcl::CollisionObjectd>> moved, standing;
+  fcl::DynamicAABBTreeCollisionManagerd moved_tree, standing_tree;
+
+  static std::unique_ptr<fcl::CollisionObjectd> object(const geometry::TriangleMesh& mesh, const Pose& X) {
+    auto model = std::make_shared<Model>();
+    fill(*model, mesh);
+    auto result = std::make_unique<fcl::CollisionObjectd>(model, transformOf(X));
+    result->computeAABB();
+    return result;
+  }
+};
+
+FclGroup::FclGroup(const std::vector<geometry::TriangleMesh>& moved,
+                   const std::vector<geometry::TriangleMesh>& standing, const std::vector<Pose>& X_WStanding)
+    : objects_(std::make_unique<Objects>()) {
+  for (const auto& mesh : moved) objects_->moved.push_back(Objects::object(mesh, {}));
+  for (std::size_t i = 0; i < standing.size(); ++i) {
+    objects_->standing.push_back(Objects::object(standing[i], X_WStanding[i]));
+  }
+  for (const auto& object : objects_->moved) objects_->moved_tree.registerObject(object.get());
+  for (const auto& object : objects_->standing) objects_->standing_tree.registerObject(object.get());
+  objects_->moved_tree.setup();
+  objects_->standing_tree.setup();
+}
+
+FclGroup::~FclGroup() = default;
+
+double FclGroup::distance(const std::vector<Pose>& X_WMoved) {
+  for (std::size_t i = 0; i < X_WMoved.size(); ++i) {
+    objects_->moved[i]->setTransform(transformOf(X_WMoved[i]));
+    objects_->moved[i]->computeAABB();
+  }
+  objects_->moved_tree.update();
+  fcl::DefaultDistanceData<double> data;
+  data.request.enable_nearest_points = true;
+  objects_->moved_tree.distance(&objects_->standing_tree, &data, fcl::DefaultDistanceFunction);
+  return data.result.min_distance;
+}
+
 }  // namespace hapticell::bench

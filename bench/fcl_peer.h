@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
@@ -20,6 +21,19 @@ class FclPeer {
  private:
   struct Models;
   std::unique_ptr<Models> models_;
+};
+
+/// Its least distance of a group to another: two trees of boxes about the objects (dynamic AABB trees).
+class FclGroup {
+ public:
+  FclGroup(const std::vector<geometry::TriangleMesh>& moved, const std::vector<geometry::TriangleMesh>& standing,
+           const std::vector<Pose>& X_WStanding);
+  ~FclGroup();
+  double distance(const std::vector<Pose>& X_WMoved);
+
+ private:
+  struct Objects;
+  std::unique_ptr<Objects> objects_;
 };
 
 }  // namespace hapticell::bench

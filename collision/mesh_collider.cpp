@@ -30,6 +30,11 @@ std::shared_ptr<const MeshCollider> MeshCollider::build(const geometry::Triangle
   return collider;
 }
 
+std::size_t MeshCollider::memory() const {
+  return sizeof(*this) + mesh_.vertices.capacity() * sizeof(dvec3) +
+         mesh_.triangles.capacity() * sizeof(geometry::Triangle) + tree_.memory() + shells_.memory();
+}
+
 bool MeshCollider::contains(const dvec3& p_MQ) const {
   return isInside(shells_, tree_, mesh_, p_MQ);
 }

@@ -37,6 +37,9 @@ class MeshCollider {
   /// The point p_MQ lies inside a closed piece of the mesh. Any thread.
   bool contains(const dvec3& p_MQ) const;
 
+  /// Bytes held, the mesh included.
+  std::size_t memory() const;
+
   const BoxTree& tree() const { return tree_; }
   const Shells& shells() const { return shells_; }
 

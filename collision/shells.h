@@ -34,6 +34,11 @@ class Shells {
   Kind kind(std::uint32_t triangle) const { return kind_of_piece_[piece_of_triangle_[triangle]]; }
   /// The box of the closed pieces, in M; empty when there is none.
   const geometry::Bounds& closedBounds() const { return closed_bounds_; }
+  /// Bytes held.
+  std::size_t memory() const {
+    return piece_of_triangle_.capacity() * sizeof(std::uint32_t) + kind_of_piece_.capacity() +
+           point_of_piece_.capacity() * sizeof(dvec3);
+  }
 
  private:
   template <typename Edges>
