@@ -171,7 +171,7 @@ class NodeBuilder {
     return widest;
   }
 
-  /// Sorts the items into up to eight parts that follow each other; the largest is split first.
+  /// Sorts the items into up to eight parts that follow each other.
   int divide(BuildItem* items, std::size_t count, const FittedBox& box, int depth,
              std::array<Part, kTreeWidth>& parts) {
     projected_.resize(std::max(projected_.size(), count));
@@ -179,20 +179,32 @@ class NodeBuilder {
     parts[0] = {0, count, box.extent};
     int used = 1;
     while (used < kTreeWidth) {
-      int widest = -1;
-      float most = -1.0f;
-      for (int i = 0; i < used; ++i) {
-        const Part& part = parts[static_cast<std::size_t>(i)];
-        if (part.count <= kLeafSize || part.extent.surface() <= most) continue;
-        most = part.extent.surface();
-        widest = i;
-      }
+      const int widest = nextToSplit(parts, used);
       if (widest < 0) break;
       Part& part = parts[static_cast<std::size_t>(widest)];
       parts[static_cast<std::size_t>(used++)] = splitOff(part, depth);
     }
     for (std::size_t i = 0; i < count; ++i) items[i] = projected_[i].item;
     return used;
+  }
+
+  /// The largest part of those that need more than a node below; when there is none, the one that needs the fewest
+  /// leaves, so that nodes are filled. -1 when all are leaves.
+  static int nextToSplit(const std::array<Part, kTreeWidth>& parts, int used) {
+    int largest = -1, fewest = -1;
+    for (int i = 0; i < used; ++i) {
+      const Part& part = parts[static_cast<std::size_t>(i)];
+      if (part.count <= kLeafSize) continue;
+      const auto better = [&](int than, auto measure) {
+        return than < 0 || measure(part) > measure(parts[static_cast<std::size_t>(than)]);
+      };
+      if (part.count > kLeafSize * kTreeWidth) {
+        if (better(largest, [](const Part& p) { return p.extent.surface(); })) largest = i;
+      } else if (better(fewest, [](const Part& p) { return -leavesOf(p.count); })) {
+        fewest = i;
+      }
+    }
+    return largest >= 0 ? largest : fewest;
   }
 
   /// Takes the right side off a part and returns it; neither is empty.
