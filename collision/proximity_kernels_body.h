@@ -154,6 +154,20 @@ HAPTICELL_INLINE auto isApartByPlane(const Vector<V>* face, const Vector<V>* oth
   return (sure > V{}) & (sure * sure > limit_squared * dot(normal, normal));
 }
 
+/// The same by the line between their middles: tells triangles apart that lie side by side.
+template <typename V>
+HAPTICELL_INLINE auto isApartAlongMiddles(const Vector<V>* first, const Vector<V>* second, V limit_squared) {
+  const Vector<V> axis = (second[0] + second[1] + second[2]) - (first[0] + first[1] + first[2]);
+  const V a0 = dot(axis, first[0]), a1 = dot(axis, first[1]), a2 = dot(axis, first[2]);
+  const V b0 = dot(axis, second[0]), b1 = dot(axis, second[1]), b2 = dot(axis, second[2]);
+  const V reach = larger(larger(sumOfMagnitudes(first[0]), sumOfMagnitudes(first[1])),
+                         larger(larger(sumOfMagnitudes(first[2]), sumOfMagnitudes(second[0])),
+                                larger(sumOfMagnitudes(second[1]), sumOfMagnitudes(second[2]))));
+  const V gap = smaller(smaller(b0, b1), b2) - larger(larger(a0, a1), a2);
+  const V sure = gap - kRoundingOfSums * sumOfMagnitudes(axis) * reach;
+  return (sure > V{}) & (sure * sure > limit_squared * dot(axis, axis));
+}
+
 using Mask8 = std::int32_t __attribute__((vector_size(32)));
 HAPTICELL_INLINE std::uint32_t bitsOf(Mask8 mask) {
 #ifdef __AVX__
@@ -178,7 +192,8 @@ HAPTICELL_INLINE std::uint32_t leafPairsOfTwo(const Vector<Float8>* first, const
   Vector<Float8> second[3];
   for (int c = 0; c < 3; ++c) second[c] = {spread<kFirst>(b[c][0]), spread<kFirst>(b[c][1]), spread<kFirst>(b[c][2])};
   const Float8 limit = all<Float8>(limit_squared);
-  const auto apart = isApartByPlane(first, second, limit) | isApartByPlane(second, first, limit);
+  const auto apart = isApartByPlane(first, second, limit) | isApartByPlane(second, first, limit) |
+                     isApartAlongMiddles(first, second, limit);
   return ~bitsOf(apart) & 0xFFu;
 }
 
