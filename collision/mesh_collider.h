@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "collision/box_tree.h"
+#include "collision/collider_build.h"
 #include "collision/distance_result.h"
 #include "collision/shells.h"
 #include "geometry/bounds.h"
@@ -17,16 +18,18 @@ namespace hapticell::collision {
 ///
 /// Immutable after build, so any thread may query it; shared, because colliders of one file serve many entities and
 /// outlive edits of the document. Triangle indices in every result are those of mesh(), which is the mesh given to
-/// build(), unchanged: degenerate triangles count as the segment or point that they are. An empty mesh is allowed;
-/// nothing is ever near it.
+/// build(); of a soup that shares no vertices, those equal to the last bit are kept once. census() tells which
+/// triangles were unusual. An empty mesh is allowed; nothing is ever near it.
 class MeshCollider {
  public:
-  /// Takes O(n log n); about 1 s for a million triangles. Indices of `mesh` are in range and coordinates finite (else
-  /// the contract is broken).
-  static std::shared_ptr<const MeshCollider> build(const geometry::TriangleMesh& mesh);
+  /// Takes O(n log n); about 1.3 s for a million triangles with one thread. Indices of `mesh` are in range (else the
+  /// contract is broken). Null when cancelled.
+  static std::shared_ptr<const MeshCollider> build(const geometry::TriangleMesh& mesh, const ColliderBuild& how = {});
 
   const geometry::TriangleMesh& mesh() const { return mesh_; }
-  bool isEmpty() const { return mesh_.triangles.empty(); }
+  /// No triangle that anything could be near to.
+  bool isEmpty() const { return tree_.isEmpty(); }
+  const TriangleCensus& census() const { return census_; }
   /// Of the triangles, in M.
   const geometry::Bounds& bounds() const { return bounds_; }
   /// A sphere about all triangles, in M: p_MS and its radius (m).
@@ -45,8 +48,10 @@ class MeshCollider {
 
  private:
   MeshCollider() = default;
+  void measure(const std::vector<std::uint32_t>& triangles);
 
   geometry::TriangleMesh mesh_;
+  TriangleCensus census_;
   geometry::Bounds bounds_;
   dvec3 center_{0.0};
   double radius_ = 0.0;

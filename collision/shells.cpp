@@ -119,7 +119,9 @@ bool isInsideByWinding(const Shells& shells, const geometry::TriangleMesh& mesh,
   double sum = 0.0;
   const auto count = static_cast<std::uint32_t>(shells.triangleCount());
   for (std::uint32_t t = 0; t < count; ++t) {
-    if (shells.kind(t) == Shells::Kind::kOriented) sum += solidAngle(cornersOf(mesh, t), p);
+    if (shells.kind(t) != Shells::Kind::kOriented) continue;
+    const double angle = solidAngle(cornersOf(mesh, t), p);
+    if (std::isfinite(angle)) sum += angle;
   }
   return std::abs(sum) > 2.0 * std::numbers::pi;
 }

@@ -7,6 +7,13 @@
 
 namespace hapticell::manipulation {
 
+namespace {
+
+/// Triangles of a mesh whose tree is kept on disk.
+constexpr std::size_t kWorthAFile = 50000;
+
+}  // namespace
+
 struct PreparedScene::Job {
   MeshKey key;
   std::shared_ptr<const geometry::TriangleMesh> mesh;
@@ -49,7 +56,9 @@ void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previ
   const auto work = [&] {
     for (std::size_t i = next++; i < order.size(); i = next++) {
       const geometry::TriangleMesh& mesh = *order[i]->mesh;
-      meshes_.find(order[i]->key)->second = {collision::MeshCollider::build(mesh),
+      collision::ColliderBuild how;
+      if (mesh.triangles.size() >= kWorthAFile) how.cache_folder = collision::userCacheFolder();
+      meshes_.find(order[i]->key)->second = {collision::MeshCollider::build(mesh, how),
                                              collision::ConvexPieces::build(mesh)};
     }
   };

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/triangle_census.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace hapticell::collision {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+std::uint64_t hashOf(const std::uint64_t* words) {
+  std::uint64_t hash = 0x9E3779B97F4A7C15ull;
+  for (int i = 0; i < 3; ++i) {
+    hash = (hash ^ words[i]) * 0xC2B2AE3D27D4EB4Full;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+/// The first of equal triples of words, found again: open addressing.
+class FirstOfEqual {
+ public:
+  explicit FirstOfEqual(std::size_t count) : slots_(std::bit_ceil(2 * count + 1), kNone) {}
+
+  /// The item equal to this one that was given first; `equals(i)` compares with an earlier item.
+  template <typename Equals>
+  std::uint32_t find(std::uint32_t item, std::uint64_t hash, const Equals& equals) {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t at = hash & mask;; at = (at + 1) & mask) {
+      if (slots_[at] == kNone) {
+        slots_[at] = item;
+        return item;
+      }
+      if (equals(slots_[at])) return slots_[at];
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> slots_;
+};
+
+bool isFinite(const dvec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool isDegenerate(const dvec3& a, const dvec3& b, const dvec3& c) {
+  const dvec3 normal = glm::cross(b - a, c - a);
+  return !(glm::dot(normal, normal) > 0.0);
+}
+
+}  // namespace
+
+CountedTriangles countTriangles(const geometry::TriangleMesh& mesh) {
+  CountedTriangles counted;
+  counted.kept.reserve(mesh.triangles.size());
+  FirstOfEqual first(mesh.triangles.size());
+  const auto sorted = [&](std::uint32_t t) {
+    geometry::Triangle corners = mesh.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const dvec3 a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+    if (!isFinite(a) || !isFinite(b) || !isFinite(c)) {
+      ++counted.census.non_finite;
+      continue;
+    }
+    const geometry::Triangle corners = sorted(t);
+    const std::uint64_t words[3] = {corners[0], corners[1], corners[2]};
+    if (first.find(t, hashOf(words), [&](std::uint32_t other) { return sorted(other) == corners; }) != t) {
+      ++counted.census.duplicate;
+      continue;
+    }
+    if (isDegenerate(a, b, c)) ++counted.census.degenerate;
+    counted.kept.push_back(t);
+  }
+  return counted;
+}
+
+geometry::TriangleMesh shareVertices(const geometry::TriangleMesh& mesh) {
+  if (2 * mesh.vertices.size() <= 3 * mesh.triangles.size()) return mesh;
+  FirstOfEqual first(mesh.vertices.size());
+  std::vector<std::uint32_t> new_index(mesh.vertices.size());
+  geometry::TriangleMesh shared;
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    std::uint64_t words[3];
+    std::memcpy(words, &mesh.vertices[v], sizeof(words));
+    const std::uint32_t same = first.find(v, hashOf(words), [&](std::uint32_t other) {
+      return std::memcmp(&mesh.vertices[v], &mesh.vertices[other], sizeof(dvec3)) == 0;
+    });
+    if (same == v) {
+      new_index[v] = static_cast<std::uint32_t>(shared.vertices.size());
+      shared.vertices.push_back(mesh.vertices[v]);
+    } else {
+      new_index[v] = new_index[same];
+    }
+  }
+  shared.vertices.shrink_to_fit();
+  shared.triangles.reserve(mesh.triangles.size());
+  for (const geometry::Triangle& t : mesh.triangles) {
+    shared.triangles.push_back({new_index[t[0]], new_index[t[1]], new_index[t[2]]});
+  }
+  return shared;
+}
+
+}  // namespace hapticell::collision
