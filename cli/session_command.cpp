@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -99,7 +100,10 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   const auto hand = haptic::readHandPath(words.hand);
   if (!hand) return tl::unexpected(hand.error());
   options.hand = *hand;
+  std::set<std::string> seen;
   for (const std::string& setting : words.set) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (!seen.insert(key).second) return makeError({"", "--set", "'" + key + "' twice", "each key once", ""});
     if (const auto done = applySessionSetting(setting, options); !done) return tl::unexpected(done.error());
   }
   if (const auto done = readRates(words, options); !done) return tl::unexpected(done.error());

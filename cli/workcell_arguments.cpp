@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "trajectory/csv_table.h"
@@ -46,6 +47,15 @@ Arguments splitOptions(const std::string& text, const std::vector<std::string>& 
     first = false;
   }
   return result;
+}
+
+/// The first key that is there twice; empty when there is none.
+std::string saidTwice(const Arguments& arguments) {
+  std::set<std::string> seen;
+  for (const auto& [key, value] : arguments.options) {
+    if (!seen.insert(key).second) return key;
+  }
+  return {};
 }
 
 Error wrong(const std::string& option, const std::string& text, const std::string& expected) {
@@ -111,6 +121,9 @@ Expected<Addition> parseAddition(const std::string& text) {
   Addition addition;
   addition.what = arguments.head;
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
+  if (const std::string twice = saidTwice(arguments); !twice.empty()) {
+    return makeError(wrong("--add, " + twice, text, "each option once"));
+  }
   for (const auto& [key, value] : arguments.options) {
     if (auto read = readOption(key, value, addition); !read) return makeError(read.error());
   }
@@ -126,6 +139,19 @@ Expected<workcell::PairSet> parseCheck(const std::string& text) {
   workcell::PairSet set;
   set.first = namesOf(arguments.head.substr(0, colon));
   set.second = namesOf(arguments.head.substr(colon + 1));
+  if (set.first.empty() && set.second.empty()) {
+    return makeError(wrong("--check", arguments.head, "A+B:C+D, names of entities on either side of one colon"));
+  }
+  std::set<std::string> seen;
+  for (const auto* side : {&set.first, &set.second}) {
+    for (const std::string& name : *side) {
+      if (seen.insert(name).second) continue;
+      return makeError(wrong("--check", arguments.head, "each entity once: nothing is checked against itself"));
+    }
+  }
+  if (const std::string twice = saidTwice(arguments); !twice.empty()) {
+    return makeError(wrong("--check, " + twice, text, "each option once"));
+  }
   for (const auto& [key, value] : arguments.options) {
     const auto number = trajectory::parseNumber(value);
     if (!number || !(*number >= 0.0 && *number <= 1.0)) {

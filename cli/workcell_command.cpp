@@ -97,6 +97,9 @@ ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
   if (fs::path(options.file).extension() != ".hcell") {
     return failed({options.file, "", "the name of the document", "one that ends in .hcell", ""});
   }
+  if (options.additions.empty()) {
+    return failed({"", "--add", "nothing is added", "at least one entity: --add FILE or --add library:NAME", ""});
+  }
   Diagnostics notes;
   auto document = makeDocument(options, notes);
   if (!document) return failed(document.error());

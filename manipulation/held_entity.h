@@ -80,6 +80,8 @@ class HeldEntity {
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
 
  private:
+  /// m: least boundary, so that the exact check has room to work in.
+  static constexpr double kSkin = 20e-6;
   HeldEntity();
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,

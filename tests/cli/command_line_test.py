@@ -234,6 +234,16 @@ def test_workcell_new_then_inspect(case):
     assert "newer.hcell" in case.run("inspect", "newer.hcell", expect=2)
 
 
+def test_workcell_new_refuses_what_means_nothing(case):
+    brick = "box:1,1,1,name=k"
+    assert "--add" in case.run("workcell", "new", "cell.hcell", expect=2)
+    assert "itself" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", "k:k", expect=2)
+    assert "'k' is taken" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--add", brick, expect=2)
+    assert "once" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",name=j", expect=2)
+    assert "--check" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", ":", expect=2)
+    assert not (case.folder / "cell.hcell").exists()
+
+
 def hand(path, stations, step=0.01):
     """A hand that moves in straight lines between (t, x, y, z, button)."""
     rows, t = [], 0.0
@@ -282,6 +292,15 @@ def test_session_refuses_what_does_not_exist(case):
     assert "scale" in message, message
     message = case.run("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv", "--set", "colour=red", expect=2)
     assert "colour" in message, message
+
+
+def test_session_refuses_what_is_unknown_or_said_twice(case):
+    session_on_a_table(case)
+    words = ["session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv"]
+    assert "--bogus" in case.run(*words, "--bogus", "1", expect=2)
+    assert "more" in case.run(*words, "more", expect=2)
+    assert "--entity" in case.run(*words, "--entity", "table", expect=2)
+    assert "'scale' twice" in case.run(*words, "--set", "scale=1", "--set", "scale=2", expect=2)
 
 
 def test_session_without_forces_gives_none(case):

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user asks of the engine: its commands, the stylus's buttons, what is taken and how it follows the hand.
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/assertion.h"
+#include "manipulation/manipulation_step.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr std::uint32_t kGrabButton = 1, kClutchButton = 2;
+constexpr double kTipReach = 0.010;  ///< m of hand space within which the tip touches something.
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <typename... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+}  // namespace
+
+void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
+  Placements kept;
+  if (held_) kept[held_->id()] = held_->accepted();
+  scene_ = std::move(scene);
+  placements_ = std::move(kept);
+  if (scene_->find(chosen_) == nullptr) chosen_ = 0;
+  if (held_) retake();
+}
+
+void ManipulationEngine::apply(const Command& command) {
+  std::visit(Overloaded{[&](const command::SetDocument& c) {
+                          const workcell::PairDefaults rule{configuration_.manipulation.safety_distance,
+                                                            configuration_.manipulation.near_miss};
+                          setScene(PreparedScene::prepare(c.entities, c.pair_sets, rule, scene_.get()));
+                        },
+                        [&](const command::ChooseEntity& c) {
+                          chosen_ = c.entity;
+                          on_contact_.reset();
+                          force_class_.reset();
+                        },
+                        [&](const command::SetMovedBy& c) {
+                          moved_by_ = c.moved_by;
+                          retake();
+                        },
+                        [&](const command::SetAxes& c) {
+                          axes_ = c.axes;
+                          updateMapping();
+                        },
+                        [&](const command::SetScale& c) {
+                          scale_ = c.scale;
+                          updateMapping();
+                        },
+                        [&](const command::SetCamera& c) {
+                          camera_ = c;
+                          updateMapping();
+                        },
+                        [&](const command::SetOnContact& c) {
+                          on_contact_ = c.on_contact;
+                          retake();
+                        },
+                        [&](const command::SetForceClass& c) {
+                          force_class_ = c.force_class;
+                          retake();
+                        },
+                        [&](const command::SetForces& c) {
+                          control_.forces_enabled = c.on;
+                          link_.sendControl(control_);
+                        },
+                        [&](const command::SetFilter& c) {
+                          mapping_.setFilter(c.translates, c.rotates);
+                          anchorMapping();
+                        },
+                        [&](const command::SetClutch& c) { clutch_command_ = c.on; },
+                        [&](const command::SetHandTarget& c) { link_.sendHandTarget(c.target); },
+                        [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); }},
+             command);
+}
+
+double ManipulationEngine::scaleInForce() const {
+  const config::Configuration::Scale& levels = configuration_.scale;
+  switch (scale_.level) {
+    case ScaleLevel::kRough:
+      return levels.rough;
+    case ScaleLevel::kMedium:
+      return levels.medium;
+    case ScaleLevel::kFine:
+      return levels.fine;
+    case ScaleLevel::kNumber:
+      return scale_.number;
+    case ScaleLevel::kScreen:
+      break;
+  }
+  const std::optional<haptic::DeviceDescription> device = link_.device();
+  const double width = device ? device->workspace_max.x - device->workspace_min.x : 0.16;
+  return levels.screen * screenScale(camera_.visible_width, width);
+}
+
+void ManipulationEngine::updateMapping() {
+  Pose X_WF;
+  if (axes_.mode == AxesMode::kFrame && scene_) {
+    if (const PreparedScene::FoundFrame frame = scene_->findFrame(axes_.frame); frame.entity != nullptr) {
+      X_WF = placement(frame.entity->id).X_WE * frame.X_EF;
+    } else {
+      notice("There is no frame '" + axes_.frame + "' to move along; the cell's axes are used");
+    }
+  }
+  const dquat q_WD = deviceAxes(axes_.mode, camera_.X_WCamera, X_WF);
+  const double scale = scaleInForce();
+  // Turning the view a little all the time must not make sets anew all the time.
+  const bool same = std::abs(glm::dot(q_WD, mapping_.axes())) > 1.0 - 1e-12 && scale == mapping_.scale();
+  mapping_.setAxes(q_WD);
+  mapping_.setScale(scale);
+  if (!same || !held_) anchorMapping();
+}
+
+void ManipulationEngine::anchorMapping() {
+  set_wanted_ = true;
+  if (held_) {
+    mapping_.anchor(state_ ? state_->X_DP : Pose::identity(), held_->movedFrame());
+  } else {
+    mapping_.anchor(Pose::identity(), Pose::translation(camera_.p_WFocus));
+  }
+}
+
+void ManipulationEngine::hold(workcell::EntityId entity) {
+  const workcell::Entity* found = scene_ ? scene_->find(entity) : nullptr;
+  if (found == nullptr) return;
+  const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact),
+                            force_class_.value_or(found->force_class)};
+  auto taken = HeldEntity::take(scene_, entity, placements_, options, configuration_);
+  if (!taken) {
+    notice(taken.error().message());
+    return;
+  }
+  held_ = std::move(*taken);
+  gaps_.assign(held_->pairs().size(), std::numeric_limits<double>::infinity());
+}
+
+void ManipulationEngine::retake() {
+  if (!held_) return;
+  const workcell::EntityId id = held_->id();
+  placements_[id] = held_->accepted();
+  held_.reset();
+  contacts_.clear();
+  near_.clear();
+  built_ = {};
+  hold(id);
+  updateMapping();
+  anchorMapping();
+}
+
+void ManipulationEngine::grab(workcell::EntityId wanted) {
+  if (held_ || !scene_) return;
+  workcell::EntityId entity = wanted != 0 ? wanted : chosen_;
+  if (entity == 0) entity = entityAtTip();
+  if (entity == 0) return;
+  hold(entity);
+  if (!held_) return;
+  stopped_ = false;
+  updateMapping();
+  anchorMapping();
+  results_.push_back(result::Grabbed{entity});
+}
+
+void ManipulationEngine::release() {
+  if (!held_) return;
+  placements_[held_->id()] = held_->accepted();
+  results_.push_back(result::Moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints});
+  held_.reset();
+  built_ = {};
+  contacts_.clear();
+  near_.clear();
+  stopped_ = false;
+  set_wanted_ = true;
+}
+
+workcell::EntityId ManipulationEngine::entityAtTip() const {
+  if (!state_) return 0;
+  geometry::TriangleMesh point;
+  point.vertices = {dvec3(0.0)};
+  point.triangles = {{0, 0, 0}};
+  const auto tip = collision::MeshCollider::build(point);
+  const Pose X_WTip = mapping_.toCell(state_->X_DS);
+  double nearest = kTipReach * mapping_.scale();
+  workcell::EntityId found = 0;
+  for (const ScenePart& part : scene_->parts()) {
+    const workcell::Entity& entity = *scene_->find(part.entity);
+    if (entity.locked || !entity.visible) continue;
+    const EntityConfiguration at = placement(part.entity);
+    const Pose X_WP = PreparedScene::partPose(entity, at.X_WE, at.joints, part.link);
+    const collision::DistanceResult result = collision::distance(tip, X_WTip, part.mesh.collider, X_WP, nearest);
+    if (result.beyond_limit || result.distance >= nearest) continue;
+    nearest = result.distance;
+    found = part.entity;
+  }
+  return found;
+}
+
+void ManipulationEngine::watchButtons() {
+  const std::uint32_t pressed = state_->buttons & ~last_buttons_;
+  const std::uint32_t let_go = last_buttons_ & ~state_->buttons;
+  last_buttons_ = state_->buttons;
+  if ((pressed & kGrabButton) != 0) held_ ? release() : grab(0);
+  if ((let_go & kGrabButton) != 0 && configuration_.manipulation.hold_to_move) release();
+  setClutched(clutch_command_ || (state_->buttons & kClutchButton) != 0);
+}
+
+void ManipulationEngine::setClutched(bool clutched) {
+  if (clutched == clutched_) return;
+  clutched_ = clutched;
+  set_wanted_ = true;
+  contacts_.clear();
+  if (!clutched && held_) anchorMapping();
+}
+
+}  // namespace hapticell::manipulation
