@@ -50,6 +50,7 @@ int runCommandLine(int argc, char** argv) {
   addInspectCommand(app, chosen);
   addInverseKinematicsCommand(app, chosen);
   addLibraryCommand(app, chosen);
+  addTrajectoryCommand(app, chosen);
   addWorkcellCommand(app, chosen);
   addSessionCommand(app, chosen);
 

@@ -27,6 +27,7 @@ void addFeelCommand(CLI::App& app, Action& chosen);
 void addForwardKinematicsCommand(CLI::App& app, Action& chosen);
 void addInverseKinematicsCommand(CLI::App& app, Action& chosen);
 void addLibraryCommand(CLI::App& app, Action& chosen);
+void addTrajectoryCommand(CLI::App& app, Action& chosen);
 void addWorkcellCommand(CLI::App& app, Action& chosen);
 void addSessionCommand(CLI::App& app, Action& chosen);
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/trajectory_check.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "cli/result_writer.h"
+#include "manipulation/path_check.h"
+#include "workcell/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using manipulation::PathCheckResult;
+using manipulation::PathFinding;
+using nlohmann::ordered_json;
+
+ordered_json toJson(const PathFinding& finding) {
+  ordered_json json{{"kind", manipulation::toString(finding.kind)}, {"t_in", finding.t_in}, {"t_out", finding.t_out}};
+  if (finding.kind == PathFinding::Kind::kCollision) {
+    json["pair"] = {finding.first, finding.second};
+    json["point"] = cli::toJson(finding.p_W);
+    return json;
+  }
+  if (!finding.first.empty()) json["joint"] = finding.first;
+  if (finding.kind != PathFinding::Kind::kSingularity) json["beyond"] = finding.worst;
+  return json;
+}
+
+ordered_json listOf(const std::vector<PathFinding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const PathFinding& finding : findings) list.push_back(toJson(finding));
+  return list;
+}
+
+Expected<manipulation::PathCheckOptions> pathOptions(const TrajectoryCheckOptions& options,
+                                                     const trajectory::Trajectory& trajectory) {
+  manipulation::PathCheckOptions path;
+  const std::string& moved_by = options.moved_by.empty() ? trajectory.moved : options.moved_by;
+  if (moved_by.empty()) return path;
+  auto parsed = manipulation::parseMovedBy(moved_by);
+  if (!parsed) return tl::unexpected(parsed.error());
+  path.hold.moved_by = std::move(*parsed);
+  return path;
+}
+
+}  // namespace
+
+void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options) {
+  command.add_option("--workcell", options.workcell, "The cell to move through (.hcell)")->required();
+  command.add_option("--entity", options.entity, "What moves (as the trajectory says)");
+  command.add_option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
+  command.add_flag("--fail-on-contact", options.fail_on_contact, "Exit with 1 where a collision is found");
+  command.add_flag("--fail-on-limit", options.fail_on_limit, "Exit with 1 where a limit is passed");
+}
+
+Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
+                                       const TrajectoryCheckOptions& options) {
+  Diagnostics notes;
+  auto document = workcell::loadDocument(options.workcell, notes);
+  for (const std::string& note : notes.warnings) warn(note);
+  if (!document) return tl::unexpected(document.error());
+  const auto path = pathOptions(options, trajectory);
+  if (!path) return tl::unexpected(path.error());
+  std::vector<workcell::Entity> entities;
+  for (const auto& entity : document->state().entities) entities.push_back(*entity);
+  const auto scene = manipulation::PreparedScene::prepare(std::move(entities), document->state().pair_sets, {});
+  const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
+  if (name.empty())
+    return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});
+
+  const auto begin = std::chrono::steady_clock::now();
+  const auto result = manipulation::checkPath(scene, name, trajectory, *path, {});
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  if (!result) return tl::unexpected(result.error());
+
+  bool has_contact = false, has_limit = false;
+  for (const PathFinding& finding : result->findings) {
+    const bool is_contact = finding.kind == PathFinding::Kind::kCollision;
+    has_contact = has_contact || is_contact;
+    has_limit = has_limit || (!is_contact && finding.kind != PathFinding::Kind::kSingularity);
+  }
+  ordered_json json{{"frames", trajectory.size()},
+                    {"free", !has_contact},
+                    {"within_limits", !has_limit},
+                    {"findings", listOf(result->findings)},
+                    {"touching_at_start", listOf(result->touching_at_start)}};
+  const bool is_near = std::isfinite(result->least_clearance);
+  json["least_clearance"] = is_near ? ordered_json(result->least_clearance) : ordered_json(nullptr);
+  if (is_near) json["nearest"] = {{"pair", {result->nearest_first, result->nearest_second}}, {"t", result->t_nearest}};
+  json["timing"] = {{"check_ms", took.count()}};
+  json["found"] = (options.fail_on_contact && has_contact) || (options.fail_on_limit && has_limit);
+  return json;
+}
+
+}  // namespace hapticell::cli

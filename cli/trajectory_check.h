@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "geometry/error.h"
+#include "trajectory/trajectory.h"
+
+namespace hapticell::cli {
+
+struct TrajectoryCheckOptions {
+  std::string workcell;
+  std::string entity;  ///< Empty: as the trajectory says.
+  std::string moved_by;
+  bool fail_on_contact = false;
+  bool fail_on_limit = false;
+};
+
+void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options);
+
+/// Checks the motion in the workcell. `found` is true where something was found that the options ask to fail on.
+Expected<nlohmann::ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
+                                                 const TrajectoryCheckOptions& options);
+
+}  // namespace hapticell::cli

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/path_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "kinematics/jacobian.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+using trajectory::Trajectory;
+using workcell::Entity;
+using workcell::EntityKind;
+
+constexpr double kLever = 0.25;  ///< m, for the distance to singular positions.
+constexpr double kJointTolerance = 1e-6;
+
+/// Everything that could meet: the moved parts, what stands, and which of them are checked.
+struct Bodies {
+  std::vector<std::shared_ptr<const collision::MeshCollider>> parts;
+  std::vector<std::string> part_names;
+  std::vector<Obstacle> obstacles;
+  std::vector<std::string> obstacle_names;
+  std::vector<MotionPair> pairs;
+};
+
+std::string nameOf(const Entity& entity, const ScenePart& part) {
+  return part.name.empty() ? entity.name : entity.name + "/" + part.name;
+}
+
+Bodies bodiesOf(const PreparedScene& scene, const Entity& moved) {
+  Bodies bodies;
+  const auto rules = scene.pairsOf(moved.id, moved.on_contact);
+  for (const ScenePart& part : scene.parts()) {
+    if (part.entity == moved.id) {
+      bodies.parts.push_back(part.mesh.collider);
+      bodies.part_names.push_back(nameOf(moved, part));
+      continue;
+    }
+    const bool is_checked =
+        std::any_of(rules.begin(), rules.end(), [&](const auto& rule) { return rule.other == part.entity; });
+    if (!is_checked) continue;
+    const Entity& other = *scene.find(part.entity);
+    bodies.obstacles.push_back(
+        {part.mesh.collider, PreparedScene::partPose(other, other.X_WE, other.joints, part.link)});
+    bodies.obstacle_names.push_back(nameOf(other, part));
+  }
+  for (std::uint32_t k = 0; k < bodies.parts.size(); ++k) {
+    for (std::uint32_t o = 0; o < bodies.obstacles.size(); ++o) bodies.pairs.push_back({k, o, true});
+  }
+  return bodies;
+}
+
+/// Follows each pair through the motion and keeps an interval for each time that it meets.
+class CollisionTrack {
+ public:
+  CollisionTrack(const Bodies& bodies, const Manipulator& manipulator, double look)
+      : bodies_(bodies),
+        manipulator_(manipulator),
+        look_(look),
+        motion_(bodies.parts, bodies.obstacles, bodies.pairs),
+        open_(bodies.pairs.size()) {}
+
+  void start(const EntityConfiguration& at, double t, PathCheckResult& result) {
+    motion_.reset(manipulator_, at);
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      if (!motion_.isSoft(i)) continue;
+      open_[i] = finding(i, t);
+      at_start_.push_back(i);
+    }
+    look(t, result);
+  }
+
+  void step(const EntityConfiguration& from, const EntityConfiguration& to, double t0, double t1,
+            PathCheckResult& result) {
+    const MotionAnswer answer = motion_.advance(manipulator_, from, to);
+    if (answer.blocked) {
+      note(answer, answer.pair, t0, t1);
+      noteOthers(from, to, answer.pair, t0, t1);
+      motion_.reset(manipulator_, to);
+    }
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      if (!open_[i]) continue;
+      open_[i]->t_out = t1;
+      if (!motion_.isSoft(i)) close(i, result);
+    }
+    look(t1, result);
+  }
+
+  void finish(PathCheckResult& result) {
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      if (open_[i]) close(i, result);
+    }
+  }
+
+ private:
+  PathFinding finding(std::uint32_t pair, double t) const {
+    PathFinding found;
+    found.t_in = found.t_out = t;
+    found.first = bodies_.part_names[bodies_.pairs[pair].part];
+    found.second = bodies_.obstacle_names[bodies_.pairs[pair].obstacle];
+    return found;
+  }
+
+  void note(const MotionAnswer& answer, std::uint32_t pair, double t0, double t1) {
+    if (open_[pair]) return;
+    open_[pair] = finding(pair, t0 + answer.s * (t1 - t0));
+    open_[pair]->p_W = 0.5 * (answer.contact.p_WA + answer.contact.p_WB);
+  }
+
+  /// A motion ends at the first pair that blocks; the others are tried without it.
+  void noteOthers(const EntityConfiguration& from, const EntityConfiguration& to, std::uint32_t first, double t0,
+                  double t1) {
+    std::vector<std::uint32_t> left;
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      if (i != first && !open_[i]) left.push_back(i);
+    }
+    while (!left.empty()) {
+      std::vector<MotionPair> pairs;
+      for (const std::uint32_t i : left) pairs.push_back(bodies_.pairs[i]);
+      FreeMotion others(bodies_.parts, bodies_.obstacles, pairs);
+      others.reset(manipulator_, from);
+      const MotionAnswer answer = others.advance(manipulator_, from, to);
+      if (!answer.blocked) return;
+      note(answer, left[answer.pair], t0, t1);
+      left.erase(left.begin() + answer.pair);
+    }
+  }
+
+  void close(std::uint32_t pair, PathCheckResult& result) {
+    const auto first = std::find(at_start_.begin(), at_start_.end(), pair);
+    if (first != at_start_.end()) {
+      result.touching_at_start.push_back(*open_[pair]);
+      at_start_.erase(first);
+    } else {
+      result.findings.push_back(*open_[pair]);
+    }
+    open_[pair].reset();
+  }
+
+  void look(double t, PathCheckResult& result) {
+    motion_.distances(std::min(result.least_clearance, look_), near_);
+    for (const auto& one : near_) {
+      if (open_[one.pair] || one.result.distance >= result.least_clearance) continue;
+      result.least_clearance = one.result.distance;
+      result.nearest_first = bodies_.part_names[bodies_.pairs[one.pair].part];
+      result.nearest_second = bodies_.obstacle_names[bodies_.pairs[one.pair].obstacle];
+      result.t_nearest = t;
+    }
+  }
+
+  const Bodies& bodies_;
+  const Manipulator& manipulator_;
+  const double look_;
+  FreeMotion motion_;
+  std::vector<std::optional<PathFinding>> open_;
+  std::vector<std::uint32_t> at_start_;
+  std::vector<FreeMotion::PairDistance> near_;
+};
+
+/// Keeps one interval for each kind and name as long as it goes on from frame to frame.
+class FindingList {
+ public:
+  void add(PathFinding::Kind kind, const std::string& name, double t, double worst) {
+    auto& open = open_[{kind, name}];
+    if (!open) {
+      open = PathFinding{kind, t, t, name, {}, worst, {}};
+    }
+    open->t_out = t;
+    open->worst = std::max(open->worst, worst);
+    touched_.push_back({kind, name});
+  }
+
+  /// After each frame: what was not added again is over.
+  void endFrame(PathCheckResult& result) {
+    for (auto& [key, open] : open_) {
+      if (!open || std::find(touched_.begin(), touched_.end(), key) != touched_.end()) continue;
+      result.findings.push_back(*open);
+      open.reset();
+    }
+    touched_.clear();
+  }
+
+ private:
+  using Key = std::pair<PathFinding::Kind, std::string>;
+  std::map<Key, std::optional<PathFinding>> open_;
+  std::vector<Key> touched_;
+};
+
+/// Of a robot: joints against their ends and speeds, and how near the arm is to losing a direction.
+class JointTrack {
+ public:
+  explicit JointTrack(const Entity& entity) : model_(*entity.robot) {
+    tip_ = model_.findLink(entity.tip_link);
+    if (tip_ < 0) tip_ = model_.defaultTip();
+    variables_ = tip_ >= 0 ? kinematics::variablesOfChain(model_, tip_) : std::vector<int>{};
+  }
+
+  void look(const EntityConfiguration& at, const EntityConfiguration* before, double t, double dt, FindingList& list) {
+    const auto distances = kinematics::limitDistances(model_, at.joints);
+    for (std::size_t v = 0; v < model_.dof(); ++v) {
+      const kinematics::Joint& joint = model_.joints[static_cast<std::size_t>(model_.moving[v])];
+      const double beyond = -std::min(distances[v].to_lower, distances[v].to_upper);
+      if (beyond > kJointTolerance) list.add(PathFinding::Kind::kJointLimit, joint.name, t, beyond);
+      if (before == nullptr || joint.velocity <= 0.0) continue;
+      const double speed = std::abs(at.joints[v] - before->joints[v]) / dt;
+      if (speed > joint.velocity * (1.0 + 1e-3)) {
+        list.add(PathFinding::Kind::kJointSpeed, joint.name, t, speed - joint.velocity);
+      }
+    }
+    if (tip_ < 0) return;
+    kinematics::forwardKinematics(model_, at.joints, X_BL_);
+    kinematics::geometricJacobian(model_, X_BL_, tip_, X_BL_[static_cast<std::size_t>(tip_)].p, jacobian_);
+    // A robot with fewer than six joints lacks directions everywhere; that is no finding.
+    if (variables_.size() >= 6 && kinematics::manipulability(jacobian_, kLever).smallest < 0.01) {
+      list.add(PathFinding::Kind::kSingularity, "", t, 0.0);
+    }
+  }
+
+ private:
+  const kinematics::RobotModel& model_;
+  int tip_ = -1;
+  std::vector<int> variables_;
+  std::vector<Pose> X_BL_;
+  kinematics::Jacobian jacobian_;
+};
+
+/// Index of the robot's variable for each joint column of the trajectory.
+Expected<std::vector<std::size_t>> columnsFor(const Entity& entity, const Trajectory& trajectory) {
+  std::vector<std::size_t> columns;
+  if (entity.robot == nullptr) return columns;
+  for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
+    const std::string& name = trajectory.joint_names[j];
+    const int joint = entity.robot->findJoint(name);
+    const int variable = joint < 0 ? -1 : entity.robot->joints[static_cast<std::size_t>(joint)].variable;
+    // CSV twins name their columns q1, q2, ... from base to tip.
+    const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
+    if (variable < 0 && !is_counted) {
+      return makeError({"", "joint '" + name + "'", "the robot '" + entity.name + "' has no such joint",
+                        "names of its joints, or q1, q2, ...", ""});
+    }
+    columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
+  }
+  return columns;
+}
+
+Expected<void> checkArguments(const Entity* entity, const std::string& name, const Trajectory& trajectory) {
+  if (entity == nullptr) return makeError({"", "", "there is no entity '" + name + "'", "one of the workcell", ""});
+  if (trajectory.empty()) return makeError({"", "frames", "none", "a motion", ""});
+  return {};
+}
+
+/// Walks through the frames and lets each kind of check look at every step.
+class PathWalk {
+ public:
+  PathWalk(const PreparedScene& scene, const Entity& entity, const HeldEntity& held, const PathCheckOptions& options)
+      : options_(options),
+        manipulator_(held.manipulator()),
+        bodies_(bodiesOf(scene, entity)),
+        collisions_(bodies_, manipulator_, options.look),
+        before_(held.accepted()) {
+    if (entity.kind == EntityKind::kRobot && entity.robot != nullptr) joints_.emplace(entity);
+  }
+
+  PathCheckResult run(const Trajectory& trajectory, const std::vector<std::size_t>& columns) {
+    result_.least_clearance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < trajectory.size(); ++i) {
+      EntityConfiguration at = configurationAt(trajectory, columns, i);
+      look(trajectory, i, at);
+      before_ = std::move(at);
+    }
+    list_.endFrame(result_);
+    collisions_.finish(result_);
+    std::stable_sort(result_.findings.begin(), result_.findings.end(),
+                     [](const PathFinding& a, const PathFinding& b) { return a.t_in < b.t_in; });
+    return std::move(result_);
+  }
+
+ private:
+  EntityConfiguration configurationAt(const Trajectory& trajectory, const std::vector<std::size_t>& columns,
+                                      std::size_t i) const {
+    if (columns.empty()) return manipulator_.propose(before_, trajectory[i].X_WT);
+    EntityConfiguration at = before_;
+    for (std::size_t j = 0; j < columns.size(); ++j) at.joints[columns[j]] = trajectory.joints(i)[j];
+    return at;
+  }
+
+  void look(const Trajectory& trajectory, std::size_t i, const EntityConfiguration& at) {
+    const double t = trajectory[i].t;
+    const double t_before = i == 0 ? t : trajectory[i - 1].t;
+    const auto off = trajectory::distanceBetween(manipulator_.movedFrame(at), trajectory[i].X_WT);
+    const double worst = std::max(off.position, off.angle);
+    if (worst > options_.pose_tolerance) list_.add(PathFinding::Kind::kOffPose, "", t, worst);
+    if (joints_) joints_->look(at, i == 0 ? nullptr : &before_, t, t - t_before, list_);
+    if (i == 0) {
+      collisions_.start(at, t, result_);
+    } else {
+      collisions_.step(before_, at, t_before, t, result_);
+    }
+    list_.endFrame(result_);
+  }
+
+  const PathCheckOptions& options_;
+  const Manipulator& manipulator_;
+  const Bodies bodies_;
+  CollisionTrack collisions_;
+  FindingList list_;
+  std::optional<JointTrack> joints_;
+  EntityConfiguration before_;
+  PathCheckResult result_;
+};
+
+}  // namespace
+
+const char* toString(PathFinding::Kind kind) {
+  constexpr std::array<const char*, 5> kNames{"collision", "joint_limit", "joint_speed", "singularity", "off_pose"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, const std::string& name,
+                                    const Trajectory& trajectory, const PathCheckOptions& options,
+                                    const config::Configuration& configuration) {
+  const Entity* entity = scene->find(name);
+  if (auto checked = checkArguments(entity, name, trajectory); !checked) return tl::unexpected(checked.error());
+  const auto columns = columnsFor(*entity, trajectory);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto held = HeldEntity::take(scene, entity->id, {}, options.hold, configuration);
+  if (!held) return tl::unexpected(held.error());
+  return PathWalk(*scene, *entity, **held, options).run(trajectory, *columns);
+}
+
+}  // namespace hapticell::manipulation

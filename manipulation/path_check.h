@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/configuration.h"
+#include "geometry/error.h"
+#include "manipulation/held_entity.h"
+#include "trajectory/trajectory.h"
+
+namespace hapticell::manipulation {
+
+/// What a check of a whole motion found somewhere on it.
+struct PathFinding {
+  enum class Kind {
+    kCollision,    ///< Two parts meet; checked continuously between the frames.
+    kJointLimit,   ///< A joint beyond its end.
+    kJointSpeed,   ///< A joint faster than it can move.
+    kSingularity,  ///< A direction of the tool centre point is (nearly) lost.
+    kOffPose,      ///< The joints do not bring the tool centre point to the frame's pose.
+  };
+  Kind kind = Kind::kCollision;
+  double t_in = 0.0, t_out = 0.0;  ///< s
+  std::string first, second;       ///< Collision: "robot/link_3", "fixture". Else the joint.
+  double worst = 0.0;              ///< rad, m, rad/s: how far beyond; collisions: 0.
+  dvec3 p_W{0.0};                  ///< Collision: where it begins.
+};
+
+/// "collision", "joint_limit", "joint_speed", "singularity", "off_pose".
+const char* toString(PathFinding::Kind kind);
+
+struct PathCheckResult {
+  std::vector<PathFinding> findings{};
+  /// Pairs that meet in the first frame already (a robot on its table): told apart, as they stand so at rest.
+  std::vector<PathFinding> touching_at_start{};
+  double least_clearance = 0.0;  ///< m, at the frames, of pairs that are apart; infinite when nothing came near.
+  std::string nearest_first, nearest_second;
+  double t_nearest = 0.0;
+};
+
+struct PathCheckOptions {
+  HoldOptions hold{};
+  double look = 0.05;            ///< m: clearances beyond this are not told apart.
+  double pose_tolerance = 1e-4;  ///< m and rad, for kOffPose.
+};
+
+/// Moves the entity through the frames as the manipulation loop would: by its joints where the trajectory has them (by
+/// name), else by its inverse model, nearest to the frame before. Nothing thin is jumped over between the frames.
+/// Errors: no such entity, no frames, a joint that the robot does not have.
+Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, const std::string& entity,
+                                    const trajectory::Trajectory& trajectory, const PathCheckOptions& options,
+                                    const config::Configuration& configuration);
+
+}  // namespace hapticell::manipulation

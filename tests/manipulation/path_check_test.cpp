@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/path_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "collision/proximity_query.h"
+#include "tests/manipulation/test_cells.h"
+
+namespace hapticell::manipulation {
+namespace {
+
+using test::solid;
+using trajectory::Trajectory;
+
+/// A thin wall across x = 0 and a small box to be moved through it.
+std::shared_ptr<const PreparedScene> wallAndBox() {
+  return PreparedScene::prepare({solid(1, "wall", geometry::makeBox({0.001, 1.0, 1.0})),
+                                 solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({-0.3, 0, 0}))},
+                                {}, {});
+}
+
+Trajectory along(const std::vector<std::pair<double, dvec3>>& points) {
+  Trajectory trajectory;
+  for (const auto& [t, p] : points) trajectory.addFrame({t, Pose::translation(p)});
+  return trajectory;
+}
+
+TEST(PathCheck, FindsAThinWallBetweenTwoFramesWithItsTime) {
+  const auto result =
+      checkPath(wallAndBox(), "box", along({{0.0, {-0.3, 0, 0}}, {1.0, {0.3, 0, 0}}, {2.0, {0.5, 0, 0}}}), {}, {});
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  ASSERT_EQ(result->findings.size(), 1u);
+  const PathFinding& found = result->findings.front();
+  EXPECT_EQ(found.kind, PathFinding::Kind::kCollision);
+  EXPECT_EQ(found.first, "box");
+  EXPECT_EQ(found.second, "wall");
+  // The box's front, 10 mm before its middle, meets the wall's face at -0.5 mm.
+  EXPECT_NEAR(found.t_in, (0.3 - 0.0105) / 0.6, 1e-3);
+  EXPECT_NEAR(found.p_W.x, -0.0005, 1e-4);
+}
+
+TEST(PathCheck, AFreePathIsFreeAndItsClearanceIsTheLeastAtItsFrames) {
+  const auto result = checkPath(wallAndBox(), "box",
+                                along({{0.0, {-0.3, 0, 0}}, {1.0, {-0.0305, 0, 0}}, {2.0, {-0.2, 0.1, 0}}}), {}, {});
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(result->findings.empty());
+  EXPECT_NEAR(result->least_clearance, 0.02, 1e-9);
+  EXPECT_EQ(result->t_nearest, 1.0);
+  EXPECT_EQ(result->nearest_second, "wall");
+}
+
+TEST(PathCheck, WhatTouchesAtTheStartIsToldApart) {
+  const auto scene =
+      PreparedScene::prepare({solid(1, "table", geometry::makeBox({1.0, 1.0, 0.1}), Pose::translation({0, 0, -0.05})),
+                              solid(2, "box", geometry::makeBox(dvec3(0.06)), Pose::translation({0, 0, 0.03}))},
+                             {}, {});
+  const auto result =
+      checkPath(scene, "box", along({{0.0, {0, 0, 0.03}}, {1.0, {0, 0, 0.2}}, {2.0, {0, 0, 0.02}}}), {}, {});
+  ASSERT_TRUE(result.has_value());
+  ASSERT_EQ(result->touching_at_start.size(), 1u);
+  EXPECT_EQ(result->touching_at_start.front().t_in, 0.0);
+  ASSERT_EQ(result->findings.size(), 1u);  // and again when it comes back
+  EXPECT_NEAR(result->findings.front().t_in, 1.0 + 0.17 / 0.18, 1e-3);
+}
+
+TEST(PathCheck, EveryPairOfAStepIsFound) {
+  const auto scene =
+      PreparedScene::prepare({solid(1, "left", geometry::makeBox({0.001, 1.0, 1.0})),
+                              solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({-0.3, 0, 0})),
+                              solid(3, "right", geometry::makeBox({0.001, 1.0, 1.0}), Pose::translation({0.1, 0, 0}))},
+                             {}, {});
+  const auto result = checkPath(scene, "box", along({{0.0, {-0.3, 0, 0}}, {1.0, {0.3, 0, 0}}}), {}, {});
+  ASSERT_TRUE(result.has_value());
+  ASSERT_EQ(result->findings.size(), 2u);
+  EXPECT_EQ(result->findings[0].second, "left");
+  EXPECT_EQ(result->findings[1].second, "right");
+}
+
+/// Against a brute force: the same path in 10 000 small steps, each asked for a collision.
+TEST(PathCheck, MissesNothingThatTenThousandStepsFind) {
+  const auto scene =
+      PreparedScene::prepare({solid(1, "post", geometry::makeCylinder(0.01, 1.0, 24)),
+                              solid(2, "bar", geometry::makeBox({0.3, 0.01, 0.01}), Pose::translation({-0.4, 0, 0}))},
+                             {}, {});
+  Trajectory trajectory;
+  for (int i = 0; i <= 20; ++i) {
+    const double t = 0.1 * i;
+    trajectory.addFrame({t, Pose{{0.35 * std::cos(1.7 * t + 3.0), 0.3 * std::sin(2.3 * t), 0.0},
+                                 quaternionFromRotationVector({0.0, 0.0, 2.0 * t})}});
+  }
+  const auto result = checkPath(scene, "bar", trajectory, {}, {});
+  ASSERT_TRUE(result.has_value());
+  collision::ProximityQuery query(scene->parts()[1].mesh.collider, scene->parts()[0].mesh.collider);
+  int hits = 0;
+  for (int i = 0; i <= 10000; ++i) {
+    const double t = 2.0 * i / 10000.0;
+    if (!query.collides(trajectory.poseAt(t), Pose::identity())) continue;
+    ++hits;
+    bool is_found = false;
+    for (const auto& finding : result->findings)
+      is_found = is_found || (finding.t_in <= t + 1e-3 && t <= finding.t_out + 1e-9);
+    EXPECT_TRUE(is_found) << "at " << t;
+  }
+  EXPECT_GT(hits, 100);
+}
+
+workcell::Entity slide() {
+  auto model = std::make_shared<kinematics::RobotModel>();
+  model->name = "slide";
+  model->links = {{"base", -1, {}, {}}, {"carriage", 0, {}, {}}};
+  kinematics::Joint joint;
+  joint.name = "x";
+  joint.type = kinematics::JointType::kPrismatic;
+  joint.parent_link = 0;
+  joint.child_link = 1;
+  joint.axis_J = {1, 0, 0};
+  joint.lower = 0.0;
+  joint.upper = 0.5;
+  joint.velocity = 1.0;
+  joint.variable = 0;
+  model->joints = {joint};
+  model->moving = {0};
+  workcell::Entity entity;
+  entity.id = 1;
+  entity.name = "slide";
+  entity.kind = workcell::EntityKind::kRobot;
+  entity.robot = model;
+  entity.joints = {0.0};
+  entity.tip_link = "carriage";
+  return entity;
+}
+
+TEST(PathCheck, NamesJointsBeyondTheirEndsAndSpeeds) {
+  Trajectory trajectory;
+  trajectory.joint_names = {"x"};
+  const std::pair<double, double> frames[] = {{0.0, 0.0}, {1.0, 0.3}, {1.1, 0.6}, {2.0, 0.4}};
+  for (const auto& [t, x] : frames) trajectory.addFrame({t, Pose::translation({x, 0, 0})}, std::span(&x, 1));
+  const auto result = checkPath(PreparedScene::prepare({slide()}, {}, {}), "slide", trajectory, {}, {});
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  ASSERT_EQ(result->findings.size(), 2u);
+  for (const PathFinding& finding : result->findings) {
+    EXPECT_EQ(finding.first, "x");
+    EXPECT_EQ(finding.t_in, 1.1);
+    EXPECT_NEAR(finding.worst, finding.kind == PathFinding::Kind::kJointLimit ? 0.1 : 2.0, 1e-9);
+  }
+  trajectory.joint_names = {"y"};
+  EXPECT_FALSE(checkPath(PreparedScene::prepare({slide()}, {}, {}), "slide", trajectory, {}, {}).has_value());
+  EXPECT_FALSE(checkPath(PreparedScene::prepare({slide()}, {}, {}), "other", trajectory, {}, {}).has_value());
+}
+
+}  // namespace
+}  // namespace hapticell::manipulation
