@@ -87,7 +87,7 @@ TEST(PathCheck, MissesNothingThatTenThousandStepsFind) {
   Trajectory trajectory;
   for (int i = 0; i <= 20; ++i) {
     const double t = 0.1 * i;
-    trajectory.addFrame({t, Pose{{0.35 * std::cos(1.7 * t + 3.0), 0.3 * std::sin(2.3 * t), 0.0},
+    trajectory.addFrame({t, Pose{{0.25 * std::cos(3.0 * t), 0.1 * std::sin(t), 0.0},
                                  quaternionFromRotationVector({0.0, 0.0, 2.0 * t})}});
   }
   const auto result = checkPath(scene, "bar", trajectory, {}, {});
