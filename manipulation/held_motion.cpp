@@ -171,6 +171,11 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
       X_WTarget = displaced(X_WM, mapping.toCell(outOfMetric(solved.d)));
     }
     const EntityConfiguration target = manipulator_->propose(accepted_, X_WTarget);
+    // A robot whose joints swing round has way left: it goes on although the hand rests.
+    for (std::size_t i = 0; i < target.joints.size(); ++i) {
+      constexpr double kStillMoving = 1e-3;  // rad or m
+      if (std::abs(target.joints[i] - accepted_.joints[i]) > kStillMoving) way_->known = false;
+    }
     const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, target);
     accepted_ = answer.s >= 1.0 ? target : manipulator_->between(accepted_, target, answer.s);
     const haptic::Vector6 moved = inMetric(mapping.toDevice(difference(movedFrame(), X_WM)));

@@ -87,8 +87,8 @@ Eigen::Matrix<double, 6, 1> tcpAcceleration(const Arm& arm, const LinkMotion& mo
 /// The Jacobian's decomposition with rotation weighed, and the damped inverse.
 struct Inverse {
   Eigen::MatrixXd plus;  ///< n x 6, over unweighed twists.
-  Eigen::VectorXd u_least, v_least;
-  double s_least = 0.0;
+  Eigen::MatrixXd u, v;  ///< Singular vectors, column by column, the least value first.
+  Eigen::VectorXd s;
 };
 
 Inverse invert(const Matrix6& J) {
@@ -106,28 +106,31 @@ Inverse invert(const Matrix6& J) {
   }
   inverse.plus = svd.matrixV() * reciprocal.asDiagonal() * svd.matrixU().transpose() * weights.asDiagonal();
   const Eigen::Index moving = (weighed.colwise().norm().array() > 1e-9).count();
-  const Eigen::Index least = std::min<Eigen::Index>(6, moving) - 1;
-  if (least >= 0) {
-    inverse.s_least = s[least];
-    inverse.u_least = svd.matrixU().col(least);
-    inverse.v_least = svd.matrixV().col(least);
-  }
+  const Eigen::Index rank = std::min<Eigen::Index>(6, moving);
+  inverse.s = s.head(rank).reverse();
+  inverse.u = svd.matrixU().leftCols(rank).rowwise().reverse();
+  inverse.v = svd.matrixV().leftCols(rank).rowwise().reverse();
   return inverse;
 }
 
+// A wrist that is singular too hides the arm's own edge behind a smaller value: all of them are looked at.
 void findEdge(const Arm& arm, const Inverse& inverse, RobotDifferential& result) {
-  if (inverse.u_least.size() == 0) return;
-  LinkMotion motion;
-  moveLinks(arm, inverse.v_least, Eigen::VectorXd::Zero(inverse.v_least.size()), motion);
+  constexpr double kNearTurn = 0.3;  // rad to the fold, from where one quadratic term says enough
   Eigen::Matrix<double, 6, 1> weights;
   weights << 1.0, 1.0, 1.0, haptic::kRotationLever, haptic::kRotationLever, haptic::kRotationLever;
-  const Eigen::Matrix<double, 6, 1> u = inverse.u_least;
-  const double c = u.dot(weights.asDiagonal() * tcpAcceleration(arm, motion));
-  if (std::abs(c) < kFoldCurvature) return;
-  result.has_edge = true;
-  result.edge.gap = inverse.s_least * inverse.s_least / (2.0 * std::abs(c));
-  const Eigen::Matrix<double, 6, 1> gradient = (c > 0.0 ? 1.0 : -1.0) * (weights.asDiagonal() * u);
-  for (std::size_t i = 0; i < 6; ++i) result.edge.gradient[i] = gradient[static_cast<Eigen::Index>(i)];
+  for (Eigen::Index k = 0; k < inverse.s.size(); ++k) {
+    LinkMotion motion;
+    moveLinks(arm, inverse.v.col(k), Eigen::VectorXd::Zero(inverse.v.rows()), motion);
+    const Eigen::Matrix<double, 6, 1> u = inverse.u.col(k);
+    const double c = u.dot(weights.asDiagonal() * tcpAcceleration(arm, motion));
+    if (std::abs(c) < kFoldCurvature || (k > 0 && inverse.s[k] > kNearTurn * std::abs(c))) continue;
+    const double gap = inverse.s[k] * inverse.s[k] / (2.0 * std::abs(c));
+    if (result.has_edge && gap >= result.edge.gap) continue;
+    result.has_edge = true;
+    result.edge.gap = gap;
+    const Eigen::Matrix<double, 6, 1> gradient = (c > 0.0 ? 1.0 : -1.0) * (weights.asDiagonal() * u);
+    for (std::size_t i = 0; i < 6; ++i) result.edge.gradient[i] = gradient[static_cast<Eigen::Index>(i)];
+  }
 }
 
 /// Links' and joints' quadratic terms along one direction of the TCP: J q'' = -J' q'.

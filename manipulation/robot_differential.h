@@ -26,7 +26,7 @@ struct RobotDifferential {
 /// The inverse of the 6 x n Jacobian is damped below a singular value of 0.02 (rotation weighed with
 /// haptic::kRotationLever): near a singularity joints then stay slow, as the inverse model keeps them (Wampler 1986,
 /// Nakamura and Hanafusa 1986). Second order: J q'' = -J' q' along each direction and its polarisation. The workspace's
-/// edge comes from the least singular value s with left and right vectors u, v: the motion u . x(t) = s t + c t^2 / 2
+/// edge comes from a small singular value s with left and right vectors u, v: the motion u . x(t) = s t + c t^2 / 2
 /// along v turns at -s/c, so the boundary is s^2 / (2 |c|) away along u.
 RobotDifferential differentiateRobot(const kinematics::RobotModel& model, const std::vector<double>& q,
                                      const Pose& X_WB, int tip, const Pose& X_LT);

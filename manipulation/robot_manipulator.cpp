@@ -15,6 +15,12 @@ namespace {
 using kinematics::Joint;
 using kinematics::JointType;
 
+// A joint may turn at its greatest speed for as long as a calm hand would take for the way, and a little more: what
+// follows the hand is never held up, but where a wrist would have to swing round at once it takes its time.
+constexpr double kLeastDuration = 0.02;  ///< s
+constexpr double kCalmSpeed = 0.25;      ///< m/s, of the tool centre point
+constexpr double kCalmTurn = 1.0;        ///< rad/s
+
 /// Length of a gradient, rotation weighed with the lever: how fast the constraint closes for a metre of motion.
 double slopeOf(const haptic::Vector6& gradient, double lever) {
   double sum = 0.0;
@@ -61,8 +67,11 @@ Pose RobotManipulator::movedFrame(const EntityConfiguration& configuration) cons
 }
 
 EntityConfiguration RobotManipulator::propose(const EntityConfiguration& from, const Pose& X_WM) const {
+  const Twist way = difference(X_WM, movedFrame(from));
+  const double duration =
+      kLeastDuration + std::max(glm::length(way.linear) / kCalmSpeed, glm::length(way.angular) / kCalmTurn);
   kinematics::InverseSolution solution;
-  inverse_->solveNearest(from.X_WE.inverse() * X_WM, from.joints, kinematics::kUnboundedDuration, solution);
+  inverse_->solveNearest(from.X_WE.inverse() * X_WM, from.joints, duration, solution);
   const bool finite = std::all_of(solution.q.begin(), solution.q.end(), [](double q) { return std::isfinite(q); });
   if (!finite || solution.q.size() != from.joints.size()) return from;
   return {from.X_WE, std::move(solution.q)};

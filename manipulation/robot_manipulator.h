@@ -9,6 +9,10 @@ namespace hapticell::manipulation {
 
 /// A robot that is dragged by its tool centre point: the inverse model nearest to the previous joints moves the arm,
 /// and its joint limits and the edge of its workspace are felt.
+///
+/// One proposal never moves a joint further than its greatest speed allows in 20 ms and the time that a calm hand (0.25
+/// m/s, 1 rad/s) takes for the way: through a wrist singularity the arm swings round in many steps, its position kept,
+/// and never jumps. The rest of the way is proposed at the next step.
 class RobotManipulator final : public Manipulator {
  public:
   struct Tool {

@@ -25,12 +25,16 @@ inline Choice choose(const JointBounds& bounds, const double* previous, int grou
         const Lanes nearest = v;
         v -= select(v > Lanes(upper + kLimitSlack), Lanes(turn), Lanes(0.0));
         v += select(v < Lanes(lower - kLimitSlack), Lanes(turn), Lanes(0.0));
-        const Mask out = (v > Lanes(upper + kLimitSlack)) | (v < Lanes(lower - kLimitSlack));
-        v = select(out, nearest, v);
+        const Lanes put = minimum(maximum(v, lower), upper);
+        const Mask inside = absolute(v - put) <= Lanes(kLimitSlack);
+        v = select(inside, put, nearest);
+        within = within & inside;
+      } else {
+        const Lanes put = minimum(maximum(v, lower), upper);
+        const Mask inside = absolute(v - put) <= Lanes(kLimitSlack);
+        v = select(inside, put, v);
+        within = within & inside;
       }
-      const Mask inside = (v <= Lanes(upper + kLimitSlack)) & (v >= Lanes(lower - kLimitSlack));
-      v = select(inside, minimum(maximum(v, lower), upper), v);
-      within = within & inside;
       distance += (v - before) * (v - before);
       store(q, v);
     }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "kinematics/inverse_factory.h"
 #include "kinematics/jacobian.h"
 #include "kinematics/numeric_inverse.h"
 #include "tests/kinematics/test_robots.h"
@@ -54,6 +55,26 @@ TEST(Allocation, NoneInSolveNearestForwardKinematicsAndJacobian) {
   EXPECT_GT(before, 0) << "the counter works";
   step();
   EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(Allocation, NoneInTheClosedForms) {
+  for (const auto& make : {test::kr120, test::ur5e, test::offsetWrist}) {
+    const RobotModel model = make();
+    const auto inverse = createInverse(model, model.defaultTip());
+    ASSERT_TRUE(inverse);
+    const std::vector<double> q = {0.1, -0.9, 1.2, 0.5, 0.2, 0.7};
+    const Pose X_BT = test::tipPose(model, q, model.defaultTip());
+    InverseSolution solution;
+    const auto step = [&] {
+      (*inverse)->solveNearest(X_BT, q, 1e-3, solution);
+      EXPECT_EQ(solution.status, InverseStatus::kSolved);
+      (*inverse)->solveNearest(Pose::translation({5.0, 0.0, 0.0}), q, 1e-2, solution);
+    };
+    step();
+    const long before = allocations;
+    step();
+    EXPECT_EQ(allocations - before, 0) << (*inverse)->name();
+  }
 }
 
 }  // namespace
