@@ -72,14 +72,6 @@ Corners cornersOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle) {
   return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
 }
 
-double solidAngle(const Corners& corners, const dvec3& p) {
-  const dvec3 a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
-  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-  const double above = glm::dot(a, glm::cross(b, c));
-  const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
-  return 2.0 * std::atan2(above, below);
-}
-
 /// Crossings of one ray with the closed pieces.
 struct Crossings {
   const Shells& shells;
@@ -127,6 +119,14 @@ bool isInsideByWinding(const Shells& shells, const geometry::TriangleMesh& mesh,
 }
 
 }  // namespace
+
+double solidAngle(const Corners& corners, const dvec3& p) {
+  const dvec3 a = corners[0] - p, b = corners[1] - p, c = corners[2] - p;
+  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+  const double above = glm::dot(a, glm::cross(b, c));
+  const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2.0 * std::atan2(above, below);
+}
 
 Shells::Shells(const geometry::TriangleMesh& mesh) {
   Unions vertices = joinVertices(mesh.vertices, geometry::weldTolerance(mesh));

@@ -51,6 +51,9 @@ class Shells {
   std::size_t open_pieces_ = 0;
 };
 
+/// The signed solid angle of a triangle from a point, positive from its back (van Oosterom & Strackee 1983).
+double solidAngle(const Corners& corners, const dvec3& p);
+
 /// Whether a point p_MQ off the surface lies inside a closed piece. Ray crossings; a ray that grazes an edge is
 /// replaced by another, and after eight of them the winding number (van Oosterom & Strackee 1983) decides.
 bool isInside(const Shells& shells, const BoxTree& tree, const geometry::TriangleMesh& mesh, const dvec3& p_MQ);
