@@ -29,8 +29,8 @@ struct Sole {
 struct Figure {
   Sex sex = Sex::kMale;
   BodyDimensions body;
-  std::array<dvec3, kSegmentCount> p_PS{};  ///< Each segment's origin in its parent's frame; the pelvis's: height of
-                                            ///< the mid-hip point above the floor when standing at zero posture.
+  std::array<dvec3, kSegmentCount> p_PS{};   ///< Each segment's origin in its parent's frame; the pelvis's: height of
+                                             ///< the mid-hip point above the floor when standing at zero posture.
   std::array<dvec3, kSegmentCount> p_SC{};   ///< Centre of mass in the segment's frame (de Leva 1996).
   std::array<double, kSegmentCount> mass{};  ///< kg; they add up to body[kMass].
   Sole sole;

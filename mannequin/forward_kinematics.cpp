@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "mannequin/sine_cosine.h"
+#include "mannequin/segment_places.h"
 
 namespace hapticell::mannequin {
 
@@ -25,6 +25,7 @@ inline dmat3 turnedZ(const dmat3& R, double s, double c) {
 struct Turner {
   const Figure& figure;
   const SineCosine& sc;
+  const BallRotations& balls;
   FigurePose& pose;
 
   double sine(Dof dof, double sign = 1.0) const { return sign * sc.sine[indexOf(dof)]; }
@@ -41,13 +42,6 @@ struct Turner {
     R = turnedX(R, sc.sine[i + 1], sc.cosine[i + 1]);
     place(segment, parent, turnedZ(R, sc.sine[i + 2], sc.cosine[i + 2]));
   }
-  /// A ball joint: flexion, abduction, internal rotation; `side` +1 for the left.
-  void ball(Segment segment, Segment parent, Dof first, double side) const {
-    const auto i = indexOf(first);
-    dmat3 R = turnedY(pose[parent].R_WS, -sc.sine[i], sc.cosine[i]);
-    R = turnedX(R, side * sc.sine[i + 1], sc.cosine[i + 1]);
-    place(segment, parent, turnedZ(R, -side * sc.sine[i + 2], sc.cosine[i + 2]));
-  }
   void arm(Side which) const {
     const double side = which == Side::kLeft ? 1.0 : -1.0;
     const auto d = [&](Dof left) { return armDof(which, left); };
@@ -56,7 +50,7 @@ struct Turner {
                       cosine(d(Dof::kLeftClavicleElevation)));
     R = turnedZ(R, sine(d(Dof::kLeftClavicleProtraction), -side), cosine(d(Dof::kLeftClavicleProtraction)));
     place(s(S::kLeftClavicle), S::kThorax, R);
-    ball(s(S::kLeftUpperArm), s(S::kLeftClavicle), d(Dof::kLeftShoulderFlexion), side);
+    place(s(S::kLeftUpperArm), s(S::kLeftClavicle), R * balls[which == Side::kLeft ? 0 : 1]);
     R = turnedY(pose[s(S::kLeftUpperArm)].R_WS, sine(d(Dof::kLeftElbowFlexion), -1.0),
                 cosine(d(Dof::kLeftElbowFlexion)));
     place(s(S::kLeftForearm), s(S::kLeftUpperArm), R);
@@ -70,7 +64,7 @@ struct Turner {
     const double side = which == Side::kLeft ? 1.0 : -1.0;
     const auto d = [&](Dof left) { return legDof(which, left); };
     const auto s = [&](Segment left) { return legSegment(which, left); };
-    ball(s(S::kLeftThigh), S::kPelvis, d(Dof::kLeftHipFlexion), side);
+    place(s(S::kLeftThigh), S::kPelvis, pose[S::kPelvis].R_WS * balls[which == Side::kLeft ? 2 : 3]);
     dmat3 R = turnedY(pose[s(S::kLeftThigh)].R_WS, sine(d(Dof::kLeftKneeFlexion)), cosine(d(Dof::kLeftKneeFlexion)));
     place(s(S::kLeftShank), s(S::kLeftThigh), R);
     R = turnedY(R, sine(d(Dof::kLeftAnklePlantarFlexion)), cosine(d(Dof::kLeftAnklePlantarFlexion)));
@@ -81,13 +75,18 @@ struct Turner {
   }
 };
 
+/// A ball joint: flexion, abduction, internal rotation; `side` +1 for the left.
+dmat3 ballRotation(const SineCosine& sc, Dof first, double side) {
+  const auto i = indexOf(first);
+  dmat3 R = turnedY(dmat3(1.0), -sc.sine[i], sc.cosine[i]);
+  R = turnedX(R, side * sc.sine[i + 1], sc.cosine[i + 1]);
+  return turnedZ(R, -side * sc.sine[i + 2], sc.cosine[i + 2]);
+}
+
 }  // namespace
 
-void forwardKinematics(const Figure& figure, const Posture& posture, FigurePose& pose) {
-  SineCosine sc;
-  sinesAndCosines(posture.angles, sc);
-  pose[S::kPelvis] = {glm::mat3_cast(posture.X_WR.q), posture.X_WR.p};
-  const Turner turner{figure, sc, pose};
+void placeSegments(const Figure& figure, const SineCosine& sc, const BallRotations& balls, FigurePose& pose) {
+  const Turner turner{figure, sc, balls, pose};
   turner.spine(S::kLowerBack, S::kPelvis, Dof::kVl5Flexion);
   turner.spine(S::kUpperBack, S::kLowerBack, Dof::kVl1Flexion);
   turner.spine(S::kThorax, S::kUpperBack, Dof::kVt6Flexion);
@@ -98,6 +97,16 @@ void forwardKinematics(const Figure& figure, const Posture& posture, FigurePose&
   turner.arm(Side::kRight);
   turner.leg(Side::kLeft);
   turner.leg(Side::kRight);
+}
+
+void forwardKinematics(const Figure& figure, const Posture& posture, FigurePose& pose) {
+  SineCosine sc;
+  sinesAndCosines(posture.angles, sc);
+  pose[S::kPelvis] = {glm::mat3_cast(posture.X_WR.q), posture.X_WR.p};
+  placeSegments(figure, sc,
+                {ballRotation(sc, Dof::kLeftShoulderFlexion, 1.0), ballRotation(sc, Dof::kRightShoulderFlexion, -1.0),
+                 ballRotation(sc, Dof::kLeftHipFlexion, 1.0), ballRotation(sc, Dof::kRightHipFlexion, -1.0)},
+                pose);
 }
 
 FigurePose forwardKinematics(const Figure& figure, const Posture& posture) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mannequin/rotations.h"
+
 namespace hapticell::mannequin {
 
 namespace {
@@ -12,14 +14,6 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double rad(double degrees) {
   return degrees * kPi / 180.0;
-}
-
-/// The least turn from unit vector a to unit vector b (not opposite).
-dmat3 leastTurn(const dvec3& a, const dvec3& b) {
-  const dvec3 v = glm::cross(a, b);
-  const double w = 1.0 / std::max(1e-9, 1.0 + glm::dot(a, b));
-  const dmat3 K(dvec3(0.0, v.z, -v.y), dvec3(-v.z, 0.0, v.x), dvec3(v.y, -v.x, 0.0));
-  return dmat3(1.0) + K + w * (K * K);
 }
 
 /// Direction of a bone from its azimuth (0 forward, 90 deg outward) and elevation (0 hanging), the left side's.
@@ -95,10 +89,6 @@ const Cone& coneOf(BallJoint joint) {
   return joint == BallJoint::kShoulder ? kShoulderCone : kHipCone;
 }
 
-/// The same orientation seen in a mirror: the right side is treated as a left one.
-dmat3 mirroredRotation(const dmat3& R) {
-  return {R[0] * dvec3(1, -1, 1), R[1] * dvec3(-1, 1, -1), R[2] * dvec3(1, -1, 1)};
-}
 dmat3 asLeft(Side side, const dmat3& R) {
   return side == Side::kLeft ? R : mirroredRotation(R);
 }

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/posture_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mannequin/body_solver.h"
+#include "mannequin/posture_seeds.h"
+#include "mannequin/rotations.h"
+
+namespace hapticell::mannequin {
+
+namespace {
+
+using S = Segment;
+
+constexpr double kGoodArms = 0.25;  ///< Cost of closed-form arms below which the present trunk is worth a try.
+constexpr int kPolishSteps = 20;
+constexpr int kComfortSteps = 6;
+constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
+constexpr double kMostTickTurn = 1.8 * kDegree;
+constexpr double kComfortableStretch = 0.985;
+
+PostureResult resultOf(const BodySolver& solver, const Posture& start, const FigurePose& start_pose,
+                       const ResolvedTask& task) {
+  PostureResult result;
+  const TaskErrors& errors = solver.errors();
+  result.posture = postureOf(solver.state(), start.gaze);
+  result.status = errors.solved() ? PostureStatus::kSolved : PostureStatus::kOutOfReach;
+  result.hand_position_error = errors.hand_position;
+  result.hand_orientation_error = errors.hand_orientation;
+  if (task.held) {
+    // What counts for the user is where the object is: the right hand's error is that of its own wanted pose.
+    const SegmentPlace& right = solver.pose()[S::kRightHand];
+    result.hand_position_error[1] = glm::length(task.hands[1].p_WS - right.p_WS);
+    result.hand_orientation_error[1] =
+        glm::length(rotationVector(glm::quat_cast(task.hands[1].R_WS * glm::transpose(right.R_WS))));
+  }
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const S foot = legSegment(side, S::kLeftFoot);
+    result.foot_displacement =
+        std::max(result.foot_displacement, glm::length(solver.pose()[foot].p_WS - start_pose[foot].p_WS));
+  }
+  result.p_WCom = errors.p_WCom;
+  result.balance_margin = task.support.margin(glm::dvec2(errors.p_WCom));
+  result.iterations = solver.iterations();
+  return result;
+}
+
+/// After a solution: a few steps that only make it more comfortable, then the hands exactly.
+void makeComfortable(const ResolvedTask& task, BodySolver& solver) {
+  const BodyState solved = solver.state();
+  for (int i = 0; i < kComfortSteps; ++i) solver.step({0.3, 1e-5, 0.3});
+  solver.finishArms();
+  if (task.held) solver.bindHeld();
+  if (solver.errors().solved()) return;
+  solver.set(solved);
+}
+
+/// A held object must not slip in the hands: bind them, with more steps where the arm alone cannot.
+void closeHeld(BodySolver& solver) {
+  for (int i = 0; i < 12 && !solver.bindHeld(); ++i) solver.step({0.2, 1e-2, 0.0});
+}
+
+}  // namespace
+
+PostureResult PostureSolver::solve(const PostureTask& task, const Posture& start) const {
+  const FigurePose start_pose = forwardKinematics(*figure_, start);
+  ResolvedTask resolved = resolve(*figure_, task, start_pose);
+  BodySolver solver(*figure_, resolved), best(*figure_, resolved);
+  int tries = 0, iterations = 0;
+  const auto attempt = [&](const BodyState& state, int steps) {
+    ++tries;
+    solver.set(state);
+    const int before = solver.iterations();
+    solver.run(steps, {0.6, 1e-3, 0.0}, true);
+    iterations += solver.iterations() - before;
+    if (tries == 1 || solver.errors().merit < best.errors().merit) best = solver;
+    return best.errors().solved();
+  };
+  const BodyState present = stateOf(start);
+  const SeededState near = withArms(*figure_, resolved, present, 24);
+  bool done = near.cost < kGoodArms && attempt(near.state, kPolishSteps);
+  if (!done && !task.trunk_locked) {
+    const Seeds seeds = makeSeeds(*figure_, resolved, present);
+    for (std::size_t i = 0; i < seeds.count && !done; ++i) done = attempt(seeds.states[i], kPolishSteps);
+  }
+  if (!done) {
+    done = attempt(near.state, 40) || attempt(present, 40);
+    solver = best;
+    if (!done) {
+      const int before = solver.iterations();
+      solver.run(40, {0.3, 1e-3, 0.0}, false);
+      iterations += solver.iterations() - before;
+      if (solver.errors().merit < best.errors().merit) best = solver;
+    }
+  }
+  if (best.errors().solved()) makeComfortable(resolved, best);
+  if (resolved.held) closeHeld(best);
+  PostureResult result = resultOf(best, start, start_pose, resolved);
+  result.iterations = iterations;
+  result.tries = tries;
+  if (result.status != PostureStatus::kSolved && task.may_step) {
+    PostureTask stepped = task;
+    stepped.may_step = false;
+    const Posture moved = steppedTowards(*figure_, task, start);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      stepped.feet[static_cast<std::size_t>(side)] = footPose(forwardKinematics(*figure_, moved), side);
+    }
+    PostureResult after = solve(stepped, moved);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const S foot = legSegment(side, S::kLeftFoot);
+      const dvec3 there = forwardKinematics(*figure_, after.posture)[foot].p_WS;
+      after.foot_displacement = std::max(after.foot_displacement, glm::length(there - start_pose[foot].p_WS));
+    }
+    if (after.status == PostureStatus::kSolved) return after;
+  }
+  return result;
+}
+
+namespace {
+
+/// Hands met by the arms alone, each joint turning no more than a tick allows; false when that is not possible.
+bool followWithArms(const Figure& figure, const ResolvedTask& task, BodySolver& solver) {
+  BodyState state = solver.state();
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!task.has_hand[i]) continue;
+    if (!task.has_orientation[i]) return false;
+    const Side side = static_cast<Side>(i);
+    const FigurePose& pose = solver.pose();
+    const ArmProblem problem(figure, side, pose[S::kThorax], pose[armSegment(side, S::kLeftClavicle)], task.hands[i]);
+    if (problem.stretch() > kComfortableStretch) return false;
+    const double swivel = problem.swivelOf(pose[armSegment(side, S::kLeftForearm)].p_WS);
+    const double wish = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * M_PI);
+    const ArmAngles arm = problem.at(swivel + std::clamp(wish, -0.5 * kDegree, 0.5 * kDegree));
+    if (arm.violation > 0.0 || arm.missing > 1e-9) return false;
+    const dmat3& R = solver.state().balls[i];
+    const double turned = glm::length(rotationVector(glm::quat_cast(arm.R_ClavicleUpperArm * glm::transpose(R))));
+    const double flexed = arm.elbow - state.angles[indexOf(armDof(side, Dof::kLeftElbowFlexion))];
+    const double rolled = arm.pronation - state.angles[indexOf(armDof(side, Dof::kLeftPronation))];
+    if (turned > kMostTickTurn || std::abs(flexed) > kMostTickTurn || std::abs(rolled) > 3.0 * kMostTickTurn)
+      return false;
+    setArm(state, side, arm);
+  }
+  BodySolver moved = solver;
+  moved.set(state);
+  if (moved.errors().balance < -1e-4 && moved.errors().balance < solver.errors().balance) return false;
+  if (moved.errors().merit > solver.errors().merit) return false;
+  solver = moved;
+  return true;
+}
+
+}  // namespace
+
+PostureResult PostureSolver::follow(const PostureTask& task, const Posture& from) const {
+  const FigurePose start_pose = forwardKinematics(*figure_, from);
+  const ResolvedTask resolved = resolve(*figure_, task, start_pose);
+  BodySolver solver(*figure_, resolved);
+  solver.set(stateOf(from));
+  const BodyState before = solver.state();
+  if (resolved.held || !followWithArms(*figure_, resolved, solver)) {
+    StepLimits limits{kTickTurn, 1e-4, 0.02};
+    for (int i = 0; i < 3; ++i) {
+      if (solver.step(limits)) continue;
+      limits = {0.5 * limits.turn, 6.0 * limits.lambda, 0.0};
+    }
+  }
+  if (resolved.held && !solver.bindHeld()) {
+    for (int i = 0; i < 5 && solver.errors().relative_position > 1e-9; ++i) solver.step({kTickTurn, 1e-1, 0.0});
+    const bool slipped = solver.errors().relative_position > 5e-7 || solver.errors().relative_orientation > 5e-7;
+    if (slipped) solver.set(before);
+  }
+  return resultOf(solver, from, start_pose, resolved);
+}
+
+}  // namespace hapticell::mannequin
