@@ -8,7 +8,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
-constexpr int kMostPasses = 16;
+constexpr int kMostPasses = 24;
 constexpr double kSlack = 1e-12;
 
 /// Rows that a variable's column can touch: two ranges, so that the zeros are not multiplied.
@@ -24,95 +24,133 @@ RowRanges rowsOf(int variable, bool arms_coupled) {
   return {6, kHandRow, kTaskRows, kTaskRows};
 }
 
+/// The system (J D^-1 J^T + R) y = e - J dq0 over the free variables, kept factorised while variables change sides: a
+/// change costs a rank-one update (Gill, Golub, Murray and Saunders, Math. Comp. 28, 1974, method C1).
 class DualSolver {
  public:
-  DualSolver(const StepProblem& problem, const ActiveSet& active) : p_(problem), active_(active) {}
+  DualSolver(const StepProblem& problem, const ActiveSet& active) : p_(problem), known_(active) { build(); }
 
-  void pass(Variables& step) {
-    build(step);
-    factorise();
+  void pass(const ActiveSet& active, Variables& step) {
+    for (int v = 0; v < kVariables; ++v) {
+      const std::size_t i = static_cast<std::size_t>(v);
+      if (active[i] != known_[i]) change(v, active[i]);
+    }
     substitute();
     for (int v = 0; v < kVariables; ++v) {
       const std::size_t i = static_cast<std::size_t>(v);
-      if (active_[i] == 0) step[i] = p_.wish[i] + pull(v) / p_.D[i];
+      step[i] = startOf(i);
+      if (known_[i] == 0) step[i] += pull(v) / p_.D[i];
     }
   }
 
   /// J^T y of one variable: the tasks' pull on it.
   double pull(int variable) const {
-    const auto& column = p_.J[static_cast<std::size_t>(variable)];
+    const double* column = p_.J[static_cast<std::size_t>(variable)].data();
     const RowRanges rows = rowsOf(variable, p_.arms_coupled);
     double sum = 0.0;
-    for (int r = rows.begin_a; r < rows.end_a; ++r) sum += column[static_cast<std::size_t>(r)] * y_[r];
-    for (int r = rows.begin_b; r < rows.end_b; ++r) sum += column[static_cast<std::size_t>(r)] * y_[r];
+    for (int r = rows.begin_a; r < rows.end_a; ++r) sum += column[r] * y_[r];
+    for (int r = rows.begin_b; r < rows.end_b; ++r) sum += column[r] * y_[r];
     return sum;
   }
 
  private:
-  void build(Variables& step) {
+  double startOf(std::size_t i) const {
+    return known_[i] == 0 ? p_.wish[i] : known_[i] < 0 ? p_.lower[i] : p_.upper[i];
+  }
+
+  void build() {
     for (int r = 0; r < kTaskRows; ++r) {
-      for (int c = 0; c <= r; ++c) A_[r][c] = 0.0;
-      A_[r][r] = p_.R[static_cast<std::size_t>(r)];
-      y_[r] = p_.e[static_cast<std::size_t>(r)];
+      for (int c = r; c < kTaskRows; ++c) U_[r][c] = 0.0;
+      U_[r][r] = p_.R[static_cast<std::size_t>(r)];
+      e_[r] = p_.e[static_cast<std::size_t>(r)];
     }
     for (int v = 0; v < kVariables; ++v) {
       const std::size_t i = static_cast<std::size_t>(v);
-      const RowRanges rows = rowsOf(v, p_.arms_coupled);
-      const double* column = p_.J[i].data();
-      const double start = active_[i] == 0 ? p_.wish[i] : active_[i] < 0 ? p_.lower[i] : p_.upper[i];
-      step[i] = start;
-      if (start != 0.0) {
-        for (int r = rows.begin_a; r < rows.end_a; ++r) y_[r] -= column[r] * start;
-        for (int r = rows.begin_b; r < rows.end_b; ++r) y_[r] -= column[r] * start;
-      }
-      if (active_[i] == 0) addOuterProduct(column, 1.0 / p_.D[i], rows);
+      takeOff(v, startOf(i));
+      if (known_[i] == 0) addOuterProduct(p_.J[i].data(), 1.0 / p_.D[i], rowsOf(v, p_.arms_coupled));
     }
+    factorise();
+  }
+
+  void takeOff(int variable, double value) {
+    if (value == 0.0) return;
+    const double* column = p_.J[static_cast<std::size_t>(variable)].data();
+    const RowRanges rows = rowsOf(variable, p_.arms_coupled);
+    for (int r = rows.begin_a; r < rows.end_a; ++r) e_[r] -= column[r] * value;
+    for (int r = rows.begin_b; r < rows.end_b; ++r) e_[r] -= column[r] * value;
   }
 
   void addOuterProduct(const double* column, double weight, const RowRanges& rows) {
     for (int r = rows.begin_a; r < rows.end_a; ++r) {
       const double scaled = weight * column[r];
-      for (int c = rows.begin_a; c <= r; ++c) A_[r][c] += scaled * column[c];
+      for (int c = r; c < rows.end_a; ++c) U_[r][c] += scaled * column[c];
+      for (int c = rows.begin_b; c < rows.end_b; ++c) U_[r][c] += scaled * column[c];
     }
     for (int r = rows.begin_b; r < rows.end_b; ++r) {
       const double scaled = weight * column[r];
-      for (int c = rows.begin_a; c < rows.end_a; ++c) A_[r][c] += scaled * column[c];
-      for (int c = rows.begin_b; c <= r; ++c) A_[r][c] += scaled * column[c];
+      for (int c = r; c < rows.end_b; ++c) U_[r][c] += scaled * column[c];
     }
   }
 
-  /// A = L D L^T in place, rows of L below the diagonal.
+  /// A = U^T D U with a unit diagonal in U; D stands on the diagonal.
   void factorise() {
-    double scaled[kTaskRows];
     for (int j = 0; j < kTaskRows; ++j) {
-      double d = A_[j][j];
-      for (int k = 0; k < j; ++k) {
-        scaled[k] = A_[j][k] * A_[k][k];
-        d -= A_[j][k] * scaled[k];
+      U_[j][j] = std::max(U_[j][j], 1e-14);
+      const double inverse = 1.0 / U_[j][j];
+      for (int k = j + 1; k < kTaskRows; ++k) {
+        const double share = U_[j][k] * inverse;
+        if (share == 0.0) continue;
+        for (int i = k; i < kTaskRows; ++i) U_[k][i] -= share * U_[j][i];
       }
-      A_[j][j] = std::max(d, 1e-14);
-      const double inverse = 1.0 / A_[j][j];
-      for (int i = j + 1; i < kTaskRows; ++i) {
-        double sum = A_[i][j];
-        for (int k = 0; k < j; ++k) sum -= A_[i][k] * scaled[k];
-        A_[i][j] = sum * inverse;
+      for (int k = j + 1; k < kTaskRows; ++k) U_[j][k] *= inverse;
+    }
+  }
+
+  void change(int variable, std::int8_t now) {
+    const std::size_t i = static_cast<std::size_t>(variable);
+    const double before = startOf(i);
+    const bool was_free = known_[i] == 0;
+    known_[i] = now;
+    takeOff(variable, startOf(i) - before);
+    if (was_free == (now == 0)) return;
+    const RowRanges rows = rowsOf(variable, p_.arms_coupled);
+    double w[kTaskRows] = {};
+    for (int r = rows.begin_a; r < rows.end_a; ++r) w[r] = p_.J[i][static_cast<std::size_t>(r)];
+    for (int r = rows.begin_b; r < rows.end_b; ++r) w[r] = p_.J[i][static_cast<std::size_t>(r)];
+    update(w, (now == 0 ? 1.0 : -1.0) / p_.D[i], rows.begin_a);
+  }
+
+  void update(double* w, double sigma, int first) {
+    for (int j = first; j < kTaskRows; ++j) {
+      const double p = w[j], d = U_[j][j];
+      if (p == 0.0) continue;
+      const double grown = std::max(d + sigma * p * p, 1e-14);
+      const double beta = p * sigma / grown;
+      sigma *= d / grown;
+      U_[j][j] = grown;
+      for (int r = j + 1; r < kTaskRows; ++r) {
+        w[r] -= p * U_[j][r];
+        U_[j][r] += beta * w[r];
       }
     }
   }
 
   void substitute() {
-    for (int i = 0; i < kTaskRows; ++i) {
-      for (int k = 0; k < i; ++k) y_[i] -= A_[i][k] * y_[k];
+    for (int i = 0; i < kTaskRows; ++i) y_[i] = e_[i];
+    for (int j = 0; j < kTaskRows; ++j) {
+      for (int i = j + 1; i < kTaskRows; ++i) y_[i] -= U_[j][i] * y_[j];
     }
-    for (int i = 0; i < kTaskRows; ++i) y_[i] /= A_[i][i];
-    for (int i = kTaskRows - 1; i >= 0; --i) {
-      for (int k = i + 1; k < kTaskRows; ++k) y_[i] -= A_[k][i] * y_[k];
+    for (int j = kTaskRows - 1; j >= 0; --j) {
+      double sum = y_[j] / U_[j][j];
+      for (int i = j + 1; i < kTaskRows; ++i) sum -= U_[j][i] * y_[i];
+      y_[j] = sum;
     }
   }
 
   const StepProblem& p_;
-  const ActiveSet& active_;
-  double A_[kTaskRows][kTaskRows];
+  ActiveSet known_;
+  double U_[kTaskRows][kTaskRows];
+  double e_[kTaskRows];
   double y_[kTaskRows];
 };
 
@@ -128,19 +166,18 @@ bool fixViolators(const StepProblem& problem, const Variables& step, ActiveSet& 
   return any;
 }
 
-/// Frees the fixed variable that most wants to come back inside; false when none does.
+/// Frees the fixed variable that most wants to come back inside; false when none does by more than a trifle.
 bool releaseWorst(const StepProblem& problem, const DualSolver& solver, const Variables& step, ActiveSet& active) {
   int worst = -1;
-  double most = 1e-10;
+  double most = 1e-3;
   for (int v = 0; v < kVariables; ++v) {
     const std::size_t i = static_cast<std::size_t>(v);
     if (active[i] == 0 || problem.lower[i] == problem.upper[i]) continue;
     const double multiplier = problem.D[i] * (step[i] - problem.wish[i]) - solver.pull(v);
     const double wrong = active[i] < 0 ? -multiplier : multiplier;
-    if (wrong > most) {
-      most = wrong;
-      worst = v;
-    }
+    if (wrong <= most) continue;
+    most = wrong;
+    worst = v;
   }
   if (worst < 0) return false;
   active[static_cast<std::size_t>(worst)] = 0;
@@ -155,7 +192,7 @@ void solveStep(const StepProblem& problem, ActiveSet& active, Variables& step) {
   }
   DualSolver solver(problem, active);
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    solver.pass(step);
+    solver.pass(active, step);
     if (fixViolators(problem, step, active)) continue;
     if (!releaseWorst(problem, solver, step, active)) break;
   }

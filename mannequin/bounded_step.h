@@ -28,7 +28,7 @@ struct StepProblem {
 using ActiveSet = std::array<std::int8_t, kVariables>;
 
 /// Solves it in the dual (kTaskRows unknowns) by an active-set method: fix every violator, then release the variable
-/// with the worst multiplier, at most 16 passes; what is still outside is clamped. No allocation.
+/// with the worst multiplier, at most 24 passes; what is still outside is clamped. No allocation.
 void solveStep(const StepProblem& problem, ActiveSet& active, Variables& step);
 
 }  // namespace hapticell::mannequin

@@ -28,8 +28,9 @@ struct Knot {
 /// The cone of the left side's joint: its middle c, the tangent directions psi is counted from, the boundary.
 struct Cone {
   dvec3 c, towards_zero, towards_quarter;
-  dmat3 R_middle;           ///< The bone swung from hanging to c.
-  std::vector<Knot> knots;  ///< Rising in psi, around the circle; empty for the ellipse.
+  dmat3 R_middle;              ///< The bone swung from hanging to c.
+  std::vector<Knot> knots;     ///< Rising in psi, around the circle; empty for the ellipse.
+  double cos_narrowest = 2.0;  ///< Of the least boundary; inside that, psi need not be known.
   double half_flexion = 0.0, half_abduction = 0.0;
 
   double boundary(double psi, double& slope) const;
@@ -68,6 +69,9 @@ Cone makeShoulder() {
                                     {180, 55}, {225, 35}, {270, 25}, {305, 50},  {320, 90}, {340, 115}};
   for (const auto& point : boundary) cone.knots.push_back(knotAt(cone, direction(rad(point[0]), rad(point[1]))));
   std::sort(cone.knots.begin(), cone.knots.end(), [](const Knot& a, const Knot& b) { return a.psi < b.psi; });
+  double narrowest = kPi;
+  for (const Knot& knot : cone.knots) narrowest = std::min(narrowest, knot.rho);
+  cone.cos_narrowest = std::cos(narrowest) + 1e-9;
   return cone;
 }
 
@@ -97,17 +101,53 @@ dvec3 axisFromLeft(Side side, const dvec3& axis) {
   return side == Side::kLeft ? axis : axis * dvec3(-1, 1, -1);
 }
 
+/// Cosine and sine (times some positive factor) of the twist; internal positive.
+struct TwistParts {
+  double cosine, sine;
+};
+TwistParts twistOfLeft(const Cone& cone, const dmat3& R, const dvec3& d) {
+  const dvec3 v = glm::cross(cone.c, d);
+  const double w = 1.0 / std::max(1e-9, 1.0 + glm::dot(cone.c, d));
+  const auto swung = [&](const dvec3& m) {
+    const dvec3 turned = glm::cross(v, m);
+    return m + turned + w * glm::cross(v, turned);
+  };
+  const dvec3 x = swung(cone.R_middle[0]), y = swung(cone.R_middle[1]);
+  // The bone points along -z of its own frame, so an internal turn is one about -z.
+  return {glm::dot(x, R[0]) + glm::dot(y, R[1]), glm::dot(x, R[1]) - glm::dot(y, R[0])};
+}
+
+double swing(const Cone& cone, const dvec3& d) {
+  return std::atan2(glm::length(glm::cross(cone.c, d)), glm::dot(cone.c, d));
+}
+
 BallState stateOfLeft(const Cone& cone, const dmat3& R, double& slope) {
   const dvec3 d = -R[2];
-  const Knot knot = knotAt(cone, d);
   BallState state;
-  state.rho = std::atan2(glm::length(glm::cross(cone.c, d)), glm::dot(cone.c, d));
-  state.psi = knot.psi;
-  state.rho_max = cone.boundary(knot.psi, slope);
-  const dmat3 twist = glm::transpose(leastTurn(cone.c, d) * cone.R_middle) * R;
-  // The bone points along -z of its own frame, so an internal turn is one about -z.
-  state.twist = -std::atan2(twist[0][1] - twist[1][0], twist[0][0] + twist[1][1]);
+  state.rho = swing(cone, d);
+  state.psi = std::atan2(glm::dot(d, cone.towards_quarter), glm::dot(d, cone.towards_zero));
+  state.rho_max = cone.boundary(state.psi, slope);
+  const TwistParts twist = twistOfLeft(cone, R, d);
+  state.twist = std::atan2(twist.sine, twist.cosine);
   return state;
+}
+
+/// True when surely inside: without the arc tangents that the exact answer needs. False may still be inside.
+bool surelyInside(const Cone& cone, BallJoint joint, const dmat3& R) {
+  const dvec3 d = -R[2];
+  const TwistParts twist = twistOfLeft(cone, R, d);
+  static const double kShoulderSlope = std::tan(kShoulderTwistUpper) - 1e-9, kHipSlope = 1.0 - 1e-9;
+  if (twist.cosine <= 1e-9) return false;
+  const double upper = joint == BallJoint::kShoulder ? kShoulderSlope : kHipSlope;
+  if (twist.sine > upper * twist.cosine) return false;
+  if (joint == BallJoint::kHip && twist.sine < -upper * twist.cosine) return false;
+  if (joint == BallJoint::kShoulder) return glm::dot(cone.c, d) > cone.cos_narrowest;
+  const double sine = glm::length(glm::cross(cone.c, d));
+  if (sine < 1e-6) return glm::dot(cone.c, d) > 0.0;
+  const double share = std::atan2(sine, glm::dot(cone.c, d)) / sine;
+  const double x = share * glm::dot(d, cone.towards_zero) / cone.half_flexion;
+  const double y = share * glm::dot(d, cone.towards_quarter) / cone.half_abduction;
+  return x * x + y * y < 1.0 - 1e-9;
 }
 
 dmat3 rotationOfLeft(const Cone& cone, double rho, double psi, double twist) {
@@ -133,11 +173,13 @@ BallState ballState(BallJoint joint, Side side, const dmat3& R_PS) {
 }
 
 double ballViolation(BallJoint joint, Side side, const dmat3& R_PS) {
+  if (surelyInside(coneOf(joint), joint, asLeft(side, R_PS))) return 0.0;
   const BallState state = ballState(joint, side, R_PS);
   return std::max({0.0, state.excess(), state.twist - twistUpper(joint), twistLower(joint) - state.twist});
 }
 
 dmat3 clampBall(BallJoint joint, Side side, const dmat3& R_PS) {
+  if (surelyInside(coneOf(joint), joint, asLeft(side, R_PS))) return R_PS;
   const BallState state = ballState(joint, side, R_PS);
   const double twist = std::clamp(state.twist, twistLower(joint), twistUpper(joint));
   if (state.excess() <= 0.0 && twist == state.twist) return R_PS;

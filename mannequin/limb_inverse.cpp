@@ -76,6 +76,7 @@ ArmProblem::ArmProblem(const Figure& figure, Side side, const SegmentPlace& thor
   dvec3 down = -thorax.R_WS[2] - glm::dot(-thorax.R_WS[2], along_) * along_;
   if (glm::length(down) < 1e-6) down = -thorax.R_WS[0] - glm::dot(-thorax.R_WS[0], along_) * along_;
   down_ = glm::normalize(down);
+  R_Elbow_ = aboutY(-elbow_);
   outward_ = glm::cross(along_, down_) * (side == Side::kLeft ? 1.0 : -1.0);
 }
 
@@ -84,7 +85,7 @@ double ArmProblem::swivelOf(const dvec3& p_WE) const {
   return std::atan2(glm::dot(e, outward_), glm::dot(e, down_));
 }
 
-ArmAngles ArmProblem::at(double swivel) const {
+ArmAngles ArmProblem::anglesAt(double swivel) const {
   const double out = side_ == Side::kLeft ? 1.0 : -1.0;
   ArmAngles arm;
   arm.swivel = swivel;
@@ -97,10 +98,15 @@ ArmAngles ArmProblem::at(double swivel) const {
   const dvec3 flexing = sine * along_ - cosine * across;
   const dmat3 R_WU(flexing, glm::cross(-bone, flexing), -bone);
   arm.R_ClavicleUpperArm = glm::transpose(R_WC_) * R_WU;
-  const dmat3 Q = glm::transpose(R_WU * aboutY(-elbow_)) * R_WH_;
+  const dmat3 Q = glm::transpose(R_WU * R_Elbow_) * R_WH_;
   arm.wrist_ulnar = std::asin(std::clamp(-Q[0][2], -1.0, 1.0));
   arm.pronation = -out * std::atan2(Q[0][1], Q[0][0]);
   arm.wrist_flexion = -out * std::atan2(Q[1][2], Q[2][2]);
+  return arm;
+}
+
+ArmAngles ArmProblem::at(double swivel) const {
+  ArmAngles arm = anglesAt(swivel);
   arm.violation = outside(Dof::kLeftPronation, arm.pronation) + outside(Dof::kLeftWristFlexion, arm.wrist_flexion) +
                   outside(Dof::kLeftWristUlnarDeviation, arm.wrist_ulnar) +
                   ballViolation(BallJoint::kShoulder, side_, arm.R_ClavicleUpperArm);
@@ -120,7 +126,8 @@ double ArmProblem::discomfort(const ArmAngles& arm) const {
 }
 
 double ArmProblem::refined(double best, double step) const {
-  const double low = discomfort(at(best - step)), middle = discomfort(at(best)), high = discomfort(at(best + step));
+  const double low = discomfort(anglesAt(best - step)), middle = discomfort(anglesAt(best)),
+               high = discomfort(anglesAt(best + step));
   const double curvature = low - 2.0 * middle + high;
   if (curvature <= 1e-9) return best;
   return best + std::clamp(0.5 * (low - high) / curvature, -0.5, 0.5) * step;
@@ -131,7 +138,7 @@ double ArmProblem::preferredSwivel(int samples) const {
   double best = 0.0, least = 1e9;
   for (int i = 0; i < samples; ++i) {
     const double swivel = -170.0 * kDegree + i * step;
-    const double cost = discomfort(at(swivel));
+    const double cost = discomfort(anglesAt(swivel));
     if (cost < least) {
       least = cost;
       best = swivel;
@@ -143,7 +150,7 @@ double ArmProblem::preferredSwivel(int samples) const {
 double ArmProblem::preferredSwivelNear(double swivel, double span) const {
   double best = swivel, least = 1e9;
   for (int i = -2; i <= 2; ++i) {
-    const double cost = discomfort(at(swivel + 0.5 * i * span));
+    const double cost = discomfort(anglesAt(swivel + 0.5 * i * span));
     if (cost < least) {
       least = cost;
       best = swivel + 0.5 * i * span;

@@ -42,6 +42,8 @@ class ArmProblem {
              const SegmentPlace& hand);
 
   ArmAngles at(double swivel) const;
+  /// The same without looking at limits (`violation` stays 0).
+  ArmAngles anglesAt(double swivel) const;
   /// The swivel of an elbow seen at p_WE (projected onto the circle).
   double swivelOf(const dvec3& p_WE) const;
   /// Distance shoulder to wrist over the arm's length.
@@ -60,7 +62,7 @@ class ArmProblem {
 
   Side side_;
   double upper_, forearm_;
-  dmat3 R_WC_, R_WH_, R_WThorax_;
+  dmat3 R_WC_, R_WH_, R_WThorax_, R_Elbow_;
   dvec3 p_WShoulder_;
   dvec3 along_, down_, outward_;  ///< Unit: to the wrist, and across it.
   double distance_ = 0.0, elbow_ = 0.0, centre_ = 0.0, radius_ = 0.0, missing_ = 0.0;

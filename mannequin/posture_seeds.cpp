@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mannequin/rotations.h"
 
@@ -11,8 +12,6 @@ namespace hapticell::mannequin {
 namespace {
 
 using S = Segment;
-
-constexpr std::size_t kTrunks = 48, kScored = 10;
 
 double armCost(const ArmProblem& problem, const ArmAngles& arm) {
   const double away = std::remainder(arm.swivel - 45.0 * kDegree, 2.0 * M_PI);
@@ -44,14 +43,14 @@ Stance stanceOf(const std::array<SegmentPlace, 2>& feet) {
   return stance;
 }
 
-BodyState trunkFor(const Figure& figure, const ResolvedTask& task, const BodyState& present, const Lean& lean,
-                   double& cost) {
+/// A trunk over the feet; the pelvis stands back from a lean roughly as balance wants it.
+BodyState trunkFor(const Figure& figure, const ResolvedTask& task, const BodyState& present, const Lean& lean) {
   const Stance stance = stanceOf(task.feet);
   const double leg = figure.thighLength() + figure.shankLength();
   const double pelvis_pitch = 0.5 * lean.pitch, spine = lean.pitch - pelvis_pitch;
   const double pelvis_yaw = 0.5 * lean.yaw, spine_yaw = lean.yaw - pelvis_yaw;
   BodyState state = present;
-  for (std::size_t i = 0; i < 18; ++i) state.angles[i] = i < 9 ? 0.0 : present.angles[i];
+  for (std::size_t i = 0; i < 9; ++i) state.angles[i] = 0.0;
   state.angles[indexOf(Dof::kVl5Flexion)] = std::clamp(0.42 * spine, -11.0 * kDegree, 34.0 * kDegree);
   state.angles[indexOf(Dof::kVl1Flexion)] = std::clamp(0.38 * spine, -7.0 * kDegree, 29.0 * kDegree);
   state.angles[indexOf(Dof::kVt6Flexion)] = std::clamp(0.20 * spine, -4.0 * kDegree, 14.0 * kDegree);
@@ -59,25 +58,33 @@ BodyState trunkFor(const Figure& figure, const ResolvedTask& task, const BodySta
   state.angles[indexOf(Dof::kVt6LeftTurn)] = std::clamp(0.7 * spine_yaw, -28.0 * kDegree, 28.0 * kDegree);
   const double heading = std::atan2(stance.forward.y, stance.forward.x) + pelvis_yaw;
   state.root.R_WS = aboutZ(heading) * aboutY(pelvis_pitch);
-  const double spread = 0.25 * glm::dot(task.feet[0].p_WS - task.feet[1].p_WS, task.feet[0].p_WS - task.feet[1].p_WS);
+  const dvec3 between = task.feet[0].p_WS - task.feet[1].p_WS;
+  const double spread = 0.25 * glm::dot(between, between);
   const double height = std::sqrt(std::max(0.05 * leg * leg, lean.crouch * lean.crouch * leg * leg - 0.6 * spread));
-  state.root.p_WS = stance.middle + dvec3(0.0, 0.0, height);
-  // The pelvis goes where the centre of mass is over the feet: twice, because the legs follow.
+  const double back = 0.02 - 0.25 * std::sin(lean.pitch) * leg / 0.85;
+  state.root.p_WS = stance.middle + back * stance.forward + dvec3(0.0, 0.0, height);
+  return state;
+}
+
+/// Puts legs under the trunk and the centre of mass over the feet: twice, because the legs follow. Returns what the
+/// legs break.
+double standTrunk(const Figure& figure, const ResolvedTask& task, BodyState& state) {
+  const Stance stance = stanceOf(task.feet);
   FigurePose pose;
-  for (int i = 0; i < 2; ++i) {
-    standOn(figure, task.feet, state);
+  double cost = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    cost = 0.0;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const LegAngles leg = legInverse(figure, side, state.root, task.feet[static_cast<std::size_t>(side)]);
+      cost += 3.0 * leg.violation + 20.0 * leg.missing;
+      if (leg.violation == 0.0 && leg.missing < 1e-9) setLeg(state, side, leg);
+    }
+    if (i == 2) break;
     placeSegments(figure, state, pose);
-    const dvec3 com = centerOfMass(figure, pose, task.loads);
-    const dvec3 off = stance.middle + 0.04 * stance.forward - com;
+    const dvec3 off = stance.middle + 0.04 * stance.forward - centerOfMass(figure, pose, task.loads);
     state.root.p_WS += 1.1 * dvec3(off.x, off.y, 0.0);
   }
-  cost = 0.0;
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const LegAngles legs = legInverse(figure, side, state.root, task.feet[static_cast<std::size_t>(side)]);
-    cost += 3.0 * legs.violation + 20.0 * legs.missing;
-  }
-  standOn(figure, task.feet, state);
-  return state;
+  return cost;
 }
 
 /// How badly a shoulder stands to where its hand should be: too near, too far, behind, across.
@@ -147,36 +154,39 @@ SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyS
   return seeded;
 }
 
-Seeds makeSeeds(const Figure& figure, const ResolvedTask& task, const BodyState& present) {
-  struct Ranked {
-    double cost;
-    std::size_t index;
-  };
-  std::array<Ranked, kTrunks> ranked{};
-  std::array<BodyState, kTrunks> trunks;
+PostureSeeds::PostureSeeds(const Figure& figure, const ResolvedTask& task, const BodyState& present)
+    : figure_(figure), task_(task), present_(present) {
   FigurePose pose;
   for (std::size_t i = 0; i < kTrunks; ++i) {
-    double cost = 0.0;
-    trunks[i] = trunkFor(figure, task, present, leanOf(i), cost);
-    placeSegments(figure, trunks[i], pose);
-    ranked[i] = {cost + reachCost(figure, task, pose), i};
+    placeSegments(figure, trunkFor(figure, task, present, leanOf(i)), pose);
+    ranked_[i] = {reachCost(figure, task, pose), i};
   }
-  const auto better = [](const Ranked& a, const Ranked& b) {
+  std::sort(ranked_.begin(), ranked_.end(), [](const Ranked& a, const Ranked& b) {
     return a.cost < b.cost || (a.cost == b.cost && a.index < b.index);
-  };
-  std::sort(ranked.begin(), ranked.end(), better);
-  std::array<SeededState, Seeds::kMost> armed;
-  std::array<Ranked, Seeds::kMost> order{};
-  for (std::size_t k = 0; k < Seeds::kMost; ++k) {
-    BodyState& trunk = trunks[ranked[k].index];
-    setGirdles(figure, task, trunk);
-    armed[k] = withArms(figure, task, trunk, 10);
-    order[k] = {armed[k].cost + 0.5 * ranked[k].cost + (k < kScored ? 0.0 : 100.0), k};
+  });
+}
+
+void PostureSeeds::makeBatch() {
+  std::array<double, kBatch> costs{};
+  for (std::size_t k = 0; k < kBatch; ++k) {
+    const Ranked& entry = ranked_[given_ + k];
+    BodyState trunk = trunkFor(figure_, task_, present_, leanOf(entry.index));
+    costs[k] = standTrunk(figure_, task_, trunk) + 0.5 * entry.cost;
+    setGirdles(figure_, task_, trunk);
+    const SeededState armed = withArms(figure_, task_, trunk, 10);
+    batch_[k] = armed.state;
+    costs[k] += armed.cost;
+    order_[k] = k;
   }
-  std::sort(order.begin(), order.end(), better);
-  Seeds seeds;
-  for (const Ranked& entry : order) seeds.states[seeds.count++] = armed[entry.index].state;
-  return seeds;
+  for (std::size_t i = 1; i < kBatch; ++i) {
+    for (std::size_t k = i; k > 0 && costs[order_[k]] < costs[order_[k - 1]]; --k) std::swap(order_[k], order_[k - 1]);
+  }
+}
+
+const BodyState* PostureSeeds::next() {
+  if (given_ >= kMost) return nullptr;
+  if (given_ % kBatch == 0) makeBatch();
+  return &batch_[order_[given_++ % kBatch]];
 }
 
 Posture steppedTowards(const Figure& figure, const PostureTask& task, const Posture& start) {

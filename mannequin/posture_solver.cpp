@@ -14,9 +14,10 @@ namespace {
 
 using S = Segment;
 
-constexpr double kGoodArms = 0.25;  ///< Cost of closed-form arms below which the present trunk is worth a try.
+constexpr double kGoodArms = 0.25;    ///< Cost of closed-form arms below which the present trunk is worth a try.
+constexpr double kNearMerit = 0.003;  ///< m^2: the start itself is nearly there.
 constexpr int kPolishSteps = 20;
-constexpr int kComfortSteps = 6;
+constexpr int kComfortSteps = 3;
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
 constexpr double kMostTickTurn = 1.8 * kDegree;
 constexpr double kComfortableStretch = 0.985;
@@ -50,7 +51,7 @@ PostureResult resultOf(const BodySolver& solver, const Posture& start, const Fig
 /// After a solution: a few steps that only make it more comfortable, then the hands exactly.
 void makeComfortable(const ResolvedTask& task, BodySolver& solver) {
   const BodyState solved = solver.state();
-  for (int i = 0; i < kComfortSteps; ++i) solver.step({0.3, 1e-5, 0.3});
+  for (int i = 0; i < kComfortSteps; ++i) solver.step({0.4, 1e-5, 0.5});
   solver.finishArms();
   if (task.held) solver.bindHeld();
   if (solver.errors().solved()) return;
@@ -80,10 +81,14 @@ PostureResult PostureSolver::solve(const PostureTask& task, const Posture& start
   };
   const BodyState present = stateOf(start);
   const SeededState near = withArms(*figure_, resolved, present, 24);
-  bool done = near.cost < kGoodArms && attempt(near.state, kPolishSteps);
+  solver.set(present);
+  bool done = solver.errors().merit < kNearMerit && attempt(present, kPolishSteps);
+  done = done || (near.cost < kGoodArms && attempt(near.state, kPolishSteps));
   if (!done && !task.trunk_locked) {
-    const Seeds seeds = makeSeeds(*figure_, resolved, present);
-    for (std::size_t i = 0; i < seeds.count && !done; ++i) done = attempt(seeds.states[i], kPolishSteps);
+    PostureSeeds seeds(*figure_, resolved, present);
+    for (const BodyState* seed = seeds.next(); seed && !done; seed = done ? nullptr : seeds.next()) {
+      done = attempt(*seed, kPolishSteps);
+    }
   }
   if (!done) {
     done = attempt(near.state, 40) || attempt(present, 40);
