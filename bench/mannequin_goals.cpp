@@ -125,8 +125,11 @@ ReachableGoal makeGoal(const Figure& figure, const GoalOptions& options, std::mt
   }
   goal.neutral = *libraryPosture(figure, "standing");
   const dvec3 middle = 0.5 * (feet[0].p_WS + feet[1].p_WS);
-  goal.neutral.X_WR.p = middle + dvec3(0.0, 0.0, 0.97 * (figure.thighLength() + figure.shankLength()) - 0.01);
-  putLegsBack(figure, feet, 1.0, goal.neutral);
+  const double leg = figure.thighLength() + figure.shankLength();
+  for (double share = 0.99; share > 0.5; share -= 0.01) {
+    goal.neutral.X_WR.p = middle + dvec3(0.0, 0.0, share * leg);
+    if (putLegsBack(figure, feet, 1.0, goal.neutral)) break;
+  }
   return goal;
 }
 

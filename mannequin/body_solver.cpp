@@ -170,7 +170,7 @@ void BodySolver::measure() {
   errors_.p_WCom = centerOfMass(*figure_, pose_, task_->loads);
   errors_.balance = task_->balance ? task_->support.margin(glm::dvec2(errors_.p_WCom)) - task_->balance_margin : 0.0;
   const double outside = std::max(0.0, -errors_.balance);
-  errors_.merit += 1e2 * outside * outside;
+  errors_.merit += balance_weight_ * outside * outside;
 }
 
 void BodySolver::fillHands(const VariableAxes& axes, double lambda, StepProblem& problem) const {

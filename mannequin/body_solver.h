@@ -51,6 +51,13 @@ class BodySolver {
   BodySolver(const Figure& figure, const ResolvedTask& task) : figure_(&figure), task_(&task) {}
 
   void set(const BodyState& state);
+  /// How much balance counts against the hands in the merit (both in m^2). On the way to a goal a little, else steps are
+  /// refused that would get there; what is kept at the end needs the strict one.
+  void setBalanceWeight(double weight) {
+    balance_weight_ = weight;
+    set(BodyState(state_));
+  }
+  static constexpr double kStrictBalance = 1e4;
   const BodyState& state() const { return state_; }
   const FigurePose& pose() const { return pose_; }
   const TaskErrors& errors() const { return errors_; }
@@ -81,6 +88,7 @@ class BodySolver {
   FigurePose pose_;
   TaskErrors errors_;
   ActiveSet active_{};
+  double balance_weight_ = 1e2;
   int iterations_ = 0;
 };
 

@@ -17,7 +17,7 @@ using S = Segment;
 constexpr double kGoodArms = 0.25;    ///< Cost of closed-form arms below which the present trunk is worth a try.
 constexpr double kNearMerit = 0.003;  ///< m^2: the start itself is nearly there.
 constexpr int kPolishSteps = 20;
-constexpr int kComfortSteps = 3;
+constexpr int kComfortSteps = 2;
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
 constexpr double kMostTickTurn = 1.8 * kDegree;
 constexpr double kComfortableStretch = 0.985;
@@ -92,8 +92,9 @@ PostureResult PostureSolver::solve(const PostureTask& task, const Posture& start
   }
   if (!done) {
     done = attempt(near.state, 40) || attempt(present, 40);
-    solver = best;
     if (!done) {
+      best.setBalanceWeight(BodySolver::kStrictBalance);
+      solver = best;
       const int before = solver.iterations();
       solver.run(40, {0.3, 1e-3, 0.0}, false);
       iterations += solver.iterations() - before;
@@ -162,6 +163,7 @@ PostureResult PostureSolver::follow(const PostureTask& task, const Posture& from
   const ResolvedTask resolved = resolve(*figure_, task, start_pose);
   BodySolver solver(*figure_, resolved);
   solver.set(stateOf(from));
+  solver.setBalanceWeight(BodySolver::kStrictBalance);
   const BodyState before = solver.state();
   if (resolved.held || !followWithArms(*figure_, resolved, solver)) {
     StepLimits limits{kTickTurn, 1e-4, 0.02};
