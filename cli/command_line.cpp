@@ -51,6 +51,7 @@ int runCommandLine(int argc, char** argv) {
   addInverseKinematicsCommand(app, chosen);
   addLibraryCommand(app, chosen);
   addTrajectoryCommand(app, chosen);
+  addMannequinCommand(app, chosen);
   addWorkcellCommand(app, chosen);
   addSessionCommand(app, chosen);
 

@@ -51,8 +51,8 @@ class BodySolver {
   BodySolver(const Figure& figure, const ResolvedTask& task) : figure_(&figure), task_(&task) {}
 
   void set(const BodyState& state);
-  /// How much balance counts against the hands in the merit (both in m^2). On the way to a goal a little, else steps are
-  /// refused that would get there; what is kept at the end needs the strict one.
+  /// How much balance counts against the hands in the merit (both in m^2). On the way to a goal a little, else steps
+  /// are refused that would get there; what is kept at the end needs the strict one.
   void setBalanceWeight(double weight) {
     balance_weight_ = weight;
     set(BodyState(state_));
