@@ -108,10 +108,11 @@ ordered_json robotReport(const workcell::Entity& entity) {
   for (std::size_t k = 0; k < robot.links.size(); ++k) {
     if (!robot.links[k].visuals.empty()) links.push_back(linkReport(robot.links[k], entity.X_WE * X_BL[k]));
   }
-  ordered_json report = groupReport(entity.name, "robot", std::move(links));
+  const bool mannequin = entity.kind == workcell::EntityKind::kMannequin;
+  ordered_json report = groupReport(entity.name, mannequin ? "mannequin" : "robot", std::move(links));
   report["dof"] = robot.dof();
   report["joints"] = jointsReport(robot);
-  report["inverse_model"] = inverseModelReport(robot, entity.tip_link);
+  report["inverse_model"] = mannequin ? ordered_json("mannequin") : inverseModelReport(robot, entity.tip_link);
   report["tip_link"] = entity.tip_link;
   return report;
 }

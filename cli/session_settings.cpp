@@ -37,7 +37,7 @@ Expected<void> setSafetyDistance(const std::string& value, SessionOptions& optio
 }
 
 std::string knownKeys(const SessionOptions& options) {
-  std::string keys = "moved_by, axes, scale, force_class, on_contact, forces, safety_distance";
+  std::string keys = "moved_by, lock, axes, scale, force_class, on_contact, forces, safety_distance";
   for (const config::Setting& setting : config::settings(options.configuration)) keys += ", " + setting.key;
   return keys;
 }
@@ -57,7 +57,13 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
     return makeError({"", "--set", "'" + setting + "'", "KEY=VALUE", ""});
   }
   const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
-  if (key == "moved_by") return take(manipulation::parseMovedBy(value), options.moved_by);
+  if (key == "moved_by") {
+    const bool trunk = options.moved_by.lock_trunk, pelvis = options.moved_by.lock_pelvis;
+    const auto taken = take(manipulation::parseMovedBy(value), options.moved_by);
+    options.moved_by.lock_trunk = trunk;
+    options.moved_by.lock_pelvis = pelvis;
+    return taken;
+  }
   if (key == "axes") return take(manipulation::parseAxes(value), options.axes);
   if (key == "scale") return take(manipulation::parseScale(value), options.scale);
   if (key == "forces") return setForces(value, options);
@@ -68,9 +74,7 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   if (key == "force_class" || key == "manipulation.force_class") {
     return take(manipulation::parseForceClass(value), options.force_class);
   }
-  if (key == "lock") {
-    return makeError({"", "--set lock", "'" + value + "'", "a mannequin as the entity; there is none to lock", ""});
-  }
+  if (key == "lock") return manipulation::parseLock(value, options.moved_by);
   if (!isConfigurationKey(key, options)) {
     return makeError({"", "--set", "there is no key '" + key + "'", "one of " + knownKeys(options), ""});
   }

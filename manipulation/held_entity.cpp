@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/inverse_factory.h"
+#include "manipulation/mannequin_manipulator.h"
 #include "manipulation/robot_manipulator.h"
 #include "manipulation/solid_manipulator.h"
 
@@ -48,6 +49,7 @@ void blend(const config::Configuration& configuration, const Entity& a, const En
 }
 
 std::string choicesOf(const Entity& entity) {
+  if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands or self_origin";
   return entity.kind == EntityKind::kRobot ? "tcp, base or frame:NAME of one of its links"
                                            : "self_origin, geometric_center or frame:NAME of an entity";
 }
@@ -73,6 +75,19 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   return held;
 }
 
+bool HeldEntity::makeMannequinManipulator(const Entity& entity, const MovedBy& moved_by) {
+  using Kind = MovedBy::Kind;
+  using Hands = MannequinManipulator::Hands;
+  const Kind kind = moved_by.kind;
+  const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
+  if (!by_hand || !entity.figure || !entity.robot) return false;
+  const Hands hands = kind == Kind::kLeftHand ? Hands::kLeft : kind == Kind::kRightHand ? Hands::kRight : Hands::kBoth;
+  manipulator_ = std::make_unique<MannequinManipulator>(
+      entity.figure, entity.robot, hands, MannequinManipulator::Locks{moved_by.lock_trunk, moved_by.lock_pelvis},
+      accepted_, links_);
+  return true;
+}
+
 Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options) {
   std::vector<Pose> X_EP;
   for (const ScenePart& part : scene_->parts()) {
@@ -82,7 +97,12 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
     X_EP.push_back(PreparedScene::partPose(entity, Pose::identity(), accepted_.joints, part.link));
   }
   MovedBy::Kind kind = options.moved_by.kind;
+  if (makeMannequinManipulator(entity, options.moved_by)) return {};
+  if ((options.moved_by.lock_trunk || options.moved_by.lock_pelvis) && entity.kind != EntityKind::kMannequin) {
+    return makeError(refusal(entity, "it has no trunk to lock", "a mannequin"));
+  }
   const bool robot = entity.kind == EntityKind::kRobot && entity.robot != nullptr;
+  if (kind == MovedBy::Kind::kWhole) kind = MovedBy::Kind::kSelfOrigin;
   if (kind == MovedBy::Kind::kDefault) kind = robot ? MovedBy::Kind::kTcp : MovedBy::Kind::kSelfOrigin;
   const int named_link = robot && kind == MovedBy::Kind::kFrame ? entity.robot->findLink(options.moved_by.frame) : -1;
   if (robot && (kind == MovedBy::Kind::kTcp || named_link >= 0)) {
@@ -106,7 +126,7 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
     X_EM = entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
   } else if (kind == MovedBy::Kind::kGeometricCenter && entity.mesh) {
     X_EM = Pose::translation(entity.mesh->bounds().center());
-  } else if (kind == MovedBy::Kind::kTcp || (kind == MovedBy::Kind::kBase) != robot) {
+  } else if (kind == MovedBy::Kind::kTcp || kind > MovedBy::Kind::kWhole || (kind == MovedBy::Kind::kBase) != robot) {
     return makeError(refusal(entity, "it cannot be moved by that", choicesOf(entity)));
   }
   manipulator_ = std::make_unique<SolidManipulator>(X_EM, std::move(X_EP));

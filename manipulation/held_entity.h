@@ -83,6 +83,7 @@ class HeldEntity {
   /// m: least boundary, so that the exact check has room to work in.
   static constexpr double kSkin = 20e-6;
   HeldEntity();
+  bool makeMannequinManipulator(const workcell::Entity& entity, const MovedBy& moved_by);
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "manipulation/manipulation_command.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -26,14 +27,38 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
   const std::pair<const char*, Kind> words[] = {{"tcp", Kind::kTcp},
                                                 {"base", Kind::kBase},
                                                 {"self_origin", Kind::kSelfOrigin},
-                                                {"geometric_center", Kind::kGeometricCenter}};
+                                                {"geometric_center", Kind::kGeometricCenter},
+                                                {"whole", Kind::kWhole},
+                                                {"left_hand", Kind::kLeftHand},
+                                                {"right_hand", Kind::kRightHand},
+                                                {"both_hands", Kind::kBothHands}};
   for (const auto& [word, kind] : words) {
-    if (text == word) return MovedBy{kind, {}};
+    if (text == word) return MovedBy{kind};
   }
   if (startsWith(text, kFramePrefix) && text.size() > kFramePrefix.size()) {
     return MovedBy{Kind::kFrame, text.substr(kFramePrefix.size())};
   }
-  return unknown("moved_by", text, "tcp, base, self_origin, geometric_center or frame:NAME");
+  return unknown("moved_by", text,
+                 "tcp, base, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand or both_hands");
+}
+
+Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {
+  MovedBy locked = moved_by;
+  locked.lock_trunk = locked.lock_pelvis = false;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (word == "trunk") {
+      locked.lock_trunk = true;
+    } else if (word == "pelvis") {
+      locked.lock_pelvis = true;
+    } else if (word != "feet" && word != "none") {
+      return unknown("lock", word, "trunk, feet, pelvis or none");
+    }
+    begin = end + 1;
+  }
+  moved_by = locked;
+  return {};
 }
 
 Expected<ScaleChoice> parseScale(const std::string& text) {

@@ -24,13 +24,23 @@ struct MovedBy {
     kSelfOrigin,       ///< Solids: the origin of the entity.
     kGeometricCenter,  ///< Solids: the middle of its bounds.
     kFrame,            ///< The origin and axes of a frame by name: a robot's link or another entity.
+    kWhole,            ///< Mannequins: the whole figure as it stands.
+    kLeftHand,         ///< Mannequins: the hand's grip; the body follows.
+    kRightHand,
+    kBothHands,  ///< Mannequins: what both hands hold, rigidly.
   };
   Kind kind = Kind::kDefault;
-  std::string frame;  ///< kFrame only.
+  std::string frame = {};    ///< kFrame only.
+  bool lock_trunk = false;   ///< Mannequins drawn by a hand: pelvis and spine do not move.
+  bool lock_pelvis = false;  ///< The pelvis does not move. Feet always stand.
 };
 
-/// tcp, base, self_origin, geometric_center, frame:NAME; anything else is an error that lists them.
+/// tcp, base, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands; anything else is an
+/// error that lists them.
 Expected<MovedBy> parseMovedBy(const std::string& text);
+
+/// "trunk", "feet", "pelvis", several with commas between, or "none": sets the locks of `moved_by`. Feet stand anyway.
+Expected<void> parseLock(const std::string& text, MovedBy& moved_by);
 
 enum class ScaleLevel { kRough, kMedium, kFine, kScreen, kNumber };
 struct ScaleChoice {

@@ -333,6 +333,26 @@ bool BodySolver::step(const StepLimits& limits) {
   return false;
 }
 
+Variables BodySolver::response(Side hand, const Twist& motion, VariableAxes& axes) const {
+  findAxes(state_, pose_, axes);
+  StepProblem problem;
+  fillProblem(axes, {0.1, 1e-7, 0.0}, problem);
+  const std::size_t row = static_cast<std::size_t>(kHandRow + (hand == Side::kLeft ? 0 : 6));
+  for (double& e : problem.e) e = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    problem.e[row + k] = motion.linear[static_cast<int>(k)];
+    problem.e[row + 3 + k] = kLever * motion.angular[static_cast<int>(k)];
+  }
+  ActiveSet active{};
+  Variables step{};
+  solveStep(problem, active, step);
+  return step;
+}
+
+Segment segmentOfVariable(int variable) {
+  return kTurned[static_cast<std::size_t>(variable)];
+}
+
 void BodySolver::run(int most, StepLimits limits, bool impatient) {
   double milestone = errors_.merit;
   const double widest = limits.turn;

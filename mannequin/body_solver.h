@@ -72,6 +72,9 @@ class BodySolver {
   /// Binds the right hand to the left one exactly; false when the arm cannot.
   bool bindHeld();
 
+  /// What the variables would do for a small motion of a hand, to first order; `axes` tells what they turn about.
+  Variables response(Side hand, const Twist& motion, VariableAxes& axes) const;
+
   int iterations() const { return iterations_; }
 
  private:
@@ -91,6 +94,9 @@ class BodySolver {
   double balance_weight_ = 1e2;
   int iterations_ = 0;
 };
+
+/// The segment that a variable turns (with everything it carries).
+Segment segmentOfVariable(int variable);
 
 /// Replaces legs by their closed form where that keeps the limits.
 void standOn(const Figure& figure, const std::array<SegmentPlace, 2>& feet, BodyState& state);

@@ -85,6 +85,43 @@ Posture swapHands(const Posture& posture) {
   return result;
 }
 
+namespace {
+
+constexpr std::array<Dof, 4> kBalls = {Dof::kLeftShoulderFlexion, Dof::kRightShoulderFlexion, Dof::kLeftHipFlexion,
+                                       Dof::kRightHipFlexion};
+
+dvec3 turnOfBall(const Posture& from, const Posture& to, Dof first) {
+  return rotationVector(glm::quat_cast(ballRotationOf(to, first) * glm::transpose(ballRotationOf(from, first))));
+}
+
+}  // namespace
+
+Posture interpolate(const Posture& from, const Posture& to, double s) {
+  Posture posture = from;
+  posture.X_WR = interpolate(from.X_WR, to.X_WR, s);
+  for (std::size_t i = 0; i < kDofCount; ++i) posture.angles[i] += s * (to.angles[i] - from.angles[i]);
+  for (const Dof first : kBalls) {
+    const dquat part = quaternionFromRotationVector(s * turnOfBall(from, to, first));
+    setBallRotation(posture, first, glm::mat3_cast(part) * ballRotationOf(from, first));
+  }
+  posture.gaze = {from.gaze.yaw + s * (to.gaze.yaw - from.gaze.yaw),
+                  from.gaze.pitch + s * (to.gaze.pitch - from.gaze.pitch)};
+  return posture;
+}
+
+std::array<double, kSegmentCount> turnsBetween(const Posture& from, const Posture& to) {
+  std::array<double, kSegmentCount> turns{};
+  turns[0] = glm::length(difference(to.X_WR, from.X_WR).angular);
+  for (std::size_t i = 0; i < kDofCount; ++i) {
+    const Dof dof = static_cast<Dof>(i);
+    if (!isBallAngle(dof)) turns[indexOf(dofInfo(dof).segment)] += std::abs(to.angles[i] - from.angles[i]);
+  }
+  for (const Dof first : kBalls) {
+    turns[indexOf(dofInfo(first).segment)] = glm::length(turnOfBall(from, to, first));
+  }
+  return turns;
+}
+
 double lowestPoint(const Figure& figure, const FigurePose& pose) {
   const Sole& sole = figure.sole;
   double lowest = 1e9;

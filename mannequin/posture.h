@@ -40,6 +40,13 @@ void setBallRotation(Posture& posture, Dof first, const dmat3& R_PS);
 /// -4.0 deg, limit 0". Nothing is clamped.
 std::vector<std::string> limitViolations(const Posture& posture, double tolerance_rad = 1e-6);
 
+/// The posture at `s` in [0, 1] of the motion from one to the other: hinges evenly, ball joints and the root about
+/// fixed axes.
+Posture interpolate(const Posture& from, const Posture& to, double s);
+
+/// How far each segment turns in its parent on that motion, rad (hinges of one joint added up); the root's first.
+std::array<double, kSegmentCount> turnsBetween(const Posture& from, const Posture& to);
+
 /// A posture of the library, by angles in degrees that differ from zero.
 struct LibraryPosture {
   std::string name;  ///< "standing", "seated", "overhead", ...

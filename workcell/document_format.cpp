@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "workcell/command.h"
 #include "workcell/document_io.h"
@@ -19,8 +20,8 @@ namespace {
 
 constexpr const char* kFormat = "hapticell-workcell";
 constexpr int kVersion = 1;
-const std::vector<std::string> kKindWords = {"solid", "robot", "mechanism", "assembly"};  // As EntityKind.
-const std::vector<std::string> kAxisWords = {"x", "y", "z"};                              // As UpAxis.
+const std::vector<std::string> kKindWords = {"solid", "robot", "mechanism", "assembly", "mannequin"};  // As EntityKind.
+const std::vector<std::string> kAxisWords = {"x", "y", "z"};                                           // As UpAxis.
 const std::vector<std::string> kJointWords = {"fixed", "revolute", "prismatic", "screw"};
 const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 const std::vector<std::string> kForceClassWords = {"constant", "contact", "dynamics"};
@@ -420,7 +421,8 @@ class StateReader {
 
   void readJoints(const Json& json, const std::string& place, Entity& entity) {
     FieldReader fields(json, place + ", \"joints\"", error_);
-    const std::vector<double> rest = kinematics::restPositions(*entity.robot);
+    const std::vector<double> rest =
+        entity.joints.empty() ? kinematics::restPositions(*entity.robot) : std::exchange(entity.joints, {});
     for (int index : entity.robot->moving) {
       const kinematics::Joint& joint = entity.robot->joints[static_cast<std::size_t>(index)];
       double value = rest[entity.joints.size()];

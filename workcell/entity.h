@@ -10,6 +10,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "kinematics/robot_model.h"
+#include "mannequin/figure.h"
 #include "workcell/import_options.h"
 
 namespace hapticell::workcell {
@@ -21,7 +22,7 @@ using EntityId = std::uint64_t;
 
 /// An assembly holds others: it has neither mesh nor robot, and moving, hiding, locking or removing it does so to all
 /// that stands below it.
-enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly };
+enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly, kMannequin };
 
 /// What happens to a moved entity that meets an obstacle.
 enum class OnContact { kStop, kSlide, kPass };
@@ -78,6 +79,7 @@ struct Entity {
   SourceFile source;
   std::shared_ptr<const geometry::TriangleMesh> mesh;    ///< Solids.
   std::shared_ptr<const kinematics::RobotModel> robot;   ///< Robots.
+  std::shared_ptr<const mannequin::Figure> figure;       ///< Mannequins; they have a `robot` too (figure_model.h).
   std::vector<double> joints;                            ///< Robots: position of each variable.
   std::string tip_link;                                  ///< Robots: the link that carries the tool centre point.
   Pose X_LT;                                             ///< Robots: the tool centre point in the tip link.

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "geometry/shapes.h"
+#include "mannequin/figure_model.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/robot_library.h"
 #include "workcell/robot_reader.h"
@@ -59,10 +60,7 @@ Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics&
   const std::string& what = source.path;
   const std::string scheme = schemeOf(what);
   const bool said = source.scale != 0.0 && source.scale != 1.0;
-  if (scheme == "mannequin") {
-    return makeError({what, "", "mannequins are not in this version", "a solid or a robot",
-                      "They come in a later version of HaptiCell."});
-  }
+  if (scheme == "mannequin") return loadMannequin(what);
   if (scheme == "library") return loadLibraryRobot(what, diagnostics);
   if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();
@@ -179,6 +177,41 @@ Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnos
   if (!entity) return entity;
   entity->source = {what, 1.0};
   entity->name = name;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= what.size();) {
+    const std::size_t end = std::min(what.find(':', begin), what.size());
+    words.push_back(what.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  const bool known_sex = words.size() == 3 && (words[1] == "male" || words[1] == "female");
+  const std::optional<double> percentile = known_sex ? parseNumber(words[2]) : std::nullopt;
+  if (!percentile) {
+    return makeError({what, "", "no mannequin", "mannequin:SEX:PERCENTILE, such as mannequin:female:5", ""});
+  }
+  const mannequin::Sex sex = words[1] == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
+  const Expected<double> stature = mannequin::statureOfPercentile(sex, *percentile);
+  Expected<mannequin::Figure> figure =
+      stature ? mannequin::makeFigure({sex, *stature}) : Expected<mannequin::Figure>(makeError(stature.error()));
+  if (!figure) {
+    Error error = figure.error();
+    error.file = what;
+    return makeError(std::move(error));
+  }
+  auto& model = robots_[what];
+  if (!model) model = mannequin::figureModel(*figure);
+  Entity entity;
+  entity.kind = EntityKind::kMannequin;
+  entity.robot = model;
+  entity.joints = mannequin::toModel(*figure, *mannequin::libraryPosture(*figure, "standing")).joints;
+  entity.figure = std::make_shared<const mannequin::Figure>(std::move(*figure));
+  entity.name = "mannequin";
+  entity.source = {what, 1.0};
+  entity.tip_link = "r_hand";
+  entity.mass = entity.figure->totalMass();
   return entity;
 }
 

@@ -27,7 +27,8 @@ class EntityLoader {
   /// One entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
   /// by default, joints empty. `scale` is metres per unit of the file (0: as the file says, metres where it says none);
   /// a robot's file is always in metres, another scale for it is an error. A file with a tree becomes one solid. What
-  /// is missing, broken or not known is an error that names it. Mannequins come in a later version and are refused.
+  /// is missing, broken or not known is an error that names it. A mannequin, "mannequin:SEX:PERCENTILE", stands with
+  /// its feet on the floor of its own frame.
   Expected<Entity> load(const std::string& what, double scale, Diagnostics& diagnostics);
 
   /// The entity that a source in a document stands for: as load(), but the one part of the file that `source.part`
@@ -44,6 +45,7 @@ class EntityLoader {
 
   Expected<Entity> loadShape(const std::string& what, double scale) const;
   Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
+  Expected<Entity> loadMannequin(const std::string& what);
   Expected<Entity> loadRobot(const std::filesystem::path& file, Diagnostics& diagnostics);
   Expected<Entity> loadMesh(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
   Expected<Entity> loadPart(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);

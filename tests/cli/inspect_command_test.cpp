@@ -139,7 +139,7 @@ TEST_F(FileCommands, whatIsWrongIsOneSentenceAndNothingIsWritten) {
       {{"--add", "part.obj,pose=0,0,0,1,0,0,nan"}, "seven numbers"},
       {{"--add", "part.obj,pose=0,0,0,2,0,0,0"}, "length 1"},
       {{"--add", "part.obj,name=a", "--add", "part.obj,name=a"}, "taken"},
-      {{"--add", "mannequin:male:50"}, "later version"},
+      {{"--add", "mannequin:male:500"}, "0.1 to 99.9"},
       {{"--add", "library:nothing"}, "library:nothing"},
       {{"--add", "box:1,2"}, "box:X,Y,Z"},
       {{"--add", "part.obj", "--check", "part:table"}, "there is no entity 'table'; expected one of part"},
