@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -6,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/hand_targets.h"
 #include "cli/timing.h"
+#include "mannequin/body_shape.h"
 #include "mannequin/figure.h"
 #include "mannequin/forward_kinematics.h"
 #include "mannequin/posture_file.h"
@@ -197,6 +199,22 @@ Expected<void> solveTargets(const MannequinOptions& options, const Figure& figur
   return {};
 }
 
+/// The body in a posture as OBJ text.
+std::string bodyText(const Figure& figure, const Posture& posture) {
+  const Skin skin = skinOf(figure, posture);
+  std::string text = "# HaptiCell mannequin, metres, Z up\n";
+  char line[96];
+  for (const dvec3& v : skin.mesh.vertices) {
+    std::snprintf(line, sizeof line, "v %.5f %.5f %.5f\n", v.x, v.y, v.z);
+    text += line;
+  }
+  for (const geometry::Triangle& t : skin.mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %u %u %u\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += line;
+  }
+  return text;
+}
+
 Expected<Outcome> solve(const MannequinOptions& options) {
   const Expected<Figure> figure = figureFor(options);
   if (!figure) return makeError(figure.error());
@@ -210,7 +228,9 @@ Expected<Outcome> solve(const MannequinOptions& options) {
     if (!solved) return makeError(solved.error());
   }
   if (!options.output.empty()) {
-    const auto written = writeFileAtomically(options.output, postureText(*posture));
+    const bool body = options.output.ends_with(".obj");
+    const auto written =
+        writeFileAtomically(options.output, body ? bodyText(*figure, *posture) : postureText(*posture));
     if (!written) return makeError(written.error());
   }
   return outcome;
@@ -242,7 +262,7 @@ void addMannequinCommand(CLI::App& app, Action& chosen) {
   command->add_option("--hands", options->hands, "left, right or both: which of the targets' hands count");
   command->add_option("--lock", options->lock, "trunk, feet, pelvis: what does not move")->delimiter(',');
   command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
-  command->add_option("-o,--output", options->output, "Write the posture to this file");
+  command->add_option("-o,--output", options->output, "Write the posture to this file; .obj: the body in it");
   command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 

@@ -201,7 +201,7 @@ Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
     error.file = what;
     return makeError(std::move(error));
   }
-  auto& model = robots_[what];
+  auto& model = robots_[what].model;
   if (!model) model = mannequin::figureModel(*figure);
   Entity entity;
   entity.kind = EntityKind::kMannequin;

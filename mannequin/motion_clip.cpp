@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/motion_clip.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace hapticell::mannequin {
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 256u << 20;
+
+bool sameWord(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+Expected<std::string> contentOf(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed))
+    return makeError({file.string(), "", "no file to read", "a motion file", ""});
+  if (std::filesystem::file_size(file, failed) > kMostBytes) {
+    return makeError({file.string(), "", "more than 256 megabytes", "a motion file", ""});
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+int MotionClip::find(std::string_view name) const {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (sameWord(joints[i].name, name)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void placeJoints(const MotionClip& clip, const ClipFrame& frame, ClipPose& pose) {
+  pose.p.resize(clip.joints.size());
+  pose.q.resize(clip.joints.size());
+  for (std::size_t i = 0; i < clip.joints.size(); ++i) {
+    const ClipJoint& joint = clip.joints[i];
+    if (joint.parent < 0) {
+      pose.p[i] = frame.p_root + joint.p_Parent;
+      pose.q[i] = frame.turns[i];
+      continue;
+    }
+    const std::size_t parent = static_cast<std::size_t>(joint.parent);
+    pose.p[i] = pose.p[parent] + pose.q[parent] * joint.p_Parent;
+    pose.q[i] = glm::normalize(pose.q[parent] * frame.turns[i]);
+  }
+}
+
+Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const Expected<std::string> text = contentOf(file);
+  if (!text) return makeError(text.error());
+  if (ending == ".bvh") return readBvh(*text, file.string());
+  if (ending != ".amc") return makeError({file.string(), "", "'" + ending + "'", ".bvh, or .amc beside its .asf", ""});
+  std::filesystem::path skeleton = file;
+  skeleton.replace_extension(".asf");
+  std::error_code ignored;
+  if (!std::filesystem::exists(skeleton, ignored)) {
+    const std::string stem = file.stem().string();
+    skeleton.replace_filename(stem.substr(0, stem.find('_')) + ".asf");
+  }
+  const Expected<std::string> asf = contentOf(skeleton);
+  if (!asf) return makeError(asf.error());
+  return readAsfAmc(*asf, skeleton.string(), *text, file.string());
+}
+
+}  // namespace hapticell::mannequin

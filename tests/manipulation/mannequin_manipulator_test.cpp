@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/mannequin_manipulator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mannequin/figure_model.h"
+#include "tests/manipulation/test_cells.h"
+#include "workcell/entity_source.h"
+
+namespace hapticell::manipulation {
+namespace {
+
+using Hands = MannequinManipulator::Hands;
+
+workcell::Entity mannequinEntity(const char* posture) {
+  workcell::EntityLoader loader(".");
+  Diagnostics diagnostics;
+  workcell::Entity entity = *loader.load("mannequin:male:50", 1.0, diagnostics);
+  entity.id = 7;
+  entity.name = "worker";
+  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+  entity.X_WE = model.X_WE;
+  entity.joints = model.joints;
+  return entity;
+}
+
+MannequinManipulator manipulatorOf(const workcell::Entity& entity, Hands hands, bool lock_trunk,
+                                   std::vector<int>& links) {
+  links.clear();
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+    if (!entity.robot->links[i].collisions.empty()) links.push_back(static_cast<int>(i));
+  }
+  return {entity.figure, entity.robot, hands, {lock_trunk, false}, {entity.X_WE, entity.joints}, links};
+}
+
+double placeError(const Pose& a, const Pose& b) {
+  const Twist off = difference(a, b);
+  return std::max(glm::length(off.linear), 0.1 * glm::length(off.angular));
+}
+
+TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
+  const workcell::Entity entity = mannequinEntity("both_hands_forward");
+  std::vector<int> links;
+  for (const Hands hands : {Hands::kLeft, Hands::kRight, Hands::kBoth}) {
+    const MannequinManipulator manipulator = manipulatorOf(entity, hands, false, links);
+    const EntityConfiguration start{entity.X_WE, entity.joints};
+    Pose wanted = manipulator.movedFrame(start);
+    wanted.p += dvec3(0.02, 0.01, -0.03);
+    const EntityConfiguration moved = manipulator.propose(start, wanted);
+    EXPECT_LT(placeError(manipulator.movedFrame(moved), wanted), 1e-4);
+    std::vector<Pose> before(links.size()), after(links.size());
+    manipulator.partPoses(start, before);
+    manipulator.partPoses(moved, after);
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const std::string& name = entity.robot->links[static_cast<std::size_t>(links[k])].name;
+      if (name.find("foot") != std::string::npos) {
+        EXPECT_LT(glm::length(before[k].p - after[k].p), 3e-4) << name;
+      }
+    }
+  }
+}
+
+TEST(MannequinManipulator, NoPointMovesFartherThanItsBound) {
+  const workcell::Entity entity = mannequinEntity("reaching");
+  std::vector<int> links;
+  const MannequinManipulator manipulator = manipulatorOf(entity, Hands::kRight, false, links);
+  const EntityConfiguration start{entity.X_WE, entity.joints};
+  Pose wanted = manipulator.movedFrame(start);
+  wanted.p += dvec3(-0.05, 0.04, 0.06);
+  const EntityConfiguration end = manipulator.propose(start, wanted);
+  std::vector<PartSphere> spheres(links.size(), {dvec3(0.0, 0.0, -0.05), 0.05});
+  std::vector<double> bounds(links.size());
+  manipulator.pathBounds(start, end, spheres, bounds);
+  std::vector<double> paths(links.size(), 0.0);
+  std::vector<Pose> last(links.size()), now(links.size());
+  manipulator.partPoses(start, last);
+  constexpr int kSteps = 50;
+  for (int i = 1; i <= kSteps; ++i) {
+    manipulator.partPoses(manipulator.between(start, end, static_cast<double>(i) / kSteps), now);
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const dvec3 point(0.03, 0.0, -0.09);
+      paths[k] += glm::length(now[k] * point - last[k] * point);
+    }
+    last = now;
+  }
+  for (std::size_t k = 0; k < links.size(); ++k) EXPECT_LE(paths[k], bounds[k] + 1e-9) << k;
+  manipulator.partPoses(end, last);
+  for (std::size_t k = 0; k < links.size(); ++k) EXPECT_LT(glm::length(last[k].p - now[k].p), 1e-9);
+}
+
+TEST(MannequinManipulator, TheEndOfTheReachIsALimitAndNamesTheMillimetres) {
+  const workcell::Entity entity = mannequinEntity("both_hands_forward");
+  std::vector<int> links;
+  const MannequinManipulator manipulator = manipulatorOf(entity, Hands::kRight, true, links);
+  EntityConfiguration configuration{entity.X_WE, entity.joints};
+  EXPECT_TRUE(manipulator.limits(configuration, 0.05, 0.05).empty());
+  Pose wanted = manipulator.movedFrame(configuration);
+  for (int i = 0; i < 200; ++i) {
+    wanted.p.x += 0.004;
+    configuration = manipulator.propose(configuration, wanted);
+  }
+  EXPECT_GT(glm::length(manipulator.movedFrame(configuration).p - wanted.p), 0.2);
+  const auto limits = manipulator.limits(configuration, 0.05, 0.05);
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_LT(limits[0].constraint_W.gap, 0.02);
+  EXPECT_LT(limits[0].constraint_W.gradient[0], -0.5);
+  EXPECT_NE(limits[0].text.find("right hand"), std::string::npos);
+}
+
+TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
+  const workcell::Entity entity = mannequinEntity("both_hands_forward");
+  std::vector<int> links;
+  const MannequinManipulator manipulator = manipulatorOf(entity, Hands::kRight, true, links);
+  const EntityConfiguration start{entity.X_WE, entity.joints};
+  const auto parts = manipulator.differentiate(start);
+  Pose wanted = manipulator.movedFrame(start);
+  wanted.p.z += 2e-4;
+  std::vector<Pose> before(links.size()), after(links.size());
+  manipulator.partPoses(start, before);
+  manipulator.partPoses(manipulator.propose(start, wanted), after);
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const std::string& name = entity.robot->links[static_cast<std::size_t>(links[k])].name;
+    if (name != "r_hand" && name != "r_index2") continue;
+    EXPECT_LT(glm::length(after[k].p - before[k].p - 2e-4 * parts[k].velocity[2].linear), 2e-5) << name;
+  }
+}
+
+TEST(MannequinSession, AHandLaidOnATableIsStoppedAndFelt) {
+  workcell::Entity worker = mannequinEntity("both_hands_forward");
+  mannequin::Posture posture = mannequin::toPosture(*worker.figure, {worker.X_WE, worker.joints});
+  const Pose hand = mannequin::handPose(mannequin::forwardKinematics(*worker.figure, posture), mannequin::Side::kRight);
+  std::vector<workcell::Entity> cell = {test::solid(1, "table", geometry::makeBox({0.5, 0.6, 0.04}),
+                                                    Pose::translation({hand.p.x + 0.15, hand.p.y, hand.p.z - 0.16})),
+                                        worker};
+  SessionOptions options = test::sessionOf(
+      cell, "worker",
+      test::handThrough(
+          {{0.0, {0, 0, 0.0}}, {0.5, {0, 0, 0.0}}, {1.5, {0, 0, -0.09}}, {2.2, {0, 0, -0.02}}, {2.4, {0, 0, -0.02}}}),
+      50.0, 0.002);
+  options.moved_by.kind = MovedBy::Kind::kRightHand;
+  options.scale = {ScaleLevel::kNumber, 1.0};
+  const auto report = runSession(options);
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_TRUE(report->held);
+  EXPECT_LE(report->penetration_max_m, 1e-4);
+  EXPECT_GT(report->force_max_n, 0.5);
+  ASSERT_GE(report->contacts.size(), 1u);
+  EXPECT_EQ(report->contacts[0].other, 1u);
+  std::printf(
+      "mannequin session: force %.2f N, step %.1f N/ms, step median %.2f p99 %.2f ms, machine %.2f s for 2.4 s\n",
+      report->force_max_n, report->force_max_step_n_per_ms, report->step_median_ms, report->step_p99_ms,
+      report->machine_time_s);
+}
+
+}  // namespace
+}  // namespace hapticell::manipulation

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mannequin/forward_kinematics.h"
+#include "mannequin/limb_inverse.h"
+#include "mannequin/motion_clip.h"
+#include "mannequin/retarget.h"
+#include "tests/support/test_data.h"
+
+namespace hapticell::mannequin {
+namespace {
+
+constexpr double kDegrees = M_PI / 180.0;
+
+constexpr const char* kSmall = R"(HIERARCHY
+ROOT hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT knee
+  {
+    OFFSET 0 -90 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 -90 0
+    }
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.01
+0 180 0 0 0 0 0 0 0
+10 180 0 90 0 0 0 90 0
+)";
+
+double angle(const dvec3& a, const dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / kDegrees;
+}
+
+TEST(Bvh, ReadsJointsChannelsAndUnit) {
+  const Expected<MotionClip> clip = readBvh(kSmall, "small.bvh");
+  ASSERT_TRUE(clip.has_value()) << clip.error().message();
+  ASSERT_EQ(clip->joints.size(), 3u);
+  EXPECT_EQ(clip->metres_per_unit, 0.01);
+  EXPECT_TRUE(clip->joints[2].is_end);
+  ClipPose pose;
+  placeJoints(*clip, clip->frames[0], pose);
+  EXPECT_NEAR(pose.p[2].y, 0.0, 1e-12);
+  placeJoints(*clip, clip->frames[1], pose);
+  // A quarter turn about z takes -y to +x; at the knee, a quarter turn about x of that frame takes it to -z.
+  EXPECT_LT(glm::length(pose.p[1] - dvec3(1.0, 1.8, 0.0)), 1e-12);
+  EXPECT_LT(glm::length(pose.p[2] - dvec3(1.0, 1.8, -0.9)), 1e-12);
+}
+
+TEST(Bvh, RefusesWhatIsBrokenWithItsLine) {
+  const std::string good = kSmall;
+  const auto refused = [](const std::string& text) {
+    const auto clip = readBvh(text, "x.bvh");
+    return clip ? std::string() : clip.error().message();
+  };
+  EXPECT_NE(refused("").find("HIERARCHY"), std::string::npos);
+  EXPECT_NE(refused(good.substr(0, 150)).find("line"), std::string::npos);
+  EXPECT_NE(refused(good.substr(0, good.size() - 6)).find("frame 2"), std::string::npos);
+  std::string bad = good;
+  bad.replace(bad.find("0 -90 0"), 7, "0 x90 0");
+  EXPECT_NE(refused(bad).find("line 8"), std::string::npos) << refused(bad);
+  bad = good;
+  bad.replace(bad.find("Yrotation"), 9, "Wrotation");
+  EXPECT_NE(refused(bad).find("Wrotation"), std::string::npos);
+  EXPECT_FALSE(readMotionFile("/nonexistent/file.bvh").has_value());
+}
+
+TEST(MotionFiles, AsfAndBvhOfTheSameClipAgree) {
+  for (const char* name : {"mocap/02_01", "mocap/02_06"}) {
+    HAPTICELL_SHARED_DATA_OR_SKIP(bvh_file, std::string(name) + ".bvh");
+    HAPTICELL_SHARED_DATA_OR_SKIP(amc_file, std::string(name) + ".amc");
+    const Expected<MotionClip> bvh = readMotionFile(bvh_file), amc = readMotionFile(amc_file);
+    ASSERT_TRUE(bvh.has_value()) << bvh.error().message();
+    ASSERT_TRUE(amc.has_value()) << amc.error().message();
+    const std::size_t every = (amc->frames.size() + bvh->frames.size() - 1) / bvh->frames.size();
+    ClipPose a, b;
+    double worst = 0.0;
+    for (std::size_t f = 0; f < bvh->frames.size(); f += 7) {
+      placeJoints(*bvh, bvh->frames[f], a);
+      placeJoints(*amc, amc->frames[f * every], b);
+      for (std::size_t i = 0; i < bvh->joints.size(); ++i) {
+        const int same = amc->find(bvh->joints[i].name);
+        if (same < 0 || bvh->joints[i].is_end) continue;
+        worst = std::max(worst, glm::length(a.p[i] - b.p[static_cast<std::size_t>(same)]));
+      }
+    }
+    EXPECT_LT(worst, 1e-4) << name;  // 0.01 cm
+  }
+}
+
+TEST(MotionFiles, AnglesAreThoseOfTheClipsDescription) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(file, "mocap/02_06.bvh");
+  const MotionClip clip = *readMotionFile(file);
+  ClipPose pose;
+  const auto p = [&](const char* name) { return pose.p[static_cast<std::size_t>(clip.find(name))]; };
+  double trunk_max = 0.0, knee_max = 0.0, elbow_max = 0.0, arm_max = 0.0;
+  int over_20 = 0, over_60 = 0;
+  for (std::size_t f = 0; f < clip.frames.size(); ++f) {
+    placeJoints(clip, clip.frames[f], pose);
+    const dvec3 trunk = p("lowerneck") - 0.5 * (p("lfemur") + p("rfemur"));
+    const double inclination = angle(trunk, {0, 1, 0});
+    trunk_max = std::max(trunk_max, inclination);
+    over_20 += inclination > 20.0 ? 1 : 0;
+    over_60 += inclination > 60.0 ? 1 : 0;
+    arm_max = std::max(arm_max, angle(p("rradius") - p("rhumerus"), -trunk));
+    elbow_max = std::max(elbow_max, angle(p("rradius") - p("rhumerus"), p("rhand") - p("rradius")));
+    knee_max = std::max(knee_max, angle(p("rtibia") - p("rfemur"), p("rfoot") - p("rtibia")));
+    if (f == 559) {
+      EXPECT_NEAR(inclination, 65.7, 0.2);
+      EXPECT_NEAR(angle(p("rradius") - p("rhumerus"), -trunk), 58.0, 0.2);
+    }
+  }
+  EXPECT_NEAR(trunk_max, 72.2, 0.2);
+  EXPECT_NEAR(arm_max, 136.3, 0.2);
+  EXPECT_NEAR(elbow_max, 121.6, 0.2);
+  EXPECT_NEAR(knee_max, 125.4, 0.2);
+  EXPECT_EQ(over_20, 492);
+  EXPECT_EQ(over_60, 175);
+}
+
+TEST(Retarget, KeepsTheAnglesOfTheClipAndTheFloor) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(file, "mocap/02_06.bvh");
+  const MotionClip clip = *readMotionFile(file);
+  const Figure figure = *makeFigure({Sex::kFemale, 1.55});
+  const Expected<RetargetedMotion> motion = retarget(figure, clip);
+  ASSERT_TRUE(motion.has_value()) << motion.error().message();
+  ASSERT_EQ(motion->postures.size(), clip.frames.size());
+  const ClipMap map = *mapClip(clip);
+  double lowest = 1e9;
+  for (std::size_t f = 0; f < clip.frames.size(); f += 11) {
+    const ClipBody body = bodyOf(clip, map, clip.frames[f]);
+    const FigurePose pose = forwardKinematics(figure, motion->postures[f]);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const std::size_t i = static_cast<std::size_t>(side);
+      const auto at = [&](Segment left) { return pose[armSegment(side, left)].p_WS; };
+      EXPECT_LT(angle(at(Segment::kLeftForearm) - at(Segment::kLeftUpperArm), body.elbow[i] - body.shoulder[i]), 0.2);
+      EXPECT_LT(angle(at(Segment::kLeftHand) - at(Segment::kLeftForearm), body.hand[i] - body.elbow[i]), 0.2);
+      const auto leg = [&](Segment left) { return pose[legSegment(side, left)].p_WS; };
+      EXPECT_LT(angle(leg(Segment::kLeftFoot) - leg(Segment::kLeftShank), body.ankle[i] - body.knee[i]), 0.2);
+      lowest = std::min(lowest, leg(Segment::kLeftFoot).z + figure.sole.z);
+    }
+  }
+  EXPECT_GT(lowest, -0.2);
+  EXPECT_LT(lowest, 0.1);
+}
+
+struct SwivelError {
+  double mean_deg = 0.0, elbow_mm = 0.0;
+  int samples = 0;
+};
+
+/// Shoulder, wrist and hand orientation from the recording, the elbow from our rule.
+SwivelError swivelError(const MotionClip& clip) {
+  const ClipMap map = *mapClip(clip);
+  SwivelError error;
+  Figure figure = *makeFigure({Sex::kMale, 1.755});
+  const int every = std::max(1, static_cast<int>(std::lround(1.0 / 30.0 / clip.frame_time)));
+  for (std::size_t f = 0; f < clip.frames.size(); f += static_cast<std::size_t>(every)) {
+    const ClipBody body = bodyOf(clip, map, clip.frames[f]);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const std::size_t i = static_cast<std::size_t>(side);
+      const double upper = glm::length(body.elbow[i] - body.shoulder[i]);
+      const double fore = glm::length(body.hand[i] - body.elbow[i]);
+      if (angle(body.elbow[i] - body.shoulder[i], body.hand[i] - body.elbow[i]) < 20.0) continue;
+      figure.p_PS[indexOf(Segment::kLeftForearm)] = {0, 0, -upper};
+      figure.p_PS[indexOf(Segment::kLeftWrist)] = figure.p_PS[indexOf(Segment::kLeftHand)] = {0, 0, -0.5 * fore};
+      figure.p_PS[indexOf(armSegment(side, Segment::kLeftUpperArm))] = dvec3(0.0);
+      const SegmentPlace thorax{body.R_thorax, body.shoulder[i]}, hand{body.R_hand[i], body.hand[i]};
+      const ArmProblem problem(figure, side, thorax, thorax, hand);
+      const double real = problem.swivelOf(body.elbow[i]), ours = problem.preferredSwivel(48);
+      const double off = std::abs(std::remainder(ours - real, 2.0 * M_PI));
+      const dvec3 along = glm::normalize(body.hand[i] - body.shoulder[i]);
+      const dvec3 arm = body.elbow[i] - body.shoulder[i];
+      const double radius = glm::length(arm - glm::dot(arm, along) * along);
+      error.mean_deg += off / kDegrees;
+      error.elbow_mm += 2000.0 * radius * std::sin(0.5 * off);
+      ++error.samples;
+    }
+  }
+  error.mean_deg /= error.samples;
+  error.elbow_mm /= error.samples;
+  return error;
+}
+
+TEST(Swivel, ElbowsAreWhereRecordedPeopleHoldThem) {
+  for (const char* name : {"mocap/02_01.bvh", "mocap/02_06.bvh"}) {
+    HAPTICELL_SHARED_DATA_OR_SKIP(file, name);
+    const SwivelError error = swivelError(*readMotionFile(file));
+    EXPECT_GT(error.samples, 50);
+    EXPECT_LT(error.mean_deg, 8.0) << name;
+    EXPECT_LT(error.elbow_mm, 35.0) << name;
+    RecordProperty(std::string(name) + " swivel deg", std::to_string(error.mean_deg));
+    std::printf("%s: swivel %.1f deg, elbow %.0f mm, %d samples\n", name, error.mean_deg, error.elbow_mm,
+                error.samples);
+  }
+}
+
+}  // namespace
+}  // namespace hapticell::mannequin
