@@ -10,8 +10,10 @@
 #include "mannequin/body_shape.h"
 #include "mannequin/figure.h"
 #include "mannequin/forward_kinematics.h"
+#include "mannequin/motion_writer.h"
 #include "mannequin/posture_file.h"
 #include "mannequin/posture_solver.h"
+#include "mannequin/retarget.h"
 #include "mannequin/support_polygon.h"
 
 namespace hapticell::cli {
@@ -30,6 +32,7 @@ struct MannequinOptions {
   std::string hands = "both";
   std::vector<std::string> lock;
   bool fail_on_limit = false;
+  std::string motion;
   std::string output;
 };
 
@@ -215,6 +218,32 @@ std::string bodyText(const Figure& figure, const Posture& posture) {
   return text;
 }
 
+/// What is written to `file`, by its ending.
+std::string textFor(const std::string& file, const Figure& figure, const Posture& posture,
+                    const RetargetedMotion& motion) {
+  if (file.ends_with(".obj")) return bodyText(figure, posture);
+  if (file.ends_with(".x3d")) return hanimText(figure, posture, "mannequin");
+  if (file.ends_with(".bvh")) return bvhText(figure, motion.postures, motion.frame_time);
+  return postureText(posture);
+}
+
+Expected<RetargetedMotion> motionFor(const std::string& file, const Figure& figure, Outcome& outcome) {
+  const Expected<MotionClip> clip = readMotionFile(file);
+  if (!clip) return makeError(clip.error());
+  Expected<RetargetedMotion> motion = retarget(figure, *clip);
+  if (!motion) {
+    Error error = motion.error();
+    error.file = file;
+    return makeError(std::move(error));
+  }
+  outcome.document["motion"] = {{"frames", motion->postures.size()},
+                                {"frame_time", motion->frame_time},
+                                {"metres_per_unit", clip->metres_per_unit},
+                                {"frames_beyond_limit", motion->frames_beyond_limit}};
+  outcome.found = outcome.found || !motion->frames_beyond_limit.empty();
+  return motion;
+}
+
 Expected<Outcome> solve(const MannequinOptions& options) {
   const Expected<Figure> figure = figureFor(options);
   if (!figure) return makeError(figure.error());
@@ -227,10 +256,14 @@ Expected<Outcome> solve(const MannequinOptions& options) {
     const auto solved = solveTargets(options, *figure, *posture, outcome);
     if (!solved) return makeError(solved.error());
   }
+  RetargetedMotion motion{{*posture}, 1.0, {}};
+  if (!options.motion.empty()) {
+    Expected<RetargetedMotion> read = motionFor(options.motion, *figure, outcome);
+    if (!read) return makeError(read.error());
+    motion = std::move(*read);
+  }
   if (!options.output.empty()) {
-    const bool body = options.output.ends_with(".obj");
-    const auto written =
-        writeFileAtomically(options.output, body ? bodyText(*figure, *posture) : postureText(*posture));
+    const auto written = writeFileAtomically(options.output, textFor(options.output, *figure, *posture, motion));
     if (!written) return makeError(written.error());
   }
   return outcome;
@@ -261,8 +294,10 @@ void addMannequinCommand(CLI::App& app, Action& chosen) {
   command->add_option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: where hands are wanted");
   command->add_option("--hands", options->hands, "left, right or both: which of the targets' hands count");
   command->add_option("--lock", options->lock, "trunk, feet, pelvis: what does not move")->delimiter(',');
+  command->add_option("--motion", options->motion, "A recorded motion (.bvh, or .amc beside its .asf) for the figure");
   command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
-  command->add_option("-o,--output", options->output, "Write the posture to this file; .obj: the body in it");
+  command->add_option("-o,--output", options->output,
+                      "Write the posture to this file; .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
   command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 

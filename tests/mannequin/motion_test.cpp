@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <random>
 
 #include "mannequin/forward_kinematics.h"
 #include "mannequin/limb_inverse.h"
 #include "mannequin/motion_clip.h"
+#include "mannequin/motion_writer.h"
 #include "mannequin/retarget.h"
+#include "random_postures.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::mannequin {
@@ -151,6 +155,46 @@ TEST(Retarget, KeepsTheAnglesOfTheClipAndTheFloor) {
   }
   EXPECT_GT(lowest, -0.2);
   EXPECT_LT(lowest, 0.1);
+}
+
+TEST(MotionWriter, WhatIsWrittenAsBvhIsReadBackWithEveryJointInPlace) {
+  std::mt19937_64 random(17);
+  const Figure figure = *makeFigure({Sex::kMale, 1.82});
+  std::vector<Posture> postures;
+  for (int n = 0; n < 5; ++n) postures.push_back(randomPosture(random));
+  const Expected<MotionClip> clip = readBvh(bvhText(figure, postures, 0.02), "written");
+  ASSERT_TRUE(clip.has_value()) << clip.error().message();
+  ASSERT_EQ(clip->frames.size(), postures.size());
+  EXPECT_EQ(clip->metres_per_unit, 0.01);
+  EXPECT_NEAR(clip->frame_time, 0.02, 1e-12);
+  for (std::size_t f = 0; f < postures.size(); ++f) {
+    ClipPose pose;
+    placeJoints(*clip, clip->frames[f], pose);
+    const FigurePose ours = forwardKinematics(figure, postures[f]);
+    for (std::size_t i = 0; i < kSegmentCount; ++i) {
+      const int joint = clip->find(segmentInfo(static_cast<Segment>(i)).joint);
+      ASSERT_GE(joint, 0);
+      const dvec3 p = pose.p[static_cast<std::size_t>(joint)];
+      EXPECT_LT(glm::length(dvec3(p.z, p.x, p.y) - ours.segments[i].p_WS), 1e-6)
+          << segmentInfo(static_cast<Segment>(i)).name;
+    }
+  }
+}
+
+TEST(MotionWriter, HAnimHasEveryJointOnceWithItsCentre) {
+  const Figure figure = *makeFigure({Sex::kFemale, 1.6});
+  const std::string text = hanimText(figure, *libraryPosture(figure, "seated"), "worker");
+  for (std::size_t i = 0; i < kSegmentCount; ++i) {
+    const std::string define = std::string("DEF=\"") + segmentInfo(static_cast<Segment>(i)).joint + "\"";
+    const std::size_t found = text.find(define);
+    ASSERT_NE(found, std::string::npos) << define;
+    EXPECT_EQ(text.find(define, found + 1), std::string::npos) << define;
+  }
+  const std::size_t elbow = text.find("center=\"", text.find("DEF=\"l_elbow\"")) + 8;
+  double x = 0.0, y = 0.0, z = 0.0;
+  ASSERT_EQ(std::sscanf(text.c_str() + elbow, "%lf %lf %lf", &x, &y, &z), 3);
+  EXPECT_NEAR(y, measuresOf(figure).at("elbow_height"), 1e-5);
+  EXPECT_GT(x, 0.1);  // The left is +x in a figure that faces +z.
 }
 
 struct SwivelError {
