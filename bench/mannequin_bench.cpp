@@ -92,6 +92,64 @@ void measureSolves(const Figure& figure, const char* name, const bench::GoalOpti
       worst_limit > 0 ? "YES" : "no");
 }
 
+/// One hand along straight lines, 1 mm a tick; with `away` straight out of the reach.
+void measureDrag(const Figure& figure, const char* name, bool two_hands, bool lock_trunk, double away, int paths) {
+  std::mt19937_64 random(11);
+  const PostureSolver solver(figure);
+  std::vector<double> times;
+  double foot = 0.0, swing = 0.0;
+  for (int p = 0; p < paths; ++p) {
+    const bench::ReachableGoal a = bench::makeGoal(figure, {0.6, false}, random);
+    const bench::ReachableGoal b = bench::makeGoal(figure, {0.6, false}, random);
+    Posture posture = a.reached;
+    PostureTask task;
+    task.trunk_locked = lock_trunk;
+    task.feet = a.task.feet;
+    FigurePose before = forwardKinematics(figure, posture);
+    const Pose stood = footPose(before, Side::kLeft);
+    const dvec3 way = away > 0.0 ? away * glm::normalize(a.task.hands[1]->p - posture.X_WR.p)
+                                 : b.task.hands[1]->p - a.task.hands[1]->p;
+    const int ticks = static_cast<int>(glm::length(way) / 1e-3);
+    for (int t = 1; t <= ticks; ++t) {
+      for (std::size_t i = two_hands ? 0 : 1; i < 2; ++i) {
+        task.hands[i] = *a.task.hands[i];
+        task.hands[i]->p += way * (static_cast<double>(t) / ticks);
+      }
+      const auto begin = Clock::now();
+      const PostureResult result = solver.follow(task, posture);
+      times.push_back(microseconds(begin));
+      const FigurePose after = forwardKinematics(figure, result.posture);
+      foot = std::max(foot, glm::length(footPose(after, Side::kLeft).p - stood.p));
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const Dof elbow = armDof(side, Dof::kLeftElbowFlexion);
+        swing = std::max(swing, std::abs(result.posture[elbow] - posture[elbow]));
+      }
+      posture = result.posture;
+      before = after;
+    }
+  }
+  std::printf("%-34s %6zu ticks  median %7.1f  p99 %7.1f us  elbow step %.2f deg  feet %.3f mm\n", name, times.size(),
+              quantile(times, 0.5), quantile(times, 0.99), swing * 180.0 / M_PI, 1000.0 * foot);
+}
+
+void measureFourSizes() {
+  const std::vector<NamedFigure> figures = boundaryFigures();
+  std::mt19937_64 random(13);
+  std::vector<double> times;
+  for (int i = 0; i < 200; ++i) {
+    const bench::ReachableGoal goal = bench::makeGoal(figures[2].figure, {0.5, false}, random);
+    PostureTask task;
+    task.hands[1] = goal.task.hands[1];
+    const auto begin = Clock::now();
+    for (const NamedFigure& named : figures) {
+      const Posture standing = *libraryPosture(named.figure, "standing");
+      PostureSolver(named.figure).solve(task, standing);
+    }
+    times.push_back(microseconds(begin));
+  }
+  std::printf("four sizes for one target: median %.0f us, p99 %.0f us\n", quantile(times, 0.5), quantile(times, 0.99));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -102,5 +160,10 @@ int main(int argc, char** argv) {
   measureSolves(*figure, "cold, parallel feet, 70 %", {0.7, false}, count, false);
   measureSolves(*figure, "cold, split stance, full limits", {1.0, true}, count, false);
   measureSolves(*figure, "near, parallel feet", {1.0, false}, count, true);
+  measureDrag(*figure, "drag, one hand", false, false, 0.0, 20);
+  measureDrag(*figure, "drag, one hand, trunk locked", false, true, 0.0, 20);
+  measureDrag(*figure, "drag, one hand, out of reach", false, false, 1.0, 10);
+  measureDrag(*figure, "drag, two hands", true, false, 0.0, 20);
+  measureFourSizes();
   return 0;
 }

@@ -49,6 +49,7 @@ MannequinManipulator::MannequinManipulator(std::shared_ptr<const mannequin::Figu
     X_WM.p = X_WM * figure_->p_HandGrip[static_cast<std::size_t>(driven())];
   }
   for (std::size_t i = 0; i < 2; ++i) X_MH_[i] = X_WM.inverse() * hand[i];
+  X_WF_ = {mannequin::footPose(pose, Side::kLeft), mannequin::footPose(pose, Side::kRight)};
   for (const int link : part_links_) {
     PartPlace place;
     std::size_t body = static_cast<std::size_t>(std::max(0, mannequin::bodyOfLink(*model_, link)));
@@ -75,6 +76,7 @@ mannequin::PostureTask MannequinManipulator::taskFor(const Pose& X_WM) const {
   mannequin::PostureTask task;
   task.trunk_locked = locks_.trunk;
   task.pelvis_locked = locks_.pelvis;
+  task.feet = {X_WF_[0], X_WF_[1]};
   if (hands_ == Hands::kBoth) {
     task.held = mannequin::HeldObject{X_WM, X_MH_};
   } else {

@@ -53,6 +53,7 @@ class MannequinManipulator final : public Manipulator {
   Hands hands_;
   Locks locks_;
   std::array<Pose, 2> X_MH_;  ///< Left and right hand in the moved frame.
+  std::array<Pose, 2> X_WF_;  ///< Where the feet stand.
   std::vector<int> part_links_;
   std::vector<PartPlace> places_;
 };

@@ -15,6 +15,7 @@ using S = Segment;
 constexpr double kLever = 0.2;  ///< m that a rad of hand or foot counts.
 constexpr double kFootRegularisation = 1e-8, kBalanceRegularisation = 1e-7, kHeldRegularisation = 1e-9;
 constexpr double kEdgeZone = 0.004;  ///< m inside the margin where an edge of the soles is already a row.
+constexpr double kFootSlack = 2e-4;  ///< m that a foot may leave its place on the way.
 constexpr double kMostPull = 0.25, kMostTurn = 1.0;
 
 /// Weights of the variables: how unwilling each is to move.
@@ -326,7 +327,9 @@ bool BodySolver::step(const StepLimits& limits) {
   measure();
   // Comfort may cost what is below any tolerance; a task may not.
   const double allowed = limits.comfort > 0.0 ? 1e-9 : 1e-18;
-  if (errors_.merit <= errors_before.merit + allowed) return true;
+  const bool strict = balance_weight_ == kStrictBalance;
+  const bool feet_stand = !strict || errors_.foot_position <= std::max(kFootSlack, errors_before.foot_position);
+  if (feet_stand && errors_.merit <= errors_before.merit + allowed) return true;
   state_ = before;
   pose_ = pose_before;
   errors_ = errors_before;

@@ -124,6 +124,7 @@ Drag drag(const Figure& figure, PostureTask task, bool two_hands, int paths, std
     const std::array<Pose, 2> feet = {footPose(first, Side::kLeft), footPose(first, Side::kRight)};
     const double way = glm::length(b.task.hands[1]->p - a.task.hands[1]->p);
     const int ticks = std::min(600, static_cast<int>(way / 1e-3) + 1);
+    task.feet = {feet[0], feet[1]};
     FigurePose before = first;
     for (int t = 1; t <= ticks; ++t) {
       const double s = std::min(1.0, t * 1e-3 / std::max(1e-3, way));
