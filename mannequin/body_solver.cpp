@@ -324,7 +324,8 @@ bool BodySolver::step(const StepLimits& limits) {
   applyStep(move, axes, state_);
   standOn(*figure_, task_->feet, state_);
   placeSegments(*figure_, state_, pose_);
-  measure();
+  // A held object is judged as it will be held: by the right arm's closed form where that can.
+  if (!task_->held || !bindHeld()) measure();
   // Comfort may cost what is below any tolerance; a task may not.
   const double allowed = limits.comfort > 0.0 ? 1e-9 : 1e-18;
   const bool strict = balance_weight_ == kStrictBalance;

@@ -128,18 +128,20 @@ TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
   }
 }
 
+constexpr double kRate = 50.0;
+
 TEST(MannequinSession, AHandLaidOnATableIsStoppedAndFelt) {
   workcell::Entity worker = mannequinEntity("both_hands_forward");
   mannequin::Posture posture = mannequin::toPosture(*worker.figure, {worker.X_WE, worker.joints});
   const Pose hand = mannequin::handPose(mannequin::forwardKinematics(*worker.figure, posture), mannequin::Side::kRight);
   std::vector<workcell::Entity> cell = {test::solid(1, "table", geometry::makeBox({0.5, 0.6, 0.04}),
-                                                    Pose::translation({hand.p.x + 0.15, hand.p.y, hand.p.z - 0.16})),
+                                                    Pose::translation({hand.p.x + 0.15, hand.p.y, hand.p.z - 0.11})),
                                         worker};
   SessionOptions options = test::sessionOf(
       cell, "worker",
       test::handThrough(
           {{0.0, {0, 0, 0.0}}, {0.5, {0, 0, 0.0}}, {1.5, {0, 0, -0.09}}, {2.2, {0, 0, -0.02}}, {2.4, {0, 0, -0.02}}}),
-      50.0, 0.002);
+      kRate, 0.002);
   options.moved_by.kind = MovedBy::Kind::kRightHand;
   options.scale = {ScaleLevel::kNumber, 1.0};
   const auto report = runSession(options);
