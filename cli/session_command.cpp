@@ -12,6 +12,7 @@
 #include "cli/session_settings.h"
 #include "manipulation/local_server.h"
 #include "manipulation/session.h"
+#include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"
 
 namespace hapticell::cli {
@@ -32,6 +33,8 @@ struct SessionWords {
   std::string server;
   std::string trace;
   std::string configuration;
+  std::string record;
+  std::optional<double> record_interval, record_distance;
 };
 
 struct Address {
@@ -83,6 +86,38 @@ Expected<void> readDevice(const std::string& name, SessionOptions& options) {
   return {};
 }
 
+/// By time (10 ms where nothing is said) or by distance.
+Expected<void> readRecording(const SessionWords& words, SessionOptions& options) {
+  if (words.record.empty()) {
+    if (!words.record_interval && !words.record_distance) return {};
+    return makeError({"", "--record-interval, --record-distance", "nothing is recorded", "--record with it", ""});
+  }
+  if (words.record_interval && words.record_distance) {
+    return makeError({"", "--record-interval, --record-distance", "both are given", "one of the two", ""});
+  }
+  trajectory::RecordingOptions recording;
+  recording.interval_s = words.record_interval.value_or(recording.interval_s);
+  if (words.record_distance) {
+    recording.mode = trajectory::RecordingMode::kByDistance;
+    // 5 mm go with 5 degrees; other distances in proportion.
+    recording.spacing.angle *= *words.record_distance / recording.spacing.position;
+    recording.spacing.position = *words.record_distance;
+  }
+  if (!(recording.interval_s > 0.0) || !(recording.spacing.position > 0.0)) {
+    return makeError(
+        {"", "--record-interval, --record-distance", "a value that is not positive", "seconds, metres", ""});
+  }
+  options.recording = recording;
+  return {};
+}
+
+Expected<void> saveRecording(const SessionWords& words, const SessionReport& session) {
+  if (words.record.empty()) return {};
+  if (session.recording.empty()) warn("Nothing was held and moved: the recording has no frames.");
+  const bool is_csv = words.record.ends_with(".csv");
+  return writeFileAtomically(words.record, is_csv ? toCsvText(session.recording) : toJsonText(session.recording));
+}
+
 Expected<SessionOptions> readOptions(const SessionWords& words) {
   SessionOptions options;
   const auto configuration = config::loadConfiguration(words.configuration);
@@ -107,6 +142,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
     if (const auto done = applySessionSetting(setting, options); !done) return tl::unexpected(done.error());
   }
   if (const auto done = readRates(words, options); !done) return tl::unexpected(done.error());
+  if (const auto done = readRecording(words, options); !done) return tl::unexpected(done.error());
   const std::string device = words.device.value_or(options.configuration.haptic.device);
   if (const auto done = readDevice(device, options); !done) return tl::unexpected(done.error());
   return options;
@@ -209,6 +245,7 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   if (!words.trace.empty()) {
     if (const auto written = writeFileAtomically(words.trace, rows); !written) return failed(written.error());
   }
+  if (const auto saved = saveRecording(words, *session); !saved) return failed(saved.error());
   if (const auto written = writer.write(resultOf(*session, *options)); !written) return failed(written.error());
   return ExitStatus::kDone;
 }
@@ -227,10 +264,15 @@ void addSessionCommand(CLI::App& app, Action& chosen) {
   command->add_option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
   command->add_option("--device", words->device, "phantom_desktop, touch, touch_x or premium");
   command->add_option("--set", words->set, "KEY=VALUE; may be repeated")->allow_extra_args(false);
-  command->add_flag("--realtime", words->realtime, "In real time, over TCP: with a server of its own, or the one of --server");
-  command->add_option("--server", words->server, "HOST:PORT of a haptic server that runs already, with a simulated device");
+  command->add_flag("--realtime", words->realtime,
+                    "In real time, over TCP: with a server of its own, or the one of --server");
+  command->add_option("--server", words->server,
+                      "HOST:PORT of a haptic server that runs already, with a simulated device");
   command->add_option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
   command->add_option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
+  command->add_option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
+  command->add_option("--record-interval", words->record_interval, "s between its frames (0.01)");
+  command->add_option("--record-distance", words->record_distance, "m between its frames, instead of a time");
   command->callback(
       [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });
 }

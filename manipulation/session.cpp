@@ -39,6 +39,38 @@ Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
                     .fix = {}});
 }
 
+/// As files say it (trajectory, INTERFACES: moved_by).
+std::string wordOf(const MovedBy& moved_by, bool is_robot) {
+  switch (moved_by.kind) {
+    case MovedBy::Kind::kDefault:
+      return is_robot ? "tcp" : "self_origin";
+    case MovedBy::Kind::kTcp:
+      return "tcp";
+    case MovedBy::Kind::kBase:
+      return "base";
+    case MovedBy::Kind::kSelfOrigin:
+      return "self_origin";
+    case MovedBy::Kind::kGeometricCenter:
+      return "geometric_center";
+    case MovedBy::Kind::kFrame:
+      return "frame:" + moved_by.frame;
+  }
+  return {};
+}
+
+trajectory::Trajectory emptyRecording(const workcell::Entity& entity, const MovedBy& moved_by) {
+  const bool is_robot = entity.robot != nullptr;
+  trajectory::Trajectory recording;
+  recording.name = entity.name;
+  recording.entity = entity.name;
+  recording.moved = wordOf(moved_by, is_robot);
+  if (!is_robot) return recording;
+  for (const int joint : entity.robot->moving) {
+    recording.joint_names.push_back(entity.robot->joints[static_cast<std::size_t>(joint)].name);
+  }
+  return recording;
+}
+
 /// The engine with everything that a session watches about it; both kinds of session drive one.
 class WatchedEngine {
  public:
@@ -60,6 +92,9 @@ class WatchedEngine {
     const auto tried = tryHold();
     if (!tried) return makeError(tried.error());
     start_ = *tried;
+    if (options_.recording) {
+      recorder_.emplace(emptyRecording(*engine_.scene()->find(entity_), options_.moved_by), *options_.recording);
+    }
     engine_.apply(command::SetForces{options_.forces});
     return {};
   }
@@ -75,6 +110,11 @@ class WatchedEngine {
       if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(told->sentence);
     }
     if (t - measured_ >= kLeastPenetrationPeriod) measurePenetration(t);
+    if (recorder_ && engine_.held()) {
+      const EntityConfiguration& at = engine_.held()->accepted();
+      const bool is_robot = engine_.scene()->find(entity_)->robot != nullptr;
+      recorder_->add(t, movedFrame(), is_robot ? std::span<const double>(at.joints) : std::span<const double>());
+    }
   }
 
   void showPicture(double t) {
@@ -110,6 +150,7 @@ class WatchedEngine {
     report_.energy_min_j = forces_.leastEnergy();
     report_.penetration_max_m = penetration_.worst();
     report_.contacts = contacts_.events();
+    if (recorder_) report_.recording = recorder_->finish();
     report_.held = engine_.held() != nullptr;
     report_.final_configuration = engine_.placement(entity_);
     report_.X_WMFinal = start_->manipulator().movedFrame(report_.final_configuration);
@@ -152,6 +193,7 @@ class WatchedEngine {
   ManipulationEngine engine_;
   workcell::EntityId entity_ = 0;
   std::shared_ptr<HeldEntity> start_;
+  std::optional<trajectory::Recorder> recorder_;
   SessionReport report_;
   ForceMeter forces_;
   ContactLog contacts_;

@@ -13,6 +13,7 @@
 #include "haptic/devices/hand_path.h"
 #include "manipulation/manipulation_command.h"
 #include "manipulation/session_meter.h"
+#include "trajectory/recorder.h"
 #include "workcell/entity.h"
 
 namespace hapticell::manipulation {
@@ -35,6 +36,8 @@ struct SessionOptions {
   std::optional<workcell::OnContact> on_contact;
   std::optional<workcell::ForceClass> force_class;
   bool forces = true;
+
+  std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
 };
 
 /// One tick of the force loop, for --trace.
@@ -67,6 +70,7 @@ struct SessionReport {
   EntityConfiguration final_configuration;
   Pose X_WMFinal;
   std::vector<std::string> final_contacts;  ///< Names of what it touches.
+  trajectory::Trajectory recording;         ///< Without frames where none was asked for, or nothing was moved.
 };
 
 /// Runs a session in virtual time, in the caller's thread: force loop and simulated device at 1 ms, the manipulation

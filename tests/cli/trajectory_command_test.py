@@ -6,9 +6,12 @@ usage: trajectory_command_test.py HAPTICELL_CLI [NAME_PART]
 """
 import json
 import math
+import pathlib
 import sys
 
 from command_line_test import box, main, write_binary_stl
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 
@@ -77,6 +80,26 @@ def test_check_against_a_wall(case):
     assert 2.85 < first["t_in"] < 2.92, first
     message = case.run("trajectory", "check", "a.csv", "--workcell", "cell.hcell", "--entity", "none", expect=2)
     assert "none" in message
+
+
+def test_a_session_is_recorded_cleaned_checked_and_exported(case):
+    demo = ROOT / "config" / "workcells"
+    session = case.run("session", "--workcell", demo / "demo.hcell", "--entity", "robot", "--hand", demo / "demo-hand.csv",
+                       "--rate-manipulation", "100", "--record", "rec.htraj", timeout=200)
+    assert session["penetration"]["max_m"] <= 1e-4
+    recorded = json.loads((case.folder / "rec.htraj").read_text())
+    assert recorded["entity"] == "robot" and recorded["moved"] == "tcp" and len(recorded["joints"]) == 6
+    assert len(recorded["frames"]) > 300, len(recorded["frames"])
+    case.run("trajectory", "smooth", "rec.htraj", "-o", "smooth.htraj")
+    found = case.run("trajectory", "check", "rec.htraj", "--workcell", demo / "demo.hcell", timeout=120)
+    assert found["free"] and found["within_limits"], found["findings"][:5]
+    timed = case.run("trajectory", "retime", "smooth.htraj", "--robot", "library:hc6", "-o", "fast.htraj")
+    assert timed["limit_use"]["velocity"] <= 1.001 and timed["max_deviation"]["position"] < 1e-4, timed
+    ros = case.run("trajectory", "export", "fast.htraj", "--to", "ros", "-o", "p.yaml")
+    again = case.run("trajectory", "info", "p.yaml")
+    assert again["frames"] == ros["frames"] and again["joints"] == recorded["joints"]
+    for name in ("krl", "rapid", "fanuc", "urscript", "val3"):
+        case.run("trajectory", "export", "fast.htraj", "--to", name, "--robot", "library:hc6", "-o", "prog-" + name)
 
 
 def test_bad_input(case):
