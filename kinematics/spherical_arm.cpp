@@ -57,7 +57,7 @@ class SphericalArm final : public ClosedForm {
   double a1_ = 0.0, cos_12_ = 1.0, sin_12_ = 0.0;
   // The wrist in axis 2's frame as a circle: middle + cos U + sin V.
   dvec3 middle_{0.0}, U_{0.0}, V_{0.0};
-  double cos_45_ = 0.0, sin_45_ = 1.0, cos_56_ = 0.0, sin_56_ = 1.0, theta_5_middle_ = 0.0;
+  double theta_5_middle_ = 0.0, below_offset_ = 0.0, above_offset_ = 0.0;
   dvec3 reference_{0.0};
 
   void setPositionPart();
@@ -95,12 +95,14 @@ void SphericalArm::setPositionPart() {
 }
 
 void SphericalArm::setWristPart() {
-  cos_45_ = glm::dot(z_[3], z_[4]);
-  sin_45_ = glm::length(glm::cross(z_[3], z_[4]));
-  cos_56_ = glm::dot(z_[4], z_[5]);
-  sin_56_ = glm::length(glm::cross(z_[4], z_[5]));
-  const double A = glm::dot(z_[3], z_[5]) - cos_45_ * cos_56_, B = glm::dot(z_[3], glm::cross(z_[4], z_[5]));
+  const double cos_45 = glm::dot(z_[3], z_[4]), cos_56 = glm::dot(z_[4], z_[5]);
+  const double angle_45 = std::atan2(glm::length(glm::cross(z_[3], z_[4])), cos_45);
+  const double angle_56 = std::atan2(glm::length(glm::cross(z_[4], z_[5])), cos_56);
+  const double A = glm::dot(z_[3], z_[5]) - cos_45 * cos_56, B = glm::dot(z_[3], glm::cross(z_[4], z_[5]));
   theta_5_middle_ = std::atan2(B, A);
+  const double s = std::sin(0.5 * (angle_45 - angle_56)), c = std::cos(0.5 * (angle_45 + angle_56));
+  below_offset_ = 2.0 * s * s;
+  above_offset_ = 2.0 * c * c;
   reference_ = anySquareTo(z_[5]);
 }
 
@@ -133,10 +135,8 @@ int SphericalArm::wristAngles(const dmat3& R_36, const double* previous, double 
   const dvec3 target = R_36 * z_[5];
   const dvec3 less = z_[3] - target, more = z_[3] + target;
   // h - D and h + D of  D = z4 . target - cos cos = h cos(theta_5 - middle), without cancellation.
-  const double half = 0.5 * (std::atan2(sin_45_, cos_45_) - std::atan2(sin_56_, cos_56_));
-  const double sum = std::atan2(sin_45_, cos_45_) + std::atan2(sin_56_, cos_56_);
-  const double below = 0.5 * glm::dot(less, less) - 2.0 * std::sin(half) * std::sin(half);
-  const double above = 0.5 * glm::dot(more, more) - 2.0 * std::cos(0.5 * sum) * std::cos(0.5 * sum);
+  const double below = 0.5 * glm::dot(less, less) - below_offset_;
+  const double above = 0.5 * glm::dot(more, more) - above_offset_;
   const double product = below * above;
   if (product < -kStretched) return 0;
   const double swing = std::atan2(std::sqrt(std::max(product, 0.0)), 0.5 * (above - below));
