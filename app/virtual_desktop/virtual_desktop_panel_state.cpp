@@ -36,8 +36,11 @@ QString keyLine(const QString& key, const QString& does, const Theme& theme) {
 
 void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, const workcell::Entity* entity) {
   using Kind = manipulation::MovedBy::Kind;
-  const bool robot = entity && entity->robot;
-  for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (i < 2) == robot);
+  const bool mannequin = entity && entity->kind == workcell::EntityKind::kMannequin;
+  const bool robot = entity && entity->robot && !mannequin;
+  for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (!mannequin && (i < 2) == robot));
+  moved_by.button(4)->setVisible(!mannequin);
+  for (int i = 5; i < 9; ++i) moved_by.button(i)->setVisible(mannequin);
   const auto index = [&] {
     switch (settings.moved_by) {
       case Kind::kTcp:
@@ -50,8 +53,14 @@ void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, cons
         return 3;
       case Kind::kFrame:
         return 4;
+      case Kind::kLeftHand:
+        return 6;
+      case Kind::kRightHand:
+        return 7;
+      case Kind::kBothHands:
+        return 8;
       default:
-        return robot ? 0 : entity ? 2 : -1;
+        return mannequin ? 5 : robot ? 0 : entity ? 2 : -1;
     }
   };
   moved_by.setCurrent(index());
