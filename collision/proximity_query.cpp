@@ -111,10 +111,17 @@ bool ProximityQuery::isContained(const Pose& X_AB, double surface_distance) {
 }
 
 DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, double limit) {
+  return distance(X_WA, X_WB, DistanceDemand{limit});
+}
+
+DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, const DistanceDemand& demanded) {
+  const double limit = demanded.limit;
   if (a_->isEmpty() || b_->isEmpty()) return beyond(limit);
   const Pose X_AB = X_WA.inverse() * X_WB;
   SearchDemand demand;
   demand.enough = kTouchingDistance;
+  demand.exact_within = demanded.exact_within;
+  demand.tolerance = demanded.tolerance;
   if (limit < kInfinity) demand.limit = std::max(limit, 2.0 * kTouchingDistance);
   NearestSearch search(*a_, *b_, X_AB, demand);
   search.run(last_);
@@ -125,7 +132,7 @@ DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, doub
     certified_distance_ = -1.0;
     return result;
   }
-  if (isContained(X_AB, result.distance)) containedResult(*a_, X_WA, *b_, X_WB, result);
+  if (isContained(X_AB, result.distance / (1.0 + demanded.tolerance))) containedResult(*a_, X_WA, *b_, X_WB, result);
   return result;
 }
 

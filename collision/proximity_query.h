@@ -11,6 +11,13 @@
 
 namespace hapticell::collision {
 
+/// How exact an answer must be.
+struct DistanceDemand {
+  double limit = std::numeric_limits<double>::infinity();         ///< What is not nearer (m) is `beyond_limit`.
+  double exact_within = std::numeric_limits<double>::infinity();  ///< Distances up to this (m) are exact;
+  double tolerance = 0.0;  ///< those beyond may be told too large by this share (0.03: at most 3 %), never too small.
+};
+
 /// Repeated proximity queries of one pair of colliders A and B, each warmed by the last answer.
 ///
 /// One object belongs to one thread at a time; different objects, also of the same colliders, may run at once. Queries
@@ -22,6 +29,9 @@ class ProximityQuery {
 
   /// Exact distance and nearest points, to rounding. Pairs not nearer than `limit` (m) are answered `beyond_limit`.
   DistanceResult distance(const Pose& X_WA, const Pose& X_WB, double limit = std::numeric_limits<double>::infinity());
+
+  /// The same, exact only where it matters: the nearest points are of the distance told.
+  DistanceResult distance(const Pose& X_WA, const Pose& X_WB, const DistanceDemand& demand);
 
   /// The surfaces touch or intersect, or one is inside the other's solid.
   bool collides(const Pose& X_WA, const Pose& X_WB);

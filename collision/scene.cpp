@@ -81,14 +81,23 @@ DistanceResult Scene::distance(PairIndex pair, double limit) {
 }
 
 std::optional<PairDistance> Scene::nearest(double limit) {
+  return nearest(DistanceDemand{limit});
+}
+
+std::optional<PairDistance> Scene::nearest(const DistanceDemand& demand) {
   std::optional<PairDistance> best;
-  double bound = limit;
-  for (const Candidate& candidate : candidatesWithin(limit)) {
-    if (candidate.lower_bound >= bound) break;
-    const DistanceResult result = query(candidate.pair, bound);
+  DistanceDemand left = demand;
+  for (const Candidate& candidate : candidatesWithin(demand.limit)) {
+    if (candidate.lower_bound >= left.limit) break;
+    const Pair& pair = pairs_[candidate.pair];
+    const DistanceResult result =
+        pairs_[candidate.pair].query.distance(parts_[pair.moved].X_WP, parts_[pair.environment].X_WP, left);
     if (result.beyond_limit) continue;
     best = PairDistance{candidate.pair, result};
-    bound = result.distance;
+    // Far away only what is nearer by more than the tolerance is worth looking for.
+    left.limit = result.distance <= demand.exact_within
+                     ? result.distance
+                     : std::max(demand.exact_within, result.distance / (1.0 + demand.tolerance));
     if (result.colliding) break;
   }
   return best;

@@ -75,6 +75,8 @@ class Scene {
 
   /// The nearest of all pairs, if any is nearer than `limit` (m). Pairs that collide come before all others.
   std::optional<PairDistance> nearest(double limit = std::numeric_limits<double>::infinity());
+  /// The same, exact only up to demand.exact_within.
+  std::optional<PairDistance> nearest(const DistanceDemand& demand);
 
   /// Appends every pair whose distance is below `margin` (m), each with its exact distance, nearest first.
   void pairsWithin(double margin, std::vector<PairDistance>& found);

@@ -94,6 +94,23 @@ TEST(ProximityQuery, limitsAndMarginsAgreeWithTheDistance) {
   }
 }
 
+TEST(ProximityQuery, aToleranceTellsFarDistancesAtMostThatMuchTooLarge) {
+  std::mt19937 random(23);
+  const Collider a = MeshCollider::build(sphereMesh(0.1)), b = MeshCollider::build(test::soupMesh(random, 200, 0.4));
+  ProximityQuery exact(a, b), loose(a, b);
+  int inexact = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Pose X_WA = test::randomPose(random, 0.6);
+    const double expected = exact.distance(X_WA, {}).distance;
+    const DistanceResult told = loose.distance(X_WA, {}, DistanceDemand{10.0, 0.05, 0.03});
+    EXPECT_GE(told.distance, expected - 1e-12);
+    EXPECT_LE(told.distance, expected <= 0.05 ? expected + 1e-12 : 1.03 * expected + 1e-9);
+    EXPECT_NEAR(glm::distance(told.p_WA, told.p_WB), told.distance, 1e-9);
+    inexact += told.distance > expected + 1e-9;
+  }
+  EXPECT_GT(inexact, 0) << "and it is made use of";
+}
+
 TEST(ProximityQuery, touchingBoxesAreAtZero) {
   const Collider box = MeshCollider::build(boxMesh({1, 1, 1}));
   for (const dvec3& offset : {dvec3(1, 0, 0), dvec3(1, 1, 0), dvec3(1, 1, 1), dvec3(0, 0.25, -1)}) {
