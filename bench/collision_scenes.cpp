@@ -211,15 +211,14 @@ std::vector<PlacedPart> partsAround(const Chain& chain, int parts, int triangles
   const auto part = collision::MeshCollider::build(shape);
   std::vector<std::shared_ptr<const collision::MeshCollider>> links;
   for (const TriangleMesh& link : chain.links) links.push_back(collision::MeshCollider::build(link));
-  const auto gapOf = [&](const Pose& X_WP) {
-    double gap = 10.0;
+  const auto isNear = [&](const Pose& X_WP) {
     for (std::size_t i = 0; i < links.size(); ++i) {
       collision::ProximityQuery query(links[i], part);
-      for (std::size_t step = 0; step < chain.X_WL.size(); step += 3) {
-        gap = std::min(gap, query.distance(chain.X_WL[step][i], X_WP, gap).distance);
+      for (std::size_t step = 0; step < chain.X_WL.size(); step += 4) {
+        if (query.within(chain.X_WL[step][i], X_WP, 0.006)) return true;
       }
     }
-    return gap;
+    return false;
   };
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -228,7 +227,7 @@ std::vector<PlacedPart> partsAround(const Chain& chain, int parts, int triangles
     const double around = std::numbers::pi * unit(random), away = 0.5 + 0.35 * unit(random) + 0.02 * parts / 8.0;
     Pose X = {{away * std::cos(around), away * std::sin(around), 1.0 + 1.0 * unit(random)},
               glm::normalize(dquat(unit(random), unit(random), unit(random), unit(random)))};
-    if (gapOf(X) > 0.004) result.push_back({shape, X});
+    if (!isNear(X)) result.push_back({shape, X});
   }
   return result;
 }

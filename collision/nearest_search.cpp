@@ -20,7 +20,7 @@ NearestSearch::NearestSearch(const MeshCollider& a, const MeshCollider& b, const
     : a_(a), b_(b), R_AB_(X_AB.R()), p_AB_(X_AB.p), X_AB_(X_AB), demand_(demand) {
   if (demand.limit < std::numeric_limits<double>::infinity()) {
     best_.squared = demand.limit * demand.limit;
-    pruneFrom(demand.limit);
+    prune_squared_ = static_cast<float>(best_.squared);
   }
 }
 

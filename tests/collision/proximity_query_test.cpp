@@ -106,6 +106,7 @@ TEST(ProximityQuery, aToleranceTellsFarDistancesAtMostThatMuchTooLarge) {
     EXPECT_GE(told.distance, expected - 1e-12);
     EXPECT_LE(told.distance, expected <= 0.05 ? expected + 1e-12 : 1.03 * expected + 1e-9);
     EXPECT_NEAR(glm::distance(told.p_WA, told.p_WB), told.distance, 1e-9);
+    EXPECT_FALSE(loose.distance(X_WA, {}, DistanceDemand{1.001 * expected + 1e-9, 0.05, 0.03}).beyond_limit);
     inexact += told.distance > expected + 1e-9;
   }
   EXPECT_GT(inexact, 0) << "and it is made use of";
