@@ -65,6 +65,37 @@ struct Bracket {
   double middle, half, closed, side, elbow;
 };
 
+/// One of the four branches of joints 1 to 3 on one arc.
+struct Branch {
+  Arc arc;
+  double side = 1.0, elbow = 1.0;
+};
+
+/// Places along an arc with what a branch makes of them; room for some more than `count`, as lanes write by fours.
+struct ArcSamples {
+  static constexpr int kRoom = 104;
+  double u[kRoom], f[kRoom], c1[kRoom], s1[kRoom];
+  int count = 0;
+
+  void take(int to, const ArcSamples& from, int i) {
+    f[to] = from.f[i];
+    c1[to] = from.c1[i];
+    s1[to] = from.s1[i];
+    u[to] = from.u[i];
+  }
+  /// From the first index on; what stands behind the last is overwritten.
+  void evaluate(const OffsetArm& arm, const Branch& branch, int first) {
+    for (int i = first; i < count; i += 4) {
+      double t[4];
+      for (int k = 0; k < 4; ++k) t[k] = alongArc(branch.arc, u[i + k < count ? i + k : count - 1]);
+      const OffsetPoint point = offsetPoint(arm, load(t), branch.side, branch.elbow);
+      store(f + i, point.f);
+      store(c1 + i, point.c1);
+      store(s1 + i, point.s1);
+    }
+  }
+};
+
 /// All of one search.
 struct OffsetSearch {
   static constexpr int kMost = 64;
@@ -72,44 +103,45 @@ struct OffsetSearch {
   Bracket brackets[kMost];
   int count = 0;
 
-  void add(const Arc& arc, double side, double elbow, double u0, double f0, double u1, double f1) {
+  void add(const Branch& branch, double u0, double f0, double u1, double f1) {
+    const Arc& arc = branch.arc;
     if (count < kMost) {
-      brackets[count++] = {u0, f0, u1, f1, arc.middle, arc.half, arc.closed ? 1.0 : 0.0, side, elbow};
+      brackets[count++] = {u0, f0, u1, f1, arc.middle, arc.half, arc.closed ? 1.0 : 0.0, branch.side, branch.elbow};
     }
   }
 
   /// Looks at one interval with the second differences at its ends: is there a sign change, or may two more roots hide?
-  void look(const Arc& arc, double side, double elbow, const double* u, const double* f, double bend, int depth) {
-    const double a = f[0] < 0.0 ? -f[0] : f[0], b = f[1] < 0.0 ? -f[1] : f[1];
-    const bool change = (f[0] < 0.0) != (f[1] < 0.0);
-    const bool suspicious = change ? bend > 0.5 * (a + b) : (a < b ? a : b) < 2.0 * bend;
-    if (!suspicious || depth == 0) {
-      if (change) add(arc, side, elbow, u[0], f[0], u[1], f[1]);
+  /// They may too where the wrist passes axis 1 so near that joint 1 turns much within the interval.
+  void look(const Branch& branch, const ArcSamples& at, int i, double bend, int depth) {
+    const double f0 = at.f[i], f1 = at.f[i + 1], a = f0 < 0.0 ? -f0 : f0, b = f1 < 0.0 ? -f1 : f1;
+    const bool change = (f0 < 0.0) != (f1 < 0.0);
+    const bool swings = at.c1[i] * at.c1[i + 1] + at.s1[i] * at.s1[i + 1] < 0.8;
+    const bool suspicious = change ? bend > 0.35 * (a + b) : (a < b ? a : b) < 3.0 * bend;
+    if (depth == 0 || !(suspicious || swings)) {
+      if (change) add(branch, at.u[i], f0, at.u[i + 1], f1);
       return;
     }
-    double inner[8], value[8];  // 0 .. 5, two spare for the lanes
-    for (int i = 0; i < 6; ++i) inner[i] = u[0] + (u[1] - u[0]) * (0.2 * i);
-    inner[5] = u[1];
-    const Lanes t(alongArc(arc, inner[1]), alongArc(arc, inner[2]), alongArc(arc, inner[3]), alongArc(arc, inner[4]));
-    value[0] = f[0];
-    store(value + 1, offsetPoint(arm, t, side, elbow).f);
-    value[5] = f[1];
-    lookAtAll(arc, side, elbow, inner, value, 6, false, depth - 1);
+    ArcSamples inner;
+    inner.count = 6;
+    for (int k = 0; k < 6; ++k) inner.u[k] = at.u[i] + (at.u[i + 1] - at.u[i]) * (0.2 * k);
+    inner.take(0, at, i);
+    inner.evaluate(arm, branch, 1);
+    inner.take(5, at, i + 1);
+    lookAtAll(branch, inner, false, depth - 1);
   }
 
-  void lookAtAll(const Arc& arc, double side, double elbow, const double* u, const double* f, int points, bool closed,
-                 int depth) {
+  void lookAtAll(const Branch& branch, const ArcSamples& at, bool closed, int depth) {
+    const int last_point = at.count - 1;
     const auto bendAt = [&](int i) {
-      const int before = i > 0 ? i - 1 : (closed ? points - 2 : 1),
-                after = i < points - 1 ? i + 1 : (closed ? 1 : points - 2);
-      if (!closed && (i == 0 || i == points - 1)) return 0.0;
-      const double bend = f[before] - 2.0 * f[i] + f[after];
+      if (!closed && (i == 0 || i == last_point)) return 0.0;
+      const int before = i > 0 ? i - 1 : last_point - 1, after = i < last_point ? i + 1 : 1;
+      const double bend = at.f[before] - 2.0 * at.f[i] + at.f[after];
       return bend < 0.0 ? -bend : bend;
     };
     double last = bendAt(0);
-    for (int i = 0; i + 1 < points; ++i) {
+    for (int i = 0; i < last_point; ++i) {
       const double next = bendAt(i + 1);
-      look(arc, side, elbow, u + i, f + i, last > next ? last : next, depth);
+      look(branch, at, i, last > next ? last : next, depth);
       last = next;
     }
   }
@@ -229,17 +261,17 @@ inline int arcsBySampling(const OffsetArm& arm, double side, Arc arcs[4]) {
   return count;
 }
 
-inline void sampleArc(const OffsetArm& arm, const Arc& arc, int points, double side, double elbow,
-                      OffsetSearch& search) {
-  double u[80], t[80], f[80];
-  for (int i = 0; i <= points; ++i) {
-    u[i] = static_cast<double>(i) / points;
-    t[i] = alongArc(arc, u[i]);
+inline void sampleArc(const OffsetArm& arm, const Branch& branch, int points, OffsetSearch& search) {
+  ArcSamples at;
+  at.count = points + 1;
+  for (int i = 0; i <= points; ++i) at.u[i] = static_cast<double>(i) / points;
+  at.evaluate(arm, branch, 0);
+  if (branch.arc.closed) {
+    at.f[points] = at.f[0];
+    at.c1[points] = at.c1[0];
+    at.s1[points] = at.s1[0];
   }
-  for (int i = points + 1; i < points + 4; ++i) t[i] = t[points];
-  for (int i = 0; i <= points; i += 4) store(f + i, offsetPoint(arm, load(t + i), side, elbow).f);
-  if (arc.closed) f[points] = f[0];
-  search.lookAtAll(arc, side, elbow, u, f, points + 1, arc.closed, 6);
+  search.lookAtAll(branch, at, branch.arc.closed, 6);
 }
 
 inline void offsetWrist(const OffsetArm& arm, Solutions& solutions) {
@@ -251,7 +283,7 @@ inline void offsetWrist(const OffsetArm& arm, Solutions& solutions) {
   for (const double side : kBoth) {
     if (!plain) count = arcsBySampling(arm, side, arcs);
     for (int i = 0; i < count; ++i) {
-      for (const double elbow : kBoth) sampleArc(arm, arcs[i], count > 1 ? 40 : 64, side, elbow, search);
+      for (const double elbow : kBoth) sampleArc(arm, {arcs[i], side, elbow}, count > 1 ? 40 : 64, search);
     }
   }
   solutions.valid = 0;

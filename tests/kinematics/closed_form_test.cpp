@@ -29,6 +29,7 @@ std::vector<Arm> arms() {
           {"sphericalWrist", test::sphericalWrist(), RobotClass::kSphericalWrist, 1e-9},
           {"sphericalBase", test::sphericalBase(), RobotClass::kSphericalBase, 1e-9},
           {"offsetWrist", test::offsetWrist(), RobotClass::kOffsetWrist, 1e-9},
+          {"offsetWristAlongAxisFive", test::offsetWristAlongAxisFive(), RobotClass::kOffsetWrist, 1e-9},
           {"offsetWristWithShoulder", test::offsetWristWithShoulder(), RobotClass::kOffsetWrist, 1e-9}};
 }
 

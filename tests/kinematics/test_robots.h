@@ -193,6 +193,17 @@ inline RobotModel offsetWrist() {
                   {0.571, 0, 0.899});
 }
 
+/// Axis 6 beside the wrist along axis 5, as FANUC's CRX cobots have it (710, 540, 150, 160 mm).
+inline RobotModel offsetWristAlongAxisFive() {
+  return fromAxes({{{0, 0, 0}, {0, 0, 1}},
+                   {{0, 0, 0}, {0, 1, 0}},
+                   {{0, 0, 0.71}, {0, -1, 0}},
+                   {{0, 0, 0.71}, {-1, 0, 0}},
+                   {{0.54, 0, 0.71}, {0, 1, 0}},
+                   {{0.54, 0.15, 0.71}, {-1, 0, 0}}},
+                  {0.7, 0.15, 0.71});
+}
+
 /// The same with a shoulder offset and axis 6 aslant: nothing of its reach is a plain cosine any more.
 inline RobotModel offsetWristWithShoulder() {
   return fromAxes({{{0, 0, 0}, {0, 0, 1}},

@@ -35,7 +35,7 @@ TEST_P(RealInverse, SolvesRandomReachablePosesFromRandomStarts) {
   ASSERT_TRUE(inverse) << inverse.error().message();
   std::mt19937_64 random(11);
   int solved = 0;
-  constexpr int kPoses = 400;
+  constexpr int kPoses = 150;
   for (int i = 0; i < kPoses; ++i) {
     const Pose X_BT = kinematics::test::tipPose(*model, kinematics::test::randomJoints(*model, random), tip);
     const auto solution = (*inverse)->solve(X_BT, kinematics::test::randomJoints(*model, random));
