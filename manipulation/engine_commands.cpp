@@ -25,7 +25,10 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
   Placements kept;
-  if (held_) kept[held_->id()] = held_->accepted();
+  if (held_) {
+    kept[held_->id()] = held_->accepted();
+    for (auto& [id, at] : held_->carried()) kept[id] = std::move(at);
+  }
   scene_ = std::move(scene);
   placements_ = std::move(kept);
   if (scene_->find(chosen_) == nullptr) chosen_ = 0;
@@ -145,6 +148,7 @@ void ManipulationEngine::retake() {
   if (!held_) return;
   const workcell::EntityId id = held_->id();
   placements_[id] = held_->accepted();
+  for (auto& [carried, at] : held_->carried()) placements_[carried] = std::move(at);
   held_.reset();
   contacts_.clear();
   near_.clear();
@@ -170,6 +174,7 @@ void ManipulationEngine::grab(workcell::EntityId wanted) {
 void ManipulationEngine::release() {
   if (!held_) return;
   placements_[held_->id()] = held_->accepted();
+  for (auto& [id, at] : held_->carried()) placements_[id] = std::move(at);
   results_.push_back(result::Moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints});
   held_.reset();
   built_ = {};

@@ -48,10 +48,19 @@ void blend(const config::Configuration& configuration, const Entity& a, const En
   feel.friction = std::sqrt(m1.friction * m2.friction);
 }
 
+/// The middle of a mechanism's part: where a hand takes it, away from its joint.
+Pose middleOf(const kinematics::RobotModel& model, int link) {
+  geometry::Bounds bounds;
+  for (const kinematics::LinkShape& shape : model.links[static_cast<std::size_t>(link)].visuals) {
+    for (const dvec3& p_SV : shape.mesh->vertices) bounds.add(shape.X_LS * p_SV);
+  }
+  return bounds.isEmpty() ? Pose::identity() : Pose::translation(bounds.center());
+}
+
 std::string choicesOf(const Entity& entity) {
   if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands or self_origin";
-  return entity.kind == EntityKind::kRobot ? "tcp, base or frame:NAME of one of its links"
-                                           : "self_origin, geometric_center or frame:NAME of an entity";
+  return entity.robot ? "tcp, base or frame:NAME of one of its links"
+                      : "self_origin, geometric_center or frame:NAME of an entity";
 }
 
 }  // namespace
@@ -69,6 +78,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   held->scene_ = std::move(scene);
   held->id_ = entity;
   held->accepted_.X_WE = placementOf(*found, placements, held->accepted_.joints);
+  held->gatherMovedParts(*found, placements, options.moved_by);
   if (auto made = held->makeManipulator(*found, options); !made) return makeError(made.error());
   held->gatherPairs(*found, placements, options, configuration);
   held->startBoundaries();
@@ -82,38 +92,88 @@ bool HeldEntity::makeMannequinManipulator(const Entity& entity, const MovedBy& m
   const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
   if (!by_hand || !entity.figure || !entity.robot) return false;
   const Hands hands = kind == Kind::kLeftHand ? Hands::kLeft : kind == Kind::kRightHand ? Hands::kRight : Hands::kBoth;
+  std::vector<int> links;
+  for (const MovedPart& part : moved_parts_) links.push_back(part.link);
   manipulator_ = std::make_unique<MannequinManipulator>(
       entity.figure, entity.robot, hands, MannequinManipulator::Locks{moved_by.lock_trunk, moved_by.lock_pelvis},
-      accepted_, links_);
+      accepted_, links);
   return true;
+}
+
+void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placements, const MovedBy& moved_by) {
+  // Entities hang on each other in a tree: each round finds those that hang on the ones found before.
+  std::vector<std::string> names{entity.name};
+  std::vector<int> links{-1};
+  using Kind = MovedBy::Kind;
+  const Kind kind = moved_by.kind;
+  // A figure's hands leave what hangs on it where it is: its manipulator knows its own parts only.
+  const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
+  if (entity.kind == EntityKind::kMannequin && by_hand) names.clear();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    for (const Entity& other : scene_->entities()) {
+      if (other.attachment.to != names[k] || other.id == id_) continue;
+      const bool on_robot = k == 0 && entity.robot && !other.attachment.link.empty();
+      const int link = k > 0 ? links[k] : on_robot ? entity.robot->findLink(other.attachment.link) : -1;
+      Carried carried{other.id, link, {}, {}};
+      const Pose X_WE = placementOf(other, placements, carried.joints);
+      const Pose X_WL = PreparedScene::partPose(entity, accepted_.X_WE, accepted_.joints, link);
+      carried.X_LE = X_WL.inverse() * X_WE;
+      names.push_back(other.name);
+      links.push_back(link);
+      carried_.push_back(std::move(carried));
+    }
+  }
+  for (const ScenePart& part : scene_->parts()) {
+    if (part.entity == id_) {
+      moved_parts_.push_back({&part, id_, part.link, {}, part.name});
+    } else {
+      const auto found =
+          std::find_if(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == part.entity; });
+      if (found == carried_.end()) continue;
+      const Entity& owner = *scene_->find(part.entity);
+      const Pose X_EP = PreparedScene::partPose(owner, Pose::identity(), found->joints, part.link);
+      moved_parts_.push_back({&part, part.entity, found->link, found->X_LE * X_EP, owner.name});
+    }
+    parts_.push_back(part.mesh.pieces.get());
+  }
+}
+
+std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carried() const {
+  std::vector<std::pair<workcell::EntityId, EntityConfiguration>> result;
+  const Entity& entity = *scene_->find(id_);
+  for (const Carried& carried : carried_) {
+    const Pose X_WL = PreparedScene::partPose(entity, accepted_.X_WE, accepted_.joints, carried.link);
+    result.emplace_back(carried.id, EntityConfiguration{X_WL * carried.X_LE, carried.joints});
+  }
+  return result;
 }
 
 Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options) {
   std::vector<Pose> X_EP;
-  for (const ScenePart& part : scene_->parts()) {
-    if (part.entity != id_) continue;
-    links_.push_back(part.link);
-    parts_.push_back(part.mesh.pieces.get());
-    X_EP.push_back(PreparedScene::partPose(entity, Pose::identity(), accepted_.joints, part.link));
+  std::vector<RobotManipulator::Part> robot_parts;
+  for (const MovedPart& part : moved_parts_) {
+    // What hangs on the robot's base, not on a link of it, goes with its root.
+    robot_parts.push_back({std::max(0, part.link), part.X_LP});
+    X_EP.push_back(PreparedScene::partPose(entity, Pose::identity(), accepted_.joints, part.link) * part.X_LP);
   }
   MovedBy::Kind kind = options.moved_by.kind;
   if (makeMannequinManipulator(entity, options.moved_by)) return {};
   if ((options.moved_by.lock_trunk || options.moved_by.lock_pelvis) && entity.kind != EntityKind::kMannequin) {
     return makeError(refusal(entity, "it has no trunk to lock", "a mannequin"));
   }
-  const bool robot = entity.kind == EntityKind::kRobot && entity.robot != nullptr;
+  const bool robot = entity.robot != nullptr && entity.kind != EntityKind::kMannequin;  // Or a mechanism.
   if (kind == MovedBy::Kind::kWhole) kind = MovedBy::Kind::kSelfOrigin;
   if (kind == MovedBy::Kind::kDefault) kind = robot ? MovedBy::Kind::kTcp : MovedBy::Kind::kSelfOrigin;
   const int named_link = robot && kind == MovedBy::Kind::kFrame ? entity.robot->findLink(options.moved_by.frame) : -1;
   if (robot && (kind == MovedBy::Kind::kTcp || named_link >= 0)) {
     int tip = named_link >= 0 ? named_link : entity.robot->findLink(entity.tip_link);
     if (tip < 0) tip = entity.robot->defaultTip();
-    const Pose X_LT = named_link >= 0 ? Pose::identity() : entity.X_LT;
+    const Pose X_LT = named_link < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
     if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
     auto inverse = kinematics::createInverse(*entity.robot, tip, X_LT);
     if (!inverse) return makeError(inverse.error());
     manipulator_ = std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, X_LT},
-                                                      std::move(*inverse), links_);
+                                                      std::move(*inverse), std::move(robot_parts));
     return {};
   }
   Pose X_EM;
@@ -137,31 +197,40 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
                              const config::Configuration& configuration) {
   std::vector<std::shared_ptr<const collision::MeshCollider>> colliders;
   std::vector<std::string> names;
-  for (const ScenePart& part : scene_->parts()) {
-    if (part.entity != id_) continue;
-    colliders.push_back(part.mesh.collider);
+  for (const MovedPart& part : moved_parts_) {
+    colliders.push_back(part.part->mesh.collider);
     names.push_back(part.name);
   }
+  const auto is_moved = [&](workcell::EntityId id) {
+    return id == id_ || std::any_of(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == id; });
+  };
+  std::map<workcell::EntityId, std::vector<workcell::EffectivePair>> rules_of;
+  for (const MovedPart& part : moved_parts_) {
+    if (!rules_of.count(part.owner)) rules_of[part.owner] = scene_->pairsOf(part.owner, options.on_contact);
+  }
   std::vector<Obstacle> obstacles;
-  const std::vector<workcell::EffectivePair> rules = scene_->pairsOf(id_, options.on_contact);
   for (const ScenePart& part : scene_->parts()) {
-    if (part.entity == id_) continue;
+    if (is_moved(part.entity)) continue;
     const Entity& other = *scene_->find(part.entity);
-    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.other == other.id; });
-    if (rule == rules.end()) continue;
     std::vector<double> joints;
     const Pose X_WE = placementOf(other, placements, joints);
     const Pose X_WO = PreparedScene::partPose(other, X_WE, joints, part.link);
-    HeldPair pair{other.id, {}, part.name, rule->safety_distance, rule->near_miss, rule->on_contact, {}};
-    pair.feel.felt = pair.on_contact != OnContact::kPass;
-    if (options.force_class != ForceClass::kConstant) blend(configuration, entity, other, pair.feel);
-    if (pair.on_contact == OnContact::kStop) pair.feel.friction = kStickingFriction;
+    bool checked = false;
     for (std::uint32_t k = 0; k < colliders.size(); ++k) {
+      const auto& rules = rules_of[moved_parts_[k].owner];
+      const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.other == other.id; });
+      if (rule == rules.end()) continue;
+      HeldPair pair{other.id, names[k], part.name, rule->safety_distance, rule->near_miss, rule->on_contact, {}};
+      pair.feel.felt = pair.on_contact != OnContact::kPass;
+      const Entity& owner = moved_parts_[k].owner == id_ ? entity : *scene_->find(moved_parts_[k].owner);
+      if (options.force_class != ForceClass::kConstant) blend(configuration, owner, other, pair.feel);
+      if (pair.on_contact == OnContact::kStop) pair.feel.friction = kStickingFriction;
       motion_pairs_.push_back({k, static_cast<std::uint32_t>(obstacles.size()), pair.feel.felt});
-      pair.moved_part = names[k];
-      pairs_.push_back(pair);
       feel_.push_back(pair.feel);
+      pairs_.push_back(std::move(pair));
+      checked = true;
     }
+    if (!checked) continue;
     obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0});
     obstacles.push_back({part.mesh.collider, X_WO});
   }

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/configuration.h"
@@ -58,6 +59,8 @@ class HeldEntity {
   const Manipulator& manipulator() const { return *manipulator_; }
   const EntityConfiguration& accepted() const { return accepted_; }
   Pose movedFrame() const { return manipulator_->movedFrame(accepted_); }
+  /// What hangs on it (a gripped part, and what hangs on that), where it stands now.
+  std::vector<std::pair<workcell::EntityId, EntityConfiguration>> carried() const;
   const std::vector<HeldPair>& pairs() const { return pairs_; }
 
   /// Goes towards what the stylus (or proxy) at X_DP means, as far as it is free, and along what stands in the way
@@ -84,6 +87,7 @@ class HeldEntity {
   static constexpr double kSkin = 20e-6;
   HeldEntity();
   bool makeMannequinManipulator(const workcell::Entity& entity, const MovedBy& moved_by);
+  void gatherMovedParts(const workcell::Entity& entity, const Placements& placements, const MovedBy& moved_by);
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
@@ -101,7 +105,23 @@ class HeldEntity {
   EntityConfiguration accepted_;
   std::unique_ptr<Manipulator> manipulator_;
   std::unique_ptr<FreeMotion> motion_;
-  std::vector<int> links_;  ///< Of the moved parts.
+  /// An entity that hangs on a link of the held one (-1: on a solid), directly or by others.
+  struct Carried {
+    workcell::EntityId id = 0;
+    int link = -1;
+    Pose X_LE;
+    std::vector<double> joints;
+  };
+  std::vector<Carried> carried_;
+  /// A part that moves: the held entity's own or a carried one's.
+  struct MovedPart {
+    const ScenePart* part = nullptr;
+    workcell::EntityId owner = 0;
+    int link = -1;
+    Pose X_LP;
+    std::string name;
+  };
+  std::vector<MovedPart> moved_parts_;
   std::vector<const collision::ConvexPieces*> parts_;
   std::vector<collision::ZonePart> obstacles_;
   std::vector<HeldPair> pairs_;

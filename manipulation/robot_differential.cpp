@@ -4,7 +4,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "manipulation/closure_jets.h"
 #include "manipulation/symmetric.h"
 
 namespace hapticell::manipulation {
@@ -30,6 +32,7 @@ struct Arm {
   std::vector<Pose> X_WL;
   int tip;
   dvec3 p_WTcp;
+  const ClosureJets* jets = nullptr;  ///< Of a robot with a closure.
 };
 
 double factorOf(const RobotModel& model, const Joint& joint, int& variable) {
@@ -39,8 +42,31 @@ double factorOf(const RobotModel& model, const Joint& joint, int& variable) {
   return joint.mimic->multiplier;
 }
 
+/// The same for a robot with a closure, from its derivatives over the variables.
+void moveClosedLinks(const ClosureJets& jets, const Eigen::VectorXd& u, const Eigen::VectorXd& du, LinkMotion& motion) {
+  const auto n = static_cast<std::size_t>(u.size());
+  for (auto* part : {&motion.w, &motion.v, &motion.alpha, &motion.a}) part->assign(jets.links(), dvec3(0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double rate = u[static_cast<Eigen::Index>(i)], acceleration = du[static_cast<Eigen::Index>(i)];
+    for (std::size_t k = 0; k < jets.links(); ++k) {
+      const Twist& V = jets.velocity(i, k);
+      motion.v[k] += V.linear * rate;
+      motion.w[k] += V.angular * rate;
+      motion.a[k] += V.linear * acceleration;
+      motion.alpha[k] += V.angular * acceleration;
+      for (std::size_t j = 0; j < n; ++j) {
+        const Twist& A = jets.acceleration(i, j, k);
+        const double product = rate * u[static_cast<Eigen::Index>(j)];
+        motion.a[k] += A.linear * product;
+        motion.alpha[k] += A.angular * product;
+      }
+    }
+  }
+}
+
 /// The usual outward recursion (Featherstone 2008, section 4), joint rates `u` and accelerations `du` one a variable.
 void moveLinks(const Arm& arm, const Eigen::VectorXd& u, const Eigen::VectorXd& du, LinkMotion& motion) {
+  if (arm.jets) return moveClosedLinks(*arm.jets, u, du, motion);
   const std::size_t n = arm.model.links.size();
   for (auto* part : {&motion.w, &motion.v, &motion.alpha, &motion.a}) part->assign(n, dvec3(0.0));
   for (const Joint& joint : arm.model.joints) {
@@ -190,13 +216,31 @@ void fillAccelerations(const Arm& arm, const Eigen::MatrixXd& plus, RobotDiffere
   }
 }
 
+void addMargins(const ClosureJets& jets, const Eigen::MatrixXd& plus, RobotDifferential& result) {
+  for (const ClosureJets::Margin& margin : jets.margins()) {
+    const Eigen::Map<const Eigen::VectorXd> over_q(margin.gradient.data(),
+                                                   static_cast<Eigen::Index>(margin.gradient.size()));
+    const Eigen::VectorXd over_xi = plus.transpose() * over_q;
+    RobotDifferential::Margin made{margin.at, {}};
+    made.constraint.gap = margin.at.value;
+    for (std::size_t i = 0; i < 6; ++i) made.constraint.gradient[i] = over_xi[static_cast<Eigen::Index>(i)];
+    result.margins.push_back(std::move(made));
+  }
+}
+
 }  // namespace
 
 RobotDifferential differentiateRobot(const RobotModel& model, const std::vector<double>& q, const Pose& X_WB, int tip,
                                      const Pose& X_LT) {
-  Arm arm{model, {}, tip, {}};
-  kinematics::forwardKinematics(model, q, arm.X_WL);
-  for (Pose& X_WL : arm.X_WL) X_WL = X_WB * X_WL;
+  Arm arm{model, {}, tip, {}, nullptr};
+  std::optional<ClosureJets> jets;
+  if (model.closure) {
+    arm.jets = &jets.emplace(model, q, X_WB);
+    arm.X_WL = jets->poses();
+  } else {
+    kinematics::forwardKinematics(model, q, arm.X_WL);
+    for (Pose& X_WL : arm.X_WL) X_WL = X_WB * X_WL;
+  }
   arm.p_WTcp = (arm.X_WL[static_cast<std::size_t>(tip)] * X_LT).p;
 
   const auto n = static_cast<Eigen::Index>(model.dof());
@@ -216,6 +260,7 @@ RobotDifferential differentiateRobot(const RobotModel& model, const std::vector<
   fillVelocities(arm, inverse.plus, result);
   fillAccelerations(arm, inverse.plus, result);
   findEdge(arm, inverse, result);
+  if (jets) addMargins(*jets, inverse.plus, result);
   return result;
 }
 

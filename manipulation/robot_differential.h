@@ -18,6 +18,13 @@ struct RobotDifferential {
   /// The nearest edge of the workspace, where the arm is stretched or folded: f = edge.gap + edge.gradient . xi >= 0.
   bool has_edge = false;
   haptic::Constraint edge;
+
+  /// Of a robot with a closure: its passive joints' limits and singularities, to first order.
+  struct Margin {
+    kinematics::ClosureMargin at;
+    haptic::Constraint constraint;
+  };
+  std::vector<Margin> margins;
 };
 
 /// Differentiates at joint positions `q` (one a variable), the root link standing at X_WB, the TCP at X_LT in link

@@ -7,6 +7,7 @@
 
 #include "geometry/assertion.h"
 #include "manipulation/robot_differential.h"
+#include "manipulation/symmetric.h"
 
 namespace hapticell::manipulation {
 
@@ -46,14 +47,60 @@ std::string limitText(const Joint& joint, double left, bool upper) {
   return text;
 }
 
+std::vector<RobotManipulator::Part> plainParts(const std::vector<int>& links) {
+  std::vector<RobotManipulator::Part> parts;
+  for (const int link : links) parts.push_back({link, {}});
+  return parts;
+}
+
+/// A part that is fixed to a link follows it rigidly: velocities and accelerations of its own origin.
+PartDifferential carriedBy(const PartDifferential& link, const dvec3& p_WPo) {
+  PartDifferential part;
+  part.p_WPo = p_WPo;
+  for (std::size_t i = 0; i < 6; ++i) {
+    part.velocity[i] = {pointVelocity(link, p_WPo, i), link.velocity[i].angular};
+    for (std::size_t j = i; j < 6; ++j) {
+      const std::size_t at = packedIndex(i, j);
+      part.acceleration[at] = {pointAcceleration(link, p_WPo, i, j), link.acceleration[at].angular};
+    }
+  }
+  return part;
+}
+
+std::string marginText(const kinematics::ClosureMargin& margin) {
+  char text[160];
+  switch (margin.kind) {
+    case kinematics::ClosureMargin::Kind::kAngle:
+      std::snprintf(text, sizeof text, "%.80s is %.1f deg from its limit", margin.what.c_str(),
+                    std::max(0.0, margin.value * 180.0 / M_PI));
+      break;
+    case kinematics::ClosureMargin::Kind::kLength:
+      std::snprintf(text, sizeof text, "%.80s is %.1f mm from its limit", margin.what.c_str(),
+                    std::max(0.0, margin.value * 1000.0));
+      break;
+    case kinematics::ClosureMargin::Kind::kSingularity:
+      std::snprintf(text, sizeof text, "%.80s is near a position where nothing holds it", margin.what.c_str());
+      break;
+  }
+  return text;
+}
+
+constexpr int kPathSamples = 4;
+constexpr double kPathMargin = 1.25;  ///< For the bend between samples; steps are small.
+
 }  // namespace
 
 RobotManipulator::RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
-                                   std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<int> part_links)
-    : model_(std::move(model)), tool_(tool), inverse_(std::move(inverse)), part_links_(std::move(part_links)) {
+                                   std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<Part> parts)
+    : model_(std::move(model)), tool_(tool), inverse_(std::move(inverse)), parts_(std::move(parts)) {
   HAPTICELL_DEMAND(model_ && inverse_);
   HAPTICELL_DEMAND(tool_.tip_link >= 0 && static_cast<std::size_t>(tool_.tip_link) < model_->links.size());
 }
+
+RobotManipulator::RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
+                                   std::unique_ptr<const kinematics::InverseModel> inverse,
+                                   const std::vector<int>& part_links)
+    : RobotManipulator(std::move(model), tool, std::move(inverse), plainParts(part_links)) {}
 
 std::vector<Pose> RobotManipulator::linkPoses(const EntityConfiguration& configuration) const {
   std::vector<Pose> X_WL;
@@ -85,21 +132,26 @@ EntityConfiguration RobotManipulator::between(const EntityConfiguration& from, c
 }
 
 void RobotManipulator::partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const {
-  HAPTICELL_DEMAND(X_WP.size() == part_links_.size());
+  HAPTICELL_DEMAND(X_WP.size() == parts_.size());
   const std::vector<Pose> X_WL = linkPoses(configuration);
-  for (std::size_t k = 0; k < X_WP.size(); ++k) X_WP[k] = X_WL[static_cast<std::size_t>(part_links_[k])];
+  for (std::size_t k = 0; k < X_WP.size(); ++k) {
+    X_WP[k] = X_WL[static_cast<std::size_t>(parts_[k].link)] * parts_[k].X_LP;
+  }
 }
 
 void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                                   std::span<const PartSphere> spheres, std::span<double> bounds) const {
-  HAPTICELL_DEMAND(spheres.size() == part_links_.size() && bounds.size() == part_links_.size());
+  HAPTICELL_DEMAND(spheres.size() == parts_.size() && bounds.size() == parts_.size());
+  if (model_->closure) return closedPathBounds(from, to, spheres, bounds);
   const std::vector<Pose> X_WL = linkPoses(from);
   // Any point on a link moves at most |dq| times its distance from the axis. The distance at the start may grow by what
   // both move meanwhile; `farthest` bounds that by the whole robot's size.
   double farthest = 0.0, turned = 0.0, slid = 0.0;
   for (const Pose& pose : X_WL) farthest = std::max(farthest, glm::length(pose.p - X_WL.front().p));
   double offset = 0.0;
-  for (const PartSphere& sphere : spheres) offset = std::max(offset, glm::length(sphere.p_PS) + sphere.radius);
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    offset = std::max(offset, glm::length(parts_[k].X_LP * spheres[k].p_PS) + spheres[k].radius);
+  }
   farthest += offset;
   std::vector<double> steps(model_->joints.size(), 0.0);
   for (std::size_t j = 0; j < model_->joints.size(); ++j) {
@@ -110,9 +162,9 @@ void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityC
   }
   const double loose = 2.0 * (slid + turned * 2.0 * (farthest + slid));
   for (std::size_t k = 0; k < bounds.size(); ++k) {
-    const dvec3 center = X_WL[static_cast<std::size_t>(part_links_[k])] * spheres[k].p_PS;
+    const dvec3 center = X_WL[static_cast<std::size_t>(parts_[k].link)] * (parts_[k].X_LP * spheres[k].p_PS);
     bounds[k] = 0.0;
-    for (int at = model_->links[static_cast<std::size_t>(part_links_[k])].parent_joint; at >= 0;) {
+    for (int at = model_->links[static_cast<std::size_t>(parts_[k].link)].parent_joint; at >= 0;) {
       const Joint& joint = model_->joints[static_cast<std::size_t>(at)];
       const Pose& X_WJ = X_WL[static_cast<std::size_t>(joint.child_link)];
       const dvec3 axis = X_WJ.rotate(joint.axis_J);
@@ -123,8 +175,32 @@ void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityC
   }
 }
 
+/// The path of a closed loop's links has no simple bound: it is measured along the way.
+void RobotManipulator::closedPathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
+                                        std::span<const PartSphere> spheres, std::span<double> bounds) const {
+  std::fill(bounds.begin(), bounds.end(), 0.0);
+  std::vector<Pose> before(parts_.size()), after(parts_.size());
+  partPoses(from, before);
+  for (int sample = 1; sample <= kPathSamples; ++sample) {
+    partPoses(between(from, to, static_cast<double>(sample) / kPathSamples), after);
+    for (std::size_t k = 0; k < bounds.size(); ++k) {
+      const double moved = glm::length(after[k] * spheres[k].p_PS - before[k] * spheres[k].p_PS);
+      const double turned = glm::length(rotationVector(after[k].q * glm::conjugate(before[k].q)));
+      bounds[k] += kPathMargin * (moved + spheres[k].radius * turned);
+    }
+    std::swap(before, after);
+  }
+}
+
 double RobotManipulator::turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const {
   double turned = 0.0;
+  if (model_->closure) {
+    const std::vector<Pose> X_W0 = linkPoses(from), X_W1 = linkPoses(to);
+    for (std::size_t k = 0; k < X_W0.size(); ++k) {
+      turned = std::max(turned, glm::length(rotationVector(X_W1[k].q * glm::conjugate(X_W0[k].q))));
+    }
+    return kPathMargin * turned;
+  }
   for (const Joint& joint : model_->joints) {
     if (joint.type == JointType::kPrismatic || joint.type == JointType::kFixed) continue;
     turned += std::abs(kinematics::jointPosition(*model_, to.joints, joint) -
@@ -137,8 +213,13 @@ std::vector<PartDifferential> RobotManipulator::differentiate(const EntityConfig
   const RobotDifferential robot =
       differentiateRobot(*model_, configuration.joints, configuration.X_WE, tool_.tip_link, tool_.X_LT);
   std::vector<PartDifferential> parts;
-  parts.reserve(part_links_.size());
-  for (const int link : part_links_) parts.push_back(robot.links[static_cast<std::size_t>(link)]);
+  parts.reserve(parts_.size());
+  const std::vector<Pose> X_WL = linkPoses(configuration);
+  for (const Part& part : parts_) {
+    const PartDifferential& link = robot.links[static_cast<std::size_t>(part.link)];
+    const Pose& X_WLink = X_WL[static_cast<std::size_t>(part.link)];
+    parts.push_back(part.X_LP.p == dvec3(0.0) ? link : carriedBy(link, X_WLink * part.X_LP.p));
+  }
   return parts;
 }
 
@@ -168,6 +249,11 @@ std::vector<MotionLimit> RobotManipulator::limits(const EntityConfiguration& con
       limit.text = limitText(joint, limit.constraint_W.gap, upper);
       keep(std::move(limit));
     }
+  }
+  for (std::size_t m = 0; m < robot.margins.size(); ++m) {
+    MotionLimit limit{robot.margins[m].constraint, marginText(robot.margins[m].at), -1};
+    limit.constraint_W.id = 2 * (model_->moving.size() + m) + 1000;
+    keep(std::move(limit));
   }
   if (robot.has_edge) keep({robot.edge, "The arm is at the edge of its reach", -1});
   return limits;

@@ -19,9 +19,17 @@ class RobotManipulator final : public Manipulator {
     int tip_link = 0;
     Pose X_LT;  ///< Tool centre point in the tip link.
   };
-  /// `part_links[k]` is the link that part k is fixed to (its frame is the link's). `inverse` is for the same tool.
+  /// A moved part: a link's own shape, or what hangs on the link (a gripped part).
+  struct Part {
+    int link = 0;
+    Pose X_LP;
+  };
+  /// `inverse` is for the same tool.
   RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
-                   std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<int> part_links);
+                   std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<Part> parts);
+  /// Parts that are links: `part_links[k]` is that of part k.
+  RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
+                   std::unique_ptr<const kinematics::InverseModel> inverse, const std::vector<int>& part_links);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
   EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const override;
@@ -35,11 +43,13 @@ class RobotManipulator final : public Manipulator {
 
  private:
   std::vector<Pose> linkPoses(const EntityConfiguration& configuration) const;
+  void closedPathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
+                        std::span<const PartSphere> spheres, std::span<double> bounds) const;
 
   std::shared_ptr<const kinematics::RobotModel> model_;  // Shared: documents and snapshots hold the same one.
   Tool tool_;
   std::unique_ptr<const kinematics::InverseModel> inverse_;
-  std::vector<int> part_links_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace hapticell::manipulation

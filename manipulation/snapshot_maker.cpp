@@ -74,8 +74,12 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
   snapshot = {};
   snapshot.step = step_;
   snapshot.time_s = start_ns_ < 0 ? 0.0 : 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  const auto carried = held_ ? held_->carried() : decltype(held_->carried()){};
   for (const auto& [id, at] : placements_) {
-    if (!held_ || id != held_->id()) snapshot.entities.push_back({id, at.X_WE, at.joints, false, false});
+    const bool goes_along =
+        std::any_of(carried.begin(), carried.end(), [&, k = id](const auto& c) { return c.first == k; });
+    if ((!held_ || id != held_->id()) && !goes_along)
+      snapshot.entities.push_back({id, at.X_WE, at.joints, false, false});
   }
   if (held_) {
     measureForDisplay(snapshot);
@@ -85,6 +89,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
       moved.near_miss = moved.near_miss || pair.near_miss;
     }
     snapshot.entities.push_back(moved);
+    for (const auto& [id, at] : carried) snapshot.entities.push_back({id, at.X_WE, at.joints, moved.in_contact, false});
     for (const MotionLimit& limit : built_.limits) {
       if (limit.constraint_W.gap < 0.005 * mapping_.scale()) snapshot.limits.push_back({limit.text, limit.joint});
     }
