@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinematics/delta.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,6 +15,15 @@ DeltaKinematics::DeltaKinematics(const DeltaGeometry& geometry)
     cosine_[k] = std::cos(angle);
     sine_[k] = std::sin(angle);
   }
+  for (std::size_t k = 0; k < 4; ++k) {
+    arms_.cosine[k] = cosine_[std::min<std::size_t>(k, 2)];
+    arms_.sine[k] = sine_[std::min<std::size_t>(k, 2)];
+  }
+  arms_.base = geometry.base_radius;
+  arms_.upper = geometry.upper_arm;
+  arms_.lower = geometry.lower_arm;
+  arms_.platform = geometry.platform_radius;
+  arms_.down = down_;
 }
 
 dvec3 DeltaKinematics::knee(int k, double theta) const {
@@ -26,38 +36,31 @@ dvec3 DeltaKinematics::platformJoint(int k, const dvec3& p_BP) const {
 }
 
 bool DeltaKinematics::inverse(const dvec3& p_BP, std::array<double, 3>& outer, std::array<double, 3>& inner) const {
-  const double l = geometry_.upper_arm, L = geometry_.lower_arm;
-  const double shift = geometry_.platform_radius - geometry_.base_radius;
-  const double h = down_ * p_BP.z, squares = glm::dot(p_BP, p_BP) + l * l - L * L;
-  bool reached = true;
+  alignas(32) double out[4], in[4];
+  const unsigned reached = kernels_->deltaInverse(arms_, &p_BP.x, out, in);
   for (std::size_t k = 0; k < 3; ++k) {
-    // (x, h): from the motor axis to the platform's joint in the arm's plane; x cos + h sin = e.
-    const double along = p_BP.x * cosine_[k] + p_BP.y * sine_[k];
-    const double x = along + shift;
-    const double e = (squares + 2.0 * along * shift + shift * shift) / (2.0 * l);
-    const double under = x * x + h * h - e * e;
-    const double w = std::sqrt(under);  // NaN where the arm does not reach.
-    reached = reached && under >= 0.0;
-    outer[k] = std::atan2(h * e - x * w, x * e + h * w);
-    inner[k] = std::atan2(h * e + x * w, x * e - h * w);
+    outer[k] = out[k];
+    inner[k] = in[k];
   }
-  return reached;
+  return reached == 15U;
 }
 
 bool DeltaKinematics::inverseAll(const dvec3& p_BP, DeltaBranches& branches) const {
   std::array<double, 3> outer{}, inner{};
   const bool reached = inverse(p_BP, outer, inner);
   for (std::size_t branch = 0; branch < branches.size(); ++branch) {
-    for (std::size_t k = 0; k < 3; ++k) branches[branch][k] = (branch >> k & 1u) != 0 ? inner[k] : outer[k];
+    for (std::size_t k = 0; k < 3; ++k) branches[branch][k] = (branch >> k & 1U) != 0 ? inner[k] : outer[k];
   }
   return reached;
 }
 
 bool DeltaKinematics::forward(const std::array<double, 3>& theta, dvec3& p_BP) const {
-  std::array<dvec3, 3> c;
-  for (int k = 0; k < 3; ++k) {
-    c[static_cast<std::size_t>(k)] =
-        knee(k, theta[static_cast<std::size_t>(k)]) - geometry_.platform_radius * outward(k);
+  alignas(32) double sine[4], cosine[4];
+  kernels_->deltaAngles(theta.data(), sine, cosine);
+  std::array<dvec3, 3> c;  // The knees, moved inwards by the platform's radius.
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double level = geometry_.base_radius - geometry_.platform_radius + geometry_.upper_arm * cosine[k];
+    c[k] = {level * cosine_[k], level * sine_[k], down_ * geometry_.upper_arm * sine[k]};
   }
   // The centre of the circle through the three centres, and the normal of their plane.
   const dvec3 u = c[1] - c[0], v = c[2] - c[0], n = glm::cross(u, v);

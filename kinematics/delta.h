@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geometry/pose.h"
+#include "kinematics/kernels/loop_kernels.h"
 
 namespace hapticell::kinematics {
 
@@ -50,6 +51,8 @@ class DeltaKinematics {
   DeltaGeometry geometry_;
   std::array<double, 3> cosine_{}, sine_{};
   double down_ = -1.0;  ///< Sign of z where the platform is.
+  kernels::DeltaArms arms_{};
+  const kernels::LoopTable* kernels_ = &kernels::loopTable();
 };
 
 }  // namespace hapticell::kinematics

@@ -79,14 +79,20 @@ HexapodKinematics::HexapodKinematics(const HexapodGeometry& geometry) : geometry
   double largest = 0.0;
   for (const dvec3& c : geometry.p_PC) largest = std::max(largest, glm::length(c));
   if (largest > 0.0) radius_ = largest;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      hinges_.base[axis][i] = geometry.p_BA[std::min<std::size_t>(i, 5)][axis];
+      hinges_.top[axis][i] = geometry.p_PC[std::min<std::size_t>(i, 5)][axis];
+    }
+  }
 }
 
 LegLengths HexapodKinematics::lengths(const dmat3& R, const dvec3& p) const {
+  alignas(32) double all[8];
+  const dmat3 rows = glm::transpose(R);
+  kernels_->legLengths(hinges_, &rows[0][0], &p.x, all);
   LegLengths result{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const dvec3 leg = p + R * geometry_.p_PC[i] - geometry_.p_BA[i];
-    result[i] = std::sqrt(glm::dot(leg, leg));
-  }
+  std::copy_n(all, 6, result.begin());
   return result;
 }
 
@@ -130,35 +136,26 @@ HexapodForward HexapodKinematics::forward(const LegLengths& wanted, const Pose& 
   HexapodForward result;
   dmat3 R = X_BStart.R();
   dvec3 p = X_BStart.p;
-  double determinant = 0.0, error = 0.0, last_step = std::numeric_limits<double>::infinity();
-  Legs legs;
+  alignas(32) double legs[8], step[6];
+  for (std::size_t i = 0; i < 8; ++i) legs[i] = wanted[std::min<std::size_t>(i, 5)];
+  double determinant = 0.0, error = 0.0;
   for (;; ++result.iterations) {
-    measure(geometry_, R, p, legs);
-    error = 0.0;
-    for (std::size_t i = 0; i < 6; ++i) error = std::max(error, std::abs(wanted[i] - legs.length[i]));
-    if (error < kDone || result.iterations >= max_iterations) break;
-    System m = systemOf(legs, wanted);
-    determinant = eliminate(m);
-    if (determinant == 0.0) break;
-    dvec3 v(m[0][6], m[1][6], m[2][6]), w(m[3][6], m[4][6], m[5][6]);
+    const dmat3 rows = glm::transpose(R);
+    error = kernels_->hexapodStep(hinges_, &rows[0][0], &p.x, legs, step, &determinant);
+    if (!(error >= kDone) || result.iterations >= max_iterations || determinant == 0.0) break;
+    dvec3 v(step[0], step[1], step[2]), w(step[3], step[4], step[5]);
     // Newton's first steps may be far too long near a singular surface.
-    const double step = std::max(glm::length(v), radius_ * glm::length(w));
-    const double longest = 0.5 * (radius_ + legs.length[0]);
-    if (step > longest) {
-      v *= longest / step;
-      w *= longest / step;
+    const double length = std::max(glm::length(v), radius_ * glm::length(w));
+    const double longest = 0.5 * (radius_ + legs[0]);
+    if (length > longest) {
+      v *= longest / length;
+      w *= longest / length;
     }
     p += v;
     R = cayley(w) * R;
-    if (step > 1e3 * last_step) break;
-    last_step = step;
   }
   result.X_BP = {p, glm::normalize(glm::quat_cast(R))};
   result.converged = error < kDone;
-  if (determinant == 0.0) {
-    System m = systemOf(legs, wanted);
-    determinant = eliminate(m);
-  }
   result.handedness = determinant > 0.0 ? 1 : determinant < 0.0 ? -1 : 0;
   return result;
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "geometry/pose.h"
+#include "kinematics/kernels/loop_kernels.h"
 
 namespace hapticell::kinematics {
 
@@ -55,6 +56,8 @@ class HexapodKinematics {
  private:
   HexapodGeometry geometry_;
   double radius_ = 1.0;
+  kernels::HexapodHinges hinges_{};
+  const kernels::LoopTable* kernels_ = &kernels::loopTable();
 };
 
 }  // namespace hapticell::kinematics
