@@ -109,7 +109,8 @@ ordered_json robotReport(const workcell::Entity& entity) {
     if (!robot.links[k].visuals.empty()) links.push_back(linkReport(robot.links[k], entity.X_WE * X_BL[k]));
   }
   const bool mannequin = entity.kind == workcell::EntityKind::kMannequin;
-  ordered_json report = groupReport(entity.name, mannequin ? "mannequin" : "robot", std::move(links));
+  const char* kind = mannequin ? "mannequin" : entity.mechanism ? "mechanism" : "robot";
+  ordered_json report = groupReport(entity.name, kind, std::move(links));
   report["dof"] = robot.dof();
   report["joints"] = jointsReport(robot);
   report["inverse_model"] = mannequin ? ordered_json("mannequin") : inverseModelReport(robot, entity.tip_link);

@@ -32,7 +32,7 @@ class RobotScene : public FeelScene {
   RobotScene(std::shared_ptr<const kinematics::RobotModel> model, const RobotManipulator::Tool& tool,
              std::unique_ptr<const kinematics::InverseModel> inverse)
       : link_(model->joints[static_cast<std::size_t>(model->moving[kForearm - 1])].child_link),
-        robot_(std::move(model), tool, std::move(inverse), {link_}) {
+        robot_(std::move(model), tool, std::move(inverse), RobotManipulator::partsOf({link_})) {
     rest_.joints = restJoints();
     // Translation only: a wrist that may turn would turn the tool out of the way, which this device cannot tell.
     mapping_.setFilter(true, false);

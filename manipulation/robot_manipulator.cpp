@@ -47,12 +47,6 @@ std::string limitText(const Joint& joint, double left, bool upper) {
   return text;
 }
 
-std::vector<RobotManipulator::Part> plainParts(const std::vector<int>& links) {
-  std::vector<RobotManipulator::Part> parts;
-  for (const int link : links) parts.push_back({link, {}});
-  return parts;
-}
-
 /// A part that is fixed to a link follows it rigidly: velocities and accelerations of its own origin.
 PartDifferential carriedBy(const PartDifferential& link, const dvec3& p_WPo) {
   PartDifferential part;
@@ -97,10 +91,11 @@ RobotManipulator::RobotManipulator(std::shared_ptr<const kinematics::RobotModel>
   HAPTICELL_DEMAND(tool_.tip_link >= 0 && static_cast<std::size_t>(tool_.tip_link) < model_->links.size());
 }
 
-RobotManipulator::RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
-                                   std::unique_ptr<const kinematics::InverseModel> inverse,
-                                   const std::vector<int>& part_links)
-    : RobotManipulator(std::move(model), tool, std::move(inverse), plainParts(part_links)) {}
+std::vector<RobotManipulator::Part> RobotManipulator::partsOf(const std::vector<int>& links) {
+  std::vector<Part> parts;
+  for (const int link : links) parts.push_back({link, {}});
+  return parts;
+}
 
 std::vector<Pose> RobotManipulator::linkPoses(const EntityConfiguration& configuration) const {
   std::vector<Pose> X_WL;

@@ -27,9 +27,8 @@ class RobotManipulator final : public Manipulator {
   /// `inverse` is for the same tool.
   RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
                    std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<Part> parts);
-  /// Parts that are links: `part_links[k]` is that of part k.
-  RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
-                   std::unique_ptr<const kinematics::InverseModel> inverse, const std::vector<int>& part_links);
+  /// Parts that are links.
+  static std::vector<Part> partsOf(const std::vector<int>& links);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
   EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const override;

@@ -150,6 +150,7 @@ TEST(Hexapod, NewtonFindsThePoseThatMadeTheLegsAndProvesIt) {
     EXPECT_NEAR(glm::length(forward.X_BP.p - X.p), 0.0, 1e-10);
     EXPECT_NEAR(glm::length(difference(forward.X_BP, X).angular), 0.0, 1e-10);
     const HexapodCertificate certificate = hexapod.certify(hexapod.lengths(X), forward.X_BP);
+    EXPECT_EQ(forward.handedness, handedness);
     EXPECT_TRUE(certificate.holds);
     EXPECT_LT(certificate.exists_within, 1e-10);
     EXPECT_GT(certificate.unique_within, 1e-4);
@@ -159,6 +160,42 @@ TEST(Hexapod, NewtonFindsThePoseThatMadeTheLegsAndProvesIt) {
   LegLengths far = hexapod.lengths(home);
   far[0] += 0.2;
   EXPECT_FALSE(hexapod.certify(far, home).holds);
+}
+
+TEST(LoopKernels, BothBuildsAgree) {
+  const kernels::LoopTable* fast = kernels::avx2LoopTable();
+  if (fast == nullptr) GTEST_SKIP() << "no AVX2 here";
+  const kernels::LoopTable& plain = *kernels::plainLoopTable();
+  kernels::DeltaArms arms{{1, -0.5, -0.5, -0.5}, {0, 0.866, -0.866, -0.866}, 0.14, 0.565, 1.26, 0.075, -1.0};
+  kernels::HexapodHinges hinges{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      hinges.base[axis][i] = platform().p_BA[std::min<std::size_t>(i, 5)][axis];
+      hinges.top[axis][i] = platform().p_PC[std::min<std::size_t>(i, 5)][axis];
+    }
+  }
+  std::mt19937 random(5);
+  alignas(32) double a[2][8], b[2][8];
+  for (int trial = 0; trial < 200; ++trial) {
+    const dvec3 p(between(random, -0.9, 0.9), between(random, -0.9, 0.9), between(random, -1.5, -0.5));
+    const unsigned reached = plain.deltaInverse(arms, &p.x, a[0], a[1]);
+    EXPECT_EQ(fast->deltaInverse(arms, &p.x, b[0], b[1]), reached);
+    for (int k = 0; k < 4; ++k) {
+      if (reached >> k & 1U) {
+        EXPECT_NEAR(a[0][k], b[0][k], 1e-9);
+      } else {
+        EXPECT_TRUE(std::isnan(a[0][k]) && std::isnan(b[0][k]));
+      }
+    }
+    const Pose X = randomPose(random);
+    const dmat3 rows = glm::transpose(X.R());
+    double step[2][6], determinant[2];
+    const double wanted[8] = {1.0, 1.01, 0.99, 1.0, 1.02, 1.0, 1.0, 1.0};
+    const double error = plain.hexapodStep(hinges, &rows[0][0], &X.p.x, wanted, step[0], &determinant[0]);
+    EXPECT_NEAR(fast->hexapodStep(hinges, &rows[0][0], &X.p.x, wanted, step[1], &determinant[1]), error, 1e-12);
+    EXPECT_NEAR(determinant[0], determinant[1], 1e-9);
+    for (int k = 0; k < 6; ++k) EXPECT_NEAR(step[0][k], step[1][k], 1e-8 * (1.0 + std::abs(step[0][k])));
+  }
 }
 
 TEST(Hexapod, IsDraggedWithinItsLegsAndToldWhereTheyEnd) {
