@@ -322,6 +322,7 @@ bool LoopClosure::solve(const std::vector<double>& q, std::vector<double>& all) 
   {
     const std::lock_guard lock(mutex_);
     if (!last_.empty() && distance(last_) < kLongestStride) all = last_;
+    if (!last_.empty() && distance(last_) == 0.0) return true;
   }
   LoopSolver solver(*this);
   const std::vector<double> from = all;
