@@ -114,6 +114,14 @@ bool ClosureInverse::withinLimits(const std::vector<double>& q) const {
   return allowed(q, margin) && margin > -1e-9;
 }
 
+bool ClosureInverse::withinSpeed(const std::vector<double>& q, const std::vector<double>& q_start,
+                                 double duration_s) const {
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    if (std::abs(q[k] - q_start[k]) > velocity_[k] * duration_s) return false;
+  }
+  return true;
+}
+
 void ClosureInverse::descend(const Pose& X_BT, const Bounds& bounds, int iterations, std::vector<double>& q) const {
   const auto n = static_cast<Eigen::Index>(q.size());
   for (std::size_t k = 0; k < q.size(); ++k) q[k] = std::clamp(q[k], bounds.lower[k], bounds.upper[k]);

@@ -41,6 +41,8 @@ class ClosureInverse : public InverseModel {
   /// Fills errors, status and `singular` for solution.q.
   void judge(const Pose& X_BT, const Bounds& bounds, InverseSolution& solution) const;
   bool withinLimits(const std::vector<double>& q) const;
+  /// True when no variable needs longer than that from the start.
+  bool withinSpeed(const std::vector<double>& q, const std::vector<double>& q_start, double duration_s) const;
   const Bounds& limits() const { return limits_; }
   const std::vector<double>& home() const { return home_; }
   const Pose& toolInTip() const { return X_LT_; }

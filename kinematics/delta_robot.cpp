@@ -89,7 +89,7 @@ class DeltaInverse final : public ClosureInverse {
 
   void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                     InverseSolution& solution) const override {
-    if (duration_s == kUnboundedDuration && closedForm(X_BT, q_start, solution)) return;
+    if (closedForm(X_BT, q_start, solution) && withinSpeed(solution.q, q_start, duration_s)) return;
     ClosureInverse::solveNearest(X_BT, q_start, duration_s, solution);
   }
 

@@ -218,6 +218,10 @@ TEST(Hexapod, IsDraggedWithinItsLegsAndToldWhereTheyEnd) {
     EXPECT_NEAR(glm::length(left.linear) + glm::length(left.angular), 0.0, 1e-9);
   }
   EXPECT_GT(solved, 60);
+  InverseSolution slow;
+  inverse->solveNearest(Pose::translation({0.05, 0, 1.05}), model.home, 1e-3, slow);  // 3 m/s: 3 mm in that time.
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_LE(std::abs(slow.q[k] - model.home[k]), 3e-3 + 1e-12);
+  EXPECT_NE(slow.status, InverseStatus::kSolved);
   InverseSolution far;
   inverse->solveNearest(Pose::translation({0, 0, 3.0}), model.home, kUnboundedDuration, far);
   EXPECT_EQ(far.status, InverseStatus::kLimit);
