@@ -16,7 +16,7 @@ RobotManipulator manipulatorOf(const std::shared_ptr<const kinematics::RobotMode
   const int tip = model->defaultTip();
   auto inverse = kinematics::createInverse(*model, tip);
   EXPECT_TRUE(inverse);
-  return {model, RobotManipulator::Tool{tip, Pose::identity()}, std::move(*inverse), {tip}};
+  return {model, RobotManipulator::Tool{tip, Pose::identity()}, std::move(*inverse), RobotManipulator::partsOf({tip})};
 }
 
 double largestStep(const EntityConfiguration& a, const EntityConfiguration& b) {
