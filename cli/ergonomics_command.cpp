@@ -6,9 +6,12 @@
 #include "cli/commands.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
+#include "mannequin/ergonomics/motion_scores.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/reba.h"
 #include "mannequin/ergonomics/rula.h"
+#include "mannequin/figure.h"
+#include "mannequin/motion_clip.h"
 
 namespace hapticell::cli {
 
@@ -19,6 +22,8 @@ using nlohmann::ordered_json;
 
 struct ErgonomicsOptions {
   std::string input;
+  std::string motion;
+  ergonomics::MotionTask task;
   std::optional<double> fail_over;
 };
 
@@ -47,6 +52,36 @@ Expected<ordered_json> judge(const std::string& method, const json& input) {
   return lifting(input);
 }
 
+Expected<ordered_json> judgeMotion(const std::string& method, const ErgonomicsOptions& options) {
+  const auto clip = mannequin::readMotionFile(options.motion);
+  if (!clip) return tl::unexpected(clip.error());
+  const auto figure = mannequin::makeFigure({});
+  if (!figure) return tl::unexpected(figure.error());
+  const auto kind = method == "rula"   ? ergonomics::MotionMethod::kRula
+                    : method == "reba" ? ergonomics::MotionMethod::kReba
+                                       : ergonomics::MotionMethod::kOwas;
+  auto scores = ergonomics::scoreMotion(*clip, *figure, kind, options.task);
+  if (!scores) {
+    if (scores.error().file.empty()) scores.error().file = options.motion;
+    return tl::unexpected(scores.error());
+  }
+  return motionReport(kind, *scores, options.task);
+}
+
+Expected<ordered_json> result(const std::string& method, const ErgonomicsOptions& options) {
+  if (options.input.empty() == options.motion.empty()) {
+    return makeError(
+        {"", "--input, --motion", options.input.empty() ? "neither is given" : "both are given", "one of the two", ""});
+  }
+  if (!options.motion.empty()) return judgeMotion(method, options);
+  const auto input = readErgonomicsInput(options.input);
+  if (!input) return tl::unexpected(input.error());
+  auto judged = judge(method, *input);
+  const bool is_file = options.input.find('{') == std::string::npos;
+  if (!judged && judged.error().file.empty() && is_file) judged.error().file = options.input;
+  return judged;
+}
+
 /// No score (a load that nobody may lift, a posture that cannot be judged) counts as over any limit.
 bool isOver(const ordered_json& report, const std::optional<double>& limit) {
   if (!limit) return false;
@@ -59,16 +94,27 @@ ExitStatus run(const std::string& method, const ErgonomicsOptions& options, cons
     report(error);
     return ExitStatus::kBadInput;
   };
-  const auto input = readErgonomicsInput(options.input);
-  if (!input) return failed(input.error());
-  const auto result = judge(method, *input);
-  if (!result) {
-    Error error = result.error();
-    if (error.file.empty() && options.input.find('{') == std::string::npos) error.file = options.input;
-    return failed(error);
+  const auto judged = result(method, options);
+  if (!judged) return failed(judged.error());
+  if (const auto written = writer.write(*judged); !written) return failed(written.error());
+  return isOver(*judged, options.fail_over) ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+void addMotionOptions(CLI::App& method, const std::string& name, ErgonomicsOptions& options) {
+  method.add_option("--motion", options.motion, "A recorded motion instead: .bvh, or .amc with its .asf");
+  const auto whole = [&](const char* option, int& value, int greatest, const char* description) {
+    method.add_option(option, value, description)->check(CLI::Range(0, greatest));
+  };
+  if (name == "rula") {
+    whole("--muscle-use", options.task.muscle_use, 1, "Of the motion: static or repeated (0, 1)");
+    whole("--force", options.task.force, 3, "Of the motion (0 to 3)");
+  } else if (name == "reba") {
+    whole("--load", options.task.load, 3, "Of the motion (0 to 3)");
+    whole("--coupling", options.task.coupling, 3, "Of the motion (0 to 3)");
+    whole("--activity", options.task.activity, 3, "Of the motion (0 to 3)");
+  } else {
+    method.add_option("--load-kg", options.task.load_kg, "Of the motion, kg")->check(CLI::NonNegativeNumber);
   }
-  if (const auto written = writer.write(*result); !written) return failed(written.error());
-  return isOver(*result, options.fail_over) ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
 }  // namespace
@@ -85,7 +131,8 @@ void addErgonomicsCommand(CLI::App& app, Action& chosen) {
   };
   for (const auto& [name, description] : methods) {
     CLI::App* method = command->add_subcommand(name, description);
-    method->add_option("--input", options->input, "JSON: a file, the text itself, or - for standard input")->required();
+    method->add_option("--input", options->input, "JSON: a file, the text itself, or - for standard input");
+    if (std::string_view(name) != "niosh") addMotionOptions(*method, name, *options);
     method->add_option("--fail-over", options->fail_over, "Exit with 1 where the score is over this");
     method->callback([options, &chosen, method_name = std::string(name)] {
       chosen = [options, method_name](ResultWriter& writer) { return run(method_name, *options, writer); };

@@ -200,6 +200,51 @@ ordered_json scoredReport(const ScoredMethod& method, const ScoredInput& input) 
   return report;
 }
 
+ordered_json motionReport(MotionMethod method, const MotionScores& scores, const MotionTask& task) {
+  const auto frameJson = [&](std::size_t i) {
+    const FrameScore& frame = scores.frames[i];
+    ordered_json json{{"frame", i},
+                      {"t", static_cast<double>(i) * scores.frame_time},
+                      {"score", frame.score},
+                      {"level", frame.level}};
+    if (method != MotionMethod::kOwas) {
+      json["left"] = frame.left;
+      json["right"] = frame.right;
+    }
+    json["trunk_flexion"] = frame.trunk_flexion;
+    json["upper_arm_elevation"] = {{"left", frame.upper_arm_elevation[0]}, {"right", frame.upper_arm_elevation[1]}};
+    return json;
+  };
+  const auto sharesOf = [](const std::map<int, double>& shares) {
+    ordered_json json = ordered_json::object();
+    for (const auto& [value, share] : shares) json[std::to_string(value)] = share;
+    return json;
+  };
+  ordered_json report{{"method", method == MotionMethod::kRula   ? "RULA"
+                                 : method == MotionMethod::kReba ? "REBA"
+                                                                 : "OWAS"},
+                      {"score", scores.frames[scores.worst].score},
+                      {"level", scores.frames[scores.worst].level},
+                      {"frame_time", scores.frame_time},
+                      {"duration", static_cast<double>(scores.frames.size()) * scores.frame_time},
+                      {"time_share_by_level", sharesOf(scores.share_by_level)},
+                      {"time_share_by_score", sharesOf(scores.share_by_score)},
+                      {"worst_frame", frameJson(scores.worst)}};
+  if (method == MotionMethod::kRula) report["task"] = {{"muscle_use", task.muscle_use}, {"force", task.force}};
+  if (method == MotionMethod::kReba) {
+    report["task"] = {{"load", task.load}, {"coupling", task.coupling}, {"activity", task.activity}};
+  }
+  if (method == MotionMethod::kOwas) report["task"] = {{"load_kg", task.load_kg}};
+  report["assumptions"] = {
+      "Joint angles are those of a male figure of the 50th percentile that follows the recorded directions.",
+      "The person stands (not seated, not walking), arms unsupported; task scores are the same in every frame.",
+      "Twist and side bend count from 10 degrees, abduction from 45, a raised girdle from 10."};
+  ordered_json frames = ordered_json::array();
+  for (std::size_t i = 0; i < scores.frames.size(); ++i) frames.push_back(frameJson(i));
+  report["frames"] = std::move(frames);
+  return report;
+}
+
 ordered_json liftingReport(const LiftingTask& task, const LiftingResult& result) {
   const LiftingLevel level = liftingLevel(result.lifting_index);
   ordered_json report{{"method", "NIOSH"},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/ergonomics_input.h"
+#include "mannequin/ergonomics/motion_scores.h"
 #include "mannequin/ergonomics/niosh.h"
 #include "mannequin/ergonomics/scored_method.h"
 
@@ -11,6 +12,10 @@ namespace hapticell::cli {
 
 /// The result of one posture: score, level, sub-scores, table entries, drivers, next level, assumptions.
 nlohmann::ordered_json scoredReport(const ergonomics::ScoredMethod& method, const ScoredInput& input);
+
+/// Scores frame by frame, shares of time, the worst frame, assumptions.
+nlohmann::ordered_json motionReport(ergonomics::MotionMethod method, const ergonomics::MotionScores& scores,
+                                    const ergonomics::MotionTask& task);
 
 nlohmann::ordered_json liftingReport(const ergonomics::LiftingTask& task, const ergonomics::LiftingResult& result);
 nlohmann::ordered_json compositeReport(const LiftingInput& input, const ergonomics::CompositeLifting& result);

@@ -54,6 +54,14 @@ std::string wordOf(const MovedBy& moved_by, bool is_robot) {
       return "geometric_center";
     case MovedBy::Kind::kFrame:
       return "frame:" + moved_by.frame;
+    case MovedBy::Kind::kWhole:
+      return "whole";
+    case MovedBy::Kind::kLeftHand:
+      return "left_hand";
+    case MovedBy::Kind::kRightHand:
+      return "right_hand";
+    case MovedBy::Kind::kBothHands:
+      return "both_hands";
   }
   return {};
 }

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/ergonomics/motion_scores.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "mannequin/ergonomics/figure_measurement.h"
+#include "mannequin/ergonomics/owas.h"
+#include "mannequin/ergonomics/reba.h"
+#include "mannequin/ergonomics/rula.h"
+#include "mannequin/retarget.h"
+
+namespace hapticell::ergonomics {
+namespace {
+
+using mannequin::Side;
+
+constexpr double kDegrees = 57.295779513082323;
+
+/// What the places of the recorded joints tell by themselves, degrees; arms left, right.
+struct Recorded {
+  double trunk = 0.0;  ///< Against the vertical (the file's Y), without a sign.
+  double elevation[2] = {}, flexion[2] = {}, abduction[2] = {};
+};
+
+Recorded recordedAngles(const mannequin::ClipMap& map, const mannequin::ClipPose& pose) {
+  const auto place = [&](int joint) { return pose.p[static_cast<std::size_t>(joint)]; };
+  const dvec3 up = glm::normalize(place(map.neck) - 0.5 * (place(map.hip[0]) + place(map.hip[1])));
+  const dvec3 across = place(map.shoulder[0]) - place(map.shoulder[1]);
+  const dvec3 left = glm::normalize(across - glm::dot(across, up) * up);
+  const dvec3 forward = glm::cross(left, up);
+  Recorded recorded;
+  recorded.trunk = kDegrees * std::atan2(std::hypot(up.x, up.z), up.y);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const dvec3 arm = glm::normalize(place(map.elbow[side]) - place(map.shoulder[side]));
+    const double ahead = glm::dot(arm, forward), down = -glm::dot(arm, up);
+    recorded.elevation[side] = kDegrees * std::acos(std::clamp(down, -1.0, 1.0));
+    recorded.flexion[side] = std::hypot(ahead, down) > 0.1 ? kDegrees * std::atan2(ahead, down) : 0.0;
+    if (recorded.flexion[side] < -120.0) recorded.flexion[side] += 360.0;
+    recorded.abduction[side] =
+        kDegrees * std::asin(std::clamp(glm::dot(arm, left) * (side == 0 ? 1.0 : -1.0), -1.0, 1.0));
+  }
+  return recorded;
+}
+
+int rulaScore(const PostureAngles& angles, const MotionTask& task) {
+  std::vector<std::string_view> unknown;
+  auto values = rulaValues(angles, unknown);
+  values[Rula::kMuscleUseArm] = values[Rula::kMuscleUseBody] = task.muscle_use;
+  values[Rula::kForceArm] = values[Rula::kForceBody] = task.force;
+  std::array<int, Rula::kCount> all{};
+  std::transform(values.begin(), values.end(), all.begin(), [](const auto& value) { return value.value_or(1); });
+  return Rula().score(all);
+}
+
+int rebaScore(const PostureAngles& angles, const MotionTask& task) {
+  std::vector<std::string_view> unknown;
+  auto values = rebaValues(angles, unknown);
+  values[Reba::kLoad] = task.load;
+  values[Reba::kCoupling] = task.coupling;
+  values[Reba::kActivity] = task.activity;
+  std::array<int, Reba::kCount> all{};
+  std::transform(values.begin(), values.end(), all.begin(), [](const auto& value) { return value.value_or(1); });
+  return Reba().score(all);
+}
+
+int owasScore(const OwasPosture& posture) {
+  const auto values = owasValues(posture);
+  std::array<int, Owas::kCount> digits{};
+  std::transform(values.begin(), values.end(), digits.begin(), [](const auto& value) { return *value; });
+  return Owas().score(digits);
+}
+
+int levelOf(MotionMethod method, int score) {
+  switch (method) {
+    case MotionMethod::kRula:
+      return Rula().levelOf(score);
+    case MotionMethod::kReba:
+      return Reba().levelOf(score);
+    case MotionMethod::kOwas:
+      return Owas().levelOf(score);
+  }
+  return 0;
+}
+
+class FrameScorer {
+ public:
+  FrameScorer(const mannequin::Figure& figure, MotionMethod method, const MotionTask& task)
+      : figure_(figure), method_(method), task_(task) {}
+
+  /// `recorded` replaces the figure's trunk (its sign is kept) and upper arms: they need no model.
+  FrameScore score(const mannequin::Posture& posture, const Recorded& recorded) {
+    const auto pose = mannequin::forwardKinematics(figure_, posture);
+    FrameScore frame;
+    frame.trunk_flexion = recorded.trunk;
+    std::copy(std::begin(recorded.elevation), std::end(recorded.elevation), frame.upper_arm_elevation);
+    if (method_ == MotionMethod::kOwas) {
+      OwasPosture whole = owasPosture(figure_, posture, pose);
+      whole.trunk_flexion = recorded.trunk;
+      whole.load_kg = task_.load_kg;
+      frame.left = frame.right = frame.score = owasScore(whole);
+    } else {
+      frame.left = sideScore(posture, pose, Side::kLeft, recorded);
+      frame.right = sideScore(posture, pose, Side::kRight, recorded);
+      frame.score = std::max(frame.left, frame.right);
+    }
+    frame.level = levelOf(method_, frame.score);
+    return frame;
+  }
+
+ private:
+  int sideScore(const mannequin::Posture& posture, const mannequin::FigurePose& pose, Side side,
+                const Recorded& recorded) const {
+    MeasuredPosture measured = measure(figure_, posture, pose, side);
+    measured.trunk_flexion = std::copysign(recorded.trunk, measured.trunk_flexion);
+    measured.upper_arm_flexion = recorded.flexion[static_cast<std::size_t>(side)];
+    measured.upper_arm_abduction = recorded.abduction[static_cast<std::size_t>(side)];
+    PostureAngles angles = postureAngles(measured);
+    angles.arm_supported = false;
+    return method_ == MotionMethod::kRula ? rulaScore(angles, task_) : rebaScore(angles, task_);
+  }
+
+  const mannequin::Figure& figure_;
+  MotionMethod method_;
+  MotionTask task_;
+};
+
+void summarise(MotionScores& scores) {
+  const double share = 1.0 / static_cast<double>(scores.frames.size());
+  for (std::size_t i = 0; i < scores.frames.size(); ++i) {
+    const FrameScore& frame = scores.frames[i];
+    scores.share_by_level[frame.level] += share;
+    scores.share_by_score[frame.score] += share;
+    const FrameScore& worst = scores.frames[scores.worst];
+    if (frame.score > worst.score || (frame.score == worst.score && frame.trunk_flexion > worst.trunk_flexion)) {
+      scores.worst = i;
+    }
+  }
+}
+
+}  // namespace
+
+Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
+                                   MotionMethod method, const MotionTask& task) {
+  const auto map = mannequin::mapClip(clip);
+  if (!map) return tl::unexpected(map.error());
+  const auto motion = mannequin::retarget(figure, clip);
+  if (!motion) return tl::unexpected(motion.error());
+  if (motion->postures.empty()) return makeError({"", "frames", "none", "a motion", ""});
+  MotionScores scores;
+  scores.frame_time = motion->frame_time;
+  FrameScorer scorer(figure, method, task);
+  mannequin::ClipPose recorded;
+  for (std::size_t i = 0; i < motion->postures.size(); ++i) {
+    mannequin::placeJoints(clip, clip.frames[i], recorded);
+    scores.frames.push_back(scorer.score(motion->postures[i], recordedAngles(*map, recorded)));
+  }
+  summarise(scores);
+  return scores;
+}
+
+}  // namespace hapticell::ergonomics

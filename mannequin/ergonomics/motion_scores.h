@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "geometry/error.h"
+#include "mannequin/ergonomics/posture_angles.h"
+#include "mannequin/figure.h"
+#include "mannequin/motion_clip.h"
+
+namespace hapticell::ergonomics {
+
+enum class MotionMethod { kRula, kReba, kOwas };
+
+/// What frames do not show and the task has to say; the same throughout.
+struct MotionTask {
+  int muscle_use = 0;    ///< RULA, 0 or 1.
+  int force = 0;         ///< RULA, 0 to 3.
+  int load = 0;          ///< REBA, 0 to 3.
+  int coupling = 0;      ///< REBA.
+  int activity = 0;      ///< REBA.
+  double load_kg = 0.0;  ///< OWAS.
+};
+
+struct FrameScore {
+  int score = 0;
+  int level = 0;
+  int left = 0, right = 0;  ///< Of each arm's side; both equal for OWAS.
+  double trunk_flexion = 0.0;
+  double upper_arm_elevation[2] = {};  ///< Left, right, degrees.
+};
+
+struct MotionScores {
+  double frame_time = 0.0;
+  std::vector<FrameScore> frames{};
+  std::map<int, double> share_by_level{};  ///< Of the time, 0 to 1.
+  std::map<int, double> share_by_score{};
+  std::size_t worst = 0;  ///< The first frame of the highest score (and, of those, the most bent trunk).
+};
+
+/// Scores each frame of a recorded motion, the worse side counting. Joint angles come from the motion on `figure`;
+/// the trunk's inclination (mid-hip to the lowest neck joint) and the upper arms' angles are of the recorded person's
+/// own joints. Nobody is taken as seated or walking; arms are not supported. Errors: a clip whose joints are not known.
+Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
+                                   MotionMethod method, const MotionTask& task);
+
+}  // namespace hapticell::ergonomics
