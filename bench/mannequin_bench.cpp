@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bench/mannequin_goals.h"
+#include "mannequin/joint_limits.h"
 #include "mannequin/support_polygon.h"
 
 namespace {
@@ -61,7 +62,8 @@ Posture nearPosture(const Posture& reached, std::mt19937_64& random) {
   const auto small = [&] { return (static_cast<double>(random() >> 11) * 0x1.0p-53 - 0.5) * 4.0 * M_PI / 180.0; };
   for (std::size_t i = 0; i < indexOf(Dof::kLeftHipFlexion); ++i) {
     const DofInfo& info = dofInfo(static_cast<Dof>(i));
-    near.angles[i] = std::clamp(near.angles[i] + small(), info.lower, info.upper);
+    near.angles[i] += small();
+    if (!isCoupled(static_cast<Dof>(i))) near.angles[i] = std::clamp(near.angles[i], info.lower, info.upper);
   }
   return near;
 }

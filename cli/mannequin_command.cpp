@@ -10,6 +10,7 @@
 #include "mannequin/body_shape.h"
 #include "mannequin/figure.h"
 #include "mannequin/forward_kinematics.h"
+#include "mannequin/joint_limits.h"
 #include "mannequin/motion_writer.h"
 #include "mannequin/posture_file.h"
 #include "mannequin/posture_solver.h"
@@ -88,6 +89,7 @@ ordered_json jointsOf(const Posture& posture) {
                       {"upper", info.upper},
                       {"comfort_lower", info.comfort_lower},
                       {"comfort_upper", info.comfort_upper},
+                      {"coupled", isCoupled(static_cast<Dof>(i))},
                       {"position", posture.angles[i]}});
   }
   return joints;

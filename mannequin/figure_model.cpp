@@ -2,10 +2,12 @@
 #include "mannequin/figure_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "geometry/assertion.h"
 #include "mannequin/body_shape.h"
+#include "mannequin/joint_limits.h"
 
 namespace hapticell::mannequin {
 
@@ -71,8 +73,9 @@ class ModelBuilder {
     joint.type = JointType::kRevolute;
     joint.axis_J = dvec3(0.0);
     joint.axis_J[info.axis] = info.sign;
-    joint.lower = info.lower;
-    joint.upper = info.upper;
+    // Any orientation of a ball joint must have its three angles within the model's bounds.
+    joint.lower = isCoupled(dof) ? -M_PI : info.lower;
+    joint.upper = isCoupled(dof) ? M_PI : info.upper;
     joint.variable = static_cast<int>(indexOf(dof));
     model_.moving[indexOf(dof)] = static_cast<int>(model_.joints.size()) - 1;
     return link;

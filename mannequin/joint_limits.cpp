@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "mannequin/rotations.h"
@@ -158,6 +159,11 @@ dmat3 rotationOfLeft(const Cone& cone, double rho, double psi, double twist) {
 }
 
 }  // namespace
+
+bool isCoupled(Dof dof) {
+  const std::string_view joint = dofInfo(dof).joint;
+  return joint.ends_with("_shoulder") || joint.ends_with("_hip");
+}
 
 double twistLower(BallJoint joint) {
   return joint == BallJoint::kShoulder ? kShoulderTwistLower : kHipTwistLower;

@@ -13,7 +13,11 @@ namespace hapticell::mannequin {
 /// straight to c and on to d. Shoulder: boundary through the AAOS figures (our own choice of knots), twist -90
 /// (external)
 /// .. 70 (internal). Hip: ellipse about 45 deg flexion and 7.5 deg abduction, half axes 75 and 37.5 deg, twist +-45.
+/// dofInfo() gives such an angle's clinical range by itself, which is for the reader: what holds are these limits.
 enum class BallJoint : std::uint8_t { kShoulder, kHip };
+
+/// True for the three angles of a shoulder or hip, whose limits are coupled.
+bool isCoupled(Dof dof);
 
 /// Where an orientation stands against the limits, rad.
 struct BallState {

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-bool isBallAngle(Dof dof) {
-  const std::string_view joint = dofInfo(dof).joint;
-  return joint.ends_with("_shoulder") || joint.ends_with("_hip");
-}
-
 std::string sentence(const char* what, double found, double limit) {
   char text[160];
   std::snprintf(text, sizeof text, "%s is %.1f deg, limit %.1f deg", what, found / kDegree, limit / kDegree);
@@ -114,7 +109,7 @@ std::array<double, kSegmentCount> turnsBetween(const Posture& from, const Postur
   turns[0] = glm::length(difference(to.X_WR, from.X_WR).angular);
   for (std::size_t i = 0; i < kDofCount; ++i) {
     const Dof dof = static_cast<Dof>(i);
-    if (!isBallAngle(dof)) turns[indexOf(dofInfo(dof).segment)] += std::abs(to.angles[i] - from.angles[i]);
+    if (!isCoupled(dof)) turns[indexOf(dofInfo(dof).segment)] += std::abs(to.angles[i] - from.angles[i]);
   }
   for (const Dof first : kBalls) {
     turns[indexOf(dofInfo(first).segment)] = glm::length(turnOfBall(from, to, first));
@@ -153,7 +148,7 @@ std::vector<std::string> limitViolations(const Posture& posture, double toleranc
   std::vector<std::string> found;
   for (std::size_t i = 0; i < kDofCount; ++i) {
     const Dof dof = static_cast<Dof>(i);
-    if (isBallAngle(dof)) continue;
+    if (isCoupled(dof)) continue;
     const DofInfo& info = dofInfo(dof);
     if (posture[dof] < info.lower - tolerance_rad) found.push_back(sentence(info.name, posture[dof], info.lower));
     if (posture[dof] > info.upper + tolerance_rad) found.push_back(sentence(info.name, posture[dof], info.upper));
