@@ -6,7 +6,7 @@
 
 #include "workcell/document_io.h"
 #include "workcell/mesh_reader.h"
-#include "workcell/urdf_reader.h"
+#include "workcell/robot_reader.h"
 
 namespace hapticell::app {
 
@@ -96,15 +96,17 @@ Expected<workcell::EntityId> DocumentModel::importMesh(const QString& path, doub
 
 Expected<workcell::EntityId> DocumentModel::addRobot(const QString& path, Diagnostics& diagnostics) {
   const std::filesystem::path file = path.toStdString();
-  auto model = workcell::readUrdf(file, diagnostics);
-  if (!model) return makeError(model.error());
+  auto robot = workcell::readRobot(file, diagnostics);
+  if (!robot) return makeError(robot.error());
+  const kinematics::RobotModel& model = robot->model;
   workcell::Entity entity;
   entity.kind = workcell::EntityKind::kRobot;
   entity.source = {std::filesystem::absolute(file).string(), 1.0};
-  entity.name = document_.uniqueName(model->name.empty() ? file.stem().string() : model->name);
-  entity.joints.assign(model->dof(), 0.0);
-  if (const int tip = model->defaultTip(); tip >= 0) entity.tip_link = model->links[static_cast<std::size_t>(tip)].name;
-  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
+  entity.name = document_.uniqueName(model.name.empty() ? file.stem().string() : model.name);
+  entity.joints = kinematics::restPositions(model);
+  if (const int tip = model.defaultTip(); tip >= 0) entity.tip_link = model.links[static_cast<std::size_t>(tip)].name;
+  entity.tools = std::move(robot->tools);
+  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(robot->model));
   auto id = document_.execute(workcell::AddEntity{entity});
   if (id) emit changed();
   return id;

@@ -6,6 +6,7 @@
 #include <QMessageBox>
 
 #include "app/host/main_window.h"
+#include "workcell/robot_reader.h"
 
 namespace hapticell::app {
 
@@ -40,7 +41,8 @@ void MainWindow::importFromDialog() {
 }
 
 void MainWindow::addRobotFromDialog() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Add a robot"), {}, tr("Robots (*.urdf);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(this, tr("Add a robot"), {},
+                                                    tr("Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)"));
   if (!path.isEmpty()) addFile(path);
 }
 
@@ -92,7 +94,7 @@ bool MainWindow::saveDocument(bool ask_where) {
 bool MainWindow::addFile(const QString& path) {
   Diagnostics diagnostics;
   const QString name = QFileInfo(path).fileName();
-  const bool robot = path.endsWith(".urdf", Qt::CaseInsensitive);
+  const bool robot = workcell::looksLikeRobot(path.toStdString());
   const auto id = robot ? document_.addRobot(path, diagnostics) : document_.importMesh(path, 1.0, diagnostics);
   tellNotices(tr("%1 was read with remarks").arg(name), diagnostics);
   if (!id) {
