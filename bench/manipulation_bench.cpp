@@ -89,7 +89,9 @@ workcell::Entity solid(workcell::EntityId id, std::shared_ptr<const geometry::Tr
   return entity;
 }
 
-/// Takes entity 1 and leads it about: circles of 60 mm of the hand, ten seconds at 500 steps a second.
+constexpr int kSteps = 1500;
+
+/// Takes entity 1 and leads it about: circles of 60 mm of the hand, three seconds at 500 steps a second.
 void lead(const char* name, std::vector<workcell::Entity> entities) {
   std::size_t triangles = 0;
   for (const auto& entity : entities) {
@@ -108,7 +110,7 @@ void lead(const char* name, std::vector<workcell::Entity> entities) {
   std::int64_t now = 0;
   std::vector<double> times;
   manipulation::SceneSnapshot snapshot;
-  for (int i = 0; i < 5000; ++i) {
+  for (int i = 0; i < kSteps; ++i) {
     const double t = 0.002 * i, ramp = std::min(1.0, t);
     const dvec3 p = 0.06 * ramp * dvec3(std::cos(2.0 * t) - 1.0, std::sin(2.0 * t), 0.6 * std::sin(1.3 * t));
     link.state.X_DS.p = link.state.X_DP.p = p;
