@@ -36,7 +36,8 @@ void Scene::setPose(PartIndex part, const Pose& X_WP) {
 void Scene::place(Part& part, const Pose& X_WP) {
   part.X_WP = X_WP;
   part.center_W = X_WP * part.collider->center();
-  if (!part.collider->isEmpty()) part.root_W = collision::moved(X_WP.R(), X_WP.p, part.collider->tree().box(BoxTree::kRoot));
+  if (!part.collider->isEmpty())
+    part.root_W = collision::moved(X_WP.R(), X_WP.p, part.collider->tree().box(BoxTree::kRoot));
 }
 
 PairIndex Scene::addPair(PartIndex moved, PartIndex environment, std::uint32_t tag) {
