@@ -36,7 +36,7 @@ constexpr Effort kCrowded = {2, {1e-5, 0.08, 0.0}};  // turning is left out of w
 constexpr Effort kAllEfforts[] = {kEfforts[0], kEfforts[1], kEfforts[2], kCrowded};
 constexpr double kLeastShare = 0.05;  // of the wanted radius, before kCrowded is tried
 constexpr double kCrowdedShare = 0.25;
-constexpr double kNear = 0.0005;          // m above the boundary: directions with all their corners,
+constexpr double kNear = 0.0005;         // m above the boundary: directions with all their corners,
 constexpr std::ptrdiff_t kManyNear = 8;  // unless there are so many (a bore) that they hold the body upright together
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
@@ -244,8 +244,6 @@ ZoneContact ZoneQuery::entry(std::size_t moving_part, const PieceGroup& group, c
   contact.nhat_W = direction.nhat_W;
   contact.gap = support.gap - direction.tightened;
   contact.normal_moves = support.normal_moves;
-  contact.t1_W = glm::normalize(
-      glm::cross(direction.nhat_W, std::abs(direction.nhat_W.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   std::uint64_t id = mixed(moving_[moving_part].part().key, environment_[group.environment_part].part().key);
   // Which corner of a face is the nearest changes easily; the face does not.
   const std::uint32_t feature_a = direction.on_obstacle_face ? 0 : direction.feature_A;

@@ -33,9 +33,10 @@ struct ZoneContact {
                                        ///< normal moves, nhat_W . (a - p) with a on the face of the moving part.
   dvec3 nhat_W{0.0, 0.0, 1.0};         ///< Unit: the direction in which the moving part gets free.
   double gap = 0.0;                    ///< Metres, raw (no safety distance taken off); negative inside.
-  double k1 = 0.0;                     ///< Curvatures of the gap along t1_W and nhat_W x t1_W, 1/m; 0 for planes.
-  double k2 = 0.0;
-  dvec3 t1_W{1.0, 0.0, 0.0};
+  /// Where it is not 0 the gap after a motion d of the point is nhat . e + 1/2 e . M e with e = gap nhat + d, in 1/m:
+  /// the surface's curvature and its normal-normal term, so that spheres, cylinders and cones are exact at any
+  /// distance.
+  dmat3 M_W{0.0};
   bool has_trim = false;  ///< A second value at the same point; the smaller of both counts.
   dvec3 trim_nhat_W{0.0, 0.0, 1.0};
   double trim_gap = 0.0;
@@ -68,6 +69,7 @@ struct ZoneContacts {
                          ///< own reach is complete within reach * radius / wanted radius.
   bool complete = true;  ///< False: more than max_entries even at min_radius; then only the nearest
                          ///< contacts stand, each for itself (AND).
+  bool facets = false;   ///< surfaceContacts: some entries stand for facets of free-form or open surfaces.
   ZoneHint hint;         ///< For the next query of the same bodies. `crowded`: turning was left out.
   std::size_t work = 0;  ///< What it cost, in directions looked at (about a microsecond each): repeats exactly.
 };

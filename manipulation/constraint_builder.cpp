@@ -38,10 +38,7 @@ PointCondition conditionOf(const collision::ZoneContact& contact) {
   condition.nhat_W = contact.nhat_W;
   condition.gap = contact.gap;
   condition.normal_moves = contact.normal_moves;
-  const double k_normal = std::abs(contact.k1) > std::abs(contact.k2) ? contact.k1 : contact.k2;
-  const dvec3 t2 = glm::cross(contact.nhat_W, contact.t1_W);
-  condition.M = contact.k1 * outer(contact.t1_W, contact.t1_W) + contact.k2 * outer(t2, t2) +
-                k_normal * outer(contact.nhat_W, contact.nhat_W);
+  condition.M = contact.M_W;
   return condition;
 }
 

@@ -203,9 +203,9 @@ GeneratedPart roundedBore() {
 
 GeneratedPart torus() {
   Outline o{{{0.06, 0}}, {}};
-  o.arc({0.05, 0}, 2.0 * kPi, 24, SurfaceType::kTorus);
+  o.arc({0.05, 0}, 2.0 * kPi, 30, SurfaceType::kTorus);
   o.points.back() = o.points.front();
-  return turned("torus", o, 64, {0.010});
+  return turned("torus", o, 110, {0.010});
 }
 
 GeneratedPart ball() {

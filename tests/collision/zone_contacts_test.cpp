@@ -28,6 +28,20 @@ TEST(ZoneContacts, AgreesWithExactGeometryInSimpleScenes) {
   }
 }
 
+TEST(SurfaceContacts, AgreeWithExactGeometryInSimpleScenes) {
+  for (const ZoneScene& scene : simpleZoneScenes()) {
+    ZoneBench bench(scene, true);
+    const ZoneReport report = bench.compare(1500, 0.3);
+    std::puts(line(report).c_str());
+    EXPECT_TRUE(report.complete) << scene.name;
+    EXPECT_LE(report.entries, 64u) << scene.name;
+    EXPECT_EQ(report.holes, 0) << scene.name;
+    EXPECT_LE(report.false_walls, 0.005 * report.free) << scene.name;
+    EXPECT_LE(report.turned_holes, 0.01 * report.turned) << scene.name;
+    EXPECT_LE(report.turned_walls, 0.01 * report.turned) << scene.name;
+  }
+}
+
 TEST(ZoneContacts, NamesThePlaneUnderABoxWithItsGap) {
   ZoneBench bench({"box", geometry::makeBox(dvec3(0.04)), geometry::makeBox(dvec3(0.4, 0.4, 0.02)), {}, 0.03});
   for (const double gap : {0.005, 0.0, -0.001}) {  // apart, touching, penetrating

@@ -100,13 +100,25 @@ std::vector<ZoneScene> simpleZoneScenes() {
   return scenes;
 }
 
-ZoneBench::ZoneBench(ZoneScene scene)
+ZoneBench::ZoneBench(ZoneScene scene, bool recognised)
     : scene_(std::move(scene)),
       moving_(collision::ConvexPieces::build(scene_.moving)),
       environment_(collision::ConvexPieces::build(scene_.environment)),
-      proximity_(collision::MeshCollider::build(scene_.moving), collision::MeshCollider::build(scene_.environment)) {}
+      proximity_(collision::MeshCollider::build(scene_.moving), collision::MeshCollider::build(scene_.environment)) {
+  if (!recognised) return;
+  moving_model_ = collision::SurfaceModel::build(scene_.moving);
+  environment_model_ = collision::SurfaceModel::build(scene_.environment);
+  margin_ += moving_model_->surface().greatestSagitta() + environment_model_->surface().greatestSagitta();
+}
 
-collision::ZoneContacts ZoneBench::query(const Pose& X_WM) const {
+collision::ZoneContacts ZoneBench::query(const Pose& X_WM) {
+  if (moving_model_) {
+    const collision::SurfaceBody moving{moving_model_.get(), X_WM, 1, 0.0};
+    const collision::SurfaceBody environment{environment_model_.get(), Pose::identity(), 2, 0.0};
+    collision::ZoneOptions options;
+    options.radius = scene_.radius;
+    return contacts_.find({&moving, 1}, {&environment, 1}, options);
+  }
   const collision::ZonePart moving{moving_.get(), X_WM, 1, 0.0};
   const collision::ZonePart environment{environment_.get(), Pose::identity(), 2, 0.0};
   collision::ZoneOptions options;
@@ -123,15 +135,19 @@ double claimedClearance(const collision::ZoneContacts& set, const Pose& X_WM, co
   const dquat turn = quaternionFromRotationVector(motion_W.angular);
   const auto moved = [&](const dvec3& p) { return X_WM.p + motion_W.linear + turn * (p - X_WM.p); };
   for (const auto& c : set.contacts) {
-    const double value = c.normal_moves ? glm::dot(turn * c.nhat_W, moved(c.q_W) - c.p_W)
-                                        : c.gap + glm::dot(c.nhat_W, moved(c.p_W) - c.p_W);
+    const dvec3 n = c.normal_moves ? turn * c.nhat_W : c.nhat_W;
+    // What the point of the moving part does, seen from the surface that it meets.
+    const dvec3 d = c.normal_moves ? moved(c.q_W) - (c.p_W - c.gap * n) : moved(c.p_W) - c.p_W;
+    const dvec3 e = c.gap * n + d;
+    double value = glm::dot(n, e) + 0.5 * glm::dot(e, c.M_W * e);
+    if (c.has_trim) value = std::min(value, c.trim_gap + glm::dot(c.trim_nhat_W, d));
     best[c.group] = std::max(best[c.group], value);
   }
   return best.empty() ? 1e9 : *std::min_element(best.begin(), best.end());
 }
 
 ZoneReport ZoneBench::compare(int count, double rotation) {
-  constexpr double kMargin = 2e-6;
+  const double kMargin = margin_;
   ZoneReport report;
   report.name = scene_.name;
   report.pieces_moving = moving_->pieces().size();

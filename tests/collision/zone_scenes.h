@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/proximity_query.h"
+#include "collision/surface_contacts.h"
 #include "collision/zone_contacts.h"
 #include "geometry/pose.h"
 
@@ -48,12 +49,13 @@ struct ZoneReport {
 /// One scene, prepared.
 class ZoneBench {
  public:
-  explicit ZoneBench(ZoneScene scene);
+  /// With `recognised` the contacts are those of the recognised surfaces.
+  explicit ZoneBench(ZoneScene scene, bool recognised = false);
   /// Tries `count` random translations a place, and as many with a rotation of up to `rotation` rad (scaled down with
   /// the zone), against exact intersection. Fixed seed.
   ZoneReport compare(int count, double rotation);
   /// The query at a place.
-  collision::ZoneContacts query(const Pose& X_WM) const;
+  collision::ZoneContacts query(const Pose& X_WM);
   /// Exact: distance (m), 0 when colliding.
   collision::DistanceResult exact(const Pose& X_WM);
   const ZoneScene& scene() const { return scene_; }
@@ -62,6 +64,9 @@ class ZoneBench {
   ZoneScene scene_;
   std::shared_ptr<const collision::ConvexPieces> moving_, environment_;
   collision::ProximityQuery proximity_;
+  std::shared_ptr<const collision::SurfaceModel> moving_model_, environment_model_;  ///< Null unless recognised.
+  collision::SurfaceContacts contacts_;
+  double margin_ = 2e-6;  ///< m: of what surfaces and facets differ by.
 };
 
 /// min over groups of max over entries of the linearised gap after a motion of the moving part about X_WM.p.

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/signature_groups.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "collision/mesh_search.h"
+#include "collision/surface_clusters.h"
+
+namespace hapticell::collision {
+namespace {
+
+constexpr auto kNone = RecognisedSurface::kNone;
+constexpr double kLevel = 1.25;      // ratio of the reaches that cells are made for
+constexpr double kCellShare = 0.25;  // of the reach: a cell's edge
+constexpr double kBehind = 2e-6;     // m: on a surface counts as behind it
+constexpr double kSagittaShare = 1.2;
+constexpr double kInwards = 0.2;       // share of the way to the facet's middle
+constexpr double kMostInwards = 2e-4;  // m
+constexpr std::size_t kMostElements = 384;
+constexpr std::size_t kMostTriangles = 3000;
+constexpr std::size_t kMostGroups = 400;
+constexpr std::size_t kMostCells = 30000;
+
+/// A set of elements, by their places in the cell's list.
+struct Signature {
+  std::vector<std::uint64_t> words;
+  bool operator==(const Signature&) const = default;
+  bool operator<(const Signature& other) const { return words < other.words; }
+  int count() const {
+    int sum = 0;
+    for (const auto word : words) sum += std::popcount(word);
+    return sum;
+  }
+  bool contains(const Signature& other) const {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if ((other.words[i] & ~words[i]) != 0) return false;
+    }
+    return true;
+  }
+};
+
+/// Keeps those that contain no other.
+std::vector<Signature> minimal(std::vector<Signature> all) {
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.count() < b.count(); });
+  std::vector<Signature> kept;
+  for (Signature& one : all) {
+    const bool implied = std::any_of(kept.begin(), kept.end(), [&](const auto& k) { return one.contains(k); });
+    if (!implied) kept.push_back(std::move(one));
+    if (kept.size() > kMostGroups) break;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::size_t SignatureCache::KeyHash::operator()(const Key& key) const {
+  std::uint64_t h = std::bit_cast<std::uint64_t>(key.radius);
+  for (const std::int32_t i : {key.x, key.y, key.z, key.level}) {
+    h ^= static_cast<std::uint32_t>(i) + 0x9e3779b97f4a7c15ull + (h << 6) + (h >> 2);
+    h *= 0xff51afd7ed558ccdull;
+    h ^= h >> 33;
+  }
+  return h;
+}
+
+std::size_t SignatureCache::takeWork() {
+  return std::exchange(work_, 0);
+}
+
+const SignatureCell& SignatureCache::cell(const dvec3& p, double radius, double reach) {
+  const int level = static_cast<int>(std::ceil(std::log(std::max(reach, 1e-5)) / std::log(kLevel) - 1e-9));
+  const double rounded = std::pow(kLevel, level), edge = kCellShare * rounded;
+  const dvec3 place = glm::floor(p / edge);
+  const Key key{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
+                static_cast<std::int32_t>(place.z), level, radius};
+  if (const auto found = cells_.find(key); found != cells_.end()) return found->second;
+  if (cells_.size() >= kMostCells) cells_.clear();
+  return cells_.emplace(key, made(edge * (place + 0.5), 0.5 * edge, radius, rounded)).first->second;
+}
+
+void SignatureCache::addSample(std::uint32_t t, const dvec3& on_facet, double radius) {
+  const RecognisedSurface& surface = model_->surface();
+  const SurfaceElement& element = model_->elements()[model_->elementOf(t)];
+  const SurfaceView view = viewFrom(element.shape, on_facet);
+  // A ball as large as a bore does not get in: its rim's edges stand in the way, not its wall.
+  if (std::min(view.k1, view.k2) * radius <= -1.0) return;
+  const auto component = surface.closed ? surface.component[t] : 0u;
+  samples_.push_back({on_facet + (radius - view.value) * view.nhat_M, component});
+}
+
+void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double radius, double reach) {
+  const auto& mesh = model_->surface().mesh;
+  const Corners corners{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+  const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const auto add = [&](const dvec3& p) {
+    const dvec3 way = middle - p;
+    const double length = glm::length(way);
+    if (length < 1e-12) return addSample(t, p, radius);
+    addSample(t, p + way * std::min(kInwards, kMostInwards / length), radius);
+  };
+  // Beyond the reach not all elements are known, so what a sample there is behind is not either.
+  const auto isKnown = [&](const dvec3& p) {
+    const dvec3 off = glm::max(glm::abs(p - box.center()) - 0.5 * box.size(), dvec3(0.0));
+    return glm::length(off) <= reach;
+  };
+  const dvec3 nearest = closestPointOnTriangle(corners, box.center());
+  if (!isKnown(nearest)) return;
+  add(nearest);
+  const auto towards = [&](const dvec3& goal) {
+    const dvec3 way = goal - nearest;
+    const double length = glm::length(way);
+    if (length < 1e-9) return;
+    double share = std::min(1.0, 2.0 * reach / length);
+    while (share > 1e-3 && !isKnown(nearest + share * way)) share *= 0.9;
+    add(nearest + share * way);
+    if (share * length > 0.4 * reach) add(nearest + 0.5 * share * way);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    towards(corners[k]);
+    towards(0.5 * (corners[k] + corners[(k + 1) % 3]));
+  }
+  towards(middle);
+}
+
+SignatureCell SignatureCache::made(const dvec3& center, double half, double radius, double reach) {
+  SignatureCell cell;
+  const geometry::Bounds box{center - dvec3(half), center + dvec3(half)};
+  near_.clear();
+  trianglesWithin(model_->collider(), box, reach + radius, near_);
+  work_ += near_.size();
+  if (near_.empty()) return cell;
+  if (near_.size() > kMostTriangles) {
+    cell.overfull = true;
+    return cell;
+  }
+  std::sort(near_.begin(), near_.end());
+  const RecognisedSurface& surface = model_->surface();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> list;  // component, element
+  for (const auto t : near_) {
+    const auto component = surface.closed ? surface.component[t] : 0u;
+    list.push_back({component, model_->elementOf(t)});
+    if (radius <= 0.0) continue;
+    for (int k = 0; k < 3; ++k) {
+      if (const auto edge = model_->edgeElementOf(t, k); edge != kNone) list.push_back({component, edge});
+    }
+  }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  cell.facets = !surface.closed;
+  for (const auto& [component, element] : list) cell.facets = cell.facets || model_->elements()[element].facet;
+  if (list.size() > kMostElements) {
+    cell.overfull = true;
+    return cell;
+  }
+  samples_.clear();
+  for (const auto t : near_) sample(t, box, radius, reach);
+  std::vector<Signature> signatures;
+  const std::size_t words = (list.size() + 63) / 64;
+  work_ += samples_.size() * list.size();
+  for (const Sample& s : samples_) {
+    Signature signature{std::vector<std::uint64_t>(words, 0)};
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].first != s.component) continue;
+      const SurfaceElement& element = model_->elements()[list[i].second];
+      if (elementValue(element, s.p_M, radius) <= kBehind + kSagittaShare * element.sagitta)
+        signature.words[i / 64] |= std::uint64_t{1} << (i % 64);
+    }
+    if (signature.count() > 0) signatures.push_back(std::move(signature));
+  }
+  const std::vector<Signature> kept = minimal(std::move(signatures));
+  if (kept.size() > kMostGroups) {
+    cell.overfull = true;
+    return cell;
+  }
+  for (const Signature& signature : kept) {
+    std::vector<std::uint32_t> group;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if ((signature.words[i / 64] >> (i % 64) & 1) != 0) group.push_back(list[i].second);
+    }
+    cell.groups.push_back(std::move(group));
+  }
+  return cell;
+}
+
+}  // namespace hapticell::collision
