@@ -203,11 +203,13 @@ bool SurfaceQuery::addRods(std::uint32_t m, std::uint32_t e, double reach) {
     std::sort(near_rods_.begin(), near_rods_.end());
     const PlacedRod placed_rod = placed(rod, moving.X_W);
     for (const auto j : near_rods_) {
+      const BodyRod& other = obstacle.model->rods()[j];
+      if ((rod.rim && (other.rim || other.radius > 0.0)) || (other.rim && rod.radius > 0.0)) continue;
       ContactGroup like;
       like.moving_part = m;
       like.environment_part = e;
       like.id = mixedId(mixedId(mixedId(mixedId(moving.key, obstacle.key), 3), i), j);
-      appendCrossing(placed_rod, placed(obstacle.model->rods()[j], obstacle.X_W), reach, like, groups_);
+      appendCrossing(placed_rod, placed(other, obstacle.X_W), reach, like, groups_);
     }
     if (groups_.size() > kMostGroups) return false;
   }

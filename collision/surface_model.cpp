@@ -186,7 +186,8 @@ void ModelBuilder::makeStraightRods() {
     const bool planes = surface_.regions[edge.low].shape.type == SurfaceType::kPlane &&
                         surface_.regions[edge.high].shape.type == SurfaceType::kPlane;
     if (!planes) {
-      model_.rods_.push_back({a, b, 0.0, surface_.normals[edge.triangle], surface_.normals[edge.other], -1.0});
+      model_.rods_.push_back(
+          {a, b, 0.0, surface_.normals[edge.triangle], surface_.normals[edge.other], -1.0, edge.low != edge.high});
       std::uint32_t own = kNone;
       addEdgeElement(edge, own);
       continue;

@@ -53,6 +53,7 @@ struct BodyRod {
   double radius = 0.0;
   dvec3 n1_M{0.0}, n2_M{0.0};  ///< Edges: unit normals of the two faces. Cylinders: n1 is the middle of the arc.
   double cosine = -1.0;        ///< Cylinders: of half their arc.
+  bool rim = false;            ///< A chord of a curved border, whose circle's points do most of the work.
 };
 
 /// A mesh as contacts see it: its recognised surfaces as obstacle, its points, circles and edges as moved body.

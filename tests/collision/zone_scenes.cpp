@@ -184,8 +184,16 @@ ZoneReport ZoneBench::compare(int count, double rotation) {
       const Pose X_WN{X_WM.p + motion.linear, glm::normalize(quaternionFromRotationVector(motion.angular) * X_WM.q)};
       const auto truth = exact(X_WN);
       const double claimed = claimedClearance(set, X_WM, motion);
-      const bool hole = truth.colliding && claimed > kMargin;
-      const bool wall = !truth.colliding && truth.distance > kMargin && claimed < -kMargin;
+      bool hole = truth.colliding && claimed > kMargin;
+      bool wall = !truth.colliding && truth.distance > kMargin && claimed < -kMargin;
+      // Points behind something thin are free for themselves; what counts is that no way leads there.
+      for (int k = 1; moving_model_ && k < 40; ++k) {
+        const double share = k / 40.0;
+        const Twist part{share * motion.linear, share * motion.angular};
+        if (hole && claimedClearance(set, X_WM, part) < -kMargin) hole = false;
+        if (wall && exact({X_WM.p + part.linear, quaternionFromRotationVector(part.angular) * X_WM.q}).colliding)
+          wall = false;
+      }
       if (turned) {
         ++report.turned;
         report.turned_holes += hole ? 1 : 0;
