@@ -22,6 +22,7 @@ constexpr std::size_t kMostGroups = 3000;      // before they are thinned out; w
 constexpr std::size_t kMostRodPairs = 20000;   // looked at
 constexpr std::size_t kMostNewWork = 1500000;  // element values for new cells at one radius, about 15 ms
 constexpr double kWorkShare = 0.01;            // of ZoneContacts::work, for one element value
+constexpr int kTryLarger = 4;                  // a wider zone is tried with each so many queries
 constexpr double kCapMargin = 0.1;             // rad beyond a ball's cap
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
@@ -48,7 +49,7 @@ SignatureCache& SurfaceContacts::cacheOf(const SurfaceModel& model) {
 
 class SurfaceQuery {
  public:
-  SurfaceQuery(SurfaceContacts& owner, std::span<const SurfaceBody> moving, std::span<const SurfaceBody> environment,
+  SurfaceQuery(SurfaceContacts& owner, std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                const ZoneOptions& options)
       : owner_(owner), moving_(moving), environment_(environment), options_(options) {}
 
@@ -57,8 +58,8 @@ class SurfaceQuery {
  private:
   /// The points of one body against the surfaces of another.
   struct Meeting {
-    const SurfaceBody& points;
-    const SurfaceBody& surfaces;
+    const ZonePart& points;
+    const ZonePart& obstacle;
     ContactGroup like;
     double reach;
   };
@@ -74,8 +75,8 @@ class SurfaceQuery {
   ZoneContact entryOf(const ContactGroup& group, const ContactRow& row) const;
 
   SurfaceContacts& owner_;
-  std::span<const SurfaceBody> moving_;
-  std::span<const SurfaceBody> environment_;
+  std::span<const ZonePart> moving_;
+  std::span<const ZonePart> environment_;
   ZoneOptions options_;
   std::vector<ContactGroup> groups_;
   std::vector<std::uint32_t> near_rods_;
@@ -85,9 +86,9 @@ class SurfaceQuery {
 };
 
 bool SurfaceQuery::addBall(const Meeting& meeting, const dvec3& p_W, double radius, const ContactGroup& like) {
-  const Pose X_MW = meeting.surfaces.X_W.inverse();
-  const BallQuery ball{*meeting.surfaces.model, meeting.surfaces.X_W, X_MW * p_W, radius, meeting.reach};
-  SignatureCache& cache = owner_.cacheOf(*meeting.surfaces.model);
+  const Pose X_MW = meeting.obstacle.X_W.inverse();
+  const BallQuery ball{*meeting.obstacle.surfaces, meeting.obstacle.X_W, X_MW * p_W, radius, meeting.reach};
+  SignatureCache& cache = owner_.cacheOf(*meeting.obstacle.surfaces);
   const SignatureCell& cell = cache.cell(ball.p_M, radius, meeting.reach);
   new_work_ += cache.takeWork();
   if (cell.overfull || new_work_ > kMostNewWork) return false;
@@ -108,7 +109,7 @@ bool SurfaceQuery::addCircle(const Meeting& meeting, const BodyCircle& circle, s
   const double step = circle.isWhole() ? turn / count : turn / (count - 1);
   ContactGroup like = meeting.like;
   std::vector<std::pair<std::uint32_t, std::pair<double, double>>> nearest;  // element, its least value and angle
-  const Pose X_MW = meeting.surfaces.X_W.inverse();
+  const Pose X_MW = meeting.obstacle.X_W.inverse();
   for (int k = 0; k < count; ++k) {
     const double angle = circle.from + step * k;
     const dvec3 p_W = X_W * circle.at(angle);
@@ -129,7 +130,7 @@ bool SurfaceQuery::addCircle(const Meeting& meeting, const BodyCircle& circle, s
     }
   }
   for (const auto& [element, best] : nearest) {
-    const SurfaceShape& shape = meeting.surfaces.model->elements()[element].shape;
+    const SurfaceShape& shape = meeting.obstacle.surfaces->elements()[element].shape;
     const auto value = [&](double angle) {
       return signedDistance(shape, X_MW * (X_W * circle.at(angle))) - circle.radius;
     };
@@ -149,10 +150,10 @@ bool SurfaceQuery::addCircle(const Meeting& meeting, const BodyCircle& circle, s
 }
 
 bool SurfaceQuery::meet(const Meeting& meeting) {
-  const SurfaceModel& model = *meeting.points.model;
-  const Pose X_MW = meeting.surfaces.X_W.inverse();
+  const SurfaceModel& model = *meeting.points.surfaces;
+  const Pose X_MW = meeting.obstacle.X_W.inverse();
   const Pose X_MP = X_MW * meeting.points.X_W;
-  const geometry::Bounds box = grown(meeting.surfaces.model->bounds(), meeting.reach);
+  const geometry::Bounds box = grown(meeting.obstacle.surfaces->bounds(), meeting.reach);
   ContactGroup like = meeting.like;
   for (std::size_t i = 0; i < model.points().size(); ++i) {
     const BodyPoint& point = model.points()[i];
@@ -183,19 +184,19 @@ bool SurfaceQuery::meet(const Meeting& meeting) {
 }
 
 bool SurfaceQuery::addRods(std::uint32_t m, std::uint32_t e, double reach) {
-  const SurfaceBody &moving = moving_[m], &obstacle = environment_[e];
-  const MeshCollider* rods = obstacle.model->rodCollider();
+  const ZonePart &moving = moving_[m], &obstacle = environment_[e];
+  const MeshCollider* rods = obstacle.surfaces->rodCollider();
   if (rods == nullptr) return true;
   const Pose X_EM = obstacle.X_W.inverse() * moving.X_W;
-  const geometry::Bounds box = grown(rods->bounds(), reach + obstacle.model->thickestRod());
+  const geometry::Bounds box = grown(rods->bounds(), reach + obstacle.surfaces->thickestRod());
   std::size_t pairs = 0;
-  for (std::size_t i = 0; i < moving.model->rods().size(); ++i) {
-    const BodyRod& rod = moving.model->rods()[i];
+  for (std::size_t i = 0; i < moving.surfaces->rods().size(); ++i) {
+    const BodyRod& rod = moving.surfaces->rods()[i];
     const dvec3 a = X_EM * rod.a_M, b = X_EM * rod.b_M;
     const geometry::Bounds own{glm::min(a, b), glm::max(a, b)};
     if (!overlap(grown(own, rod.radius), box)) continue;
     near_rods_.clear();
-    trianglesWithin(*rods, own, reach + rod.radius + obstacle.model->thickestRod(), near_rods_);
+    trianglesWithin(*rods, own, reach + rod.radius + obstacle.surfaces->thickestRod(), near_rods_);
     pairs += near_rods_.size();
     work_ += 20 + 5 * near_rods_.size();
     if (pairs > kMostRodPairs) return false;
@@ -203,7 +204,7 @@ bool SurfaceQuery::addRods(std::uint32_t m, std::uint32_t e, double reach) {
     std::sort(near_rods_.begin(), near_rods_.end());
     const PlacedRod placed_rod = placed(rod, moving.X_W);
     for (const auto j : near_rods_) {
-      const BodyRod& other = obstacle.model->rods()[j];
+      const BodyRod& other = obstacle.surfaces->rods()[j];
       if ((rod.rim && (other.rim || other.radius > 0.0)) || (other.rim && rod.radius > 0.0)) continue;
       ContactGroup like;
       like.moving_part = m;
@@ -242,10 +243,10 @@ std::optional<ZoneContacts> SurfaceQuery::attempt(double radius) {
   for (std::uint32_t m = 0; m < moving_.size(); ++m) {
     const double own = moving_[m].reach > 0.0 ? moving_[m].reach : options_.radius;
     const double reach = own * scale + options_.safety_distance;
-    const geometry::Bounds near = grown(geometry::transformed(moving_[m].X_W, moving_[m].model->bounds()), reach);
+    const geometry::Bounds near = grown(geometry::transformed(moving_[m].X_W, moving_[m].surfaces->bounds()), reach);
     for (std::uint32_t e = 0; e < environment_.size(); ++e) {
       if (!counts(m, e)) continue;
-      if (!overlap(near, geometry::transformed(environment_[e].X_W, environment_[e].model->bounds()))) continue;
+      if (!overlap(near, geometry::transformed(environment_[e].X_W, environment_[e].surfaces->bounds()))) continue;
       const std::uint64_t id = mixedId(moving_[m].key, environment_[e].key);
       if (!meet({moving_[m], environment_[e], {m, e, false, mixedId(id, 1), {}}, reach})) return std::nullopt;
       if (!meet({environment_[e], moving_[m], {m, e, true, mixedId(id, 2), {}}, reach})) return std::nullopt;
@@ -291,13 +292,23 @@ ZoneContacts SurfaceQuery::run() {
   return result;
 }
 
-ZoneContacts SurfaceContacts::find(std::span<const SurfaceBody> moving, std::span<const SurfaceBody> environment,
+ZoneContacts SurfaceContacts::find(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                                    const ZoneOptions& options) {
-  for (const SurfaceBody& body : moving) HAPTICELL_DEMAND(body.model != nullptr);
-  for (const SurfaceBody& body : environment) HAPTICELL_DEMAND(body.model != nullptr);
+  for (const ZonePart& body : moving) HAPTICELL_DEMAND(body.surfaces != nullptr);
+  for (const ZonePart& body : environment) HAPTICELL_DEMAND(body.surfaces != nullptr);
   HAPTICELL_DEMAND(options.pair_mask.empty() || options.pair_mask.size() == moving.size() * environment.size());
   HAPTICELL_DEMAND(options.radius > 0.0 && options.max_entries > 0);
-  return SurfaceQuery(*this, moving, environment, options).run();
+  ZoneOptions own = options;
+  if (own.hint.radius <= 0.0 && wanted_ > 0.0) {
+    own.hint.radius = options.radius * std::min(1.0, kept_ / wanted_);
+    own.hint.try_larger = since_larger_ >= kTryLarger;
+  }
+  since_larger_ = own.hint.try_larger ? 0 : since_larger_ + 1;
+  ZoneContacts found = SurfaceQuery(*this, moving, environment, own).run();
+  if (found.radius > kept_ * options.radius / std::max(wanted_, 1e-9)) since_larger_ = kTryLarger;  // there may be more
+  wanted_ = options.radius;
+  kept_ = found.radius;
+  return found;
 }
 
 }  // namespace hapticell::collision

@@ -12,14 +12,6 @@
 
 namespace hapticell::collision {
 
-/// One rigid body in a query over recognised surfaces.
-struct SurfaceBody {
-  const SurfaceModel* model = nullptr;  ///< Never null; outlives the SurfaceContacts that saw it.
-  Pose X_W;                             ///< Of the mesh's frame.
-  std::uint64_t key = 0;                ///< Stable from query to query; goes into the entries' ids.
-  double reach = 0.0;                   ///< As in ZonePart; ignored for the environment.
-};
-
 /// Everything that moving bodies could meet within a zone, told by the surfaces that their meshes were made from.
 ///
 /// Corners, rims and balls of the moving bodies against the environment's surfaces (offset by the ball's radius), those
@@ -29,10 +21,11 @@ struct SurfaceBody {
 /// fit. Where not even the smallest zone fits, `complete` is false and there are no contacts: zoneContacts() has them
 /// then. `facets` says that free-form or open surfaces came in as facets.
 ///
-/// Keeps what it worked out for each place of each mesh, so a warm query only evaluates. One thread.
+/// Keeps what it worked out for each place of each mesh, so a warm query only evaluates. Every part has its `surfaces`,
+/// which outlive this object. Without a hint the search begins at the zone that fitted last. One thread.
 class SurfaceContacts {
  public:
-  ZoneContacts find(std::span<const SurfaceBody> moving, std::span<const SurfaceBody> environment,
+  ZoneContacts find(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                     const ZoneOptions& options);
 
  private:
@@ -40,6 +33,9 @@ class SurfaceContacts {
   SignatureCache& cacheOf(const SurfaceModel& model);
 
   std::unordered_map<const SurfaceModel*, std::unique_ptr<SignatureCache>> caches_;
+  double wanted_ = 0.0;   ///< Of the last query,
+  double kept_ = 0.0;     ///< and what it kept, m.
+  int since_larger_ = 0;  ///< Queries since a wider zone was tried.
 };
 
 }  // namespace hapticell::collision

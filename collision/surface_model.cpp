@@ -68,6 +68,9 @@ class ModelBuilder {
   void makeElements();
   void findSharpEdges();
   bool isSharp(std::uint32_t t, std::uint32_t other, int k) const;
+  bool isConeFacet(const SharpEdge& edge) const {
+    return edge.low == edge.high && surface_.regions[edge.low].shape.type == SurfaceType::kCone;
+  }
   void makeStraightRods();
   void addEdgeElement(const SharpEdge& edge, std::uint32_t& name);
   void makeCornerPoints();
@@ -215,6 +218,7 @@ void ModelBuilder::makeStraightRods() {
 void ModelBuilder::makeCornerPoints() {
   struct Corner {
     int edges = 0;
+    int cone_edges = 0;
     dvec3 first{0.0};
     std::pair<std::uint32_t, std::uint32_t> regions;
     bool straight = false;
@@ -224,6 +228,10 @@ void ModelBuilder::makeCornerPoints() {
   for (const SharpEdge& edge : sharp_) {
     for (const auto& [v, w] : {std::pair{edge.a, edge.b}, std::pair{edge.b, edge.a}}) {
       Corner& corner = corners[v];
+      if (isConeFacet(edge)) {
+        ++corner.cone_edges;
+        continue;
+      }
       const dvec3 way = glm::normalize(surface_.mesh.vertices[w] - surface_.mesh.vertices[v]);
       if (corner.edges == 0) {
         corner.first = way;
@@ -238,7 +246,8 @@ void ModelBuilder::makeCornerPoints() {
   on_rim_.assign(corners.size(), 0);
   for (std::uint32_t v = 0; v < corners.size(); ++v) {
     const Corner& corner = corners[v];
-    if (corner.edges == 0 || (corner.edges == 2 && corner.straight)) continue;
+    const bool apex = corner.edges == 0 && corner.cone_edges >= 3;
+    if (!apex && (corner.edges == 0 || (corner.edges == 2 && corner.straight))) continue;
     const bool rim = corner.edges == 2 && corner.one_border && corner.regions.first != corner.regions.second &&
                      (isRound(surface_.regions[corner.regions.first].shape.type) ||
                       isRound(surface_.regions[corner.regions.second].shape.type));

@@ -11,6 +11,8 @@
 
 namespace hapticell::collision {
 
+class SurfaceModel;
+
 /// One rigid body in a zone query: a moved solid, a robot's link, or an obstacle.
 struct ZonePart {
   const ConvexPieces* pieces = nullptr;  ///< Prepared at load; never null.
@@ -18,6 +20,7 @@ struct ZonePart {
   std::uint64_t key = 0;                 ///< Stable from query to query; goes into the entries' ids.
   double reach = 0.0;  ///< Farthest any point of this part can move while the hand stays in the wanted
                        ///< radius, metres; 0 means the radius itself. Ignored for the environment.
+  const SurfaceModel* surfaces = nullptr;  ///< For SurfaceContacts; may be null elsewhere.
 };
 
 /// One entry of the set: gap + nhat_W . v >= 0 for a small motion v of the moving part at p_W.

@@ -113,8 +113,8 @@ ZoneBench::ZoneBench(ZoneScene scene, bool recognised)
 
 collision::ZoneContacts ZoneBench::query(const Pose& X_WM) {
   if (moving_model_) {
-    const collision::SurfaceBody moving{moving_model_.get(), X_WM, 1, 0.0};
-    const collision::SurfaceBody environment{environment_model_.get(), Pose::identity(), 2, 0.0};
+    const collision::ZonePart moving{moving_.get(), X_WM, 1, 0.0, moving_model_.get()};
+    const collision::ZonePart environment{environment_.get(), Pose::identity(), 2, 0.0, environment_model_.get()};
     collision::ZoneOptions options;
     options.radius = scene_.radius;
     return contacts_.find({&moving, 1}, {&environment, 1}, options);
