@@ -2,6 +2,7 @@
 #include "collision/signature_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -20,13 +21,15 @@ constexpr double kSagittaShare = 1.2;
 constexpr double kInwards = 0.2;       // share of the way to the facet's middle
 constexpr double kMostInwards = 2e-4;  // m
 constexpr std::size_t kMostElements = 384;
+constexpr double kSmall = 0.2;   // of the reach: a triangle's middle stands for it
+constexpr double kGrain = 0.05;  // of the reach
 constexpr std::size_t kMostTriangles = 3000;
 constexpr std::size_t kMostGroups = 400;
 constexpr std::size_t kMostCells = 30000;
 
 /// A set of elements, by their places in the cell's list.
 struct Signature {
-  std::vector<std::uint64_t> words;
+  std::array<std::uint64_t, kMostElements / 64> words{};
   bool operator==(const Signature&) const = default;
   bool operator<(const Signature& other) const { return words < other.words; }
   int count() const {
@@ -108,6 +111,16 @@ void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double
     const dvec3 off = glm::max(glm::abs(p - box.center()) - 0.5 * box.size(), dvec3(0.0));
     return glm::length(off) <= reach;
   };
+  const double extent = std::max({glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[1]),
+                                  glm::length(corners[0] - corners[2])});
+  if (extent < kSmall * reach) {
+    // One for each small cube and surface is enough.
+    const dvec3 place = glm::floor((middle - box.min) / (kGrain * reach));
+    const Grain grain{static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z),
+                      model_->elementOf(t)};
+    if (isKnown(middle) && grains_.insert(grain).second) addSample(t, middle, radius);
+    return;
+  }
   const dvec3 nearest = closestPointOnTriangle(corners, box.center());
   if (!isKnown(nearest)) return;
   add(nearest);
@@ -158,12 +171,12 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
     return cell;
   }
   samples_.clear();
+  grains_.clear();
   for (const auto t : near_) sample(t, box, radius, reach);
   std::vector<Signature> signatures;
-  const std::size_t words = (list.size() + 63) / 64;
   work_ += samples_.size() * list.size();
   for (const Sample& s : samples_) {
-    Signature signature{std::vector<std::uint64_t>(words, 0)};
+    Signature signature;
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list[i].first != s.component) continue;
       const SurfaceElement& element = model_->elements()[list[i].second];

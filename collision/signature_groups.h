@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -55,11 +57,14 @@ class SignatureCache {
   void sample(std::uint32_t triangle, const geometry::Bounds& box, double radius, double reach);
   void addSample(std::uint32_t triangle, const dvec3& on_facet, double radius);
 
+  using Grain = std::tuple<int, int, int, std::uint32_t>;
+
   const SurfaceModel* model_;
   std::unordered_map<Key, SignatureCell, KeyHash> cells_;
   std::size_t work_ = 0;
   std::vector<std::uint32_t> near_;
   std::vector<Sample> samples_;
+  std::set<Grain> grains_;
 };
 
 }  // namespace hapticell::collision

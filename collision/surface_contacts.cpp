@@ -18,12 +18,14 @@ namespace {
 
 constexpr double kShrink = 0.65;
 constexpr int kCirclePoints = 8;
-constexpr std::size_t kMostGroups = 3000;      // before they are thinned out; with more the zone shrinks
-constexpr std::size_t kMostRodPairs = 20000;   // looked at
-constexpr std::size_t kMostNewWork = 1500000;  // element values for new cells at one radius, about 15 ms
-constexpr double kWorkShare = 0.01;            // of ZoneContacts::work, for one element value
-constexpr int kTryLarger = 4;                  // a wider zone is tried with each so many queries
-constexpr double kCapMargin = 0.1;             // rad beyond a ball's cap
+constexpr double kRoundEnough = 2e-5;         // m that a circle may stand out between its points
+constexpr std::size_t kMostGroups = 3000;     // before they are thinned out; with more the zone shrinks
+constexpr std::size_t kMostRodPairs = 20000;  // looked at
+constexpr std::size_t kMostNewWork = 300000;  // element values for new cells, about 20 ms
+constexpr double kColdShare = 0.05;           // of the wanted zone: where the first query begins
+constexpr double kWorkShare = 0.01;           // of ZoneContacts::work, for one element value
+constexpr int kTryLarger = 4;                 // a wider zone is tried with each so many queries
+constexpr double kCapMargin = 0.1;            // rad beyond a ball's cap
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -72,6 +74,8 @@ class SurfaceQuery {
   bool addBall(const Meeting& meeting, const dvec3& p_W, double radius, const ContactGroup& like);
   bool addCircle(const Meeting& meeting, const BodyCircle& circle, std::uint64_t name);
   bool addRods(std::uint32_t m, std::uint32_t e, double reach);
+  bool addRods(std::uint32_t m, std::uint32_t e, const MeshCollider* of_moving, const MeshCollider* of_obstacle,
+               double reach);
   ZoneContact entryOf(const ContactGroup& group, const ContactRow& row) const;
 
   SurfaceContacts& owner_;
@@ -79,9 +83,10 @@ class SurfaceQuery {
   std::span<const ZonePart> environment_;
   ZoneOptions options_;
   std::vector<ContactGroup> groups_;
-  std::vector<std::uint32_t> near_rods_;
+  std::vector<TrianglePair> rod_pairs_;
   bool facets_ = false;
-  std::size_t new_work_ = 0;
+  std::size_t new_work_ = 0;      ///< For new cells at one radius,
+  std::size_t all_new_work_ = 0;  ///< and in all.
   std::size_t work_ = 0;
 };
 
@@ -90,7 +95,9 @@ bool SurfaceQuery::addBall(const Meeting& meeting, const dvec3& p_W, double radi
   const BallQuery ball{*meeting.obstacle.surfaces, meeting.obstacle.X_W, X_MW * p_W, radius, meeting.reach};
   SignatureCache& cache = owner_.cacheOf(*meeting.obstacle.surfaces);
   const SignatureCell& cell = cache.cell(ball.p_M, radius, meeting.reach);
-  new_work_ += cache.takeWork();
+  const std::size_t made = cache.takeWork();
+  new_work_ += made;
+  all_new_work_ += made;
   if (cell.overfull || new_work_ > kMostNewWork) return false;
   for (std::size_t i = 0; i < cell.groups.size(); ++i) {
     work_ += cell.groups[i].size();
@@ -142,7 +149,7 @@ bool SurfaceQuery::addCircle(const Meeting& meeting, const BodyCircle& circle, s
     }
     work_ += 48;
     const double angle = 0.5 * (low + high);
-    if (value(angle) > best.first - 1e-7) continue;
+    if (value(angle) > best.first - kRoundEnough) continue;
     like.id = mixedId(name, 1000 + element);
     if (!addBall(meeting, X_W * circle.at(angle), circle.radius, like)) return false;
   }
@@ -184,34 +191,38 @@ bool SurfaceQuery::meet(const Meeting& meeting) {
 }
 
 bool SurfaceQuery::addRods(std::uint32_t m, std::uint32_t e, double reach) {
+  const SurfaceModel &moving = *moving_[m].surfaces, &obstacle = *environment_[e].surfaces;
+  return addRods(m, e, moving.plainRods(), obstacle.plainRods(), reach) &&
+         addRods(m, e, moving.rimRods(), obstacle.plainRods(), reach) &&
+         addRods(m, e, moving.plainRods(), obstacle.rimRods(), reach);
+}
+
+/// Rims meet rims and round rods by their circles' points.
+bool SurfaceQuery::addRods(std::uint32_t m, std::uint32_t e, const MeshCollider* of_moving,
+                           const MeshCollider* of_obstacle, double reach) {
+  if (of_moving == nullptr || of_obstacle == nullptr) return true;
   const ZonePart &moving = moving_[m], &obstacle = environment_[e];
-  const MeshCollider* rods = obstacle.surfaces->rodCollider();
-  if (rods == nullptr) return true;
-  const Pose X_EM = obstacle.X_W.inverse() * moving.X_W;
-  const geometry::Bounds box = grown(rods->bounds(), reach + obstacle.surfaces->thickestRod());
-  std::size_t pairs = 0;
-  for (std::size_t i = 0; i < moving.surfaces->rods().size(); ++i) {
-    const BodyRod& rod = moving.surfaces->rods()[i];
-    const dvec3 a = X_EM * rod.a_M, b = X_EM * rod.b_M;
-    const geometry::Bounds own{glm::min(a, b), glm::max(a, b)};
-    if (!overlap(grown(own, rod.radius), box)) continue;
-    near_rods_.clear();
-    trianglesWithin(*rods, own, reach + rod.radius + obstacle.surfaces->thickestRod(), near_rods_);
-    pairs += near_rods_.size();
-    work_ += 20 + 5 * near_rods_.size();
-    if (pairs > kMostRodPairs) return false;
-    if (near_rods_.empty()) continue;
-    std::sort(near_rods_.begin(), near_rods_.end());
-    const PlacedRod placed_rod = placed(rod, moving.X_W);
-    for (const auto j : near_rods_) {
-      const BodyRod& other = obstacle.surfaces->rods()[j];
-      if ((rod.rim && (other.rim || other.radius > 0.0)) || (other.rim && rod.radius > 0.0)) continue;
-      ContactGroup like;
-      like.moving_part = m;
-      like.environment_part = e;
-      like.id = mixedId(mixedId(mixedId(mixedId(moving.key, obstacle.key), 3), i), j);
-      appendCrossing(placed_rod, placed(other, obstacle.X_W), reach, like, groups_);
-    }
+  rod_pairs_.clear();
+  const double radius = reach + moving.surfaces->thickestRod() + obstacle.surfaces->thickestRod();
+  if (!trianglePairsWithin(*of_moving, *of_obstacle, moving.X_W.inverse() * obstacle.X_W, radius, rod_pairs_,
+                           kMostRodPairs))
+    return false;
+  work_ += 20 + 5 * rod_pairs_.size();
+  std::sort(rod_pairs_.begin(), rod_pairs_.end(), [](const TrianglePair& a, const TrianglePair& b) {
+    return a.triangle_a != b.triangle_a ? a.triangle_a < b.triangle_a : a.triangle_b < b.triangle_b;
+  });
+  const std::size_t first_a = of_moving == moving.surfaces->rimRods() ? moving.surfaces->plainRodCount() : 0;
+  const std::size_t first_b = of_obstacle == obstacle.surfaces->rimRods() ? obstacle.surfaces->plainRodCount() : 0;
+  for (const TrianglePair& pair : rod_pairs_) {
+    const std::size_t i = first_a + pair.triangle_a, j = first_b + pair.triangle_b;
+    const BodyRod &rod = moving.surfaces->rods()[i], &other = obstacle.surfaces->rods()[j];
+    if ((rod.rim && other.radius > 0.0) || (other.rim && rod.radius > 0.0)) continue;
+    if (pair.distance > reach + rod.radius + other.radius) continue;
+    ContactGroup like;
+    like.moving_part = m;
+    like.environment_part = e;
+    like.id = mixedId(mixedId(mixedId(mixedId(moving.key, obstacle.key), 3), i), j);
+    appendCrossing(placed(rod, moving.X_W), placed(other, obstacle.X_W), reach, like, groups_);
     if (groups_.size() > kMostGroups) return false;
   }
   return true;
@@ -271,25 +282,28 @@ std::optional<ZoneContacts> SurfaceQuery::attempt(double radius) {
 ZoneContacts SurfaceQuery::run() {
   std::vector<double> radii{options_.radius};
   while (radii.back() * kShrink >= options_.min_radius) radii.push_back(radii.back() * kShrink);
-  std::size_t level = 0;
-  if (options_.hint.radius > 0.0) {
-    while (level + 1 < radii.size() && radii[level] > options_.hint.radius * 1.001) ++level;
-    if (options_.hint.try_larger && level > 0) --level;
-  }
-  ZoneContacts result;
-  for (; level < radii.size(); ++level) {
-    auto found = attempt(radii[level]);
-    if (!found) continue;
-    result = std::move(*found);
+  const auto finish = [&](ZoneContacts result) {
     result.hint.radius = result.radius;
-    result.work = 1 + static_cast<std::size_t>(kWorkShare * static_cast<double>(work_));
+    result.work = 1 + static_cast<std::size_t>(kWorkShare * static_cast<double>(work_ + all_new_work_));
     return result;
+  };
+  std::size_t level = 0;
+  const double start = options_.hint.radius > 0.0 ? options_.hint.radius : kColdShare * options_.radius;
+  while (level + 1 < radii.size() && radii[level] > start * 1.001) ++level;
+  const bool grow = options_.hint.radius <= 0.0 || options_.hint.try_larger;
+  auto found = attempt(radii[level]);
+  while (found && grow && level > 0 && all_new_work_ < kMostNewWork) {
+    auto larger = attempt(radii[level - 1]);
+    if (!larger) break;
+    found = std::move(larger);
+    --level;
   }
-  result.radius = options_.min_radius;
-  result.complete = false;
-  result.hint.radius = result.radius;
-  result.work = 1 + static_cast<std::size_t>(kWorkShare * static_cast<double>(work_));
-  return result;
+  while (!found && ++level < radii.size()) found = attempt(radii[level]);
+  if (found) return finish(std::move(*found));
+  ZoneContacts none;
+  none.radius = options_.min_radius;
+  none.complete = false;
+  return finish(std::move(none));
 }
 
 ZoneContacts SurfaceContacts::find(std::span<const ZonePart> moving, std::span<const ZonePart> environment,

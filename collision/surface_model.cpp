@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 
 #include "collision/surface_clusters.h"
 #include "collision/surface_recognition.h"
@@ -189,8 +190,8 @@ void ModelBuilder::makeStraightRods() {
     const bool planes = surface_.regions[edge.low].shape.type == SurfaceType::kPlane &&
                         surface_.regions[edge.high].shape.type == SurfaceType::kPlane;
     if (!planes) {
-      model_.rods_.push_back(
-          {a, b, 0.0, surface_.normals[edge.triangle], surface_.normals[edge.other], -1.0, edge.low != edge.high});
+      model_.rods_.push_back({a, b, 0.0, surface_.normals[edge.triangle], surface_.normals[edge.other], -1.0,
+                              edge.low != edge.high || isConeFacet(edge)});
       std::uint32_t own = kNone;
       addEdgeElement(edge, own);
       continue;
@@ -407,6 +408,21 @@ void ModelBuilder::makeRoundBodies() {
   }
 }
 
+namespace {
+
+std::shared_ptr<const MeshCollider> linesOf(std::span<const BodyRod> rods) {
+  if (rods.empty()) return nullptr;
+  geometry::TriangleMesh lines;
+  for (const BodyRod& rod : rods) {
+    const auto first = static_cast<std::uint32_t>(lines.vertices.size());
+    lines.vertices.insert(lines.vertices.end(), {rod.a_M, rod.b_M});
+    lines.triangles.push_back({first, first + 1, first + 1});
+  }
+  return MeshCollider::build(lines);
+}
+
+}  // namespace
+
 std::shared_ptr<const SurfaceModel> SurfaceModel::build(const geometry::TriangleMesh& mesh) {
   return build(recogniseSurfaces(mesh));
 }
@@ -416,15 +432,12 @@ std::shared_ptr<const SurfaceModel> SurfaceModel::build(RecognisedSurface surfac
   model->surface_ = std::move(surface);
   model->collider_ = MeshCollider::build(model->surface_.mesh);
   ModelBuilder(*model).run();
-  if (model->rods_.empty()) return model;
-  geometry::TriangleMesh lines;
-  for (const BodyRod& rod : model->rods_) {
-    const auto first = static_cast<std::uint32_t>(lines.vertices.size());
-    lines.vertices.insert(lines.vertices.end(), {rod.a_M, rod.b_M});
-    lines.triangles.push_back({first, first + 1, first + 1});
-    model->thickest_rod_ = std::max(model->thickest_rod_, rod.radius);
-  }
-  model->rod_collider_ = MeshCollider::build(lines);
+  auto& rods = model->rods_;
+  const auto rims = std::stable_partition(rods.begin(), rods.end(), [](const BodyRod& rod) { return !rod.rim; });
+  model->plain_rod_count_ = static_cast<std::size_t>(rims - rods.begin());
+  model->plain_rods_ = linesOf({rods.begin(), rims});
+  model->rim_rods_ = linesOf({rims, rods.end()});
+  for (const BodyRod& rod : rods) model->thickest_rod_ = std::max(model->thickest_rod_, rod.radius);
   return model;
 }
 

@@ -81,8 +81,11 @@ class SurfaceModel {
   const std::vector<BodyPoint>& points() const { return points_; }
   const std::vector<BodyCircle>& circles() const { return circles_; }
   const std::vector<BodyRod>& rods() const { return rods_; }
-  /// The rods' middle lines as flat triangles, in their order; null where there are none.
-  const MeshCollider* rodCollider() const { return rod_collider_.get(); }
+  /// The rods' middle lines as flat triangles, without rims and the rims alone; null where there are none. Rims stand
+  /// behind the others in rods().
+  const MeshCollider* plainRods() const { return plain_rods_.get(); }
+  const MeshCollider* rimRods() const { return rim_rods_.get(); }
+  std::size_t plainRodCount() const { return plain_rod_count_; }
   double thickestRod() const { return thickest_rod_; }  ///< Radius, m.
 
  private:
@@ -97,7 +100,8 @@ class SurfaceModel {
   std::vector<BodyPoint> points_;
   std::vector<BodyCircle> circles_;
   std::vector<BodyRod> rods_;
-  std::shared_ptr<const MeshCollider> rod_collider_;
+  std::shared_ptr<const MeshCollider> plain_rods_, rim_rods_;
+  std::size_t plain_rod_count_ = 0;
   double thickest_rod_ = 0.0;
 };
 

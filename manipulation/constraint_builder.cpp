@@ -12,6 +12,8 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr double kSecondsPerWork = 1e-6;
+constexpr double kWideEnough = 0.25;  // of the wanted zone
+constexpr double kMuchWider = 1.5;
 
 /// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
 double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W, double turn_ahead) {
@@ -26,10 +28,6 @@ double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, d
   }
   const double moved = zone_W * (gain + radius * std::sqrt(turn_gain));
   return moved + turn_ahead * (std::sqrt(swing) + radius * turn_swing);
-}
-
-dmat3 outer(const dvec3& a, const dvec3& b) {
-  return glm::outerProduct(a, b);
 }
 
 PointCondition conditionOf(const collision::ZoneContact& contact) {
@@ -66,6 +64,13 @@ void appendContact(Assembly& assembly, const collision::ZoneContact& contact) {
   constraint.id = contact.id;
   PointCondition condition = conditionOf(contact);
   condition.gap -= feel.boundary;
+  if (condition.M != dmat3(0.0)) {
+    // The quadric stands at the surface's foot (moved out by the boundary), the condition at the point.
+    const dvec3 bent = condition.M * condition.nhat_W;
+    const double gap = condition.gap;
+    condition.gap += 0.5 * gap * gap * glm::dot(condition.nhat_W, bent);
+    condition.nhat_W += gap * bent;
+  }
   applyCondition(part, condition, constraint);
   if (contact.has_trim) {
     PointCondition trim;
@@ -91,6 +96,7 @@ std::vector<collision::ZonePart> movingParts(const Assembly& assembly, double zo
     moving[k].pieces = in.parts[k];
     moving[k].X_W = X_WP[k];
     moving[k].key = k + 1;
+    if (in.surface_contacts != nullptr) moving[k].surfaces = in.surfaces[k];
     moving[k].reach =
         reachOf(assembly.differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W, in.turn_ahead);
   }
@@ -126,6 +132,27 @@ void appendLimits(const ConstraintInputs& inputs, std::uint32_t first_group, Bui
 
 }  // namespace
 
+namespace {
+
+/// Surfaces where they reach as far as is wanted or nearly as far as the facets' convex pieces do.
+collision::ZoneContacts contactsOf(const ConstraintInputs& inputs, const std::vector<collision::ZonePart>& moving,
+                                   const collision::ZoneOptions& options) {
+  if (inputs.surface_contacts == nullptr) return collision::zoneContacts(moving, inputs.obstacles, options);
+  collision::ZoneOptions of_surfaces = options;
+  of_surfaces.hint = {};
+  collision::ZoneContacts surfaces = inputs.surface_contacts->find(moving, inputs.obstacles, of_surfaces);
+  surfaces.hint = options.hint;
+  if (surfaces.complete && surfaces.radius >= kWideEnough * options.radius) return surfaces;
+  collision::ZoneContacts facets = collision::zoneContacts(moving, inputs.obstacles, options);
+  facets.work += surfaces.work;
+  surfaces.work = facets.work;
+  surfaces.hint = facets.hint;
+  const bool wider = facets.complete && facets.radius > kMuchWider * surfaces.radius;
+  return !surfaces.complete || wider ? facets : surfaces;
+}
+
+}  // namespace
+
 BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   BuiltConstraints built;
   const double scale = inputs.mapping.scale();
@@ -149,8 +176,7 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16);
   options.pair_mask = mask;
   options.hint = inputs.hint;
-  const collision::ZoneContacts found =
-      collision::zoneContacts(movingParts(assembly, zone_W), inputs.obstacles, options);
+  const collision::ZoneContacts found = contactsOf(inputs, movingParts(assembly, zone_W), options);
 
   built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);
   built.set.zone_radius = std::max(1e-4, std::min(found.radius, zone_W) / scale);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "collision/surface_contacts.h"
 #include "collision/zone_contacts.h"
 #include "manipulation/free_motion.h"
 #include "manipulation/manipulator.h"
@@ -35,6 +36,10 @@ struct ConstraintInputs {
   std::span<const MotionPair> pairs;
   std::span<const PairFeel> feel;
   collision::ZoneHint hint{};  ///< From the set before, in the cell's metres.
+  /// Not null: recognised surfaces are asked first, facets only where those do not reach far. The parts and obstacles
+  /// then have their surfaces.
+  collision::SurfaceContacts* surface_contacts = nullptr;
+  std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part.
 };
 
 /// One entry's origin, in the order of ConstraintSet::constraints.

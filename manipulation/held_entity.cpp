@@ -135,6 +135,7 @@ void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placem
       moved_parts_.push_back({&part, part.entity, found->link, found->X_LE * X_EP, owner.name});
     }
     parts_.push_back(part.mesh.pieces.get());
+    surfaces_.push_back(part.mesh.surfaces.get());
   }
 }
 
@@ -231,12 +232,20 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
       checked = true;
     }
     if (!checked) continue;
-    obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0});
+    obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0, part.mesh.surfaces.get()});
     obstacles.push_back({part.mesh.collider, X_WO});
   }
   gaps_.resize(pairs_.size());
+  if (configuration.manipulation.contacts == "surfaces") makeSurfaceContacts();
   motion_ = std::make_unique<FreeMotion>(std::move(colliders), std::move(obstacles), motion_pairs_);
   motion_->reset(*manipulator_, accepted_);
+}
+
+void HeldEntity::makeSurfaceContacts() {
+  const bool known =
+      std::all_of(surfaces_.begin(), surfaces_.end(), [](const auto* s) { return s != nullptr; }) &&
+      std::all_of(obstacles_.begin(), obstacles_.end(), [](const auto& o) { return o.surfaces != nullptr; });
+  if (known) surface_contacts_ = std::make_unique<collision::SurfaceContacts>();
 }
 
 void HeldEntity::startBoundaries() {
@@ -299,6 +308,8 @@ BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pos
   hint_.try_larger = ++since_larger_ >= kTryLarger;
   if (hint_.try_larger) since_larger_ = 0;
   inputs.hint = hint_;
+  inputs.surface_contacts = surface_contacts_.get();
+  inputs.surfaces = surfaces_;
   BuiltConstraints built = buildConstraints(inputs);
   if (built.hint.radius > hint_.radius) since_larger_ = kTryLarger;  // There may be more.
   hint_ = built.hint;

@@ -91,6 +91,7 @@ class HeldEntity {
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
+  void makeSurfaceContacts();
   void startBoundaries();
   void raiseBoundaries();
   BuiltConstraints plainConstraints(ConstraintInputs inputs);
@@ -123,6 +124,8 @@ class HeldEntity {
   };
   std::vector<MovedPart> moved_parts_;
   std::vector<const collision::ConvexPieces*> parts_;
+  std::vector<const collision::SurfaceModel*> surfaces_;          ///< Of the parts, where they were recognised.
+  std::unique_ptr<collision::SurfaceContacts> surface_contacts_;  ///< Null: facets only.
   std::vector<collision::ZonePart> obstacles_;
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;

@@ -66,9 +66,9 @@ void applyCondition(const PartDifferential& part, const PointCondition& conditio
     const dvec3 Mv = condition.M * v[i];
     for (std::size_t j = i; j < 6; ++j) {
       constraint_W.curvature[packedIndex(i, j)] =
-          condition.normal_moves
-              ? movingNormalTerm(part, condition, i, j)
-              : glm::dot(Mv, v[j]) + glm::dot(condition.nhat_W, pointAcceleration(part, condition.p_WQ, i, j));
+          glm::dot(Mv, v[j]) + (condition.normal_moves
+                                    ? movingNormalTerm(part, condition, i, j)
+                                    : glm::dot(condition.nhat_W, pointAcceleration(part, condition.p_WQ, i, j)));
     }
   }
 }

@@ -32,7 +32,7 @@ struct PointCondition {
   dvec3 nhat_W{0.0, 0.0, 1.0};
   double gap = 0.0;
   dmat3 M{0.0};  ///< Curvature of what it meets, 1/m, positive where that is convex.
-  /// The normal is fixed to the part: its face meets a corner of the obstacle at p_WQ. Then M is not used.
+  /// The normal is fixed to the part: its face, curved by M, meets a corner of the obstacle at p_WQ.
   bool normal_moves = false;
 };
 

@@ -22,14 +22,14 @@ struct PreparedScene::Job {
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
                                                             std::vector<workcell::PairSet> pair_sets,
                                                             const workcell::PairDefaults& defaults,
-                                                            const PreparedScene* previous) {
+                                                            const PreparedScene* previous, bool recognise) {
   std::shared_ptr<PreparedScene> scene(new PreparedScene);
   scene->entities_ = std::move(entities);
   scene->pair_sets_ = std::move(pair_sets);
   scene->defaults_ = defaults;
   std::vector<Job> jobs;
   for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
-  scene->run(jobs, previous);
+  scene->run(jobs, previous, recognise);
   return scene;
 }
 
@@ -41,10 +41,11 @@ void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<
 }
 
 /// The largest meshes first, each by whoever is free: what comes of it does not depend on who does it.
-void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous) {
+void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous, bool recognise) {
   std::vector<const Job*> order;
   for (const Job& job : jobs) {
-    if (previous != nullptr && previous->meshes_.count(job.key) != 0) {
+    const bool known = previous != nullptr && previous->meshes_.count(job.key) != 0;
+    if (known && (!recognise || previous->meshes_.at(job.key).surfaces)) {
       meshes_[job.key] = previous->meshes_.at(job.key);
     } else {
       order.push_back(&job);
@@ -59,7 +60,8 @@ void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previ
       collision::ColliderBuild how;
       if (mesh.triangles.size() >= kWorthAFile) how.cache_folder = collision::userCacheFolder();
       meshes_.find(order[i]->key)->second = {collision::MeshCollider::build(mesh, how),
-                                             collision::ConvexPieces::build(mesh)};
+                                             collision::ConvexPieces::build(mesh),
+                                             recognise ? collision::SurfaceModel::build(mesh) : nullptr};
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

@@ -9,6 +9,7 @@
 
 #include "collision/convex_pieces.h"
 #include "collision/mesh_collider.h"
+#include "collision/surface_model.h"
 #include "workcell/entity.h"
 #include "workcell/pair_policy.h"
 
@@ -18,6 +19,7 @@ namespace hapticell::manipulation {
 struct PreparedMesh {
   std::shared_ptr<const collision::MeshCollider> collider;
   std::shared_ptr<const collision::ConvexPieces> pieces;
+  std::shared_ptr<const collision::SurfaceModel> surfaces;  ///< Null where nobody asked for recognition.
 };
 
 /// One rigid body of the scene: a solid, or a link of a robot with all its collision shapes. Its frame P is the
@@ -34,11 +36,11 @@ struct ScenePart {
 class PreparedScene {
  public:
   /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
-  /// taken over from it. Entities without a mesh have no parts.
+  /// taken over from it. Entities without a mesh have no parts. `recognise` finds the meshes' surfaces too.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       std::vector<workcell::PairSet> pair_sets,
                                                       const workcell::PairDefaults& defaults,
-                                                      const PreparedScene* previous = nullptr);
+                                                      const PreparedScene* previous = nullptr, bool recognise = false);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
   const workcell::Entity* find(workcell::EntityId id) const;
@@ -65,7 +67,7 @@ class PreparedScene {
   void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                std::vector<Job>& jobs);
-  void run(const std::vector<Job>& jobs, const PreparedScene* previous);
+  void run(const std::vector<Job>& jobs, const PreparedScene* previous, bool recognise);
 
   std::vector<workcell::Entity> entities_;
   std::vector<workcell::PairSet> pair_sets_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/mass_properties.h"
 #include "geometry/shapes.h"
 
 namespace hapticell::test {

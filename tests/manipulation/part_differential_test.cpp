@@ -60,6 +60,30 @@ RC_GTEST_PROP(PartDifferential, MovingNormalIsTrueToSecondOrder, ()) {
   RC_ASSERT(std::abs(haptic::evaluate(constraint, vectorOf(motion)) - exact) < 1e-10);
 }
 
+RC_GTEST_PROP(PartDifferential, MovingCylinderAgainstAFixedCorner, ()) {
+  // The quadric of a cylinder of radius R that moves with the part, at a corner that stays: exact to second order.
+  const double R = 0.5;
+  const dvec3 p_WMo = anyVector(1.0), foot = anyVector(1.0);
+  const dvec3 out = glm::normalize(anyVector(1.0) + dvec3(2.0, 0.0, 0.0));
+  const dvec3 axis = glm::normalize(glm::cross(out, anyVector(1.0) + dvec3(0.0, 2.0, 0.0)));
+  const dvec3 corner = foot + 0.1 * out;
+  const dmat3 M = (dmat3(1.0) - glm::outerProduct(axis, axis)) / R;
+  PointCondition condition;  // free where the corner is outside; the part's way out is -out
+  condition.p_WQ = corner;
+  condition.normal_moves = true;
+  condition.M = M;
+  condition.nhat_W = -(out + 0.1 * (M * out));
+  condition.gap = 0.1 + 0.5 * 0.01 * glm::dot(out, M * out);
+  haptic::Constraint constraint;
+  applyCondition(rigidDifferential(p_WMo, anyVector(1.0)), condition, constraint);
+  const Twist direction{anyVector(1.0), anyVector(1.0)};
+  const Twist motion{1e-4 * direction.linear, 1e-4 * direction.angular};
+  const dquat turn = quaternionFromRotationVector(motion.angular);
+  const dvec3 e = glm::inverse(turn) * (corner - carried(foot, p_WMo, motion));  // as the part sees it
+  const double exact = glm::dot(out, e) + 0.5 * glm::dot(e, M * e);
+  RC_ASSERT(std::abs(haptic::evaluate(constraint, vectorOf(motion)) - exact) < 1e-9);
+}
+
 TEST(PartDifferential, GradientIsNormalAndLeverCrossNormal) {
   PointCondition condition;
   condition.p_WQ = {0.3, 0.1, 0.0};
