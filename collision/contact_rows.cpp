@@ -13,6 +13,7 @@ namespace hapticell::collision {
 namespace {
 
 constexpr std::size_t kMostCopies = 9;  // of a group, for surfaces with several ends
+constexpr double kCorner = 1e-4;        // m
 constexpr double kTie = 1e-9;           // m: which of two equals is kept must not hang on rounding
 
 /// Curvature of the surface that a ball's centre runs on.
@@ -119,6 +120,26 @@ void dropDominated(std::vector<ContactRow>& rows, double reach) {
   rows = std::move(kept);
 }
 
+/// Near a corner of two surfaces their bisecting plane is an alternative too: it is in front of the corner only where
+/// one of them is, and without it a body would rest on the mitre of the boundary, which sticks out of a sharp corner.
+void addBisector(const BallQuery& ball, std::vector<ContactRow>& rows) {
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].has_trim && rows[i].gap > -kCorner && rows[i].gap < ball.boundary + kCorner) near.push_back(i);
+  }
+  if (near.size() != 2) return;
+  const ContactRow &a = rows[near[0]], &b = rows[near[1]];
+  const double length = glm::length(a.nhat_W + b.nhat_W);
+  if (length < 0.2) return;
+  ContactRow row = a;
+  row.nhat_W = (a.nhat_W + b.nhat_W) / length;
+  row.gap = (a.gap + b.gap) / length;
+  row.bend = (a.bend + b.bend) / length;
+  row.kind = 200;
+  if (row.bend > 0.0) row.M_W = (a.M_W + b.M_W) / length;
+  rows.push_back(row);
+}
+
 void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
                   std::vector<ContactGroup>& groups) {
   ContactGroup group = like;
@@ -204,6 +225,7 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
   for (ContactGroup& copy : copies) {
     std::erase_if(copy.rows, [](const ContactRow& row) { return row.gap < -1e8; });
     dropDominated(copy.rows, ball.reach);
+    addBisector(ball, copy.rows);
     if (!copy.rows.empty()) groups.push_back(std::move(copy));
   }
 }

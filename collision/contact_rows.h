@@ -39,7 +39,8 @@ struct BallQuery {
   Pose X_WM;
   dvec3 p_M;  ///< Of the centre.
   double radius = 0.0;
-  double reach = 0.0;  ///< Rows deeper than that and groups freer than that are left out.
+  double boundary = 0.0;  ///< m: the distance that may be felt as contact.
+  double reach = 0.0;     ///< Rows deeper than that and groups freer than that are left out.
 };
 
 /// Appends the groups of one list of elements (one or, where a surface has several ends, more), `like` with rows.

@@ -24,8 +24,9 @@ constexpr std::size_t kMostRodPairs = 20000;  // looked at
 constexpr std::size_t kMostNewWork = 300000;  // element values for new cells, about 20 ms
 constexpr double kColdShare = 0.05;           // of the wanted zone: where the first query begins
 constexpr double kWorkShare = 0.01;           // of ZoneContacts::work, for one element value
-constexpr int kTryLarger = 4;                 // a wider zone is tried with each so many queries
-constexpr double kCapMargin = 0.1;            // rad beyond a ball's cap
+constexpr int kRest = 12;
+constexpr int kTryLarger = 4;       // a wider zone is tried with each so many queries
+constexpr double kCapMargin = 0.1;  // rad beyond a ball's cap
 
 geometry::Bounds grown(geometry::Bounds bounds, double by) {
   bounds.min -= dvec3(by);
@@ -47,6 +48,16 @@ SignatureCache& SurfaceContacts::cacheOf(const SurfaceModel& model) {
   auto& cache = caches_[&model];
   if (!cache) cache = std::make_unique<SignatureCache>(model);
   return *cache;
+}
+
+bool SurfaceContacts::isWorthAsking() {
+  if (resting_ == 0) return true;
+  --resting_;
+  return false;
+}
+
+void SurfaceContacts::tellUse(bool used) {
+  resting_ = used ? 0 : kRest;
 }
 
 class SurfaceQuery {
@@ -92,7 +103,8 @@ class SurfaceQuery {
 
 bool SurfaceQuery::addBall(const Meeting& meeting, const dvec3& p_W, double radius, const ContactGroup& like) {
   const Pose X_MW = meeting.obstacle.X_W.inverse();
-  const BallQuery ball{*meeting.obstacle.surfaces, meeting.obstacle.X_W, X_MW * p_W, radius, meeting.reach};
+  const BallQuery ball{*meeting.obstacle.surfaces, meeting.obstacle.X_W, X_MW * p_W, radius,
+                       options_.safety_distance,   meeting.reach};
   SignatureCache& cache = owner_.cacheOf(*meeting.obstacle.surfaces);
   const SignatureCell& cell = cache.cell(ball.p_M, radius, meeting.reach);
   const std::size_t made = cache.takeWork();

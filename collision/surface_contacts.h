@@ -28,6 +28,10 @@ class SurfaceContacts {
   ZoneContacts find(std::span<const ZonePart> moving, std::span<const ZonePart> environment,
                     const ZoneOptions& options);
 
+  /// Whether to ask at all: after an answer that was of no use some queries go without.
+  bool isWorthAsking();
+  void tellUse(bool used);
+
  private:
   friend class SurfaceQuery;
   SignatureCache& cacheOf(const SurfaceModel& model);
@@ -35,6 +39,7 @@ class SurfaceContacts {
   std::unordered_map<const SurfaceModel*, std::unique_ptr<SignatureCache>> caches_;
   double wanted_ = 0.0;   ///< Of the last query,
   double kept_ = 0.0;     ///< and what it kept, m.
+  int resting_ = 0;       ///< Queries still to go without.
   int since_larger_ = 0;  ///< Queries since a wider zone was tried.
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSecondsPerWork = 1e-6;
 constexpr double kWideEnough = 0.25;  // of the wanted zone
-constexpr double kMuchWider = 1.5;
+constexpr double kMuchWider = 4.0;    // a small zone of true surfaces feels better than a wide one of facets
 
 /// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
 double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W, double turn_ahead) {
@@ -137,7 +137,8 @@ namespace {
 /// Surfaces where they reach as far as is wanted or nearly as far as the facets' convex pieces do.
 collision::ZoneContacts contactsOf(const ConstraintInputs& inputs, const std::vector<collision::ZonePart>& moving,
                                    const collision::ZoneOptions& options) {
-  if (inputs.surface_contacts == nullptr) return collision::zoneContacts(moving, inputs.obstacles, options);
+  if (inputs.surface_contacts == nullptr || !inputs.surface_contacts->isWorthAsking())
+    return collision::zoneContacts(moving, inputs.obstacles, options);
   collision::ZoneOptions of_surfaces = options;
   of_surfaces.hint = {};
   collision::ZoneContacts surfaces = inputs.surface_contacts->find(moving, inputs.obstacles, of_surfaces);
@@ -148,7 +149,9 @@ collision::ZoneContacts contactsOf(const ConstraintInputs& inputs, const std::ve
   surfaces.work = facets.work;
   surfaces.hint = facets.hint;
   const bool wider = facets.complete && facets.radius > kMuchWider * surfaces.radius;
-  return !surfaces.complete || wider ? facets : surfaces;
+  const bool used = surfaces.complete && !wider;
+  inputs.surface_contacts->tellUse(used);
+  return used ? surfaces : facets;
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ PointReport tryPoints(const SurfaceModel& model, int count, double zone, unsigne
       continue;
     }
     std::vector<ContactGroup> groups;
-    for (const auto& elements : cell.groups) appendGroups(BallQuery{model, Pose{}, p, 0.0, zone}, elements, {}, groups);
+    for (const auto& elements : cell.groups)
+      appendGroups(BallQuery{model, Pose{}, p, 0.0, 0.0, zone}, elements, {}, groups);
     std::size_t entries = 0;
     for (const auto& group : groups) entries += group.rows.size();
     report.most_entries = std::max(report.most_entries, entries);
