@@ -13,7 +13,8 @@ namespace hapticell::collision {
 namespace {
 
 constexpr std::size_t kMostCopies = 9;  // of a group, for surfaces with several ends
-constexpr double kCorner = 1e-4;        // m
+constexpr double kCorner = 1e-4;        // m below a surface,
+constexpr double kJustAbove = 2e-5;     // or above its boundary: near enough to a corner to need its bisector
 constexpr double kTie = 1e-9;           // m: which of two equals is kept must not hang on rounding
 
 /// Curvature of the surface that a ball's centre runs on.
@@ -125,7 +126,7 @@ void dropDominated(std::vector<ContactRow>& rows, double reach) {
 void addBisector(const BallQuery& ball, std::vector<ContactRow>& rows) {
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].has_trim && rows[i].gap > -kCorner && rows[i].gap < ball.boundary + kCorner) near.push_back(i);
+    if (!rows[i].has_trim && rows[i].gap > -kCorner && rows[i].gap < ball.boundary + kJustAbove) near.push_back(i);
   }
   if (near.size() != 2) return;
   const ContactRow &a = rows[near[0]], &b = rows[near[1]];
