@@ -135,12 +135,11 @@ double claimedClearance(const collision::ZoneContacts& set, const Pose& X_WM, co
   const dquat turn = quaternionFromRotationVector(motion_W.angular);
   const auto moved = [&](const dvec3& p) { return X_WM.p + motion_W.linear + turn * (p - X_WM.p); };
   for (const auto& c : set.contacts) {
-    const dvec3 n = c.normal_moves ? turn * c.nhat_W : c.nhat_W;
-    // What the point of the moving part does, seen from the surface that it meets.
-    const dvec3 d = c.normal_moves ? moved(c.q_W) - (c.p_W - c.gap * n) : moved(c.p_W) - c.p_W;
-    const dvec3 e = c.gap * n + d;
-    double value = glm::dot(n, e) + 0.5 * glm::dot(e, c.M_W * e);
-    if (c.has_trim) value = std::min(value, c.trim_gap + glm::dot(c.trim_nhat_W, d));
+    // From the foot on the surface to the point that meets it, as whoever carries the surface sees it.
+    const dvec3 e =
+        c.normal_moves ? glm::inverse(turn) * (moved(c.q_W) - c.p_W) : c.gap * c.nhat_W + moved(c.p_W) - c.p_W;
+    double value = glm::dot(c.nhat_W, e) + 0.5 * glm::dot(e, c.M_W * e);
+    if (c.has_trim) value = std::min(value, c.trim_gap + glm::dot(c.trim_nhat_W, moved(c.p_W) - c.p_W));
     best[c.group] = std::max(best[c.group], value);
   }
   return best.empty() ? 1e9 : *std::min_element(best.begin(), best.end());
