@@ -130,6 +130,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   if (!document) return tl::unexpected(document.error());
   options.entities = document->snapshotEntities();
   options.pair_sets = document->state().pair_sets;
+  options.guides = document->state().guides;
   options.entity = words.entity;
 
   const auto hand = haptic::readHandPath(words.hand);

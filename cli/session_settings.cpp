@@ -37,7 +37,7 @@ Expected<void> setSafetyDistance(const std::string& value, SessionOptions& optio
 }
 
 std::string knownKeys(const SessionOptions& options) {
-  std::string keys = "moved_by, lock, axes, scale, force_class, on_contact, forces, safety_distance";
+  std::string keys = "moved_by, lock, axes, scale, force_class, on_contact, filter, forces, safety_distance";
   for (const config::Setting& setting : config::settings(options.configuration)) keys += ", " + setting.key;
   return keys;
 }
@@ -66,6 +66,7 @@ Expected<void> applySessionSetting(const std::string& setting, SessionOptions& o
   }
   if (key == "axes") return take(manipulation::parseAxes(value), options.axes);
   if (key == "scale") return take(manipulation::parseScale(value), options.scale);
+  if (key == "filter") return take(manipulation::parseFilter(value), options.filter);
   if (key == "forces") return setForces(value, options);
   if (key == "safety_distance" || key == "manipulation.safety_distance") return setSafetyDistance(value, options);
   if (key == "on_contact" || key == "manipulation.on_contact") {

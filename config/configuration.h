@@ -39,12 +39,17 @@ struct Configuration {
     std::string contacts = "facets";      ///< facets; surfaces: those that the meshes were made from, where recognised.
     double safety_distance = 0.001;       ///< Metres; felt as the boundary where no pair set says otherwise.
     double near_miss = 0.010;             ///< Metres; shown and heard.
+    double gravity_compensation = 1.0;    ///< Part of a held part's weight that is not felt: 1 nothing of it is.
+    double edge_drift = 0.0;              ///< m/s of hand at the edge of the device's workspace; 0: none.
+    double felt_mass = 0.5;               ///< kg whose inertia is felt at most, for the class dynamics.
+    double load_damping = 0.5;            ///< N s/m against the motion of what is held, for the class dynamics.
   } manipulation;
   struct Scale {  ///< Metres of the cell a metre of hand.
     double rough = 4.0;
     double medium = 1.0;
     double fine = 0.25;
-    double screen = 1.0;  ///< Widths of the view a width of the device's workspace.
+    double rotation = 1.0;  ///< Radians of the entity a radian of the wrist.
+    double screen = 1.0;    ///< Widths of the view a width of the device's workspace.
   } scale;
   struct Gui {
     double rate_hz = 60.0;

@@ -32,10 +32,15 @@ void visitSettings(AnyConfiguration& c, Visitor&& visit) {
   visit("manipulation.contacts", c.manipulation.contacts, Choices{"facets", "surfaces"});
   visit("manipulation.safety_distance", c.manipulation.safety_distance, NumberRange{0, 1});
   visit("manipulation.near_miss", c.manipulation.near_miss, NumberRange{0, 10});
+  visit("manipulation.gravity_compensation", c.manipulation.gravity_compensation, NumberRange{0, 1});
+  visit("manipulation.edge_drift", c.manipulation.edge_drift, NumberRange{0, 0.5});
+  visit("manipulation.felt_mass", c.manipulation.felt_mass, NumberRange{0, 2});
+  visit("manipulation.load_damping", c.manipulation.load_damping, NumberRange{0, 20});
   visit("scale.rough", c.scale.rough, NumberRange{0.001, 1000});
   visit("scale.medium", c.scale.medium, NumberRange{0.001, 1000});
   visit("scale.fine", c.scale.fine, NumberRange{0.001, 1000});
   visit("scale.screen", c.scale.screen, NumberRange{0.01, 100});
+  visit("scale.rotation", c.scale.rotation, NumberRange{0.01, 10});
   visit("gui.rate_hz", c.gui.rate_hz, NumberRange{10, 240});
   visit("gui.theme", c.gui.theme, Choices{"dark", "light"});
   visit("gui.motion", c.gui.motion, NumberRange{0, 1});

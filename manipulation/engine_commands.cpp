@@ -42,6 +42,10 @@ void ManipulationEngine::apply(const Command& command) {
                           setScene(PreparedScene::prepare(c.entities, c.pair_sets, rule, scene_.get(),
                                                           configuration_.manipulation.contacts == "surfaces"));
                         },
+                        [&](const command::SetGuides& c) {
+                          guides_ = c.guides;
+                          set_wanted_ = true;
+                        },
                         [&](const command::ChooseEntity& c) {
                           chosen_ = c.entity;
                           on_contact_.reset();
@@ -77,6 +81,7 @@ void ManipulationEngine::apply(const Command& command) {
                         },
                         [&](const command::SetFilter& c) {
                           mapping_.setFilter(c.translates, c.rotates);
+                          mapping_.setAxisFilter(c.axes[0], c.axes[1], c.axes[2]);
                           anchorMapping();
                         },
                         [&](const command::SetClutch& c) { clutch_command_ = c.on; },
@@ -119,6 +124,7 @@ void ManipulationEngine::updateMapping() {
   const bool same = std::abs(glm::dot(q_WD, mapping_.axes())) > 1.0 - 1e-12 && scale == mapping_.scale();
   mapping_.setAxes(q_WD);
   mapping_.setScale(scale);
+  mapping_.setRotationScale(configuration_.scale.rotation);
   if (!same || !held_) anchorMapping();
 }
 

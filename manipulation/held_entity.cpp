@@ -327,6 +327,26 @@ BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
   return buildPlainConstraints(inputs, near_);
 }
 
+std::optional<haptic::Constraint> HeldEntity::surfaceConstraint(workcell::EntityId other, double offset) {
+  constexpr double kFarthest = 0.5;
+  motion_->distances(kFarthest, near_);
+  const FreeMotion::PairDistance* nearest = nullptr;
+  for (const FreeMotion::PairDistance& near : near_) {
+    if (pairs_[near.pair].other != other || near.result.colliding) continue;
+    if (nearest == nullptr || near.result.distance < nearest->result.distance) nearest = &near;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  PointCondition condition;
+  condition.p_WQ = nearest->result.p_WA;
+  condition.nhat_W = nearest->result.nhat_BA_W;
+  condition.gap = nearest->result.distance - offset;
+  haptic::Constraint constraint;
+  constraint.kind = haptic::ConstraintKind::kEquality;
+  constraint.id = (std::uint64_t{1} << 61) + nearest->pair;
+  applyCondition(manipulator_->differentiate(accepted_)[motion_pairs_[nearest->pair].part], condition, constraint);
+  return constraint;
+}
+
 void HeldEntity::distances(double limit, std::vector<FreeMotion::PairDistance>& near) {
   motion_->distances(limit, near);
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +79,10 @@ class HeldEntity {
     double turn_ahead = 0.1;      ///< rad.
   };
   BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish);
+
+  /// Keeps the nearest points to `other` at `offset` (m): an equality over the moved frame's xi in the cell, flat at
+  /// the nearest point. None where it is farther than half a metre, touches, or is not checked against this entity.
+  std::optional<haptic::Constraint> surfaceConstraint(workcell::EntityId other, double offset);
 
   /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);

@@ -86,6 +86,19 @@ Expected<AxesChoice> parseAxes(const std::string& text) {
   return unknown("axes", text, "screen, cell or frame:NAME");
 }
 
+Expected<command::SetFilter> parseFilter(const std::string& text) {
+  if (text == "all") return command::SetFilter{};
+  if (text == "translation") return command::SetFilter{true, false};
+  if (text == "rotation") return command::SetFilter{false, true};
+  command::SetFilter filter{true, false, {false, false, false}};
+  for (const char letter : text) {
+    if (letter < 'x' || letter > 'z') return unknown("filter", text, "all, translation, rotation, or some of x y z");
+    filter.axes[static_cast<std::size_t>(letter - 'x')] = true;
+  }
+  if (text.empty()) return unknown("filter", text, "all, translation, rotation, or some of x y z");
+  return filter;
+}
+
 Expected<workcell::OnContact> parseOnContact(const std::string& text) {
   if (text == "stop") return workcell::OnContact::kStop;
   if (text == "slide") return workcell::OnContact::kSlide;

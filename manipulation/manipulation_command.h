@@ -12,6 +12,7 @@
 #include "haptic/protocol/messages.h"
 #include "manipulation/motion_mapping.h"
 #include "workcell/entity.h"
+#include "workcell/guide.h"
 
 namespace hapticell::manipulation {
 
@@ -73,6 +74,10 @@ struct SetDocument {
 struct ChooseEntity {
   workcell::EntityId entity = 0;
 };
+/// All guides of the document; those of what is held are felt.
+struct SetGuides {
+  std::vector<workcell::Guide> guides;
+};
 struct SetMovedBy {
   MovedBy moved_by;
 };
@@ -98,9 +103,11 @@ struct SetForceClass {
 struct SetForces {
   bool on = false;
 };
+/// What of the hand's motion is let through; `axes` are the device's x, y, z: one for a line, two for a plane.
 struct SetFilter {
   bool translates = true;
   bool rotates = true;
+  std::array<bool, 3> axes{true, true, true};
 };
 /// While true the hand moves without the entity.
 struct SetClutch {
@@ -118,10 +125,14 @@ struct Release {};
 
 }  // namespace command
 
-using Command =
-    std::variant<command::SetDocument, command::ChooseEntity, command::SetMovedBy, command::SetAxes, command::SetScale,
-                 command::SetCamera, command::SetOnContact, command::SetForceClass, command::SetForces,
-                 command::SetFilter, command::SetClutch, command::SetHandTarget, command::Grab, command::Release>;
+/// "all", "translation", "rotation", or what of x, y, z is let through: "x", "xz" ... (the hand's axes; rotation is
+/// not).
+Expected<command::SetFilter> parseFilter(const std::string& text);
+
+using Command = std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy,
+                             command::SetAxes, command::SetScale, command::SetCamera, command::SetOnContact,
+                             command::SetForceClass, command::SetForces, command::SetFilter, command::SetClutch,
+                             command::SetHandTarget, command::Grab, command::Release>;
 
 /// What the loop tells back, in order; each is told once.
 namespace result {

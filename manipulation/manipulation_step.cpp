@@ -152,7 +152,9 @@ void ManipulationEngine::updateSet() {
     if (built_.set.count == 0 && std::all_of(held_->pairs().begin(), held_->pairs().end(), passes)) {
       built_.set.zone_radius = kFreeZone;
     }
+    addGuideRows();
     addLagRow();
+    for (std::size_t i = 0; i < built_.set.count; ++i) built_.set.constraints[i].velocity_D -= drift_D_;
   } else {
     built_ = {};
     built_.set.X_DR = state_->X_DP;
@@ -183,10 +185,12 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   takeState();
   if (!state_) return;
   watchButtons();
+  driftAtEdge();
   if (held_ && !clutched_) {
-    const HeldEntity::FollowResult followed = held_->follow(state_->X_DP, mapping_, &built_);
+    const HeldEntity::FollowResult followed = held_->follow(onGuides(state_->X_DP), mapping_, &built_);
     stopped_ = followed.stopped;
   }
+  updateLoad();
   updateSet();
   findContacts();
   for (const std::size_t i : contacts_) {

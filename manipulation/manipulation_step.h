@@ -64,6 +64,7 @@ class ManipulationEngine {
   void hold(workcell::EntityId entity);
   void retake();
   void anchorMapping();
+  void updateLoad();
   void updateMapping();
   void setClutched(bool clutched);
   double scaleInForce() const;
@@ -72,6 +73,11 @@ class ManipulationEngine {
   double zoneRadius();
   bool needsSet() const;
   void addLagRow();
+  void driftAtEdge();
+  void addGuideRows();
+  Pose onGuides(const Pose& X_DP) const;
+  std::vector<const workcell::Guide*> guidesOfHeld() const;
+  Pose movedFrameAtRest() const;
   void findContacts();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
@@ -88,6 +94,7 @@ class ManipulationEngine {
   haptic::LinkState link_state_ = haptic::LinkState::kDisconnected;
   haptic::HapticControl control_;
 
+  std::vector<workcell::Guide> guides_;
   workcell::EntityId chosen_ = 0;
   MovedBy moved_by_;
   AxesChoice axes_;
@@ -99,6 +106,8 @@ class ManipulationEngine {
   bool clutched_ = false;
   bool clutch_command_ = false;
   bool stopped_ = false;
+  dvec3 drift_D_{0.0};  ///< m/s at which the mapping drifts at the edge of the workspace.
+  std::int64_t drift_ns_ = 0;
   std::uint32_t last_buttons_ = 0;
 
   std::int64_t now_ns_ = 0;

@@ -35,15 +35,19 @@ void MotionMapping::anchor(const Pose& X_DA, const Pose& X_WA) {
   X_WA_ = X_WA;
 }
 
+void MotionMapping::setRotationScale(double scale) {
+  if (std::isfinite(scale)) rotation_scale_ = std::clamp(scale, 0.01, 10.0);
+}
+
 Twist MotionMapping::toCell(const Twist& motion_D) const {
-  return {translates_ ? scale_ * (q_WD_ * motion_D.linear) : dvec3(0.0),
-          rotates_ ? q_WD_ * motion_D.angular : dvec3(0.0)};
+  return {translates_ ? scale_ * (q_WD_ * (kept_ * motion_D.linear)) : dvec3(0.0),
+          rotates_ ? rotation_scale_ * (q_WD_ * motion_D.angular) : dvec3(0.0)};
 }
 
 Twist MotionMapping::toDevice(const Twist& motion_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
-  return {translates_ ? (q_DW * motion_W.linear) / scale_ : dvec3(0.0),
-          rotates_ ? q_DW * motion_W.angular : dvec3(0.0)};
+  return {translates_ ? kept_ * (q_DW * motion_W.linear) / scale_ : dvec3(0.0),
+          rotates_ ? (q_DW * motion_W.angular) / rotation_scale_ : dvec3(0.0)};
 }
 
 Pose MotionMapping::toCell(const Pose& X_DP) const {
@@ -52,13 +56,14 @@ Pose MotionMapping::toCell(const Pose& X_DP) const {
 
 Pose MotionMapping::toDevice(const Pose& X_WM, const Pose& X_DNear) const {
   const Pose X_DP = displaced(X_DA_, toDevice(difference(X_WM, X_WA_)));
-  return {translates_ ? X_DP.p : X_DNear.p, rotates_ ? X_DP.q : X_DNear.q};
+  const dvec3 kept = translates_ ? kept_ : dvec3(0.0);
+  return {kept * X_DP.p + (dvec3(1.0) - kept) * X_DNear.p, rotates_ ? X_DP.q : X_DNear.q};
 }
 
 haptic::Vector6 MotionMapping::gradientToDevice(const haptic::Vector6& a_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
-  const dvec3 linear = translates_ ? q_DW * dvec3(a_W[0], a_W[1], a_W[2]) : dvec3(0.0);
-  const dvec3 angular = rotates_ ? (q_DW * dvec3(a_W[3], a_W[4], a_W[5])) / scale_ : dvec3(0.0);
+  const dvec3 linear = translates_ ? kept_ * (q_DW * dvec3(a_W[0], a_W[1], a_W[2])) : dvec3(0.0);
+  const dvec3 angular = rotates_ ? (rotation_scale_ / scale_) * (q_DW * dvec3(a_W[3], a_W[4], a_W[5])) : dvec3(0.0);
   return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
 }
 
@@ -67,15 +72,16 @@ void MotionMapping::toDevice(haptic::Constraint& constraint_W) const {
   constraint_W.trim_gap /= scale_;
   constraint_W.gradient = gradientToDevice(constraint_W.gradient);
   constraint_W.trim_gradient = gradientToDevice(constraint_W.trim_gradient);
-  // xi_W = S xi_D with S = diag(scale R_WD, R_WD): B_D = S' B_W S / scale.
+  // xi_W = S xi_D with S = diag(scale R_WD K, rotation scale R_WD): B_D = S' B_W S / scale.
   const dmat3 R_DW = glm::mat3_cast(glm::conjugate(q_WD_));
   const dmat3 R_WD = glm::transpose(R_DW);
   Blocks blocks = blocksOf(constraint_W.curvature);
   const double linear = translates_ ? 1.0 : 0.0;
   const double angular = rotates_ ? 1.0 : 0.0;
-  blocks.linear = (linear * scale_) * (R_DW * blocks.linear * R_WD);
-  blocks.mixed = (linear * angular) * (R_DW * blocks.mixed * R_WD);
-  blocks.angular = (angular / scale_) * (R_DW * blocks.angular * R_WD);
+  const dmat3 K = dmat3(dvec3(kept_.x, 0, 0), dvec3(0, kept_.y, 0), dvec3(0, 0, kept_.z));
+  blocks.linear = (linear * scale_) * (K * R_DW * blocks.linear * R_WD * K);
+  blocks.mixed = (linear * angular * rotation_scale_) * (K * R_DW * blocks.mixed * R_WD);
+  blocks.angular = (angular * rotation_scale_ * rotation_scale_ / scale_) * (R_DW * blocks.angular * R_WD);
   constraint_W.curvature = symmetricOf(blocks);
 }
 

@@ -24,8 +24,9 @@ double screenScale(double visible_width, double workspace_width);
 /// Turns motions of the stylus into motions of the moved frame M in the cell and back.
 ///
 /// With an anchor (X_DA, X_WA) set at grab or at the end of a clutch:
-///   p_WM = p_WA + scale R_WD (p_DP - p_DA),   R_WM = exp(R_WD rotvec(R_DP R_DA^-1)) R_WA.
-/// Rotation always counts one to one. A value; used by the manipulation thread.
+///   p_WM = p_WA + scale R_WD K (p_DP - p_DA),   R_WM = exp(rotation scale R_WD rotvec(R_DP R_DA^-1)) R_WA,
+/// K keeping the device's axes that are let through. Rotation counts one to one where nothing else is said. A value;
+/// used by the manipulation thread.
 class MotionMapping {
  public:
   const dquat& axes() const { return q_WD_; }
@@ -36,11 +37,19 @@ class MotionMapping {
   void setScale(double scale);
   /// Switches off that the hand translates or turns the entity.
   void setFilter(bool translates, bool rotates);
+  /// Lets through only motions along these of the device's axes: one (a line), two (a plane), all three.
+  void setAxisFilter(bool x, bool y, bool z) { kept_ = {x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0}; }
+  /// Radians of the entity a radian of the wrist; held within 0.01 .. 10, anything not finite is ignored.
+  void setRotationScale(double scale);
+  double rotationScale() const { return rotation_scale_; }
   bool translates() const { return translates_; }
   bool rotates() const { return rotates_; }
 
   /// From now on the stylus at X_DA means the moved frame at X_WA. To be called after setAxes, setScale and setFilter.
   void anchor(const Pose& X_DA, const Pose& X_WA);
+
+  /// From now on the stylus `motion_D` farther back means the same: what is held goes on by it.
+  void drift(const dvec3& motion_D) { X_DA_.p -= motion_D; }
 
   /// Where the moved frame shall be for the stylus (or proxy) at X_DP.
   Pose toCell(const Pose& X_DP) const;
@@ -62,6 +71,8 @@ class MotionMapping {
   double scale_ = 1.0;
   bool translates_ = true;
   bool rotates_ = true;
+  dvec3 kept_{1.0};  ///< 1 for an axis that is let through, else 0.
+  double rotation_scale_ = 1.0;
   Pose X_DA_;
   Pose X_WA_;
 };

@@ -91,11 +91,13 @@ class WatchedEngine {
     if (!entity) return makeError(entity.error());
     entity_ = *entity;
     engine_.apply(command::SetDocument{options_.entities, options_.pair_sets});
+    engine_.apply(command::SetGuides{options_.guides});
     engine_.apply(command::ChooseEntity{entity_});
     engine_.apply(command::SetMovedBy{options_.moved_by});
     engine_.apply(command::SetAxes{options_.axes});
     engine_.apply(command::SetScale{options_.scale});
     if (options_.on_contact) engine_.apply(command::SetOnContact{*options_.on_contact});
+    engine_.apply(options_.filter);
     if (options_.force_class) engine_.apply(command::SetForceClass{*options_.force_class});
     const auto tried = tryHold();
     if (!tried) return makeError(tried.error());

@@ -22,6 +22,7 @@ namespace hapticell::manipulation {
 struct SessionOptions {
   std::vector<workcell::Entity> entities;
   std::vector<workcell::PairSet> pair_sets;
+  std::vector<workcell::Guide> guides;
   std::string entity;  ///< The name of the chosen one; the first press of the button takes it.
   haptic::HandPath hand{{haptic::HandSample{}}};
 
@@ -36,6 +37,7 @@ struct SessionOptions {
   std::optional<workcell::OnContact> on_contact;
   std::optional<workcell::ForceClass> force_class;
   bool forces = true;
+  command::SetFilter filter;
 
   std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
 };

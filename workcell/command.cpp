@@ -63,6 +63,7 @@ class Applier {
       const std::string name = state_.find(id)->name;
       dropFromPairSets(name);
       releaseAllFrom(name);
+      std::erase_if(state_.guides, [&](const Guide& g) { return g.entity == name || g.surface == name; });
     }
     std::erase_if(state_.entities, [&](const auto& other) {
       return std::find(family.begin(), family.end(), other->id) != family.end();
@@ -81,6 +82,10 @@ class Applier {
       std::replace(set.second.begin(), set.second.end(), (*entity)->name, command.name);
     }
     const std::string before = (*entity)->name;
+    for (Guide& guide : state_.guides) {
+      if (guide.entity == before) guide.entity = command.name;
+      if (guide.surface == before) guide.surface = command.name;
+    }
     for (const auto& near : std::vector(state_.entities)) {
       if (near->parent == before) change(near->id, [&](Entity& changed) { changed.parent = command.name; });
       if (near->attachment.to != before) continue;
@@ -314,6 +319,30 @@ class Applier {
     return EntityId{0};
   }
 
+  Expected<EntityId> operator()(const AddGuide& command) {
+    if (auto checked = checkBound(command.guide); !checked) return makeError(checked.error());
+    if (state_.findGuide(command.guide.name)) return makeError(taken(command.guide.name));
+    state_.guides.push_back(command.guide);
+    return EntityId{0};
+  }
+
+  Expected<EntityId> operator()(const EditGuide& command) {
+    const auto found = findGuide(command.name);
+    if (found == state_.guides.end()) return makeError(unknownGuide(command.name));
+    if (auto checked = checkBound(command.guide); !checked) return makeError(checked.error());
+    const Guide* other = state_.findGuide(command.guide.name);
+    if (other && other != &*found) return makeError(taken(command.guide.name));
+    *found = command.guide;
+    return EntityId{0};
+  }
+
+  Expected<EntityId> operator()(const RemoveGuide& command) {
+    const auto found = findGuide(command.name);
+    if (found == state_.guides.end()) return makeError(unknownGuide(command.name));
+    state_.guides.erase(found);
+    return EntityId{0};
+  }
+
   Expected<EntityId> operator()(const SetView& command) {
     state_.view = command.view;
     return EntityId{0};
@@ -325,6 +354,23 @@ class Applier {
   }
   static Error unknownSet(const std::string& name) {
     return refusal("", "no pair set " + inQuotes(name), "the name of one");
+  }
+
+  static Error unknownGuide(const std::string& name) {
+    return refusal("", "no guide " + inQuotes(name), "the name of one");
+  }
+  std::vector<Guide>::iterator findGuide(const std::string& name) {
+    return std::find_if(state_.guides.begin(), state_.guides.end(),
+                        [&](const Guide& guide) { return guide.name == name; });
+  }
+  Expected<void> checkBound(const Guide& guide) const {
+    if (auto checked = checkName("the guide's name", guide.name); !checked) return checked;
+    if (auto checked = checkGuide(guide); !checked) return checked;
+    for (const std::string* name : {&guide.entity, &guide.surface}) {
+      if (name->empty() || state_.findByName(*name)) continue;
+      return makeError(refusal("guide " + inQuotes(guide.name), "no entity " + inQuotes(*name), "the name of one"));
+    }
+    return {};
   }
 
   std::vector<PairSet>::iterator findSet(const std::string& name) {
@@ -603,6 +649,9 @@ class Describer {
   std::string operator()(const MakeMechanism& c) const { return "Make mechanism " + c.name; }
   std::string operator()(const EditMechanism& c) const { return "Change joints of " + name(c.id); }
   std::string operator()(const DissolveMechanism& c) const { return "Take apart " + name(c.id); }
+  std::string operator()(const AddGuide& c) const { return "Add guide " + c.guide.name; }
+  std::string operator()(const EditGuide& c) const { return "Change guide " + c.name; }
+  std::string operator()(const RemoveGuide& c) const { return "Remove guide " + c.name; }
   std::string operator()(const AddPairSet& c) const { return "Add pair set " + c.set.name; }
   std::string operator()(const EditPairSet& c) const { return "Change pair set " + c.name; }
   std::string operator()(const RemovePairSet& c) const { return "Remove pair set " + c.name; }
@@ -669,6 +718,13 @@ const Entity* DocumentState::find(EntityId id) const {
 const Entity* DocumentState::findByName(std::string_view name) const {
   for (const auto& entity : entities) {
     if (entity->name == name) return entity.get();
+  }
+  return nullptr;
+}
+
+const Guide* DocumentState::findGuide(std::string_view name) const {
+  for (const Guide& guide : guides) {
+    if (guide.name == name) return &guide;
   }
   return nullptr;
 }

@@ -133,13 +133,25 @@ struct RemovePairSet {
   std::string name;
 };
 
+struct AddGuide {
+  Guide guide;
+};
+struct EditGuide {
+  std::string name;  ///< The guide as it is called now.
+  Guide guide;       ///< What it shall be, with its new name.
+};
+struct RemoveGuide {
+  std::string name;
+};
+
 struct SetView {
   std::optional<SavedView> view;
 };
 
 using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration,
                              SetProperties, SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach, MakeMechanism,
-                             EditMechanism, DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, SetView>;
+                             EditMechanism, DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, AddGuide, EditGuide, RemoveGuide,
+                             SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

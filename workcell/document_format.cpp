@@ -10,6 +10,7 @@
 #include "workcell/command.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
+#include "workcell/guide_format.h"
 #include "workcell/mechanism.h"
 
 namespace hapticell::workcell {
@@ -159,12 +160,14 @@ class StateReader {
     readHead(fields);
     const Json* entities = fields.array("entities");
     const Json* sets = fields.array("pair_sets");
+    const Json* guides = fields.array("guides");
     readView(fields);
     readTrajectories(fields);
     if (!error_) fields.warnAboutOthers(diagnostics_);
     for (std::size_t k = 0; entities && k < entities->size() && !error_; ++k) readEntity((*entities)[k], k);
     if (!error_) hangUp();
     for (std::size_t k = 0; sets && k < sets->size() && !error_; ++k) readPairSet((*sets)[k], k);
+    for (std::size_t k = 0; guides && k < guides->size() && !error_; ++k) readGuide((*guides)[k], k);
     if (error_) return makeError(*error_);
     return std::move(state_);
   }
@@ -458,6 +461,14 @@ class StateReader {
     if (!added) failIn(place, added.error());
   }
 
+  void readGuide(const Json& json, std::size_t index) {
+    Guide guide = guideFromJson(json, index, error_, diagnostics_);
+    if (error_) return;
+    const std::string place = "guide '" + guide.name + "'";
+    const auto added = apply(AddGuide{std::move(guide)}, state_, 0);
+    if (!added) failIn(place, added.error());
+  }
+
   void readView(FieldReader& fields) {
     const Json* json = fields.object("view");
     if (!json) return;
@@ -506,6 +517,8 @@ Json jsonFromState(const DocumentState& state, const fs::path& folder) {
   for (const auto& entity : state.entities) json["entities"].push_back(jsonFromEntity(*entity, folder));
   json["pair_sets"] = Json::array();
   for (const PairSet& set : state.pair_sets) json["pair_sets"].push_back(jsonFromPairSet(set));
+  if (!state.guides.empty()) json["guides"] = Json::array();
+  for (const Guide& guide : state.guides) json["guides"].push_back(jsonFromGuide(guide));
   if (state.view) {
     const dvec3 eye = state.view->p_WEye, target = state.view->p_WTarget;
     json["view"] = {{"eye", {eye.x, eye.y, eye.z}}, {"target", {target.x, target.y, target.z}}};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "workcell/entity.h"
+#include "workcell/guide.h"
 
 namespace hapticell::workcell {
 
@@ -28,6 +29,7 @@ struct TrajectoryReference {
 struct DocumentState {
   std::vector<std::shared_ptr<const Entity>> entities;  ///< In the order of the tree; ids and names are unique.
   std::vector<PairSet> pair_sets;                       ///< Names unique.
+  std::vector<Guide> guides;                            ///< Names unique; each bound to an entity that is there.
   std::optional<SavedView> view;
   std::vector<TrajectoryReference> trajectories;
 
@@ -35,6 +37,7 @@ struct DocumentState {
   const Entity* find(EntityId id) const;
   const Entity* findByName(std::string_view name) const;
   const PairSet* findPairSet(std::string_view name) const;
+  const Guide* findGuide(std::string_view name) const;
 };
 
 /// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.

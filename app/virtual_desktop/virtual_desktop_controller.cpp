@@ -140,6 +140,7 @@ void VirtualDesktopController::postDocument() {
   if (document.state().findPairSet(settings_.against))
     for (workcell::PairSet& set : sets) set.enabled = set.name == settings_.against;
   loop_->post(command::SetDocument{document.snapshotEntities(), std::move(sets)});
+  loop_->post(command::SetGuides{document.state().guides});
 }
 
 Pose VirtualDesktopController::cameraPose_W() const {

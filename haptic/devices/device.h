@@ -13,15 +13,15 @@ namespace hapticell::haptic {
 /// user, z up.
 struct DeviceCapabilities {
   std::string name;
-  dvec3 workspace_min{0.0};        ///< Box in D, metres.
+  dvec3 workspace_min{0.0};  ///< Box in D, metres.
   dvec3 workspace_max{0.0};
-  double resolution = 0.0;         ///< Position step, metres.
+  double resolution = 0.0;  ///< Position step, metres.
   int measured_axes = 6;
-  int driven_axes = 3;             ///< 3: force only; 6: force and torque.
-  double peak_force = 0.0;         ///< N.
-  double continuous_force = 0.0;   ///< N that the motors bear for ever.
-  double stiffness = 0.0;          ///< N/m that is stable with nobody holding it.
-  double damping = 0.0;            ///< N s/m that belongs to that stiffness.
+  int driven_axes = 3;            ///< 3: force only; 6: force and torque.
+  double peak_force = 0.0;        ///< N.
+  double continuous_force = 0.0;  ///< N that the motors bear for ever.
+  double stiffness = 0.0;         ///< N/m that is stable with nobody holding it.
+  double damping = 0.0;           ///< N s/m that belongs to that stiffness.
   int buttons = 1;
 };
 
@@ -45,6 +45,8 @@ class Device {
   virtual DeviceStatus read(DeviceReading& reading) noexcept = 0;
   /// Commands a force (N, in D) and, where the device can, a torque (N m). Already through the safety chain.
   virtual DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept = 0;
+  /// Switches the motors off at once, or on again; what a device without a switch does not do, its zero force does.
+  virtual void setMotors(bool on) noexcept { static_cast<void>(on); }
   /// Force zero, motors off. Safe to call at any time, more than once.
   virtual void close() noexcept = 0;
 };

@@ -96,7 +96,8 @@ Expected<void> read(const wire::Refusal& from, Refusal& to) {
 bool read(const wire::Constraint& from, Constraint& to) {
   if (from.kind() > wire::ConstraintKind_MAX || !copy(from.gradient(), to.gradient)) return false;
   to.group = from.group();
-  to.kind = from.kind() == wire::ConstraintKind_Equality ? ConstraintKind::kEquality : ConstraintKind::kInequality;
+  to.kind = static_cast<ConstraintKind>(from.kind());
+  to.reach = from.reach();
   to.gap = from.gap();
   to.curvature = {};
   if (from.curvature() != nullptr) {
@@ -111,6 +112,7 @@ bool read(const wire::Constraint& from, Constraint& to) {
   to.damping = from.damping();
   to.friction = from.friction();
   to.id = from.id();
+  to.velocity_D = from.velocity() != nullptr ? fromWire(*from.velocity()) : dvec3(0.0);
   return true;
 }
 
@@ -127,7 +129,7 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
   for (std::size_t i = 0; i < to.count; ++i) {
     const wire::Constraint* entry = from.constraints()->Get(static_cast<flatbuffers::uoffset_t>(i));
     if (!read(*entry, to.constraints[i])) {
-      return refuse("constraint " + std::to_string(i), "an unknown kind or no gradient", "kind 0 or 1 and a gradient");
+      return refuse("constraint " + std::to_string(i), "an unknown kind or no gradient", "kind 0, 1 or 2 and a gradient");
     }
   }
   if (!isWellFormed(to)) {
@@ -163,8 +165,13 @@ Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
 }
 
 Expected<void> read(const wire::Control& from, HapticControl& to) {
-  to = {from.forces_enabled(), from.stiffness(), from.damping()};
-  if (!isWellFormed(to)) return refuse("Control", "a stiffness or damping that is negative or not finite", "0 or more");
+  to = {from.forces_enabled(), from.stiffness(), from.damping(), {}};
+  to.load.mass = from.load_mass();
+  to.load.damping = from.load_damping();
+  to.load.friction = from.load_friction();
+  if (from.load_weight() != nullptr) to.load.weight_D = fromWire(*from.load_weight());
+  if (!isWellFormed(to))
+    return refuse("Control", "a stiffness, damping or load that is negative or not finite", "0 or more");
   return {};
 }
 

@@ -46,7 +46,9 @@ Offset<wire::Constraint> write(FlatBufferBuilder& builder, const Constraint& con
   const wire::Trim trim(constraint.trim_gap, toWire(constraint.trim_gradient));
   const bool curved =
       std::any_of(constraint.curvature.begin(), constraint.curvature.end(), [](double v) { return v != 0.0; });
+  const wire::Vector3 velocity = toWire(constraint.velocity_D);
   wire::ConstraintBuilder entry(builder);
+  if (constraint.velocity_D != dvec3(0.0)) entry.add_velocity(&velocity);
   entry.add_id(constraint.id);
   entry.add_friction(constraint.friction);
   entry.add_damping(constraint.damping);
@@ -56,8 +58,8 @@ Offset<wire::Constraint> write(FlatBufferBuilder& builder, const Constraint& con
   entry.add_gradient(&gradient);
   entry.add_gap(constraint.gap);
   entry.add_group(constraint.group);
-  entry.add_kind(constraint.kind == ConstraintKind::kEquality ? wire::ConstraintKind_Equality
-                                                              : wire::ConstraintKind_Inequality);
+  entry.add_reach(constraint.reach);
+  entry.add_kind(static_cast<wire::ConstraintKind>(constraint.kind));
   return entry.Finish();
 }
 
@@ -85,7 +87,9 @@ Offset<wire::Statistics> write(FlatBufferBuilder& builder, const ServerStatistic
 }
 
 Offset<wire::Control> write(FlatBufferBuilder& builder, const HapticControl& control) {
-  return wire::CreateControl(builder, control.forces_enabled, control.stiffness, control.damping);
+  const wire::Vector3 weight = toWire(control.load.weight_D);
+  return wire::CreateControl(builder, control.forces_enabled, control.stiffness, control.damping, control.load.mass,
+                             control.load.damping, control.load.friction, &weight);
 }
 
 Offset<wire::HandTarget> write(FlatBufferBuilder& builder, const HandTarget& target) {

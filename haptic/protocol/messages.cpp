@@ -24,7 +24,9 @@ bool isFinite(const dvec3& v) {
 }  // namespace
 
 bool isWellFormed(const HapticControl& control) {
-  return allNotNegative({control.stiffness, control.damping});
+  return allNotNegative({control.stiffness, control.damping, control.load.mass, control.load.damping,
+                         control.load.friction}) &&
+         isFinite(control.load.weight_D);
 }
 
 bool isWellFormed(const HandTarget& target) {

@@ -7,6 +7,7 @@
 
 #include "geometry/pose.h"
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/held_load.h"
 
 namespace hapticell::haptic {
 
@@ -43,6 +44,7 @@ struct HapticControl {
   bool forces_enabled = false;  ///< Opens or closes the engage gate.
   double stiffness = 0.0;       ///< N/m; 0: the device's own.
   double damping = 0.0;         ///< N s/m; 0: the device's own.
+  LoadOptions load{};           ///< What the hand carries.
 };
 
 /// Where the simulated hand wants the stylus to be; only a simulated device heeds it.

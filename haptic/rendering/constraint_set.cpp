@@ -29,7 +29,8 @@ bool allFinite(const Container& values) {
 bool isWellFormed(const Constraint& c) {
   return allFinite(c.gradient) && allFinite(c.curvature) && allFinite(c.trim_gradient) &&
          allFinite(std::array{c.velocity_D.x, c.velocity_D.y, c.velocity_D.z}) &&
-         allFinite(std::array{c.gap, c.trim_gap, c.stiffness, c.damping, c.friction}) && c.stiffness >= 0.0 &&
+         allFinite(std::array{c.gap, c.trim_gap, c.stiffness, c.damping, c.friction, c.reach}) && c.stiffness >= 0.0 &&
+         c.reach >= 0.0 &&
          c.damping >= 0.0 && c.friction >= 0.0;
 }
 

@@ -26,6 +26,8 @@ using SymmetricMatrix6 = std::array<double, 21>;
 enum class ConstraintKind : std::uint8_t {
   kInequality,  ///< Free while f(xi) >= 0.
   kEquality,    ///< A guide: f(xi) = 0.
+  kPull,        ///< Holds nothing back, but pulls the stylus towards f = 0 while |f| < reach: a detent, a help to stay
+                ///< in a tube. The force is -stiffness f (1 - (f / reach)^2) along the gradient's direction.
 };
 
 /// One thing that can be felt: f(xi) = gap + gradient . xi + 1/2 xi' curvature xi.
@@ -44,6 +46,7 @@ struct Constraint {
   double stiffness = 0.0;  ///< N/m wanted; 0 means the device's own.
   double damping = 0.0;    ///< N s/m wanted; 0 means the device's own.
   double friction = 0.0;   ///< Coulomb coefficient.
+  double reach = 0.0;      ///< kPull: m.
   /// How the obstacle moves, m/s, as a motion of the stylus that keeps step with it: f is taken at the translation
   /// less velocity times the set's age. Zero for what stands.
   dvec3 velocity_D{0.0};

@@ -143,13 +143,17 @@ void ForceRenderer::setOptions(const RendererOptions& options) {
 }
 
 void ForceRenderer::noteApplied(const dvec3& force_D) {
-  applied_D_ = force_D;
-  const double applied = glm::length(force_D);
+  const double wanted = glm::length(wanted_D_ + load_D_);
+  const double share = wanted > 0.0 ? std::min(1.0, glm::length(force_D) / wanted) : 1.0;
+  applied_D_ = force_D - share * load_D_;
+  const double applied = glm::length(applied_D_);
   if (applied < 0.999 * glm::length(wanted_D_)) limit_ = applied;
 }
 
 void ForceRenderer::reset(const Pose& X_DS) {
   has_set_ = offered_ = contact_ = false;
+  load_.reset();
+  load_D_ = dvec3(0.0);
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
   offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = spring_D_ = applied_D_ = wanted_D_ = dvec3(0.0);
@@ -309,6 +313,14 @@ void ForceRenderer::updateCoupling(const Solved& solved, double dt) {
   damping_ = contact_ ? damping_ + std::clamp(damping - damping_, -damping_step, damping_step) : damping;
 }
 
+/// Of the set in use, as far as the stylus is inside its zone.
+dvec3 ForceRenderer::pullOf(const Pose& X_DS) const {
+  if (!has_set_) return dvec3(0.0);
+  const GroupedSet& grouped = sets_[current_];
+  const bool inside = lengthOf(metricDifference(X_DS, grouped.set.X_DR)) < grouped.set.zone_radius;
+  return inside ? grouped.pullAt(X_DS) : dvec3(0.0);
+}
+
 dvec3 ForceRenderer::couplingForce(const Solved& solved) const {
   const double pull = glm::length(spring_D_);
   if (pull <= 0.0) return dvec3(0.0);
@@ -402,6 +414,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   result.controller_damping = controller_damping_;
   result.adopted_set = has_set_ ? sets_[current_].set.sequence : 0;
   applied_D_ = wanted_D_ = result.force_D;
+  load_D_ = result.load_D = load_.tick(X_DS.p, v_stylus_D_, dt) + pullOf(X_DS);
+  result.force_D += load_D_;
   limit_ = std::numeric_limits<double>::infinity();
   return result;
 }

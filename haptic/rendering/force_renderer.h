@@ -9,6 +9,7 @@
 
 #include "geometry/pose.h"
 #include "haptic/rendering/constraint_set.h"
+#include "haptic/rendering/held_load.h"
 #include "haptic/rendering/proxy_rows.h"
 
 namespace hapticell::haptic {
@@ -32,6 +33,7 @@ struct RenderResult {
   Pose X_DP;                        ///< The proxy: where the stylus would be if it obeyed every constraint.
   dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
   dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
+  dvec3 load_D{0.0};                ///< Its part that load and pulls make, N.
   dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
   dvec3 v_DO{0.0};                  ///< Of what is touched, m/s; its work on the hand is none that the renderer made.
   dvec3 offset_D{0.0};              ///< o, what is left of blended set changes, m.
@@ -88,6 +90,10 @@ class ForceRenderer {
   /// Without this call the account takes the wanted force.
   void noteApplied(const dvec3& force_D);
 
+  /// What the hand carries from the next tick on; it makes its force besides the contacts' and has no part in their
+  /// energy account. reset() keeps it, but begins it anew.
+  void setLoad(const LoadOptions& load) { load_.setOptions(load); }
+
   /// What warm motors bear now, N, where that is less than the peak force. A spring that would pull harder than either
   /// *yields*: its rest point creeps after the stylus, so that the force stays there and falls at once when the hand
   /// withdraws. Scaling the force instead would stiffen the spring under load as the motors cool, and a hand that comes
@@ -117,6 +123,7 @@ class ForceRenderer {
   void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
   dvec3 rationed(const dvec3& spring_D, const dvec3& stylus_step, double dt);
   void updateCoupling(const Solved& solved, double dt);
+  dvec3 pullOf(const Pose& X_DS) const;
   dvec3 couplingForce(const Solved& solved) const;
   dvec3 pushing(const dvec3& spring_D, const dvec3& left_D) const;
   dvec3 borne(const dvec3& stretch_D);
@@ -124,6 +131,7 @@ class ForceRenderer {
   void observeEnergy(const dvec3& stylus_step, bool contact, double dt);
 
   RendererOptions options_;
+  HeldLoad load_;
   std::array<GroupedSet, 2> sets_{};
   std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
   bool has_set_ = false;
@@ -142,6 +150,7 @@ class ForceRenderer {
   dvec3 v_proxy_D_{0.0};
   dvec3 spring_D_{0.0};
   dvec3 applied_D_{0.0};                                    ///< Force of the last tick, N.
+  dvec3 load_D_{0.0};                                       ///< Of the last tick, N.
   dvec3 wanted_D_{0.0};                                     ///< Of the last tick, N.
   double limit_ = std::numeric_limits<double>::infinity();  ///< What the safety chain let through at most, N.
   double stiffness_ = 1000.0;

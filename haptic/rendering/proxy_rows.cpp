@@ -2,12 +2,16 @@
 #include "haptic/rendering/proxy_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "haptic/rendering/proxy_metric.h"
 
 namespace hapticell::haptic {
 
 namespace {
+
+constexpr double kStiffestPull = 500.0, kStrongestPull = 3.0;  // N/m, N.
+constexpr double kFastest = 10.0;  // m/s of an obstacle, along each axis.
 
 /// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
 /// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
@@ -26,6 +30,11 @@ void GroupedSet::take(const ConstraintSet& wanted) {
   set.zone_radius = wanted.zone_radius;
   set.count = wanted.count;
   std::copy_n(wanted.constraints.begin(), wanted.count, set.constraints.begin());
+  for (std::size_t i = 0; i < set.count; ++i) {
+    // Faster than anything in a workcell is an error; it must not carry a row away to infinity.
+    dvec3& velocity = set.constraints[i].velocity_D;
+    velocity = glm::clamp(velocity, dvec3(-kFastest), dvec3(kFastest));
+  }
   groups = 0;
   std::array<std::uint32_t, kMaxConstraints> group{};
   for (std::size_t i = 0; i < set.count; ++i) {
@@ -34,6 +43,25 @@ void GroupedSet::take(const ConstraintSet& wanted) {
     row_of[i] = static_cast<std::uint8_t>(found - begin);
     if (found == end) group[groups++] = set.constraints[i].group;
   }
+}
+
+dvec3 GroupedSet::pullAt(const Pose& X_DS) const {
+  dvec3 pull(0.0);
+  const Twist motion = difference(X_DS, set.X_DR);
+  const Vector6 xi = joined(motion.linear, motion.angular);
+  for (std::size_t i = 0; i < set.count; ++i) {
+    const Constraint& c = set.constraints[i];
+    if (c.kind != ConstraintKind::kPull || c.reach <= 0.0) continue;
+    Vector6 gradient{};
+    const double value = evaluateWithGradient(c, seenFrom(i, xi), gradient);
+    const dvec3 along = linearPart(gradient);
+    const double length = glm::length(along);
+    if (!(std::abs(value) < c.reach) || length < 1e-9) continue;
+    const double part = value / c.reach;
+    pull -= std::min(c.stiffness, kStiffestPull) * value * (1.0 - part * part) / length * along;
+  }
+  const double size = glm::length(pull);
+  return size > kStrongestPull ? pull * (kStrongestPull / size) : pull;
 }
 
 Vector6 GroupedSet::seenFrom(std::size_t entry, const Vector6& xi) const {
@@ -46,8 +74,10 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   const Vector6 xi = joined(motion.linear, motion.angular);
   count = grouped.groups;
   for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
-  for (std::size_t i = 0; i < grouped.set.count; ++i)
+  for (std::size_t i = 0; i < grouped.set.count; ++i) {
+    if (grouped.set.constraints[i].kind == ConstraintKind::kPull) continue;
     offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi));
+  }
   // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
   for (std::size_t i = 0; i < count; ++i) {
     if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};

@@ -20,6 +20,8 @@ struct GroupedSet {
 
   /// Copies a well-formed set (only the entries that it has) and numbers its groups.
   void take(const ConstraintSet& wanted);
+  /// What the entries of kind kPull do to a stylus at X_DS, N; bounded.
+  dvec3 pullAt(const Pose& X_DS) const;
   /// xi as it is seen from an obstacle that has moved since.
   Vector6 seenFrom(std::size_t entry, const Vector6& xi) const;
 };

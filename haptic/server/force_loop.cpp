@@ -94,10 +94,15 @@ void ForceLoop::tick(const TickTiming& timing) noexcept {
   const double dt = period_ * (1.0 + timing.skipped);
   tick_ += 1 + timing.skipped;
   takeMessages(now);
+  watchStalls(timing);
   if (simulated_ != nullptr) simulated_->advance(dt);
   readDevice();
+  // A weight must not keep the gate shut that opens only on a small force.
+  const bool pushes = safety_result_.gate == GateState::kRamping || safety_result_.gate == GateState::kOpen;
+  renderer_.setLoad(pushes ? control_.load : LoadOptions{});
   render_ = renderer_.tick(reading_.X_DS, dt);
   guardAndWrite(now, dt);
+  record(now, timing);
   publish(now, timing);
 }
 
@@ -142,7 +147,11 @@ void ForceLoop::takeMessages(std::int64_t now) noexcept {
     renderer_.setOptions(wanted);
   }
   if (const ConstraintSet* set = take(sets_)) {
-    if (renderer_.adopt(*set) == Adoption::kAdopted && set->stamp_ns != 0) statistics_.addSetAge(now - set->stamp_ns);
+    // What moves has gone on since: the client's stamp is in this loop's clock.
+    const double age = set->stamp_ns != 0 ? kSecondsPerNanosecond * static_cast<double>(now - set->stamp_ns) : 0.0;
+    if (renderer_.adopt(*set, age) == Adoption::kAdopted && set->stamp_ns != 0) {
+      statistics_.addSetAge(now - set->stamp_ns);
+    }
   }
   takeHandTarget();
 }
@@ -163,11 +172,54 @@ void ForceLoop::takeHandTarget() noexcept {
   }
 }
 
+void ForceLoop::watchStalls(const TickTiming& timing) noexcept {
+  if (timing.skipped >= kStall) {
+    ++stalls_;
+    if (simulated_ == nullptr && !motors_off_) {
+      faults_.trigger(FaultKind::kMissedTicks);
+      motors_off_ = true;
+      safety_.trip();
+      device_.setMotors(false);
+    }
+  }
+  // Re-armed: the client has taken its enable back.
+  if (motors_off_ && !control_.forces_enabled) {
+    motors_off_ = false;
+    device_.setMotors(true);
+  }
+}
+
+void ForceLoop::record(std::int64_t now, const TickTiming& timing) noexcept {
+  if (safety_result_.input_fault && !input_fault_) faults_.trigger(FaultKind::kInput);
+  input_fault_ = safety_result_.input_fault;
+  FaultSample sample;
+  sample.tick = tick_;
+  sample.stamp_ns = now;
+  sample.X_DS = reading_.X_DS;
+  sample.X_DP = render_.X_DP;
+  sample.wanted_D = render_.force_D;
+  sample.commanded_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
+  sample.adopted_set = render_.adopted_set;
+  sample.rows = static_cast<std::uint32_t>(render_.active_rows);
+  sample.skipped = timing.skipped;
+  sample.buttons = reading_.buttons;
+  sample.forces_on = safety_result_.gate == GateState::kOpen;
+  faults_.add(sample);
+}
+
 void ForceLoop::readDevice() noexcept {
   DeviceReading reading;
   const bool fault = device_.read(reading) != DeviceStatus::kOk;
+  const Pose last = reading_.X_DS;
   if (!fault) reading_ = reading;
-  if (fault && !device_fault_) safety_.trip();
+  if (!reading_.X_DS.isValid()) {  // Nobody is told of a pose that is none.
+    reading_.X_DS = last;
+    faults_.trigger(FaultKind::kInput);
+  }
+  if (fault && !device_fault_) {
+    safety_.trip();
+    faults_.trigger(FaultKind::kDevice);
+  }
   device_fault_ = fault;
 }
 
@@ -182,7 +234,7 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   input.link_silence = input.link_open ? std::max(0.0, kSecondsPerNanosecond * static_cast<double>(silence)) : 0.0;
   input.reported_temperature = reading_.motor_temperature;
   safety_result_ = safety_.tick(input);
-  const dvec3 command_D = device_fault_ ? dvec3(0.0) : safety_result_.force_D;
+  const dvec3 command_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
   if (device_.write(command_D, dvec3(0.0)) != DeviceStatus::kOk && !device_fault_) safety_.trip();
   renderer_.noteApplied(command_D);
   renderer_.setForceLimit(safety_result_.force_limit);
@@ -195,7 +247,7 @@ void ForceLoop::publish(std::int64_t now, const TickTiming& timing) noexcept {
   state_.X_DS = reading_.X_DS;
   state_.X_DP = render_.X_DP;
   state_.v_DS = render_.v_DS;
-  state_.force_D = device_fault_ ? dvec3(0.0) : safety_result_.force_D;
+  state_.force_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
   state_.buttons = reading_.buttons;
   state_.adopted_set = render_.adopted_set;
   state_.forces_on = safety_result_.gate == GateState::kOpen || safety_result_.gate == GateState::kRamping;

@@ -10,6 +10,7 @@
 #include "haptic/rendering/safety_chain.h"
 #include "haptic/rendering/triple_buffer.h"
 #include "haptic/server/clock.h"
+#include "haptic/server/fault_recorder.h"
 #include "haptic/server/loop_statistics.h"
 #include "haptic/server/tick_log.h"
 
@@ -61,6 +62,11 @@ class ForceLoop {
   const RenderResult& lastRender() const { return render_; }         ///< Of the last tick.
   const SafetyResult& lastSafety() const { return safety_result_; }  ///< Of the last tick.
   const TickLog& log() const { return log_; }
+  /// Ticks are missed so many times at once (a stalled machine) that a hardware device's motors go off; until the
+  /// client takes its enable back and gives it again. A simulated device only counts.
+  static constexpr std::uint32_t kStall = 20;
+  bool motorsOff() const { return motors_off_; }
+  std::uint64_t stalls() const { return stalls_; }
   double period() const { return period_; }  ///< Seconds; any thread.
 
   // Link thread.
@@ -79,6 +85,9 @@ class ForceLoop {
   const HapticState& state() const { return states_.value(); }
   bool updateFigures() noexcept { return figures_.update(); }  ///< True about ten times a second.
   const LoopFigures& figures() const { return figures_.value(); }
+
+  // Any one other thread: what was recorded around a fault.
+  FaultRecorder& faults() noexcept { return faults_; }
 
   // Any one other thread: the same figures once more, for a report.
   bool updateReport() noexcept { return report_.update(); }
@@ -104,6 +113,8 @@ class ForceLoop {
   bool changeSession() noexcept;
   void takeMessages(std::int64_t now) noexcept;
   void takeHandTarget() noexcept;
+  void watchStalls(const TickTiming& timing) noexcept;
+  void record(std::int64_t now, const TickTiming& timing) noexcept;
   void readDevice() noexcept;
   void guardAndWrite(std::int64_t now, double dt) noexcept;
   void publish(std::int64_t now, const TickTiming& timing) noexcept;
@@ -136,6 +147,10 @@ class ForceLoop {
   bool hand_from_link_ = false;
   DeviceReading reading_;
   bool device_fault_ = false;
+  bool motors_off_ = false;
+  bool input_fault_ = false;
+  std::uint64_t stalls_ = 0;
+  FaultRecorder faults_;
   RenderResult render_;
   SafetyResult safety_result_;
   HapticState state_;

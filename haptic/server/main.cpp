@@ -5,14 +5,17 @@
 #include <spdlog/spdlog.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 #include "config/configuration.h"
 #include "config/device_profile.h"
 #include "haptic/devices/simulated_device.h"
-#include "haptic/server/force_loop.h"
 #include "haptic/server/configured_loop.h"
+#include "haptic/server/fault_file.h"
+#include "haptic/server/force_loop.h"
 #include "haptic/server/loop_report.h"
 #include "haptic/server/network_server.h"
 #include "haptic/server/real_time_runner.h"
@@ -39,12 +42,27 @@ NetworkOptions networkOptions(const ServerOptions& asked, const config::Configur
   return options;
 }
 
+constexpr double kFaultPeriod = 0.25;  // s between two looks for a fault to be written.
+
+void writeFaults(ForceLoop& loop, const std::filesystem::path& folder) {
+  if (!loop.faults().pending()) return;
+  const FaultRecord record = loop.faults().copy();
+  loop.faults().release();
+  const auto written = writeFault(record, folder);
+  if (written)
+    spdlog::warn("Fault ({}) at tick {}: its ticks are in {}", toString(record.kind), record.tick, written->string());
+  else
+    spdlog::warn("Fault ({}) at tick {}: {}", toString(record.kind), record.tick, written.error().message());
+}
+
 /// Waits for a signal to end, or for the time to be over; prints the figures at SIGUSR1.
-void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds) {
+void waitForTheEnd(ForceLoop& loop, const sigset_t& signals, double seconds, const std::filesystem::path& faults) {
   const RealClock clock;
   const std::int64_t end = clock.now() + toNanoseconds(seconds);
   while (true) {
-    const std::int64_t left = seconds > 0.0 ? end - clock.now() : toNanoseconds(3600.0);
+    writeFaults(loop, faults);
+    std::int64_t left = toNanoseconds(kFaultPeriod);
+    if (seconds > 0.0) left = std::min(left, end - clock.now());
     if (left <= 0) return;
     const timespec wait{static_cast<time_t>(left / 1'000'000'000), static_cast<long>(left % 1'000'000'000)};
     const int signal = sigtimedwait(&signals, nullptr, &wait);
@@ -85,7 +103,8 @@ Expected<void> serve(const ServerOptions& asked) {
   std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
               static_cast<unsigned>((*network)->port()), profile->name.c_str(), configuration->haptic.rate_hz);
   std::fflush(stdout);
-  waitForTheEnd(loop, signals, asked.seconds);
+  const std::filesystem::path faults = asked.fault_log.empty() ? defaultFaultFolder() : asked.fault_log;
+  waitForTheEnd(loop, signals, asked.seconds, faults);
 
   runner.stop();  // Force zero before anything else ends.
   network->reset();

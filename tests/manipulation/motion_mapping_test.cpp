@@ -23,8 +23,15 @@ Pose anyPose(double size) {
 MotionMapping anyMapping() {
   MotionMapping mapping;
   mapping.setAxes(quaternionFromRotationVector(anyVector(2.0)));
+  mapping.setRotationScale(*rc::gen::inRange(1, 11) * 0.1);
   mapping.setScale(*rc::gen::element(0.25, 1.0, 4.0));
   mapping.anchor(anyPose(0.05), anyPose(1.0));
+  return mapping;
+}
+
+MotionMapping anyFilteredMapping() {
+  MotionMapping mapping = anyMapping();
+  mapping.setAxisFilter(*rc::gen::arbitrary<bool>(), true, *rc::gen::arbitrary<bool>());
   return mapping;
 }
 
@@ -109,7 +116,7 @@ RC_GTEST_PROP(MotionMapping, ConstraintMeansTheSameInBothSpaces, ()) {
 }
 
 RC_GTEST_PROP(MotionMapping, SlopeInHandSpaceMatchesFiniteDifferences, ()) {
-  const MotionMapping mapping = anyMapping();
+  const MotionMapping mapping = anyFilteredMapping();
   haptic::Constraint constraint;
   for (double& a : constraint.gradient) a = anyVector(1.0).x;
   for (double& b : constraint.curvature) b = anyVector(20.0).x;
@@ -126,6 +133,19 @@ RC_GTEST_PROP(MotionMapping, SlopeInHandSpaceMatchesFiniteDifferences, ()) {
     };
     RC_ASSERT(std::abs((f(1e-5) - f(-1e-5)) / 2e-5 - slope[i]) < 1e-6 * (1.0 + std::abs(slope[i])));
   }
+}
+
+TEST(MotionMapping, OneAxisOrAPlaneOnly) {
+  MotionMapping mapping;
+  mapping.setAxisFilter(false, true, false);
+  mapping.setRotationScale(2.0);
+  mapping.anchor({}, Pose::translation({1, 0, 0}));
+  const Pose moved{dvec3(0.01, 0.02, 0.03), quaternionFromRotationVector({0, 0, 0.2})};
+  const Pose wanted{dvec3(1.0, 0.02, 0.0), quaternionFromRotationVector({0, 0, 0.4})};
+  EXPECT_NEAR(distance(mapping.toCell(moved), wanted), 0.0, 1e-12);
+  EXPECT_NEAR(distance(mapping.toDevice(mapping.toCell(moved), moved), moved), 0.0, 1e-12);
+  mapping.drift({0.0, 0.005, 0.0});
+  EXPECT_NEAR(mapping.toCell(moved).p.y, 0.025, 1e-12);
 }
 
 TEST(MotionMapping, FiltersHideTranslationOrRotation) {

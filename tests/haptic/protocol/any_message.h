@@ -44,7 +44,7 @@ inline std::string text() {
 inline Constraint constraint() {
   Constraint c;
   c.group = *rc::gen::arbitrary<std::uint32_t>();
-  c.kind = *rc::gen::element(ConstraintKind::kInequality, ConstraintKind::kEquality);
+  c.kind = *rc::gen::element(ConstraintKind::kInequality, ConstraintKind::kEquality, ConstraintKind::kPull);
   c.gap = number();
   c.gradient = numbers<6>();
   if (*rc::gen::arbitrary<bool>()) c.curvature = numbers<21>();
@@ -56,7 +56,9 @@ inline Constraint constraint() {
   c.stiffness = notNegative();
   c.damping = notNegative();
   c.friction = notNegative();
+  c.reach = notNegative();
   c.id = *rc::gen::arbitrary<std::uint64_t>();
+  if (*rc::gen::arbitrary<bool>()) c.velocity_D = vector();
   return c;
 }
 
@@ -139,7 +141,8 @@ inline Message message() {
     case 5:
       return statistics();
     case 6:
-      return HapticControl{*rc::gen::arbitrary<bool>(), notNegative(), notNegative()};
+      return HapticControl{*rc::gen::arbitrary<bool>(), notNegative(), notNegative(),
+                           {notNegative(), notNegative(), notNegative(), vector()}};
     case 7:
       return HandTarget{*rc::gen::arbitrary<bool>(), pose(), *rc::gen::arbitrary<std::uint32_t>()};
     default:

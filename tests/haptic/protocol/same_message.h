@@ -16,7 +16,8 @@ inline bool same(const Constraint& a, const Constraint& b) {
   return a.group == b.group && a.kind == b.kind && a.gap == b.gap && a.gradient == b.gradient &&
          a.curvature == b.curvature && a.has_trim == b.has_trim && a.trim_gap == b.trim_gap &&
          a.trim_gradient == b.trim_gradient && a.stiffness == b.stiffness && a.damping == b.damping &&
-         a.friction == b.friction && a.id == b.id;
+         a.friction == b.friction && a.id == b.id && a.velocity_D == b.velocity_D &&
+         a.reach == b.reach;
 }
 
 inline bool same(const ConstraintSet& a, const ConstraintSet& b) {
@@ -41,7 +42,8 @@ inline bool same(const ServerStatistics& a, const ServerStatistics& b) {
 }
 
 inline bool same(const HapticControl& a, const HapticControl& b) {
-  return a.forces_enabled == b.forces_enabled && a.stiffness == b.stiffness && a.damping == b.damping;
+  return a.forces_enabled == b.forces_enabled && a.stiffness == b.stiffness && a.damping == b.damping &&
+         a.load == b.load;
 }
 
 inline bool same(const HandTarget& a, const HandTarget& b) {

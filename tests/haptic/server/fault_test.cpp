@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the force loop does when its device, its clock or the machine misbehaves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "haptic/server/fault_file.h"
+#include "haptic/server/force_loop.h"
+#include "tests/haptic/server/virtual_session.h"
+#include "tests/support/test_data.h"
+
+namespace hapticell::haptic {
+namespace {
+
+/// A piece of hardware that says what the test wants it to say.
+class ScriptedDevice final : public Device {
+ public:
+  ScriptedDevice() {
+    capabilities_.peak_force = 6.4;
+    capabilities_.continuous_force = 1.4;
+    capabilities_.stiffness = 1000.0;
+    capabilities_.damping = 2.0;
+  }
+  const DeviceCapabilities& capabilities() const override { return capabilities_; }
+  Expected<void> open() override { return {}; }
+  DeviceStatus read(DeviceReading& reading) noexcept override {
+    reading.X_DS = X_DS;
+    return status;
+  }
+  DeviceStatus write(const dvec3& force_D, const dvec3&) noexcept override {
+    force = force_D;
+    return DeviceStatus::kOk;
+  }
+  void setMotors(bool on) noexcept override { motors = on; }
+  void close() noexcept override {}
+
+  Pose X_DS = Pose::translation({0, 0, 0.005});
+  DeviceStatus status = DeviceStatus::kOk;
+  dvec3 force{0.0};
+  bool motors = true;
+
+ private:
+  DeviceCapabilities capabilities_;
+};
+
+struct Hardware {
+  Hardware() : loop(device, clock, optionsFor(device)) {
+    loop.openLink();
+    loop.tick();
+    loop.submit(floorSet(1));
+    enable(true);
+    run(1500);
+  }
+  void enable(bool on) { loop.submit(HapticControl{.forces_enabled = on}); }
+  void run(int ticks, TickTiming timing = {}) {
+    for (int i = 0; i < ticks; ++i) {
+      clock.advance(1'000'000);
+      loop.heard();
+      const dvec3 before = device.force;
+      loop.tick(timing);
+      worst_step = std::max(worst_step, glm::distance(device.force, before));
+      worst = std::max(worst, glm::length(device.force));
+    }
+  }
+  /// Two millimetres into the floor, slowly.
+  void press() {
+    for (int i = 0; i < 700; ++i) {
+      device.X_DS.p.z -= 1e-5;
+      run(1);
+    }
+  }
+
+  ScriptedDevice device;
+  VirtualClock clock;
+  ForceLoop loop;
+  double worst_step = 0.0, worst = 0.0;
+};
+
+TEST(Faults, twentyMissedTicksSwitchTheMotorsOffUntilReArmed) {
+  Hardware hardware;
+  hardware.press();
+  ASSERT_GT(glm::length(hardware.device.force), 1.0);
+  hardware.run(1, {0, 19});
+  EXPECT_TRUE(hardware.device.motors) << "nineteen are borne";
+  hardware.run(1, {0, 20});
+  EXPECT_FALSE(hardware.device.motors);
+  EXPECT_EQ(hardware.device.force, dvec3(0.0));
+  EXPECT_TRUE(hardware.loop.motorsOff());
+  hardware.run(2000);
+  EXPECT_EQ(hardware.device.force, dvec3(0.0)) << "they stay off by themselves";
+  hardware.device.X_DS.p.z = 0.005;
+  hardware.enable(false);
+  hardware.run(50);
+  EXPECT_TRUE(hardware.device.motors);
+  hardware.enable(true);
+  hardware.run(1500);
+  hardware.press();
+  EXPECT_GT(glm::length(hardware.device.force), 1.0) << "re-armed";
+}
+
+TEST(Faults, aSimulatedDeviceOnlyCountsTheStall) {
+  VirtualSession session;
+  session.press();
+  session.loop().tick({0, 50});
+  EXPECT_EQ(session.loop().stalls(), 1U);
+  EXPECT_FALSE(session.loop().motorsOff());
+}
+
+TEST(Faults, aTeleportingStylusKeepsClampAndSlew) {
+  Hardware hardware;
+  for (int i = 0; i < 400; ++i) {
+    hardware.device.X_DS.p = dvec3(0.05 * std::sin(1e3 * i), 0.05 * std::cos(7e2 * i), 0.04 * std::sin(5e2 * i));
+    hardware.run(1);
+  }
+  EXPECT_LE(hardware.worst, 6.4 + 1e-9);
+  EXPECT_LE(hardware.worst_step, 1.0 + 1e-9);
+}
+
+TEST(Faults, numbersThatAreNoneAreNotBelieved) {
+  Hardware hardware;
+  hardware.press();
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
+    const Pose good = hardware.device.X_DS;
+    hardware.device.X_DS.p.x = bad;
+    hardware.run(5);
+    EXPECT_TRUE(std::isfinite(glm::length(hardware.device.force)));
+    hardware.device.X_DS = good;
+    hardware.run(20);
+  }
+  EXPECT_LE(hardware.worst, 6.4 + 1e-9);
+  EXPECT_LE(hardware.worst_step, 1.0 + 1e-9);
+}
+
+TEST(Faults, aJumpOfTheClockKeepsClampAndSlew) {
+  Hardware hardware;
+  hardware.press();
+  hardware.clock.advance(3'600'000'000'000);
+  hardware.run(1, {3'600'000'000'000, 10});
+  hardware.run(300);
+  hardware.clock.advance(-1'800'000'000'000);
+  hardware.run(300);
+  EXPECT_LE(hardware.worst, 6.4 + 1e-9);
+  EXPECT_LE(hardware.worst_step, 1.0 + 1e-9);
+}
+
+TEST(Faults, theLastTwoSecondsAreKeptAndWritten) {
+  Hardware hardware;
+  hardware.press();
+  EXPECT_FALSE(hardware.loop.faults().pending());
+  hardware.device.status = DeviceStatus::kFault;
+  hardware.run(1);
+  hardware.device.status = DeviceStatus::kOk;
+  hardware.run(300);
+  ASSERT_TRUE(hardware.loop.faults().pending());
+  const FaultRecord record = hardware.loop.faults().copy();
+  hardware.loop.faults().release();
+  EXPECT_EQ(record.kind, FaultKind::kDevice);
+  ASSERT_EQ(record.samples.size(), 2200U);
+  for (std::size_t i = 1; i < record.samples.size(); ++i) {
+    EXPECT_EQ(record.samples[i].tick, record.samples[i - 1].tick + 1);
+  }
+  EXPECT_LT(record.samples.front().tick, record.tick);
+  EXPECT_GT(record.samples.back().tick, record.tick + 150);
+
+  const test::TemporaryFolder folder;
+  const auto path = writeFault(record, folder.path() / "deep");
+  ASSERT_TRUE(path.has_value()) << path.error().message();
+  std::ifstream file(*path);
+  std::string line;
+  int lines = 0;
+  while (std::getline(file, line)) ++lines;
+  EXPECT_EQ(lines, 2202);
+  EXPECT_FALSE(writeFault(record, "/proc/no/such/place").has_value());
+}
+
+TEST(Faults, aSecondFaultWhileTheFirstIsReadIsOnlyCounted) {
+  FaultRecorder recorder(10, 2);
+  const auto add = [&](int count) {
+    for (int i = 0; i < count; ++i) recorder.add({});
+  };
+  add(20);
+  recorder.trigger(FaultKind::kInput);
+  add(3);
+  ASSERT_TRUE(recorder.pending());
+  recorder.trigger(FaultKind::kDevice);
+  add(5);
+  EXPECT_EQ(recorder.faults(), 2U);
+  EXPECT_EQ(recorder.copy().kind, FaultKind::kInput);
+  recorder.release();
+  recorder.trigger(FaultKind::kDevice);
+  add(3);
+  ASSERT_TRUE(recorder.pending());
+  EXPECT_EQ(recorder.copy().kind, FaultKind::kDevice);
+}
+
+}  // namespace
+}  // namespace hapticell::haptic
