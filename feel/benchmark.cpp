@@ -43,6 +43,7 @@ std::vector<FigureJob> allJobs(const BenchmarkOptions& options) {
   addEnergyJobs(options, jobs);
   addStabilityJobs(options, jobs);
   addWallJobs(options, jobs);
+  addMeshJobs(options, jobs);
   if (options.timing) addTimedJobs(options, jobs);
   return jobs;
 }

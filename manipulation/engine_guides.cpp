@@ -16,6 +16,20 @@ namespace {
 constexpr double kEdgeBegins = 0.85;  ///< Of the workspace's half width.
 constexpr double kLongestStep = 0.1;  ///< s that one step of the drift can stand for.
 
+/// As half-spaces of the proxy's metric, for the projection.
+void appendSolverRows(const std::vector<haptic::Constraint>& constraints, std::vector<haptic::SolverRow>& rows) {
+  for (const haptic::Constraint& c : constraints) {
+    if (c.kind == haptic::ConstraintKind::kPull || rows.size() >= haptic::kMaxRows) continue;
+    haptic::SolverRow row{c.gradient, c.gap, c.kind == haptic::ConstraintKind::kEquality};
+    for (std::size_t i = 3; i < 6; ++i) row.normal[i] /= haptic::kRotationLever;
+    const double length = haptic::lengthOf(row.normal);
+    if (length < 1e-9) continue;
+    for (double& n : row.normal) n /= length;
+    row.slack /= length;
+    rows.push_back(row);
+  }
+}
+
 }  // namespace
 
 /// Tells the server what the hand carries now, where that has changed.
@@ -48,11 +62,28 @@ Pose ManipulationEngine::movedFrameAtRest() const {
   return held_->manipulator().movedFrame({entity.X_WE, entity.joints});
 }
 
+/// Where a guide turns the entity by its place, every row is about places and the wrist is free.
+void ManipulationEngine::slaveSet(const Pose& X_WM0) {
+  for (const workcell::Guide* guide : guidesOfHeld()) {
+    const std::optional<GuidedTurn> turn = guidedTurn(*guide, held_->movedFrame(), X_WM0);
+    if (!turn) continue;
+    const dmat3 R_WD = glm::mat3_cast(mapping_.axes());
+    const dmat3 rate_D = mapping_.scale() / mapping_.rotationScale() * (glm::transpose(R_WD) * turn->rate * R_WD);
+    for (std::size_t i = 0; i < built_.set.count; ++i) slaveTurning(rate_D, built_.set.constraints[i]);
+    built_.set.X_DR.q = state_->X_DP.q;
+    return;
+  }
+}
+
 void ManipulationEngine::addGuideRows() {
+  const std::vector<const workcell::Guide*> guides = guidesOfHeld();
+  if (guides.empty()) return;
+  const Pose X_WM0 = movedFrameAtRest();
+  slaveSet(X_WM0);
   haptic::ConstraintSet& set = built_.set;
   std::uint32_t group = set.count == 0 ? 0 : set.constraints[set.count - 1].group + 1;
-  for (const workcell::Guide* guide : guidesOfHeld()) {
-    std::vector<haptic::Constraint> rows = guideConstraints(*guide, held_->movedFrame(), movedFrameAtRest(), group);
+  for (const workcell::Guide* guide : guides) {
+    std::vector<haptic::Constraint> rows = guideConstraints(*guide, held_->movedFrame(), X_WM0, group);
     if (guide->kind == workcell::GuideKind::kSurface) {
       const workcell::Entity* other = scene_->find(guide->surface);
       auto row = other != nullptr ? held_->surfaceConstraint(other->id, guide->offset) : std::nullopt;
@@ -77,19 +108,11 @@ Pose ManipulationEngine::onGuides(const Pose& X_DP) const {
   Pose X_WM = mapping_.toCell(X_DP);
   for (int pass = 0; pass < 4; ++pass) {
     std::vector<haptic::SolverRow> rows;
-    for (const workcell::Guide* guide : guides) {
-      for (const haptic::Constraint& c : guideConstraints(*guide, X_WM, X_WM0, 0)) {
-        if (c.kind == haptic::ConstraintKind::kPull || rows.size() >= haptic::kMaxRows) continue;
-        haptic::SolverRow row{c.gradient, c.gap, c.kind == haptic::ConstraintKind::kEquality};
-        for (std::size_t i = 3; i < 6; ++i) row.normal[i] /= haptic::kRotationLever;
-        const double length = haptic::lengthOf(row.normal);
-        if (length < 1e-9) continue;
-        for (double& n : row.normal) n /= length;
-        row.slack /= length;
-        rows.push_back(row);
-      }
-    }
+    for (const workcell::Guide* guide : guides) appendSolverRows(guideConstraints(*guide, X_WM, X_WM0, 0), rows);
     X_WM = haptic::displacedInMetric(X_WM, haptic::nearestFeasible(rows, {}).d);
+  }
+  for (const workcell::Guide* guide : guides) {
+    if (const auto turn = guidedTurn(*guide, X_WM, X_WM0)) X_WM.q = turn->q_WM;
   }
   return mapping_.toDevice(X_WM, X_DP);
 }
@@ -97,7 +120,8 @@ Pose ManipulationEngine::onGuides(const Pose& X_DP) const {
 /// Where the hand leans on the edge of its workspace the entity goes on in that direction (rate control at the rim: L.
 /// Dominjon's "bubble", 2005). For the force loop everything then moves the other way.
 void ManipulationEngine::driftAtEdge() {
-  const double dt = drift_ns_ > 0 ? std::clamp(1e-9 * static_cast<double>(now_ns_ - drift_ns_), 0.0, kLongestStep) : 0.0;
+  const double dt =
+      drift_ns_ > 0 ? std::clamp(1e-9 * static_cast<double>(now_ns_ - drift_ns_), 0.0, kLongestStep) : 0.0;
   drift_ns_ = now_ns_;
   const dvec3 before = drift_D_;
   drift_D_ = dvec3(0.0);

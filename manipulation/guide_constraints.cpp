@@ -34,7 +34,7 @@ class Rows {
  private:
   Constraint& add(ConstraintKind kind, double gap, const dvec3& linear, const dvec3& angular = dvec3(0.0));
   void holdPosition(int axis, const dvec3& p_W);
-  void holdTurn(const dvec3& axis, double error, const dvec3& slaved = dvec3(0.0));
+  void holdTurn(const dvec3& axis, double error);
   void circle(double radius);
   void hinge();
   void slide();
@@ -67,10 +67,10 @@ void Rows::holdPosition(int axis, const dvec3& p_W) {
   add(ConstraintKind::kEquality, glm::dot(axis_[axis], X_WM_.p - p_W), axis_[axis]);
 }
 
-/// Keeps the turn about `axis` at its value less `error` (rad); `slaved` is how a motion of M changes what is wanted.
-void Rows::holdTurn(const dvec3& axis, double error, const dvec3& slaved) {
+/// Keeps the turn about `axis` at its value less `error` (rad).
+void Rows::holdTurn(const dvec3& axis, double error) {
   const double lever = haptic::kRotationLever;
-  add(ConstraintKind::kEquality, lever * error, -lever * slaved, lever * axis);
+  add(ConstraintKind::kEquality, lever * error, dvec3(0.0), lever * axis);
 }
 
 /// f = (|r|^2 - R^2) / 2R for the part r of the position that is normal to z: the cylinder is its exact zero set.
@@ -95,21 +95,15 @@ void Rows::hinge() {
   const auto across = [&](const dvec3& p) { return p - o - z * glm::dot(z, p - o); };
   const dvec3 r0 = across(X_WM0_.p), r = across(X_WM_.p);
   const double radius = glm::length(r0);
-  const Twist turned = difference(X_WM_, X_WM0_);
   holdPosition(2, X_WM0_.p);
   if (radius < kLeastRadius) {  // Held on the axis itself: it may turn as the wrist does.
     for (int i : {0, 1}) holdPosition(i, o);
-    for (int i : {0, 1}) holdTurn(axis_[i], glm::dot(axis_[i], turned.angular));
+    const dvec3 turned = difference(X_WM_, X_WM0_).angular;
+    for (int i : {0, 1}) holdTurn(axis_[i], glm::dot(axis_[i], turned));
     return;
   }
   circle(radius);
-  // The orientation follows the place on the circle: phi = atan2 about z, and d phi = tangent . dp / |r|.
   const double phi = std::atan2(glm::dot(z, glm::cross(r0, r)), glm::dot(r0, r));
-  const dvec3 tangent = glm::cross(z, r) / std::max(glm::dot(r, r), kLeastRadius * kLeastRadius);
-  const dquat q_wanted = quaternionFromRotationVector(phi * z) * X_WM0_.q;
-  const dvec3 error = difference(X_WM_, Pose{X_WM_.p, q_wanted}).angular;
-  for (int i : {0, 1}) holdTurn(axis_[i], glm::dot(axis_[i], error));
-  holdTurn(z, glm::dot(z, error), tangent);
   const auto at = [&](double angle) { return quaternionFromRotationVector(angle * z) * r0; };
   const auto stop = [&](double angle, double sign) {
     if (std::abs(angle - phi) > kFarStop) return;
@@ -132,9 +126,7 @@ void Rows::stopsAlong(const dvec3& from) {
 }
 
 void Rows::slide() {
-  const dvec3 turned = difference(X_WM_, X_WM0_).angular;
   for (int i : {0, 1}) holdPosition(i, X_WM0_.p);
-  for (const dvec3& axis : axis_) holdTurn(axis, glm::dot(axis, turned));
   stopsAlong(X_WM0_.p);
 }
 
@@ -185,9 +177,10 @@ void Rows::tube() {
 
 void Rows::lock() {
   const dvec3 turned = difference(X_WM_, X_WM0_).angular;
+  const bool slaved = guidedTurn(guide_, X_WM_, X_WM0_).has_value();
   for (int i = 0; i < 3; ++i) {
     if (guide_.locked[static_cast<std::size_t>(i)]) holdPosition(i, X_WM0_.p);
-    if (guide_.locked[static_cast<std::size_t>(i) + 3]) holdTurn(axis_[i], glm::dot(axis_[i], turned));
+    if (guide_.locked[static_cast<std::size_t>(i) + 3] && !slaved) holdTurn(axis_[i], glm::dot(axis_[i], turned));
   }
 }
 
@@ -234,6 +227,36 @@ std::vector<Constraint> Rows::make() {
 std::vector<Constraint> guideConstraints(const Guide& guide, const Pose& X_WM, const Pose& X_WM0,
                                          std::uint32_t first_group) {
   return Rows(guide, X_WM, X_WM0, first_group).make();
+}
+
+std::optional<GuidedTurn> guidedTurn(const Guide& guide, const Pose& X_WM, const Pose& X_WM0) {
+  if (guide.kind == GuideKind::kSlider) return GuidedTurn{X_WM0.q};
+  if (guide.kind == GuideKind::kLock && guide.locked[3] && guide.locked[4] && guide.locked[5]) {
+    return GuidedTurn{X_WM0.q};
+  }
+  if (guide.kind != GuideKind::kHinge) return std::nullopt;
+  const dvec3 o = guide.X_WG.p, z = guide.X_WG.rotate(dvec3(0, 0, 1));
+  const auto across = [&](const dvec3& p) { return p - o - z * glm::dot(z, p - o); };
+  const dvec3 r0 = across(X_WM0.p), r = across(X_WM.p);
+  if (glm::length(r0) < kLeastRadius) return std::nullopt;
+  const double phi = std::atan2(glm::dot(z, glm::cross(r0, r)), glm::dot(r0, r));
+  // phi changes by (z x r) . dp / |r|^2.
+  const dvec3 tangent = glm::cross(z, r) / std::max(glm::dot(r, r), kLeastRadius * kLeastRadius);
+  return GuidedTurn{glm::normalize(quaternionFromRotationVector(phi * z) * X_WM0.q), glm::outerProduct(z, tangent)};
+}
+
+void slaveTurning(const dmat3& rate, Constraint& constraint) {
+  const auto slaved = [&](haptic::Vector6& gradient) {
+    const dvec3 more = glm::transpose(rate) * dvec3(gradient[3], gradient[4], gradient[5]);
+    gradient = {gradient[0] + more.x, gradient[1] + more.y, gradient[2] + more.z, 0.0, 0.0, 0.0};
+  };
+  slaved(constraint.gradient);
+  slaved(constraint.trim_gradient);
+  Blocks blocks = blocksOf(constraint.curvature);
+  const dmat3 crossed = blocks.mixed * rate;
+  blocks.linear += crossed + glm::transpose(crossed) + glm::transpose(rate) * blocks.angular * rate;
+  blocks.mixed = blocks.angular = dmat3(0.0);
+  constraint.curvature = symmetricOf(blocks);
 }
 
 }  // namespace hapticell::manipulation

@@ -75,6 +75,7 @@ class ManipulationEngine {
   void addLagRow();
   void driftAtEdge();
   void addGuideRows();
+  void slaveSet(const Pose& X_WM0);
   Pose onGuides(const Pose& X_DP) const;
   std::vector<const workcell::Guide*> guidesOfHeld() const;
   Pose movedFrameAtRest() const;

@@ -49,7 +49,7 @@ TEST(GuideConstraints, theirGradientsAreThoseOfTheirGaps) {
   for (int k = 0; k <= static_cast<int>(GuideKind::kLock); ++k) {
     const Guide guide = guideOf(static_cast<GuideKind>(k));
     const auto rows = guideConstraints(guide, X_WM, X_WM0, 0);
-    if (guide.kind != GuideKind::kSurface) EXPECT_FALSE(rows.empty());
+    EXPECT_EQ(rows.empty(), guide.kind == GuideKind::kSurface);
     for (std::size_t i = 0; i < 6; ++i) {
       const auto after = guideConstraints(guide, moved(X_WM, unit(i, h)), X_WM0, 0);
       const auto before = guideConstraints(guide, moved(X_WM, unit(i, -h)), X_WM0, 0);
@@ -73,6 +73,31 @@ TEST(GuideConstraints, aCircleIsExactFarFromItsReference) {
     const haptic::Vector6 xi{0.1 * std::cos(angle) - 0.1, 0.1 * std::sin(angle), 0.0, 0.0, 0.0, 0.0};
     for (const Constraint& row : rows) EXPECT_NEAR(haptic::evaluate(row, xi), 0.0, 1e-12);
   }
+}
+
+TEST(GuideConstraints, aSlavedTurnIsThatOfTheDoor) {
+  Guide guide = guideOf(GuideKind::kHinge);
+  const Pose X_WM0 = Pose::translation({0.11, 0.04, 0.06});
+  const Pose X_WM = Pose::translation({0.10, 0.06, 0.06});
+  const auto turn = guidedTurn(guide, X_WM, X_WM0);
+  ASSERT_TRUE(turn.has_value());
+  const double h = 1e-6;
+  for (int i = 0; i < 3; ++i) {
+    dvec3 step(0.0);
+    step[i] = h;
+    const auto after = guidedTurn(guide, Pose::translation(X_WM.p + step), X_WM0);
+    const dvec3 turned = rotationVector(after->q_WM * glm::conjugate(turn->q_WM)) / h;
+    EXPECT_NEAR(glm::distance(turned, turn->rate[i]), 0.0, 1e-3);
+  }
+  // A row about turning becomes one about places: f(x, rate x).
+  Constraint row;
+  row.gradient = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+  for (std::size_t k = 0; k < row.curvature.size(); ++k) row.curvature[k] = 1.0 + 0.1 * static_cast<double>(k);
+  Constraint slaved = row;
+  slaveTurning(turn->rate, slaved);
+  const dvec3 x(0.01, -0.02, 0.005), w = turn->rate * x;
+  EXPECT_NEAR(haptic::evaluate(slaved, {x.x, x.y, x.z, 0, 0, 0}), haptic::evaluate(row, {x.x, x.y, x.z, w.x, w.y, w.z}),
+              1e-12);
 }
 
 TEST(GuideConstraints, aTubeIsFreeInsideAndNotOutside) {

@@ -97,7 +97,7 @@ RC_GTEST_PROP(MotionMapping, TwistIsTheDifferenceOfPoses, ()) {
   const Twist seen = difference(mapping.toCell(displaced(X_DP, small)), mapping.toCell(X_DP));
   const Twist told = mapping.toCell(small);
   RC_ASSERT(glm::length(seen.linear - told.linear) < 1e-9);
-  RC_ASSERT(glm::length(seen.angular - told.angular) < 1e-9);
+  RC_ASSERT(glm::length(seen.angular - told.angular) < 1e-8);
 }
 
 RC_GTEST_PROP(MotionMapping, ConstraintMeansTheSameInBothSpaces, ()) {

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "feel/mesh_scenes.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "geometry/assertion.h"
+#include "geometry/shapes.h"
+#include "manipulation/constraint_builder.h"
+#include "manipulation/solid_manipulator.h"
+
+namespace hapticell::feel {
+
+namespace {
+
+using geometry::TriangleMesh;
+using Pieces = std::shared_ptr<const collision::ConvexPieces>;
+
+constexpr double kBall = 0.005;     // m, radius of the held sphere.
+constexpr double kChord = 1e-4;     // m between a chord and its arc, at most,
+constexpr double kTurn = 0.3;       // and rad between two of its ends.
+constexpr double kLength = 0.4;     // m of what is long.
+constexpr double kTurnAhead = 0.1;  // rad that a set is good for.
+const Pose kAlongY = Pose::rotation(quaternionFromRotationVector({0.5 * std::numbers::pi, 0.0, 0.0}));
+
+int segments(double radius) {
+  const double step = std::min(kTurn, 2.0 * std::acos(1.0 - kChord / std::max(radius, 2.0 * kChord)));
+  return static_cast<int>(std::ceil(2.0 * std::numbers::pi / step));
+}
+
+struct Placed {
+  TriangleMesh mesh;
+  Pose X_W;
+};
+
+class MeshScene final : public FeelScene {
+ public:
+  MeshScene(std::string name, const TriangleMesh& body, std::vector<Placed> environment)
+      : name_(std::move(name)), robot_(Pose::identity(), {Pose::identity()}) {
+    body_ = collision::ConvexPieces::build(body);
+    for (Placed& placed : environment) {
+      pieces_.push_back(collision::ConvexPieces::build(placed.mesh));
+      obstacles_.push_back({pieces_.back().get(), placed.X_W, pieces_.size(), 0.0});
+      pairs_.push_back({0, static_cast<std::uint32_t>(pairs_.size()), true});
+    }
+    feel_.resize(pairs_.size());
+    parts_ = {body_.get()};
+    mapping_.anchor(Pose::identity(), Pose::identity());
+  }
+  std::string name() const override { return name_; }
+  ConstraintSet setAt(const Pose& X_DP, double) const override {
+    const manipulation::EntityConfiguration here{X_DP, {}};
+    manipulation::ConstraintInputs inputs{robot_,     here,   mapping_,   X_DP,   haptic::kWantedZoneRadius,
+                                          kTurnAhead, parts_, obstacles_, pairs_, feel_};
+    inputs.hint = hint_;
+    inputs.hint.try_larger = true;
+    manipulation::BuiltConstraints built = manipulation::buildConstraints(inputs);
+    hint_ = built.hint;
+    return built.set;
+  }
+  double penetration(const Pose&, double) const override { return 0.0; }
+  dvec3 handAt(double, double) const override { return dvec3(0.0); }
+
+ private:
+  std::string name_;
+  manipulation::SolidManipulator robot_;
+  manipulation::MotionMapping mapping_;
+  Pieces body_;
+  std::vector<Pieces> pieces_;
+  std::vector<const collision::ConvexPieces*> parts_;
+  std::vector<collision::ZonePart> obstacles_;
+  std::vector<manipulation::MotionPair> pairs_;
+  std::vector<manipulation::PairFeel> feel_;
+  mutable collision::ZoneHint hint_;  // One session asks, in its own thread.
+};
+
+TriangleMesh ball() {
+  return geometry::makeSphere(kBall, segments(kBall));
+}
+TriangleMesh block() {
+  return geometry::makeBox(dvec3(kLength));
+}
+Placed floorAt(double height) {
+  return {block(), Pose::translation({0.0, 0.0, height - 0.5 * kLength})};
+}
+Placed roundBar(double radius) {
+  Pose X_W = kAlongY;
+  X_W.p = {0.0, 0.0, -kBall - radius};
+  return {geometry::makeCylinder(radius, kLength, segments(radius)), X_W};
+}
+
+struct Recipe {
+  const char* name;
+  std::function<TriangleMesh()> body;
+  std::function<std::vector<Placed>()> environment;
+  std::function<std::unique_ptr<FeelScene>()> exact;
+};
+
+const std::vector<Recipe>& recipes() {
+  static const std::vector<Recipe> all{
+      {"mesh sphere on flat wall", ball, [] { return std::vector<Placed>{floorAt(-kBall)}; }, planeScene},
+      {"mesh sphere on cylinder R50", ball, [] { return std::vector<Placed>{roundBar(0.05)}; },
+       [] { return cylinderScene(0.05 + kBall); }},
+      {"mesh sphere on cylinder R10", ball, [] { return std::vector<Placed>{roundBar(0.01)}; },
+       [] { return cylinderScene(0.01 + kBall); }},
+      {"mesh sphere in bore R15", ball,
+       [] {
+         return std::vector<Placed>{{geometry::makePipe(0.03, 0.015, kLength, segments(0.015)), kAlongY}};
+       },
+       [] { return boreScene(0.015 - kBall); }},
+      {"mesh sphere in corner", ball,
+       [] {
+         const double off = -kBall - 0.5 * kLength;
+         return std::vector<Placed>{{block(), Pose::translation({off, 0, 0})},
+                                    {block(), Pose::translation({0, off, 0})},
+                                    {block(), Pose::translation({0, 0, off})}};
+       },
+       cornerScene},
+      {"mesh box on flat wall",
+       [] {
+         TriangleMesh box = geometry::makeBox({0.06, 0.04, 0.02});
+         for (dvec3& vertex : box.vertices) vertex.z -= 0.01;
+         return box;
+       },
+       [] { return std::vector<Placed>{floorAt(0.0)}; }, boxScene}};
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> meshCaseNames() {
+  std::vector<std::string> names;
+  for (const Recipe& recipe : recipes()) names.push_back(recipe.name);
+  return names;
+}
+
+MeshCase makeMeshCase(const std::string& name) {
+  for (const Recipe& recipe : recipes()) {
+    if (name != recipe.name) continue;
+    return {name, std::make_unique<MeshScene>(name, recipe.body(), recipe.environment()), recipe.exact()};
+  }
+  HAPTICELL_DEMAND(false && "a name of meshCaseNames()");
+  return {};
+}
+
+}  // namespace hapticell::feel

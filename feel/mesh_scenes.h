@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "feel/scene.h"
+
+namespace hapticell::feel {
+
+/// The same thing twice: as meshes through the proximity engine, and as exact geometry.
+struct MeshCase {
+  std::string name;
+  std::unique_ptr<FeelScene> mesh;   ///< What a client of meshes sees.
+  std::unique_ptr<FeelScene> exact;  ///< The truth.
+};
+
+/// Spheres, a box and a peg as meshes (chords of at most 0.1 mm and 0.3 rad, as CAD importers make them) that touch
+/// meshes of plane, cylinders, bore, corner and hole. Made by manipulation's own constraint builder: what it recognises
+/// of a mesh is felt here too.
+std::vector<std::string> meshCaseNames();
+MeshCase makeMeshCase(const std::string& name);  ///< One of these names (contract).
+
+}  // namespace hapticell::feel
