@@ -103,7 +103,8 @@ Expected<void> serve(const ServerOptions& asked) {
   std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
               static_cast<unsigned>((*network)->port()), profile->name.c_str(), configuration->haptic.rate_hz);
   std::fflush(stdout);
-  const std::filesystem::path faults = asked.fault_log.empty() ? defaultFaultFolder() : asked.fault_log;
+  const std::filesystem::path faults =
+      asked.fault_log.empty() ? defaultFaultFolder() : std::filesystem::path(asked.fault_log);
   waitForTheEnd(loop, signals, asked.seconds, faults);
 
   runner.stop();  // Force zero before anything else ends.
