@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "collision/surface_contacts.h"
+#include "collision/surface_model.h"
 #include "geometry/assertion.h"
 #include "geometry/shapes.h"
 #include "manipulation/constraint_builder.h"
@@ -40,9 +42,12 @@ class MeshScene final : public FeelScene {
   MeshScene(std::string name, const TriangleMesh& body, std::vector<Placed> environment)
       : name_(std::move(name)), robot_(Pose::identity(), {Pose::identity()}) {
     body_ = collision::ConvexPieces::build(body);
+    models_.push_back(collision::SurfaceModel::build(body));
+    surfaces_ = {models_.back().get()};
     for (Placed& placed : environment) {
       pieces_.push_back(collision::ConvexPieces::build(placed.mesh));
-      obstacles_.push_back({pieces_.back().get(), placed.X_W, pieces_.size(), 0.0});
+      models_.push_back(collision::SurfaceModel::build(placed.mesh));
+      obstacles_.push_back({pieces_.back().get(), placed.X_W, pieces_.size(), 0.0, models_.back().get()});
       pairs_.push_back({0, static_cast<std::uint32_t>(pairs_.size()), true});
     }
     feel_.resize(pairs_.size());
@@ -56,6 +61,8 @@ class MeshScene final : public FeelScene {
                                           kTurnAhead, parts_, obstacles_, pairs_, feel_};
     inputs.hint = hint_;
     inputs.hint.try_larger = true;
+    inputs.surface_contacts = &surface_contacts_;
+    inputs.surfaces = surfaces_;
     manipulation::BuiltConstraints built = manipulation::buildConstraints(inputs);
     hint_ = built.hint;
     return built.set;
@@ -73,7 +80,11 @@ class MeshScene final : public FeelScene {
   std::vector<collision::ZonePart> obstacles_;
   std::vector<manipulation::MotionPair> pairs_;
   std::vector<manipulation::PairFeel> feel_;
-  mutable collision::ZoneHint hint_;  // One session asks, in its own thread.
+  std::vector<std::shared_ptr<const collision::SurfaceModel>> models_;
+  std::vector<const collision::SurfaceModel*> surfaces_;
+  // One session asks, in its own thread.
+  mutable collision::ZoneHint hint_;
+  mutable collision::SurfaceContacts surface_contacts_;
 };
 
 TriangleMesh ball() {
