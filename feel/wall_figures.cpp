@@ -95,8 +95,10 @@ std::vector<Figure> hingeFigures() {
     setup.rate = rate;
     const HingeOutcome ours = pullSideways(setup);
     const std::string at = rateName(rate);
-    figures.push_back({"M12.door", "hinge, 5 N sideways", at, "mm", ours.off_circle, 0.05, false, classic.off_circle});
-    figures.push_back({"M12.stylus", "hinge, 5 N sideways", at, "%", ours.stylus, 3.0, false, classic.stylus});
+    figures.push_back(
+        {"M12.door", "hinge with stop, 5 N sideways", at, "mm", ours.off_circle, 0.05, false, classic.off_circle});
+    figures.push_back(
+        {"M12.stylus", "hinge with stop, 5 N sideways", at, "%", ours.stylus, 3.0, false, classic.stylus});
     figures.push_back({"M12.stop", "hinge with stop", at, "ms", stopTime(setup), 3.0, false, classic_stop});
   }
   return figures;

@@ -30,8 +30,8 @@ TEST(Figure, judgesByItsLimit) {
 }
 
 TEST(Benchmark, givesTheSameTwiceAndPassesAtTheHinge) {
-  const auto first = runBenchmark(only("hinge, 5 N"));
-  const auto second = runBenchmark(only("hinge, 5 n"));
+  const auto first = runBenchmark(only("hinge with stop"));
+  const auto second = runBenchmark(only("Hinge with stop"));
   ASSERT_TRUE(first.has_value()) << first.error().message();
   ASSERT_TRUE(second.has_value());
   ASSERT_EQ(first->size(), second->size());
