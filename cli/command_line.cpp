@@ -43,6 +43,7 @@ int runCommandLine(int argc, char** argv) {
   app.add_option("--json", json_file, "Write the result to this file instead of standard output");
   Action chosen;
   // One line a command; each comes with the file that defines it.
+  addConvertCommand(app, chosen);
   addDistanceCommand(app, chosen);
   addErgonomicsCommand(app, chosen);
   addFeelCommand(app, chosen);

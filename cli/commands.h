@@ -20,6 +20,7 @@ using Action = std::function<ExitStatus(ResultWriter&)>;
 
 /// Each command lives in a file of its own and adds itself as a sub-command: its options, and (by a callback that is
 /// called when the user chose it) the action, put into `chosen`. Nothing heavy happens while options are read.
+void addConvertCommand(CLI::App& app, Action& chosen);
 void addInspectCommand(CLI::App& app, Action& chosen);
 void addDistanceCommand(CLI::App& app, Action& chosen);
 void addErgonomicsCommand(CLI::App& app, Action& chosen);

@@ -2,6 +2,7 @@
 #include "importer/cad_document.h"
 
 #include <unistd.h>
+
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_BasicEditor.hxx>
 #include <IGESData_IGESModel.hxx>
@@ -9,13 +10,17 @@
 #include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopLoc_Location.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
 #include <fstream>
 #include <gp_Quaternion.hxx>
 #include <gp_Trsf.hxx>
 #include <map>
+#include "workcell/scene_exchange.h"
 
 namespace hapticell::importer {
 
@@ -102,7 +107,51 @@ Expected<CadDocument> openIges(const std::string& name, const Message_ProgressRa
   return result;
 }
 
+class TreeWalker {
+ public:
+  explicit TreeWalker(std::string stem) : stem_(std::move(stem)) {}
+
+  void add(const TDF_Label& label, int parent) {
+    CadNode node;
+    node.label = node.definition = label;
+    node.parent = parent;
+    XCAFDoc_ShapeTool::GetReferredShape(label, node.definition);
+    node.assembly = XCAFDoc_ShapeTool::IsAssembly(node.definition);
+    const std::string instance = node.definition == label ? "" : nameOf(label);
+    node.name = nameOf(node.definition);
+    if (node.name.empty()) node.name = instance;
+    if (instance != node.name) node.instance = instance;
+    if (node.name.empty()) node.name = parent < 0 ? stem_ : node.assembly ? "assembly" : "part";
+    const auto index = static_cast<int>(nodes.size());
+    const TDF_Label definition = node.definition;
+    const bool assembly = node.assembly;
+    nodes.push_back(std::move(node));
+    if (!assembly) return;
+    TDF_LabelSequence components;
+    XCAFDoc_ShapeTool::GetComponents(definition, components);
+    for (const TDF_Label& component : components) add(component, index);
+  }
+
+  std::vector<CadNode> nodes;
+
+ private:
+  std::string stem_;
+};
+
 }  // namespace
+
+std::vector<CadNode> treeOf(const CadDocument& cad, const std::string& stem) {
+  TDF_LabelSequence roots;
+  XCAFDoc_DocumentTool::ShapeTool(cad.document->Main())->GetFreeShapes(roots);
+  if (roots.Length() == 1 && nameOf(roots.First()) == workcell::kWorkcellRoot) {
+    const TDF_Label around = roots.First();
+    roots.Clear();
+    XCAFDoc_ShapeTool::GetComponents(around, roots);
+  }
+  TreeWalker walker(stem);
+  for (const TDF_Label& root : roots) walker.add(root, -1);
+  return std::move(walker.nodes);
+}
 
 CadDocument newCadDocument() {
   CadDocument result;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "geometry/error.h"
 #include "geometry/pose.h"
@@ -27,6 +28,20 @@ CadDocument newCadDocument();
 
 /// Reads STEP or IGES, told by the content. `progress` is given shares from 0 to 1. Errors in words; may throw.
 Expected<CadDocument> openCad(const std::filesystem::path& file, const std::function<void(double)>& progress);
+
+/// A node of the tree in such a document: a part or an assembly, or the use of one.
+struct CadNode {
+  TDF_Label label;       ///< The use.
+  TDF_Label definition;  ///< What is used; `label` itself at the top.
+  std::string name;      ///< Of the part; where it has none that of the use, else a made-up one.
+  std::string instance;  ///< Of the use, where it differs.
+  int parent = -1;
+  bool assembly = false;
+};
+
+/// All nodes, parents first. The assembly that our own STEP files may have around everything is left out. `stem` names
+/// a nameless part at the top.
+std::vector<CadNode> treeOf(const CadDocument& cad, const std::string& stem);
 
 /// The name on a label; empty where there is none or one that some library made up.
 std::string nameOf(const TDF_Label& label);

@@ -9,8 +9,10 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "importer/cad_document.h"
 #include "importer/shape_mesher.h"
@@ -38,25 +40,21 @@ class SceneBuilder {
     factor_ = scene_.metres_per_unit / cad.metres_per_unit;
   }
 
-  ImportedScene build() {
-    TDF_LabelSequence roots;
-    shapes_->GetFreeShapes(roots);
-    TopoDS_Compound loose;
-    BRep_Builder().MakeCompound(loose);
-    int loose_shapes = 0;
-    const bool gather = scene_.format == "iges" && roots.Length() > 1;
+  ImportedScene build(const CadDocument& cad) {
+    const std::vector<CadNode> tree = treeOf(cad, reading_.file.stem().string());
+    const auto at_top = std::count_if(tree.begin(), tree.end(), [](const CadNode& node) { return node.parent < 0; });
     total_ = countParts();
-    for (const TDF_Label& root : roots) {
-      const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(root);
-      if (gather && !XCAFDoc_ShapeTool::IsAssembly(root) && !TopExp_Explorer(shape, TopAbs_SOLID).More()) {
-        if (!shape.IsNull()) BRep_Builder().Add(loose, shape);
-        ++loose_shapes;
-        bindColors(root);
+    for (const CadNode& node : tree) {
+      if (scene_.format == "iges" && at_top > 1 && isLoose(node)) {
+        gather(node);
       } else {
-        add(root, -1);
+        place_.push_back(static_cast<int>(scene_.nodes.size()));
+        add(node);
+        continue;
       }
+      place_.push_back(-1);
     }
-    if (loose_shapes > 0) addLoose(loose, loose_shapes);
+    if (loose_shapes_ > 0) addLoose();
     tellMissing();
     return std::move(scene_);
   }
@@ -99,29 +97,32 @@ class SceneBuilder {
     }
   }
 
-  /// `label` is a part, an assembly, or the use of one.
-  void add(const TDF_Label& label, int parent) {
+  /// A surface at the top that belongs to no solid: IGES files may have thousands.
+  static bool isLoose(const CadNode& node) {
+    return node.parent < 0 && !node.assembly &&
+           !TopExp_Explorer(XCAFDoc_ShapeTool::GetShape(node.label), TopAbs_SOLID).More();
+  }
+
+  void gather(const CadNode& node) {
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(node.label);
+    if (shape.IsNull()) return;
+    const BRep_Builder builder;
+    if (loose_shapes_++ == 0) builder.MakeCompound(loose_);
+    builder.Add(loose_, shape);
+    bindColors(node.label);
+  }
+
+  void add(const CadNode& source) {
     SceneNode node;
-    node.parent = parent;
-    node.X_PN = poseOf(XCAFDoc_ShapeTool::GetLocation(label), factor_);
-    TDF_Label definition = label;
-    XCAFDoc_ShapeTool::GetReferredShape(label, definition);
-    const std::string instance = definition == label ? "" : nameOf(label);
-    node.name = nameOf(definition);
-    if (node.name.empty()) node.name = instance;
-    if (instance != node.name) node.instance = instance;
-    node.color = colorOf(label);
-    if (!node.color) node.color = colorOf(definition);
-    if (!node.color && parent >= 0) node.color = scene_.nodes[static_cast<std::size_t>(parent)].color;
-    const bool assembly = XCAFDoc_ShapeTool::IsAssembly(definition);
-    if (node.name.empty()) node.name = assembly ? "assembly" : parent < 0 ? reading_.file.stem().string() : "part";
-    const auto index = static_cast<int>(scene_.nodes.size());
-    if (!assembly) useMesh(definition, node);
+    node.name = source.name;
+    node.instance = source.instance;
+    node.parent = source.parent < 0 ? -1 : place_[static_cast<std::size_t>(source.parent)];
+    node.X_PN = poseOf(XCAFDoc_ShapeTool::GetLocation(source.label), factor_);
+    node.color = colorOf(source.label);
+    if (!node.color) node.color = colorOf(source.definition);
+    if (!node.color && node.parent >= 0) node.color = scene_.nodes[static_cast<std::size_t>(node.parent)].color;
+    if (!source.assembly) useMesh(source.definition, node);
     scene_.nodes.push_back(std::move(node));
-    if (!assembly) return;
-    TDF_LabelSequence components;
-    XCAFDoc_ShapeTool::GetComponents(definition, components);
-    for (const TDF_Label& component : components) add(component, index);
   }
 
   void useMesh(const TDF_Label& definition, SceneNode& node) {
@@ -169,16 +170,15 @@ class SceneBuilder {
     return known;
   }
 
-  void addLoose(const TopoDS_Shape& shape, int count) {
+  void addLoose() {
     SceneNode node;
     node.name = reading_.file.stem().string();
-    const Known known = addMesh(shape, node.name);
+    const Known known = addMesh(loose_, node.name);
     node.mesh = known.mesh;
     node.color = known.color;
     scene_.nodes.push_back(std::move(node));
-    if (count > 1) {
-      scene_.warnings.push_back(std::to_string(count) + " surfaces that belong to no solid were put into one part");
-    }
+    scene_.warnings.push_back(std::to_string(loose_shapes_) +
+                              " surfaces that belong to no solid were put into one part");
   }
 
   void tellMissing() {
@@ -194,6 +194,9 @@ class SceneBuilder {
   ImportedScene scene_;
   double factor_ = 1.0;
   FaceColors face_colors_;
+  std::vector<int> place_;  // Where in the scene each node of the document is.
+  TopoDS_Compound loose_;
+  int loose_shapes_ = 0;
   std::map<int, Known> meshes_;  // By the tag of the part's label.
   int total_ = 0;
   int done_ = 0;
@@ -208,7 +211,7 @@ Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
   constexpr double kReading = 0.6;
   const auto cad = openCad(reading.file, [&](double share) { parent.progress(kReading * share, "reading"); });
   if (!cad) return makeError(cad.error());
-  return SceneBuilder(*cad, reading, parent).build();
+  return SceneBuilder(*cad, reading, parent).build(*cad);
 }
 
 }  // namespace hapticell::importer

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/step_writer.h"
 
-#include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
@@ -12,17 +11,22 @@
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
 #include <gp_Quaternion.hxx>
 #include <gp_Trsf.hxx>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <unordered_map>
 
 #include "importer/cad_document.h"
 #include "importer/faceted_shape.h"
+#include "importer/shape_mesher.h"
+#include "workcell/scene_exchange.h"
 
 namespace hapticell::importer {
 
@@ -33,13 +37,17 @@ using workcell::SceneNode;
 /// The parts of one opened source by their paths (as workcell::partPaths() makes them).
 class SourceParts {
  public:
-  explicit SourceParts(CadDocument cad) : cad_(std::move(cad)) {
-    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(cad_.document->Main());
-    TDF_LabelSequence roots;
-    shapes->GetFreeShapes(roots);
-    for (const TDF_Label& root : roots) add(root, -1);
-    const std::vector<std::string> paths = workcell::partPaths(tree_);
-    for (std::size_t k = 0; k < paths.size(); ++k) parts_[paths[k]] = labels_[k];
+  SourceParts(CadDocument cad, const std::string& stem) : cad_(std::move(cad)) {
+    const std::vector<CadNode> tree = treeOf(cad_, stem);
+    workcell::ImportedScene names;
+    for (const CadNode& node : tree) {
+      SceneNode named;
+      named.name = node.name;
+      named.parent = node.parent;
+      names.nodes.push_back(std::move(named));
+    }
+    const std::vector<std::string> paths = workcell::partPaths(names);
+    for (std::size_t k = 0; k < paths.size(); ++k) parts_[paths[k]] = tree[k].definition;
   }
 
   double metresPerUnit() const { return cad_.metres_per_unit; }
@@ -51,25 +59,24 @@ class SourceParts {
     return found == parts_.end() ? TopoDS_Shape() : XCAFDoc_ShapeTool::GetShape(found->second);
   }
 
- private:
-  void add(const TDF_Label& label, int parent) {
-    TDF_Label definition = label;
-    XCAFDoc_ShapeTool::GetReferredShape(label, definition);
-    SceneNode node;
-    node.parent = parent;
-    node.name = nameOf(definition);
-    if (node.name.empty() && definition != label) node.name = nameOf(label);
-    const bool assembly = XCAFDoc_ShapeTool::IsAssembly(definition);
-    if (node.name.empty()) node.name = assembly ? "assembly" : "part";
-    const auto index = static_cast<int>(tree_.nodes.size());
-    tree_.nodes.push_back(std::move(node));
-    labels_.push_back(definition);
-    if (!assembly) return;
-    TDF_LabelSequence components;
-    XCAFDoc_ShapeTool::GetComponents(definition, components);
-    for (const TDF_Label& component : components) add(component, index);
+  /// The coloured faces, shells and solids within a part.
+  std::vector<std::pair<TopoDS_Shape, Quantity_Color>> coloredParts(const std::string& path) const {
+    std::vector<std::pair<TopoDS_Shape, Quantity_Color>> result;
+    const auto found = parts_.find(path);
+    if (found == parts_.end()) return result;
+    const Handle(XCAFDoc_ColorTool) colors = XCAFDoc_DocumentTool::ColorTool(cad_.document->Main());
+    TDF_LabelSequence below;
+    XCAFDoc_ShapeTool::GetSubShapes(found->second, below);
+    for (const TDF_Label& label : below) {
+      Quantity_Color color;
+      const bool colored =
+          colors->GetColor(label, XCAFDoc_ColorSurf, color) || colors->GetColor(label, XCAFDoc_ColorGen, color);
+      if (colored) result.emplace_back(XCAFDoc_ShapeTool::GetShape(label), color);
+    }
+    return result;
   }
 
+ private:
   TopoDS_Shape whole() const {
     TDF_LabelSequence roots;
     XCAFDoc_DocumentTool::ShapeTool(cad_.document->Main())->GetFreeShapes(roots);
@@ -84,8 +91,6 @@ class SourceParts {
   }
 
   CadDocument cad_;
-  workcell::ImportedScene tree_;
-  std::vector<TDF_Label> labels_;
   std::unordered_map<std::string, TDF_Label> parts_;
 };
 
@@ -118,7 +123,7 @@ class StepBuilder {
       if (auto root = define(roots_[0]); !root) return makeError(root.error());
     } else {
       const TDF_Label top = shapes_->NewShape();
-      setName(top, scene_.format.empty() ? "workcell" : scene_.format);
+      setName(top, workcell::kWorkcellRoot);
       for (std::size_t root : roots_) {
         if (auto used = use(root, top); !used) return makeError(used.error());
       }
@@ -178,6 +183,7 @@ class StepBuilder {
     const TDF_Label label = shapes_->AddShape(*shape, false);
     setName(label, node.name);
     setColor(label, node);
+    if (node.origin) keepFaceColors(label, node);
     parts_[key] = label;
     parent_.progress(0.8 * static_cast<double>(parts_.size()) / static_cast<double>(scene_.nodes.size()), "collecting");
     return label;
@@ -205,7 +211,7 @@ class StepBuilder {
         error.place = node.origin->file;
         return makeError(error);
       }
-      source = std::make_unique<SourceParts>(std::move(*cad));
+      source = std::make_unique<SourceParts>(std::move(*cad), std::filesystem::path(node.origin->file).stem().string());
     }
     TopoDS_Shape shape = source->find(node.origin->part);
     if (shape.IsNull()) {
@@ -221,16 +227,24 @@ class StepBuilder {
     return BRepBuilderAPI_Transform(shape, scaling, true).Shape();
   }
 
-  /// The same shape as an object of its own: two parts of different names must not become one.
+  /// The same shape as an object of its own, of the same faces: two parts of different names must not become one.
   static TopoDS_Shape copied(const TopoDS_Shape& shape) {
-    return shape.EmptyCopied().IsNull() ? shape : deepened(shape);
-  }
-  static TopoDS_Shape deepened(const TopoDS_Shape& shape) {
     TopoDS_Shape copy = shape.EmptyCopied();
-    BRep_Builder builder;
+    const BRep_Builder builder;
     for (TopoDS_Iterator below(shape, false, false); below.More(); below.Next()) builder.Add(copy, below.Value());
     copy.Closed(shape.Closed());
     return copy;
+  }
+
+  /// Faces keep colours of their own, unless the part was given another colour than any of them has.
+  void keepFaceColors(const TDF_Label& label, const SceneNode& node) {
+    const auto colored = sources_.at(node.origin->file)->coloredParts(node.origin->part);
+    const auto isNodes = [&](const auto& part) { return plainColor(part.second) == node.color; };
+    if (colored.size() < 2 || std::none_of(colored.begin(), colored.end(), isNodes)) return;
+    for (const auto& [shape, color] : colored) {
+      const TDF_Label below = shapes_->AddSubShape(label, shape);
+      if (!below.IsNull()) colors_->SetColor(below, color, XCAFDoc_ColorSurf);
+    }
   }
 
   const workcell::ImportedScene& scene_;
@@ -261,7 +275,7 @@ Expected<void> writeStep(const workcell::ImportedScene& scene, const std::filesy
   if (!writer.Transfer(cad->document, STEPControl_AsIs)) {
     return makeError({"", "", "the parts cannot be written as STEP", "", ""});
   }
-  if (writer.Write(file.filename().c_str()) != IFSelect_RetDone) {
+  if (writer.Write(file.c_str()) != IFSelect_RetDone) {
     return makeError({"", "", "the file cannot be written", "room and permission", ""});
   }
   return {};

@@ -15,6 +15,10 @@ std::string sceneBytes(const ImportedScene& scene);
 /// what is there, indices, parents before children, numbers finite and below 1e12, unit quaternions, colours 0 to 1.
 Expected<ImportedScene> sceneFromBytes(std::string_view bytes);
 
+/// The name of the assembly that a STEP file of ours has around several or moved roots; it is left out when such a file
+/// is read back.
+constexpr const char* kWorkcellRoot = "HaptiCell workcell";
+
 /// Turns a frame whose `up` axis points up into one whose z does: (x, -z, y) for y.
 Pose turnedUp(UpAxis up);
 
