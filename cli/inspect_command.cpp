@@ -103,7 +103,7 @@ Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& no
     if (!said) return tl::unexpected(said.error());
     reading.metres_per_unit = workcell::metresPer(*said);
   }
-  const auto scene = workcell::readForeignCad(options.file, reading, nullptr);
+  const auto scene = workcell::readScene(options.file, reading, nullptr);
   if (!scene) return tl::unexpected(scene.error());
   notes.warnings = scene->warnings;
   if (!scene->unit_is_stated) notes.warn("the file names no unit; it is taken as " + unitWord(scene->metres_per_unit));
@@ -150,10 +150,10 @@ Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostic
 
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
-  const auto result = looksLikeDocument(options.file)        ? inspectDocument(options, notes)
-                      : workcell::isForeignCad(options.file) ? inspectCad(options, notes)
-                      : isRobot(options.file)                ? inspectRobot(options, notes)
-                                                             : inspectMesh(options, notes);
+  const auto result = looksLikeDocument(options.file)      ? inspectDocument(options, notes)
+                      : workcell::holdsScene(options.file) ? inspectCad(options, notes)
+                      : isRobot(options.file)              ? inspectRobot(options, notes)
+                                                           : inspectMesh(options, notes);
   const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
   if (written) return ExitStatus::kDone;
   report(written.error());
@@ -167,10 +167,10 @@ void addInspectCommand(CLI::App& app, Action& chosen) {
       app.add_subcommand("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
   const auto options = std::make_shared<InspectOptions>();
   command
-      ->add_option(
-          "file", options->file,
-          "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, xacro, SDF, "
-          "robot.toml, library:NAME) or a workcell (.hcell)")
+      ->add_option("file", options->file,
+                   "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, "
+                   "xacro, SDF, "
+                   "robot.toml, library:NAME) or a workcell (.hcell)")
       ->required();
   command->add_option("--unit", options->unit,
                       "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");

@@ -64,7 +64,7 @@ Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics&
   if (scheme == "library") return loadLibraryRobot(what, diagnostics);
   if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();
-  if (isForeignCad(file)) return loadPart(file, source, diagnostics);
+  if (holdsScene(file)) return loadPart(file, source, diagnostics);
   if (!looksLikeRobot(file)) return loadMesh(file, source, diagnostics);
   if (said) {
     return makeError(
@@ -76,8 +76,8 @@ Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics&
 Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const ImportOptions& options,
                                               Diagnostics& diagnostics, ImportMonitor* monitor) {
   const fs::path file = (folder_ / what).lexically_normal();
-  if (!isBuiltIn(what) && isForeignCad(file)) {
-    Expected<ImportedScene> scene = readForeignCad(file, options, monitor);
+  if (!isBuiltIn(what) && holdsScene(file)) {
+    Expected<ImportedScene> scene = readScene(file, options, monitor);
     if (!scene) return makeError(scene.error());
     return entitiesFromScene(std::move(*scene), {file.string()}, options, diagnostics);
   }

@@ -13,7 +13,7 @@
 
 namespace hapticell::workcell {
 
-/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readForeignCad), a robot file
+/// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readScene), a robot file
 /// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), or a
 /// built-in solid, "box:X,Y,Z", "cylinder:RADIUS,HEIGHT", "sphere:RADIUS" (sizes in the given unit). Files that are
 /// named twice are read once. One thread.

@@ -12,6 +12,7 @@
 
 #include "workcell/import_process.h"
 #include "workcell/scene_exchange.h"
+#include "workcell/sdf_cell_reader.h"
 
 namespace hapticell::workcell {
 
@@ -47,24 +48,25 @@ std::string plainName(std::string name) {
 
 }  // namespace
 
-bool isForeignCad(const std::filesystem::path& file) {
+bool holdsScene(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 11> kExtensions = {".step", ".stp", ".p21", ".iges", ".igs", ".gltf",
                                                             ".glb",  ".dae", ".3mf", ".fbx",  ".3ds"};
   const std::string head = headOf(file);
   if (head.starts_with("ISO-10303-21") || head.starts_with("glTF") || head.starts_with("Kaydara FBX")) return true;
   if (head.find("<COLLADA") != std::string::npos) return true;
   const std::string extension = lowerExtension(file);
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end() || isSdfCell(file);
 }
 
-Expected<ImportedScene> readForeignCad(const std::filesystem::path& file, const ImportOptions& options,
-                                       ImportMonitor* monitor) {
+Expected<ImportedScene> readScene(const std::filesystem::path& file, const ImportOptions& options,
+                                  ImportMonitor* monitor) {
   std::error_code fault;
   const std::filesystem::path absolute = std::filesystem::absolute(file);
   if (!std::filesystem::exists(absolute, fault)) return makeError({file.string(), "", "there is no such file", "", ""});
   if (!std::filesystem::is_regular_file(absolute, fault)) {
     return makeError({file.string(), "", "not a regular file", "a file", ""});
   }
+  if (isSdfCell(absolute)) return readSdfCell(absolute, monitor);
   ImporterCall call;
   call.file = file.string();
   call.arguments = {"read",    absolute.string(),

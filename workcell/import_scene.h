@@ -43,18 +43,18 @@ struct ImportedScene {
   std::vector<std::string> warnings;  ///< What was dropped, repaired or guessed, and why.
 };
 
-/// True for files that the importer's process reads: STEP, IGES, glTF, GLB, Collada, 3MF, FBX, 3DS. Told by content
-/// (STEP, IGES, glTF, Collada, 3MF) and name.
-bool isForeignCad(const std::filesystem::path& file);
+/// True for files with a tree of parts: those that the importer's process reads (STEP, IGES, glTF, GLB, Collada, 3MF,
+/// FBX, 3DS), told by content (STEP, glTF, FBX, Collada) or name, and SDF cells (isSdfCell).
+bool holdsScene(const std::filesystem::path& file);
 
-/// Reads such a file in a process of its own (`hapticell-importer`), so that a crash, a hang or a blow-up there is an
-/// error here. Whatever that process sends is checked: sizes, indices, finite numbers, unit quaternions, a tree.
-/// `monitor` may be null; a cancelled one ends the process within 0.2 s. Blocks; any thread.
+/// Reads such a file; SDF in this process, the others in one of their own (`hapticell-importer`), so that a crash, a
+/// hang or a blow-up there is an error here. Whatever that process sends is checked: sizes, indices, finite numbers,
+/// unit quaternions, a tree. `monitor` may be null; a cancelled one ends the process within 0.2 s. Blocks; any thread.
 ///
 /// Errors: the program is missing, no such file, not readable as its format, no shape in it, time or memory used up,
 /// cancelled.
-Expected<ImportedScene> readForeignCad(const std::filesystem::path& file, const ImportOptions& options,
-                                       ImportMonitor* monitor);
+Expected<ImportedScene> readScene(const std::filesystem::path& file, const ImportOptions& options,
+                                  ImportMonitor* monitor);
 
 /// Poses X_FN of all nodes in the file's frame, in the order of the nodes.
 std::vector<Pose> nodePoses(const ImportedScene& scene);

@@ -186,11 +186,11 @@ class SceneConverter {
 
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
                                                Diagnostics& diagnostics) {
-  if (!isForeignCad(file)) {
+  if (!holdsScene(file)) {
     const MeshReadOptions reading{options.metres_per_unit.value_or(1.0), options.weld, options.warn_about_unit};
     return readMesh(file, reading, diagnostics);
   }
-  Expected<ImportedScene> scene = readForeignCad(file, options, nullptr);
+  Expected<ImportedScene> scene = readScene(file, options, nullptr);
   if (!scene) return makeError(scene.error());
   for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
   const std::vector<Pose> X_F = nodePoses(*scene);

@@ -32,7 +32,7 @@ struct ImportResult {
 };
 
 /// All that a mesh or CAD file holds as one mesh in the file's frame, metres. `metres_per_unit` as in ImportOptions; a
-/// size that suggests another unit is not told. Errors as readMeshFile() and readForeignCad().
+/// size that suggests another unit is not told. Errors as readMeshFile() and readScene().
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
                                                Diagnostics& diagnostics);
 

@@ -196,8 +196,8 @@ Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& o
     if (!document) return makeError(document.error());
     return sceneOf(document->state());
   }
-  if (isForeignCad(file)) {
-    Expected<ImportedScene> scene = readForeignCad(file, options, nullptr);
+  if (holdsScene(file)) {
+    Expected<ImportedScene> scene = readScene(file, options, nullptr);
     if (!scene) return scene;
     for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
     if (scene->format != "step") return scene;

@@ -9,11 +9,11 @@
 
 namespace hapticell::workcell {
 
-/// Reads a robot from a URDF file with its meshes (STL, OBJ, PLY, OFF) and boxes, cylinders and spheres.
+/// Reads a robot from a URDF file with its meshes (any readable format) and boxes, cylinders and spheres.
 ///
 /// Joints come depth first in the order of the file, variables from base to tip; mimic chains are resolved to the joint
 /// that moves. Meshes are found by resolveMeshPath() and scaled by their own `scale`; one file is read once. A visual
-/// in a format that is not readable yet (DAE and others) is replaced by the link's collision shapes, and a link without
+/// that cannot be read is replaced by the link's collision shapes, and a link without
 /// collision shapes is checked by its visual ones; each such case is told in `diagnostics`. Floating and planar joints
 /// are read as fixed, with a warning. Dynamics, transmissions and safety controllers are passed over.
 ///

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geometry/shapes.h"
-#include "workcell/mesh_reader.h"
+#include "workcell/imported_entities.h"
 #include "workcell/package_path.h"
 
 namespace hapticell::workcell {
@@ -92,12 +92,14 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::meshOf(const
   const MeshKey key{path.string(), scale.x, scale.y, scale.z};
   if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
   const bool uniform = scale.x == scale.y && scale.y == scale.z && scale.x > 0.0;
-  MeshReadOptions options;
-  options.scale = uniform ? scale.x : 1.0;
+  ImportOptions options;  // Collada is taken without its up axis, as the tools of ROS do.
+  options.up_axis = UpAxis::kZ;
   options.warn_about_unit = scale == dvec3(1.0);
-  auto read = readMesh(path, options, diagnostics_);
+  const bool own_reader = !holdsScene(path);
+  if (own_reader && uniform) options.metres_per_unit = scale.x;
+  auto read = readWholeMesh(path, options, diagnostics_);
   if (!read) return makeError(read.error());
-  if (!uniform) scaleBy(*read, scale);
+  if (!own_reader || !uniform) scaleBy(*read, scale);
   return meshes_[key] = std::make_shared<geometry::TriangleMesh>(std::move(*read));
 }
 
@@ -127,11 +129,17 @@ Expected<std::optional<LinkShape>> UrdfShapes::shapeOf(const std::string& link, 
             : "Correct the path or put the file there."));
   }
   const std::string extension = lowerExtension(*path);
-  if (!readable(extension)) {
+  const bool scene = holdsScene(*path);
+  if (!readable(extension) && !scene) {
     unreadable_formats_.insert(extension.empty() ? "no extension" : extension.substr(1));
     return std::nullopt;
   }
   auto read = meshOf(link, mesh, *path);
+  if (!read && scene) {  // A drawing that cannot be had is no reason to refuse the robot.
+    diagnostics_.warn(read.error().message());
+    unreadable_formats_.insert(extension.empty() ? "no extension" : extension.substr(1));
+    return std::nullopt;
+  }
   if (!read) return makeError(read.error());
   shape.mesh = std::move(*read);
   shape.source = path->string();
@@ -177,7 +185,7 @@ Expected<void> UrdfShapes::fill(const urdf::Link& source, kinematics::Link& link
 void UrdfShapes::reportReplacements() {
   std::string formats;
   for (const std::string& format : unreadable_formats_) formats += (formats.empty() ? "" : ", ") + format;
-  const std::string reason = file_.string() + ": meshes in a format that cannot be read yet (" + formats + "): ";
+  const std::string reason = file_.string() + ": meshes that cannot be read (" + formats + "): ";
   if (!shown_by_collision_.empty())
     diagnostics_.warn(reason + "the collision shape is shown instead for " + listed(shown_by_collision_));
   if (!checked_by_visual_.empty())

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/sdf_cell_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/test_data.h"
+
+namespace hapticell::workcell {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kTable =
+    "<sdf version='1.6'><model name='table'><pose>0 0 1 0 0 0</pose><link name='l'><pose>1 0 0 0 0 1.5707963267948966"
+    "</pose><visual name='top'><pose>0 2 0 0 0 0</pose><geometry><box><size>1 2 3</size></box></geometry><material>"
+    "<diffuse>1 0.5 0 1</diffuse></material></visual></link></model></sdf>";
+
+TEST(SdfCell, placesModelsLinksAndShapes) {
+  test::TemporaryFolder folder;
+  folder.write("models/table/model.sdf", kTable);
+  const auto file = folder.write("worlds/w.world",
+                                 "<sdf version='1.6'><world name='w'><include><name>mine</name><uri>model://table</uri>"
+                                 "<pose>10 0 0 0 0 0</pose></include><include><uri>model://table</uri></include>"
+                                 "<include><uri>model://gone</uri></include><model name='ball'><link name='l'>"
+                                 "<collision name='c'><geometry><sphere><radius>0.5</radius></sphere></geometry>"
+                                 "</collision></link></model></world></sdf>");
+  ASSERT_TRUE(isSdfCell(file));
+  const auto scene = readScene(file, {}, nullptr);
+  ASSERT_TRUE(scene) << scene.error().message();
+  ASSERT_EQ(scene->nodes.size(), 6u);
+  const std::vector<Pose> X_W = nodePoses(*scene);
+  EXPECT_EQ(scene->nodes[0].name, "mine");
+  EXPECT_EQ(scene->nodes[1].name, "top");
+  EXPECT_NEAR(glm::distance(X_W[1].p, dvec3(10 + 1 - 2, 0, 0)), 0.0, 1e-12);
+  EXPECT_NEAR(glm::distance(X_W[3].p, dvec3(-1, 0, 1)), 0.0, 1e-12);  // The model's own pose, where none is given.
+  EXPECT_EQ(scene->nodes[1].color, (std::array<float, 3>{1.0f, 0.5f, 0.0f}));
+  ASSERT_EQ(scene->warnings.size(), 1u);
+  EXPECT_THAT(scene->warnings[0], HasSubstr("model://gone"));
+}
+
+TEST(SdfCell, tellsARobotFromACell) {
+  test::TemporaryFolder folder;
+  const std::string joint = "<joint name='j' type='revolute'/>", fixed = "<joint name='j' type='fixed'/>";
+  EXPECT_FALSE(isSdfCell(folder.write("a.sdf", "<sdf><model name='m'>" + joint + "</model></sdf>")));
+  EXPECT_TRUE(isSdfCell(folder.write("b.sdf", "<sdf><model name='m'>" + fixed + "</model></sdf>")));
+  EXPECT_FALSE(isSdfCell(folder.write("c.sdf", "rubbish")));
+  EXPECT_FALSE(isSdfCell(folder.path() / "none.sdf"));
+}
+
+TEST(SdfCell, livesWithWhatIsWrong) {
+  test::TemporaryFolder folder;
+  const auto read = [&](const std::string& inside) {
+    return readSdfCell(folder.write("w.world", "<sdf><world name='w'>" + inside + "</world></sdf>"), nullptr);
+  };
+  const auto shortPose = read("<model name='m'><pose>1 2</pose></model>");
+  ASSERT_TRUE(shortPose);
+  EXPECT_EQ(shortPose->nodes[0].X_PN.p, dvec3(1, 2, 0));
+  EXPECT_THAT(shortPose->warnings.at(0), HasSubstr("2 numbers instead of 6"));
+  folder.write("loop/model.sdf", "<sdf><model name='loop'><include><uri>model://loop</uri></include></model></sdf>");
+  const auto loop = read("<include><uri>model://loop</uri></include>");
+  ASSERT_TRUE(loop);
+  EXPECT_LT(loop->nodes.size(), 100u);
+  std::string deep;
+  for (int k = 0; k < 100000; ++k) deep += "<model>";
+  EXPECT_FALSE(read(deep));
+  EXPECT_FALSE(readSdfCell(folder.write("x.world", "<sdf><world"), nullptr));
+}
+
+TEST(SdfCell, theAriacWorldStands) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/workcell_ariac/worlds/ariac.world");
+  const auto scene = readScene(file, {}, nullptr);
+  ASSERT_TRUE(scene) << scene.error().message();
+  const auto named = [&](const std::string& name) {
+    return std::any_of(scene->nodes.begin(), scene->nodes.end(), [&](const SceneNode& n) { return n.name == name; });
+  };
+  for (const char* name : {"part_disposal_bin", "bin1", "bin8"}) EXPECT_TRUE(named(name)) << name;
+  EXPECT_GT(scene->meshes.size(), 5u);
+  const bool told = std::any_of(scene->warnings.begin(), scene->warnings.end(),
+                                [](const std::string& w) { return w.find("model://warehouse") != std::string::npos; });
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace hapticell::workcell
