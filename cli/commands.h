@@ -33,6 +33,9 @@ void addMannequinCommand(CLI::App& app, Action& chosen);
 void addWorkcellCommand(CLI::App& app, Action& chosen);
 void addSessionCommand(CLI::App& app, Action& chosen);
 
+/// `workcell pack` and `workcell changes`, below `workcell`.
+void addWorkcellExchangeCommands(CLI::App& workcell, Action& chosen);
+
 /// Reads the command line and runs the chosen command. Never throws; this is all of main().
 int runCommandLine(int argc, char** argv);
 

@@ -14,6 +14,7 @@
 #include "manipulation/session.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"
+#include "workcell/imported_entities.h"
 
 namespace hapticell::cli {
 
@@ -128,9 +129,10 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   const auto document = workcell::loadDocument(words.workcell, diagnostics);
   for (const std::string& sentence : diagnostics.warnings) warn(sentence);
   if (!document) return tl::unexpected(document.error());
-  options.entities = document->snapshotEntities();
-  options.pair_sets = document->state().pair_sets;
-  options.guides = document->state().guides;
+  const workcell::Document held(workcell::withAssemblyAsSolid(document->state(), words.entity));
+  options.entities = held.snapshotEntities();
+  options.pair_sets = held.state().pair_sets;
+  options.guides = held.state().guides;
   options.entity = words.entity;
 
   const auto hand = haptic::readHandPath(words.hand);

@@ -132,6 +132,7 @@ void addWorkcellCommand(CLI::App& app, Action& chosen) {
                    "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "
                    "without it everything is checked against everything")
       ->allow_extra_args(false);
+  addWorkcellExchangeCommands(*command, chosen);
   make->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return runNew(*options, writer); }; });
 }
 

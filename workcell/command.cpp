@@ -557,7 +557,7 @@ class Applier {
     if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
     if (state_.findByName(entity.name)) return makeError(taken(entity.name));
     const bool solid = entity.kind == EntityKind::kSolid, assembly = entity.kind == EntityKind::kAssembly;
-    if (!assembly && (solid ? !entity.mesh : !entity.robot)) {
+    if (!assembly && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
       return makeError(refusal(inQuotes(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
     }
     if (auto checked = checkPose(inQuotes(entity.name), entity.X_WE); !checked) return checked;

@@ -60,6 +60,8 @@ class Document {
   /// True when the state is not the one last saved or read; undoing back to that makes it false.
   bool isDirty() const { return state_id_ != saved_state_id_; }
   void markSaved() { saved_state_id_ = state_id_; }
+  /// Makes it dirty whatever is undone: it was restored from a copy and stands in no file.
+  void markUnsaved() { saved_state_id_ = ~std::uint64_t{0}; }
 
   /// Where it was read or last saved; empty for a new one.
   const std::filesystem::path& path() const { return path_; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "workcell/command.h"
@@ -104,7 +105,17 @@ Json jsonFromMechanism(const MechanismDefinition& definition, const fs::path& fo
   return {{"parts", std::move(parts)}, {"joints", std::move(joints)}};
 }
 
+/// As it stood in its document, but for what may have been changed since. (Its own file names stay as they were.)
+Json jsonFromUnloaded(const Entity& entity) {
+  Json json = Json::parse(*entity.unloaded);
+  json["name"] = entity.name;
+  json["placement"] = toJson(entity.X_WE);
+  json["parent"] = entity.parent;
+  return json;
+}
+
 Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
+  if (entity.unloaded) return jsonFromUnloaded(entity);
   Json json;
   json["name"] = entity.name;
   json["kind"] = kKindWords[static_cast<std::size_t>(entity.kind)];
@@ -152,8 +163,8 @@ Json jsonFromPairSet(const PairSet& set) {
 
 class StateReader {
  public:
-  StateReader(const fs::path& folder, Diagnostics& diagnostics)
-      : folder_(folder), loader_(folder, true), diagnostics_(diagnostics) {}
+  StateReader(const fs::path& folder, Diagnostics& diagnostics, const LoadOptions& options)
+      : folder_(folder), loader_(folder, true), diagnostics_(diagnostics), options_(options) {}
 
   Expected<DocumentState> read(const Json& json) {
     FieldReader fields(json, "the document", error_);
@@ -215,6 +226,7 @@ class StateReader {
     }
     Expected<Entity> loaded =
         mechanism ? readMechanism(*mechanism, head.name, place) : loader_.loadSource(head.source, diagnostics_);
+    if (!loaded && options_.keep_unloaded) return keepUnloaded(json, fields, place, head, loaded.error());
     if (!loaded) return failIn(place, loaded.error());
     loaded->name = head.name;
     if (kind >= 0 && kind != static_cast<int>(loaded->kind)) {
@@ -222,6 +234,38 @@ class StateReader {
       return fields.fail("kind", kKindWords[static_cast<std::size_t>(kind)], is + ", as its file is");
     }
     addEntity(fields, place, std::move(*loaded));
+  }
+
+  /// The entity stays in the document as it is written there; what can be known without its file is read.
+  void keepUnloaded(const Json& json, FieldReader& fields, const std::string& place, Entity entity,
+                    const Error& cause) {
+    error_.reset();
+    diagnostics_.warn(place + " is kept without its shape: " + cause.message());
+    entity.unloaded = std::make_shared<const std::string>(json.dump());
+    readEntityFields(fields, place, entity);
+    if (error_) return;
+    const auto added = apply(AddEntity{std::move(entity)}, state_, state_.entities.size() + 1);
+    if (!added) failIn(place, added.error());
+  }
+
+  /// Where a file is that may have been moved since the document was saved.
+  void locate(std::string& path) {
+    if (!options_.locate || isBuiltIn(path)) return;
+    const fs::path file = (folder_ / path).lexically_normal();
+    std::error_code ignored;
+    if (fs::exists(file, ignored)) return;
+    if (const auto moved = moved_folders_.find(file.parent_path()); moved != moved_folders_.end()) {
+      const fs::path there = moved->second / file.filename();
+      if (fs::exists(there, ignored)) {
+        path = there.string();
+        return;
+      }
+    }
+    const auto [asked, is_new] = located_.try_emplace(file);
+    if (is_new) asked->second = options_.locate(file);
+    if (!asked->second) return;
+    path = fs::absolute(*asked->second).string();
+    moved_folders_.try_emplace(file.parent_path(), fs::path(path).parent_path());
   }
 
   void readSource(const Json& json, const std::string& place, SourceFile& source) {
@@ -236,6 +280,7 @@ class StateReader {
     fields.read("chord", source.tessellation.chord);
     fields.read("angle", source.tessellation.angle);
     if (error_) return;
+    locate(source.path);
     if (axis >= 0) source.up_axis = static_cast<UpAxis>(axis);
     if (json.contains("scale") && !(source.scale >= 1e-9 && source.scale <= 1e9)) {
       fields.fail("scale", "out of range", "metres per unit, 1e-9 to 1e9");
@@ -272,8 +317,8 @@ class StateReader {
           return;
         }
       }
-      const bool link_there =
-          carrier && (attachment.link.empty() || (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
+      const bool link_there = carrier && (carrier->unloaded || attachment.link.empty() ||
+                                          (carrier->robot && carrier->robot->findLink(attachment.link) >= 0));
       if (!link_there) {
         error_ = Error{"", place,
                        "it is attached to '" + attachment.to + (carrier ? "', link '" + attachment.link : "") +
@@ -502,6 +547,9 @@ class StateReader {
   const fs::path& folder_;
   EntityLoader loader_;
   Diagnostics& diagnostics_;
+  const LoadOptions& options_;
+  std::map<fs::path, std::optional<fs::path>> located_;
+  std::map<fs::path, fs::path> moved_folders_;
   DocumentState state_;
   std::vector<std::pair<std::size_t, Attachment>> attachments_;  // By place in the state.
   std::optional<Error> error_;
@@ -530,8 +578,9 @@ Json jsonFromState(const DocumentState& state, const fs::path& folder) {
   return json;
 }
 
-Expected<DocumentState> stateFromJson(const Json& json, const fs::path& folder, Diagnostics& diagnostics) {
-  return StateReader(folder, diagnostics).read(json);
+Expected<DocumentState> stateFromJson(const Json& json, const fs::path& folder, Diagnostics& diagnostics,
+                                      const LoadOptions& options) {
+  return StateReader(folder, diagnostics, options).read(json);
 }
 
 }  // namespace hapticell::workcell

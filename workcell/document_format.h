@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "geometry/error.h"
+#include "workcell/document_io.h"
 #include "workcell/document_state.h"
 #include "workcell/field_reader.h"
 
@@ -14,6 +15,7 @@ Json jsonFromState(const DocumentState& state, const std::filesystem::path& fold
 
 /// The state that the JSON says, with its meshes and robots read; an error names the entity but not the document's
 /// file.
-Expected<DocumentState> stateFromJson(const Json& json, const std::filesystem::path& folder, Diagnostics& diagnostics);
+Expected<DocumentState> stateFromJson(const Json& json, const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                      const LoadOptions& options);
 
 }  // namespace hapticell::workcell

@@ -36,19 +36,19 @@ Expected<Json> parseJson(std::string_view text, const std::string& name) {
 }  // namespace
 
 Expected<Document> parseDocument(std::string_view text, const fs::path& folder, const std::string& name,
-                                 Diagnostics& diagnostics) {
+                                 Diagnostics& diagnostics, const LoadOptions& options) {
   const Expected<Json> json = parseJson(text, name);
   if (!json) return makeError(json.error());
-  Expected<DocumentState> state = stateFromJson(*json, folder, diagnostics);
+  Expected<DocumentState> state = stateFromJson(*json, folder, diagnostics, options);
   if (!state) return makeError(inFile(state.error(), name));
   return Document(std::move(*state));
 }
 
-Expected<Document> loadDocument(const fs::path& path, Diagnostics& diagnostics) {
+Expected<Document> loadDocument(const fs::path& path, Diagnostics& diagnostics, const LoadOptions& options) {
   const Expected<std::string> text = readFileContent(path);
   if (!text) return makeError(text.error());
   const fs::path absolute = fs::absolute(path).lexically_normal();
-  Expected<Document> document = parseDocument(*text, absolute.parent_path(), path.string(), diagnostics);
+  Expected<Document> document = parseDocument(*text, absolute.parent_path(), path.string(), diagnostics, options);
   if (document) document->setPath(absolute);
   return document;
 }

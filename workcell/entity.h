@@ -77,6 +77,8 @@ struct Entity {
   bool locked = false;  ///< Cannot be grabbed or moved.
   bool checked = true;  ///< Takes part in collision checks.
   SourceFile source;
+  /// The entity as its document has it, where its file could not be read: it is shown nowhere and saved as it was.
+  std::shared_ptr<const std::string> unloaded;
   std::shared_ptr<const geometry::TriangleMesh> mesh;    ///< Solids.
   std::shared_ptr<const kinematics::RobotModel> robot;   ///< Robots.
   std::shared_ptr<const mannequin::Figure> figure;       ///< Mannequins; they have a `robot` too (figure_model.h).

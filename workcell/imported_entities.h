@@ -47,6 +47,10 @@ Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& 
 /// entities.
 Expected<std::vector<EntityId>> addImported(Document& document, std::vector<Entity> entities, const Pose& X_WF);
 
+/// The state in which the assembly `name` and all solids below it are one solid of that name, so that it can be held as
+/// one body. The state itself where `name` is no assembly, or one with robots or mechanisms below it.
+DocumentState withAssemblyAsSolid(const DocumentState& state, const std::string& name);
+
 /// One solid of an entity and all that stands below it in the tree (robots left out), in the entity's frame: what an
 /// assembly is while it is held. Empty where there is no mesh at all.
 geometry::TriangleMesh mergedMesh(const DocumentState& state, EntityId id);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// workcell pack, workcell changes
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/commands.h"
+#include "workcell/change_report.h"
+#include "workcell/document_io.h"
+#include "workcell/pack.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct PackOptions {
+  std::string file, folder;
+};
+
+struct ChangesOptions {
+  std::string before, after, output;
+  bool all = false;
+};
+
+ExitStatus finish(const Expected<ordered_json>& result, const Diagnostics& notes, const ResultWriter& writer) {
+  for (const std::string& note : notes.warnings) warn(note);
+  const auto written = result ? writer.write(*result) : tl::unexpected(result.error());
+  if (written) return ExitStatus::kDone;
+  report(written.error());
+  return ExitStatus::kBadInput;
+}
+
+Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
+  const auto document = workcell::loadDocument(options.file, notes);
+  if (!document) return tl::unexpected(document.error());
+  const std::string name = fs::path(options.file).filename().string();
+  const auto packed = workcell::packDocument(document->state(), options.folder, name, notes);
+  if (!packed) return tl::unexpected(packed.error());
+  return ordered_json{{"workcell", packed->document.string()}, {"files", packed->copied}, {"bytes", packed->bytes}};
+}
+
+Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes) {
+  const auto before = workcell::loadDocument(options.before, notes);
+  if (!before) return tl::unexpected(before.error());
+  const auto after = workcell::loadDocument(options.after, notes);
+  if (!after) return tl::unexpected(after.error());
+  const auto list = workcell::compareStates(before->state(), after->state());
+  if (!options.output.empty()) {
+    const auto written = writeFileAtomically(options.output, workcell::changesAsCsv(list, options.all));
+    if (!written) return tl::unexpected(written.error());
+  }
+  ordered_json rows = ordered_json::array();
+  for (const workcell::EntityChange& change : list) {
+    if (!options.all && change.kind == workcell::EntityChange::Kind::kUnchanged) continue;
+    rows.push_back({{"name", change.name},
+                    {"change", workcell::wordOf(change.kind)},
+                    {"distance", change.distance},
+                    {"angle", change.angle},
+                    {"joints", change.joints}});
+  }
+  return ordered_json{{"changes", std::move(rows)}};
+}
+
+}  // namespace
+
+void addWorkcellExchangeCommands(CLI::App& workcell, Action& chosen) {
+  CLI::App* packing = workcell.add_subcommand("pack", "A document with all the files it names in one folder");
+  const auto pack_options = std::make_shared<PackOptions>();
+  packing->add_option("file", pack_options->file, "The document (.hcell)")->required();
+  packing->add_option("-o,--output", pack_options->folder, "A new or empty folder")->required();
+  packing->callback([pack_options, &chosen] {
+    chosen = [pack_options](ResultWriter& writer) {
+      Diagnostics notes;
+      const auto result = pack(*pack_options, notes);
+      return finish(result, notes, writer);
+    };
+  });
+  CLI::App* changing = workcell.add_subcommand("changes", "What was moved, added and removed between two documents");
+  const auto options = std::make_shared<ChangesOptions>();
+  changing->add_option("before", options->before, "The earlier document (.hcell)")->required();
+  changing->add_option("after", options->after, "The later document (.hcell)")->required();
+  changing->add_option("-o,--output", options->output, "Write a table as well (CSV)");
+  changing->add_flag("--all", options->all, "List what did not change too");
+  changing->callback([options, &chosen] {
+    chosen = [options](ResultWriter& writer) {
+      Diagnostics notes;
+      const auto result = changes(*options, notes);
+      return finish(result, notes, writer);
+    };
+  });
+}
+
+}  // namespace hapticell::cli

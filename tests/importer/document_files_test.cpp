@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// A document and its files: missing ones, the copy against a crash, the pack, what changed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "geometry/shapes.h"
+#include "tests/support/test_data.h"
+#include "workcell/autosave.h"
+#include "workcell/change_report.h"
+#include "workcell/document_io.h"
+#include "workcell/file_content.h"
+#include "workcell/imported_entities.h"
+#include "workcell/pack.h"
+
+namespace hapticell::workcell {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr const char* kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+Entity solid(const std::string& name, const fs::path& file) {
+  Entity entity;
+  entity.name = name;
+  entity.source.path = file.string();
+  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({1, 1, 1}));
+  return entity;
+}
+
+/// Two solids of two files, one below an assembly, saved as cell.hcell.
+class DocumentFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Document document;
+    Entity group;
+    group.kind = EntityKind::kAssembly;
+    group.name = "group";
+    Entity b = solid("b", folder_.write("parts/b.obj", kObj));
+    b.parent = "group";
+    ASSERT_TRUE(document.execute(AddEntity{solid("a", folder_.write("parts/a.obj", kObj))}));
+    ASSERT_TRUE(document.execute(AddEntity{group}));
+    ASSERT_TRUE(document.execute(AddEntity{b}));
+    ASSERT_TRUE(saveDocument(document, file()));
+  }
+  fs::path file() const { return folder_.path() / "cell.hcell"; }
+  test::TemporaryFolder folder_;
+  Diagnostics notes_;
+};
+
+TEST_F(DocumentFiles, whatCannotBeReadIsKeptAndSavedAsItWas) {
+  const std::string text = *readFileContent(file());
+  fs::remove(folder_.path() / "parts/a.obj");
+  EXPECT_FALSE(loadDocument(file(), notes_));
+  auto document = loadDocument(file(), notes_, {.keep_unloaded = true});
+  ASSERT_TRUE(document) << document.error().message();
+  EXPECT_THAT(notes_.warnings.at(0), HasSubstr("a.obj"));
+  EXPECT_TRUE(document->findByName("a")->unloaded);
+  EXPECT_TRUE(document->findByName("b")->mesh);
+  EXPECT_EQ(documentText(document->state(), folder_.path()), text);
+}
+
+TEST_F(DocumentFiles, aMovedFolderIsAskedForOnce) {
+  fs::rename(folder_.path() / "parts", folder_.path() / "elsewhere");
+  int asked = 0;
+  LoadOptions options;
+  options.locate = [&](const fs::path& missing) -> std::optional<fs::path> {
+    ++asked;
+    return folder_.path() / "elsewhere" / missing.filename();
+  };
+  const auto document = loadDocument(file(), notes_, options);
+  ASSERT_TRUE(document) << document.error().message();
+  EXPECT_EQ(asked, 1);
+  EXPECT_THAT(documentText(document->state(), folder_.path()), HasSubstr("elsewhere/b.obj"));
+}
+
+TEST_F(DocumentFiles, theCopyIsFoundAfterACrashAndGoneAfterSaving) {
+  auto document = loadDocument(file(), notes_);
+  ASSERT_TRUE(document);
+  ASSERT_TRUE(autosave(*document));
+  EXPECT_FALSE(findAutosave(file()));  // Nothing was changed.
+  ASSERT_TRUE(document->execute(SetPlacement{document->findByName("a")->id, Pose::translation({1, 2, 3})}));
+  ASSERT_TRUE(autosave(*document));
+  EXPECT_TRUE(document->isDirty());
+  const auto copy = findAutosave(file());
+  ASSERT_TRUE(copy);
+  auto restored = loadDocument(*copy, notes_);
+  ASSERT_TRUE(restored) << restored.error().message();
+  restored->markUnsaved();
+  EXPECT_TRUE(restored->isDirty());
+  EXPECT_EQ(restored->findByName("a")->X_WE.p, dvec3(1, 2, 3));
+  discardAutosave(file());
+  EXPECT_FALSE(findAutosave(file()));
+}
+
+TEST_F(DocumentFiles, thePackStandsOnItsOwn) {
+  folder_.write("other/a.obj", kObj);
+  auto document = loadDocument(file(), notes_);
+  ASSERT_TRUE(document);
+  ASSERT_TRUE(document->execute(AddEntity{solid("a again", folder_.path() / "other/a.obj")}));
+  const fs::path pack = folder_.path() / "pack";
+  const auto report = packDocument(document->state(), pack, "cell.hcell", notes_);
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_EQ(report->copied.size(), 3u);
+  EXPECT_FALSE(packDocument(document->state(), pack, "cell.hcell", notes_)) << "the folder is not empty";
+  const fs::path moved = folder_.path() / "handed on";
+  fs::rename(pack, moved);
+  fs::remove_all(folder_.path() / "parts");
+  fs::remove_all(folder_.path() / "other");
+  const auto again = loadDocument(moved / "cell.hcell", notes_);
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(again->state().entities.size(), 4u);
+}
+
+TEST_F(DocumentFiles, aPackThatFailsLeavesNothing) {
+  auto document = loadDocument(file(), notes_);
+  fs::remove(folder_.path() / "parts/b.obj");
+  EXPECT_FALSE(packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_));
+  EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
+}
+
+TEST_F(DocumentFiles, changesTellWhatMovedAndHowFar) {
+  const auto before = loadDocument(file(), notes_);
+  auto after = loadDocument(file(), notes_);
+  ASSERT_TRUE(before && after);
+  const Pose X{{3, 4, 0}, glm::angleAxis(0.5, dvec3(0, 0, 1))};
+  ASSERT_TRUE(after->execute(SetPlacement{after->findByName("group")->id, X}));
+  ASSERT_TRUE(after->execute(RemoveEntity{after->findByName("a")->id}));
+  ASSERT_TRUE(after->execute(AddEntity{solid("new, \"quoted\"", folder_.path() / "x")}));
+  const auto changes = compareStates(before->state(), after->state());
+  ASSERT_EQ(changes.size(), 4u);
+  EXPECT_EQ(changes[1].name, "b");  // It went with its assembly.
+  EXPECT_EQ(changes[1].kind, EntityChange::Kind::kMoved);
+  EXPECT_NEAR(changes[1].distance, 5.0, 1e-12);
+  EXPECT_NEAR(changes[1].angle, 0.5, 1e-12);
+  EXPECT_EQ(changes[2].kind, EntityChange::Kind::kAdded);
+  EXPECT_EQ(changes[3].kind, EntityChange::Kind::kRemoved);
+  const std::string csv = changesAsCsv(changes, false);
+  EXPECT_THAT(csv, HasSubstr("\n\"new, \"\"quoted\"\"\",solid,added,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+}
+
+TEST_F(DocumentFiles, anAssemblyCanBeHeldAsOneSolid) {
+  const auto document = loadDocument(file(), notes_);
+  ASSERT_TRUE(document);
+  const DocumentState folded = withAssemblyAsSolid(document->state(), "group");
+  ASSERT_EQ(folded.entities.size(), 2u);
+  EXPECT_EQ(folded.findByName("group")->kind, EntityKind::kSolid);
+  EXPECT_EQ(folded.findByName("group")->mesh->triangles.size(), 4u);
+  EXPECT_EQ(withAssemblyAsSolid(document->state(), "a").entities.size(), 3u);
+}
+
+TEST_F(DocumentFiles, assembliesCannotStandBelowThemselves) {
+  auto document = loadDocument(file(), notes_);
+  ASSERT_TRUE(document);
+  SetProperties change;
+  change.id = document->findByName("group")->id;
+  change.parent = "b";
+  EXPECT_FALSE(document->execute(change));
+  ASSERT_TRUE(document->execute(RenameEntity{change.id, "renamed"}));
+  EXPECT_EQ(document->findByName("b")->parent, "renamed");
+  change.parent.reset();
+  change.visible = false;
+  ASSERT_TRUE(document->execute(change));
+  EXPECT_FALSE(document->findByName("b")->visible);
+}
+
+}  // namespace
+}  // namespace hapticell::workcell

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/pack.h"
+
+#include <map>
+#include <memory>
+#include <set>
+
+#include "workcell/document_io.h"
+#include "workcell/entity_source.h"
+#include "workcell/file_content.h"
+#include "workcell/mechanism.h"
+#include "workcell/robot_reader.h"
+#include "workcell/sdf_cell_reader.h"
+
+namespace hapticell::workcell {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
+
+/// The folder that a robot or cell needs: its package (the one with package.xml), else that of the file.
+fs::path packageOf(const fs::path& file) {
+  std::error_code ignored;
+  for (fs::path at = file.parent_path(); at != at.parent_path(); at = at.parent_path()) {
+    if (fs::exists(at / "package.xml", ignored)) return at;
+  }
+  return file.parent_path();
+}
+
+class Packer {
+ public:
+  Packer(fs::path folder, Diagnostics& diagnostics) : folder_(std::move(folder)), diagnostics_(diagnostics) {}
+
+  /// Copies what the path names, once; gives its place in the pack.
+  Expected<std::string> take(const std::string& path) {
+    if (path.empty() || isBuiltIn(path)) return path;
+    const auto known = places_.find(path);
+    if (known != places_.end()) return known->second;
+    const bool with_folder = looksLikeRobot(path) || isSdfCell(path);
+    auto place = with_folder ? takeFolder(path) : takeFile(path);
+    if (place) places_[path] = place->string();
+    return place ? Expected<std::string>(place->string()) : makeError(place.error());
+  }
+
+  PackReport report;
+
+ private:
+  fs::path freePlace(const fs::path& name) {
+    fs::path place = folder_ / "files" / name;
+    for (int number = 2; !taken_.insert(place.string()).second; ++number) {
+      place = folder_ / "files" / (name.stem().string() + "-" + std::to_string(number) + name.extension().string());
+    }
+    return place;
+  }
+
+  Expected<fs::path> takeFile(const fs::path& file) {
+    const fs::path place = freePlace(file.filename());
+    if (auto copied = copy(file, place); !copied) return makeError(copied.error());
+    std::error_code fault;
+    for (const auto& beside : fs::directory_iterator(file.parent_path(), fault)) {
+      const std::string extension = beside.path().extension().string();
+      const bool belongs = extension == ".mtl" || extension == ".bin";  // OBJ's colours, glTF's data.
+      if (!belongs || beside.path().stem() != file.stem()) continue;
+      if (auto copied = copy(beside.path(), place.parent_path() / beside.path().filename()); !copied) {
+        return makeError(copied.error());
+      }
+    }
+    return place;
+  }
+
+  Expected<fs::path> takeFolder(const fs::path& file) {
+    const fs::path package = packageOf(file);
+    auto [known, is_new] = packages_.try_emplace(package.string());
+    if (is_new) {
+      known->second = freePlace(package.filename()).string();
+      std::error_code fault;
+      for (fs::recursive_directory_iterator at(package, fault), end; !fault && at != end; at.increment(fault)) {
+        if (at.depth() == 0 && at->path().filename().string().starts_with(".")) at.disable_recursion_pending();
+        if (!at->is_regular_file(fault)) continue;
+        const fs::path place = fs::path(known->second) / at->path().lexically_relative(package);
+        if (auto copied = copy(at->path(), place); !copied) return makeError(copied.error());
+      }
+      diagnostics_.warn("'" + file.filename().string() + "' was packed with all of the folder " + package.string());
+    }
+    return fs::path(known->second) / file.lexically_relative(package);
+  }
+
+  Expected<void> copy(const fs::path& from, const fs::path& to) {
+    std::error_code fault;
+    const std::uintmax_t size = fs::file_size(from, fault);
+    if (!fault && report.bytes + size > kMostBytes) {
+      return makeError({from.string(), "", "it makes the pack larger than 2 GB", "less",
+                        "Put the file into a folder of its own, without what does not belong to it."});
+    }
+    if (!fault) fs::create_directories(to.parent_path(), fault);
+    if (!fault) fs::copy_file(from, to, fs::copy_options::overwrite_existing, fault);
+    if (fault)
+      return makeError({from.string(), "", fault.message(), "a file that can be copied to " + to.string(), ""});
+    report.bytes += size;
+    report.copied.push_back(to.lexically_relative(folder_).generic_string());
+    return {};
+  }
+
+  fs::path folder_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, std::string> places_, packages_;
+  std::set<std::string> taken_;
+};
+
+Expected<void> takeAll(Entity& entity, Packer& packer) {
+  const auto take = [&](std::string& path) -> Expected<void> {
+    auto place = packer.take(path);
+    if (!place) return makeError(place.error());
+    path = *place;
+    return {};
+  };
+  if (entity.kind != EntityKind::kAssembly) {
+    if (auto taken = take(entity.source.path); !taken) return taken;
+  } else if (!entity.source.path.empty() && !isBuiltIn(entity.source.path)) {
+    if (auto taken = take(entity.source.path); !taken) return taken;
+  }
+  if (!entity.mechanism) return {};
+  auto definition = std::make_shared<MechanismDefinition>(*entity.mechanism);
+  for (MechanismPart& part : definition->parts) {
+    if (auto taken = take(part.source.path); !taken) return taken;
+  }
+  entity.mechanism = std::move(definition);
+  return {};
+}
+
+Expected<PackReport> packInto(DocumentState state, const fs::path& folder, const std::string& name,
+                              Diagnostics& diagnostics) {
+  Packer packer(folder, diagnostics);
+  for (auto& entity : state.entities) {
+    auto packed = std::make_shared<Entity>(*entity);
+    if (auto taken = takeAll(*packed, packer); !taken) return makeError(taken.error());
+    entity = std::move(packed);
+  }
+  for (TrajectoryReference& trajectory : state.trajectories) {
+    auto place = packer.take(trajectory.path);
+    if (!place) return makeError(place.error());
+    trajectory.path = *place;
+  }
+  packer.report.document = folder / name;
+  if (auto written = writeFileAtomically(packer.report.document, documentText(state, folder)); !written) {
+    return makeError(written.error());
+  }
+  return std::move(packer.report);
+}
+
+}  // namespace
+
+Expected<PackReport> packDocument(const DocumentState& state, const fs::path& folder, const std::string& name,
+                                  Diagnostics& diagnostics) {
+  const fs::path absolute = fs::absolute(folder).lexically_normal();
+  std::error_code fault;
+  const bool there = fs::exists(absolute, fault);
+  if (there && (!fs::is_directory(absolute, fault) || !fs::is_empty(absolute, fault))) {
+    return makeError({folder.string(), "", "something stands there already", "a new or empty folder", ""});
+  }
+  fs::create_directories(absolute, fault);
+  if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
+  auto report = packInto(state, absolute, name, diagnostics);
+  if (!report) fs::remove_all(absolute, fault);
+  return report;
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "geometry/error.h"
+#include "workcell/document_state.h"
+
+namespace hapticell::workcell {
+
+struct PackReport {
+  std::filesystem::path document;   ///< The packed document.
+  std::vector<std::string> copied;  ///< Files, relative to the folder.
+  std::uintmax_t bytes = 0;
+};
+
+/// Makes `folder` (which must not exist, or be empty) hold the document as `name` and, in "files", all that it names:
+/// mesh and CAD files with what stands beside them under the same stem, robots with the whole package (or folder) that
+/// they stand in, at most 2 GB of it. Built-in things need no file. Files of one name get a number. On error the folder
+/// is removed again.
+Expected<PackReport> packDocument(const DocumentState& state, const std::filesystem::path& folder,
+                                  const std::string& name, Diagnostics& diagnostics);
+
+}  // namespace hapticell::workcell
