@@ -24,9 +24,12 @@ const char* kindWord(EntityKind kind) {
       return "robot";
     case EntityKind::kAssembly:
       return "assembly";
-    default:
-      return "mechanism";
+    case EntityKind::kMannequin:
+      return "mannequin";
+    case EntityKind::kMechanism:
+      break;
   }
+  return "mechanism";
 }
 
 std::string changedJoints(const Entity& before, const Entity& after) {
