@@ -2,32 +2,11 @@
 // Counts heap allocations in the calls that the manipulation loop makes at its full rate.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "kinematics/inverse_factory.h"
 #include "kinematics/jacobian.h"
 #include "kinematics/numeric_inverse.h"
 #include "tests/kinematics/test_robots.h"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "tests/support/allocation_guard.h"
 
 namespace hapticell::kinematics {
 namespace {
@@ -50,11 +29,12 @@ TEST(Allocation, NoneInSolveNearestForwardKinematicsAndJacobian) {
     geometricJacobian(model, X_BL, model.defaultTip(), X_BL.back().p, J);
     dampedPseudoInverse(J, 1.0, 0.05, inverse_jacobian);
   };
+  const hapticell::test::AllocationGuard first;
   step();
-  const long before = allocations;
-  EXPECT_GT(before, 0) << "the counter works";
+  EXPECT_GT(first.count(), 0u) << "the counter works";
+  const hapticell::test::AllocationGuard second;
   step();
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(second.count(), 0u);
 }
 
 TEST(Allocation, NoneInTheClosedForms) {
@@ -71,9 +51,9 @@ TEST(Allocation, NoneInTheClosedForms) {
       (*inverse)->solveNearest(Pose::translation({5.0, 0.0, 0.0}), q, 1e-2, solution);
     };
     step();
-    const long before = allocations;
+    const hapticell::test::AllocationGuard guard;
     step();
-    EXPECT_EQ(allocations - before, 0) << (*inverse)->name();
+    EXPECT_EQ(guard.count(), 0u) << (*inverse)->name();
   }
 }
 
