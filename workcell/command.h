@@ -148,10 +148,10 @@ struct SetView {
   std::optional<SavedView> view;
 };
 
-using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration,
-                             SetProperties, SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach, MakeMechanism,
-                             EditMechanism, DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, AddGuide, EditGuide, RemoveGuide,
-                             SetView>;
+using Command =
+    std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration, SetProperties,
+                 SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach, MakeMechanism, EditMechanism,
+                 DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, AddGuide, EditGuide, RemoveGuide, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

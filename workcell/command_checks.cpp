@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/command_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::workcell {
+
+namespace {
+
+/// What a name may be: shown in one line of the tree.
+bool isName(const std::string& name) {
+  constexpr std::size_t kLongest = 200;
+  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  return !name.empty() && name.size() <= kLongest && printable && name.front() != ' ' && name.back() != ' ';
+}
+
+}  // namespace
+
+Error refusal(std::string place, std::string found, std::string expected, std::string fix) {
+  return {"", std::move(place), std::move(found), std::move(expected), std::move(fix)};
+}
+
+std::string inQuotes(const std::string& name) {
+  return "'" + name + "'";
+}
+
+Expected<void> checkName(const std::string& what, const std::string& name) {
+  if (isName(name)) return {};
+  return makeError(refusal(what, inQuotes(name), "a printable name of 1 to 200 letters"));
+}
+
+Expected<void> checkPose(const std::string& what, const Pose& pose) {
+  if (pose.isValid()) return {};
+  return makeError(refusal(what, "a pose that is not one", "finite numbers and a quaternion of length 1"));
+}
+
+Error taken(const std::string& name) {
+  return refusal("", "the name " + inQuotes(name) + " is taken", "a name of its own");
+}
+
+Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
+  const std::size_t wanted = entity.robot ? entity.robot->dof() : 0;
+  if (joints.size() != wanted) {
+    return makeError(refusal(inQuotes(entity.name), std::to_string(joints.size()) + " joint values",
+                             std::to_string(wanted) + ", one a moving joint"));
+  }
+  for (double value : joints) {
+    if (!std::isfinite(value)) {
+      return makeError(refusal(inQuotes(entity.name), "a joint value that is not finite", "a number"));
+    }
+  }
+  return {};
+}
+
+Expected<void> checkTool(const Entity& entity) {
+  if (entity.robot && !entity.tip_link.empty() && entity.robot->findLink(entity.tip_link) < 0) {
+    return makeError(refusal(inQuotes(entity.name), "no link " + inQuotes(entity.tip_link),
+                             "a link of robot " + inQuotes(entity.robot->name)));
+  }
+  return checkPose("the tool of " + inQuotes(entity.name), entity.X_LT);
+}
+
+Expected<void> checkTools(const Entity& entity) {
+  std::vector<std::string> names;
+  for (const ToolFrame& tool : entity.tools) {
+    const std::string place = inQuotes(entity.name) + ", tool " + inQuotes(tool.name);
+    if (auto checked = checkName("a tool of " + inQuotes(entity.name), tool.name); !checked) return checked;
+    if (auto checked = checkPose(place, tool.X_LT); !checked) return checked;
+    if (!entity.robot || entity.robot->findLink(tool.tip_link) < 0) {
+      return makeError(refusal(place, "no link " + inQuotes(tool.tip_link), "a link of the robot"));
+    }
+    if (std::find(names.begin(), names.end(), tool.name) != names.end()) return makeError(taken(tool.name));
+    names.push_back(tool.name);
+  }
+  return checkTool(entity);
+}
+
+Expected<void> checkFrames(const Entity& entity) {
+  std::vector<std::string> names;
+  for (const Frame& frame : entity.frames) {
+    const std::string place = inQuotes(entity.name) + ", frame " + inQuotes(frame.name);
+    if (auto checked = checkName("a frame of " + inQuotes(entity.name), frame.name); !checked) return checked;
+    if (auto checked = checkPose(place, frame.X_EF); !checked) return checked;
+    if (std::find(names.begin(), names.end(), frame.name) != names.end()) return makeError(taken(frame.name));
+    names.push_back(frame.name);
+  }
+  return {};
+}
+
+Expected<void> checkProperties(const Entity& entity) {
+  const bool color =
+      std::all_of(entity.color.begin(), entity.color.end(), [](float part) { return part >= 0.0f && part <= 1.0f; });
+  if (!color) return makeError(refusal(inQuotes(entity.name), "a colour out of range", "parts from 0 to 1"));
+  if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
+    return makeError(refusal(inQuotes(entity.name), "a mass that is none", "kilograms above 0"));
+  }
+  return {};
+}
+
+Expected<void> checkPairSet(const PairSet& set) {
+  if (auto checked = checkName("the pair set's name", set.name); !checked) return checked;
+  constexpr double kFarthest = 1.0;
+  for (double distance : {set.safety_distance, set.near_miss}) {
+    if (!(distance >= 0.0 && distance <= kFarthest)) {
+      return makeError(refusal("pair set " + inQuotes(set.name), "a distance out of range", "0 to 1 m"));
+    }
+  }
+  return {};
+}
+
+}  // namespace hapticell::workcell

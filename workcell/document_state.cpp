@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "workcell/document_state.h"
+
+#include <algorithm>
+
+namespace hapticell::workcell {
+
+std::vector<EntityId> familyOf(const DocumentState& state, EntityId id) {
+  const Entity* root = state.find(id);
+  std::vector<EntityId> family;
+  if (!root) return family;
+  std::vector<const Entity*> open{root};
+  while (!open.empty()) {
+    const Entity* parent = open.back();
+    open.pop_back();
+    family.push_back(parent->id);
+    for (const auto& entity : state.entities) {
+      const bool known = std::find(family.begin(), family.end(), entity->id) != family.end();
+      if (entity->parent == parent->name && !known) open.push_back(entity.get());
+    }
+  }
+  return family;
+}
+
+const Entity* DocumentState::find(EntityId id) const {
+  for (const auto& entity : entities) {
+    if (entity->id == id) return entity.get();
+  }
+  return nullptr;
+}
+
+const Entity* DocumentState::findByName(std::string_view name) const {
+  for (const auto& entity : entities) {
+    if (entity->name == name) return entity.get();
+  }
+  return nullptr;
+}
+
+const Guide* DocumentState::findGuide(std::string_view name) const {
+  for (const Guide& guide : guides) {
+    if (guide.name == name) return &guide;
+  }
+  return nullptr;
+}
+
+const PairSet* DocumentState::findPairSet(std::string_view name) const {
+  for (const PairSet& set : pair_sets) {
+    if (set.name == name) return &set;
+  }
+  return nullptr;
+}
+
+}  // namespace hapticell::workcell

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands on pair sets, guides and the view.
+#include <algorithm>
+
+#include "workcell/command_checks.h"
+#include "workcell/perform_command.h"
+
+namespace hapticell::workcell {
+
+namespace {
+
+Error unknownSet(const std::string& name) {
+  return refusal("", "no pair set " + inQuotes(name), "the name of one");
+}
+
+Error unknownGuide(const std::string& name) {
+  return refusal("", "no guide " + inQuotes(name), "the name of one");
+}
+
+std::vector<PairSet>::iterator findSet(DocumentState& state, const std::string& name) {
+  return std::find_if(state.pair_sets.begin(), state.pair_sets.end(),
+                      [&](const PairSet& set) { return set.name == name; });
+}
+
+std::vector<Guide>::iterator findGuide(DocumentState& state, const std::string& name) {
+  return std::find_if(state.guides.begin(), state.guides.end(), [&](const Guide& guide) { return guide.name == name; });
+}
+
+Expected<void> checkBound(const Guide& guide, const DocumentState& state) {
+  if (auto checked = checkName("the guide's name", guide.name); !checked) return checked;
+  if (auto checked = checkGuide(guide); !checked) return checked;
+  for (const std::string* name : {&guide.entity, &guide.surface}) {
+    if (name->empty() || state.findByName(*name)) continue;
+    return makeError(refusal("guide " + inQuotes(guide.name), "no entity " + inQuotes(*name), "the name of one"));
+  }
+  return {};
+}
+
+}  // namespace
+
+Expected<EntityId> perform(const AddPairSet& command, StateEdit& edit) {
+  if (auto checked = checkPairSet(command.set); !checked) return makeError(checked.error());
+  if (edit.state().findPairSet(command.set.name)) return makeError(taken(command.set.name));
+  edit.state().pair_sets.push_back(command.set);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const EditPairSet& command, StateEdit& edit) {
+  const auto found = findSet(edit.state(), command.name);
+  if (found == edit.state().pair_sets.end()) return makeError(unknownSet(command.name));
+  if (auto checked = checkPairSet(command.set); !checked) return makeError(checked.error());
+  const PairSet* other = edit.state().findPairSet(command.set.name);
+  if (other && other != &*found) return makeError(taken(command.set.name));
+  *found = command.set;
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const RemovePairSet& command, StateEdit& edit) {
+  const auto found = findSet(edit.state(), command.name);
+  if (found == edit.state().pair_sets.end()) return makeError(unknownSet(command.name));
+  edit.state().pair_sets.erase(found);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const AddGuide& command, StateEdit& edit) {
+  if (auto checked = checkBound(command.guide, edit.state()); !checked) return makeError(checked.error());
+  if (edit.state().findGuide(command.guide.name)) return makeError(taken(command.guide.name));
+  edit.state().guides.push_back(command.guide);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const EditGuide& command, StateEdit& edit) {
+  const auto found = findGuide(edit.state(), command.name);
+  if (found == edit.state().guides.end()) return makeError(unknownGuide(command.name));
+  if (auto checked = checkBound(command.guide, edit.state()); !checked) return makeError(checked.error());
+  const Guide* other = edit.state().findGuide(command.guide.name);
+  if (other && other != &*found) return makeError(taken(command.guide.name));
+  *found = command.guide;
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const RemoveGuide& command, StateEdit& edit) {
+  const auto found = findGuide(edit.state(), command.name);
+  if (found == edit.state().guides.end()) return makeError(unknownGuide(command.name));
+  edit.state().guides.erase(found);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const SetView& command, StateEdit& edit) {
+  edit.state().view = command.view;
+  return EntityId{0};
+}
+
+}  // namespace hapticell::workcell
