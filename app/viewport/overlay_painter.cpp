@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/style/fonts.h"
+#include "app/viewport/curve_painter.h"
 #include "app/viewport/frame.h"
 #include "app/viewport/stylus_mesh.h"
 
@@ -340,6 +341,9 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   pieces.emplace_back(0, overlay.size.height - 100, overlay.size.width, 100);
   if (overlay.view_strip) pieces.push_back(overlay.view_strip->box().adjusted(-2, -2, 2, 2));
   if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
+  QRectF curves;
+  for (const SceneCurve& curve : overlay.curves) curves = curves.united(curveBox(curve, overlay.camera, overlay.size));
+  if (!curves.isEmpty()) pieces.push_back(curves);
   if (!overlay.scene || !overlay.scene->snapshot()) return pieces;
   QRectF middle;
   const auto add = [&middle](const QPointF& p, double room) {
@@ -363,6 +367,8 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
 void paintOverlay(QPainter& painter, const Overlay& overlay) {
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   if (overlay.empty) paintEmpty(painter, overlay);
+  for (const SceneCurve& curve : overlay.curves)
+    paintCurve(painter, curve, overlay.camera, overlay.size, *overlay.theme);
   paintCube(painter, overlay);
   if (overlay.scene && overlay.scene->snapshot()) {
     paintPairs(painter, overlay);

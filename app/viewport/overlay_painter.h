@@ -7,6 +7,7 @@
 #include "app/style/theme.h"
 #include "app/viewport/label_layout.h"
 #include "app/viewport/overlay_labels.h"
+#include "app/viewport/scene_curve.h"
 #include "app/viewport/view_cube.h"
 #include "app/viewport/view_strip.h"
 
@@ -26,6 +27,7 @@ struct Overlay {
   const SceneModel* scene = nullptr;
   std::vector<OverlayLabel> labels;
   std::vector<PlacedLabel> places;
+  std::vector<SceneCurve> curves;
   std::vector<StripCell> strip;  ///< Empty: no stylus, no strip.
   QString hint;                  ///< One quiet line above the strip: what the mouse does now.
   ViewCube cube{{0, 0}, 1};
@@ -44,7 +46,7 @@ QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size);
 /// Paints cube, labels, leaders, points, arrow, strip and grid size. Plain QPainter; no widgets, no OpenGL.
 void paintOverlay(QPainter& painter, const Overlay& overlay);
 
-/// Boxes that together hold all that paintOverlay() paints.
+/// Boxes that together hold all that paintOverlay() paints; they may overlap.
 std::vector<QRectF> overlayPieces(const Overlay& overlay);
 
 /// The mark of a state, as everywhere: a filled diamond, an open triangle, an H.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pointer over the viewport: turning, shifting, zooming, picking, the view cube.
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
@@ -73,6 +74,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   drag_ = Drag::kNone;
   if (pressViewStrip(*event)) return;
   const bool over_cube = viewCube().pick(vec(event->position()), camera_).has_value();
+  if (!over_cube && pressWhilePicking(*event)) return;
   if (!over_cube && tool_ && tool_->press(eventFrom(*event))) {
     tool_active_ = true;
     update();
@@ -93,7 +95,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF step = event->position() - last_place_;
   last_place_ = event->position();
-  if (tool_ && (tool_active_ || event->buttons() == Qt::NoButton) && tool_->move(eventFrom(*event))) {
+  if (!pick_ && tool_ && (tool_active_ || event->buttons() == Qt::NoButton) && tool_->move(eventFrom(*event))) {
     update();
     return;
   }
@@ -109,6 +111,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
       if (far_enough) camera_.orbit(vec(step), camera_.target_W);
       break;
     case Drag::kClick:
+    case Drag::kPick:
       return;
     case Drag::kNone:
       hover(event->position());
@@ -132,13 +135,15 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (drag == Drag::kCube) {
     if (const auto spot = viewCube().pick(vec(event->position()), camera_); spot && glm::length(*spot) > 0.0)
       setCamera(camera_.turnedTo(-*spot));
+  } else if (drag == Drag::kPick) {
+    if (const auto feature = pick_ ? featureAt(event->position(), pick_->filter) : std::nullopt) answerPick(feature);
   } else if (drag == Drag::kClick) {
     emit picked(entityAt(event->position()), event->modifiers());
   }
 }
 
 void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton) return mousePressEvent(event);
+  if (event->button() != Qt::LeftButton || pick_) return mousePressEvent(event);
   if (const workcell::EntityId entity = entityAt(event->position())) fit(scene_.boundsOf_W(entity));
 }
 
@@ -151,7 +156,7 @@ void ViewportWidget::wheelEvent(QWheelEvent* event) {
   pointer.wheel_steps = steps;
   pointer.camera = camera_;
   pointer.size = viewSize();
-  if (!(tool_ && tool_->wheel(pointer))) {
+  if (pick_ || !(tool_ && tool_->wheel(pointer))) {
     turn_.active = false;
     camera_.zoom(std::pow(kZoomPerStep, steps), pointUnder(event->position()));
     emit cameraChanged();
@@ -171,6 +176,10 @@ void ViewportWidget::hover(const QPointF& position) {
     view_strip_hover_ = cell;
     update();
   }
+  if (pick_) {
+    pick_hover_ = spot || cell >= 0 ? std::nullopt : featureAt(position, pick_->filter);
+    update();
+  }
   const workcell::EntityId entity = spot || cell >= 0 ? 0 : entityAt(position);
   scene_.setHovered(entity);
   if (scene_.revision() != drawn_revision_) {
@@ -179,8 +188,50 @@ void ViewportWidget::hover(const QPointF& position) {
   }
 }
 
+std::optional<PickedFeature> ViewportWidget::featureAt(const QPointF& position, const FeatureFilter& filter) {
+  const auto seen = pickAt(position);
+  if (!seen || seen->entity == 0) return std::nullopt;
+  const Frame frame = makeFrame();
+  return picker_.pick({&frame.items, seen->entity, seen->link, camera_, viewSize(), vec(position), filter});
+}
+
+void ViewportWidget::startPick(PickRequest request) {
+  cancelPick();
+  pick_ = std::move(request);
+  setCursor(Qt::CrossCursor);
+  setFocus(Qt::OtherFocusReason);
+  update();
+}
+
+void ViewportWidget::cancelPick() {
+  answerPick(std::nullopt);
+}
+
+void ViewportWidget::answerPick(const std::optional<PickedFeature>& feature) {
+  if (!pick_) return;
+  const PickRequest request = std::move(*pick_);
+  pick_.reset();
+  pick_hover_.reset();
+  unsetCursor();
+  update();
+  if (request.done) request.done(feature);
+}
+
+bool ViewportWidget::pressWhilePicking(const QMouseEvent& event) {
+  if (!pick_ || event.button() == Qt::MiddleButton) return false;
+  if (event.button() == Qt::LeftButton) drag_ = Drag::kPick;
+  if (event.button() == Qt::RightButton) cancelPick();
+  return true;
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event) {
+  if (pick_ && event->key() == Qt::Key_Escape) return cancelPick();
+  QOpenGLWidget::keyPressEvent(event);
+}
+
 void ViewportWidget::leaveEvent(QEvent* event) {
   cube_hover_.reset();
+  pick_hover_.reset();
   view_strip_hover_ = -1;
   scene_.setHovered(0);
   emit hovered(0);

@@ -136,6 +136,25 @@ void ViewportWidget::setPointerTool(PointerTool* tool) {
   update();
 }
 
+void ViewportWidget::setCurves(const std::string& owner, std::vector<SceneCurve> curves) {
+  if (curves.empty())
+    curves_.erase(owner);
+  else
+    curves_[owner] = std::move(curves);
+  update();
+}
+
+std::vector<SceneCurve> ViewportWidget::allCurves() const {
+  std::vector<SceneCurve> all;
+  for (const auto& [owner, curves] : curves_) all.insert(all.end(), curves.begin(), curves.end());
+  if (!pick_hover_) return all;
+  using Role = SceneCurve::Role;
+  using Style = SceneCurve::Style;
+  for (const auto& line : pick_hover_->outline_W) all.push_back({line, Role::kSelection, Style::kSolid, 2.5});
+  if (pick_hover_->kind != FeatureKind::kFace) all.push_back({{pick_hover_->p_WQ}, Role::kSelection, Style::kSolid, 2.5});
+  return all;
+}
+
 void ViewportWidget::advanceAnimation() {
   if (!turn_.active) return;
   const double s = static_cast<double>(turn_.clock.elapsed()) / 1000.0 / kTurnSeconds;
@@ -258,6 +277,11 @@ Overlay ViewportWidget::makeOverlay() {
   overlay.places = placeLabels(overlay.labels);
   if (scene_.snapshot() && scene_.snapshot()->connected) overlay.strip = stripCells(*scene_.snapshot(), strip_);
   if (tool_) overlay.hint = tool_->hint();
+  if (pick_) {
+    overlay.hint = pick_->prompt;
+    if (pick_hover_) overlay.hint += QStringLiteral(" · ") + QString::fromStdString(featureText(*pick_hover_));
+  }
+  overlay.curves = allCurves();
   overlay.cube = viewCube();
   overlay.cube_hover = cube_hover_;
   if (scene_.empty()) overlay.empty = empty_;
@@ -272,9 +296,9 @@ void ViewportWidget::paintOverlayImage() {
   QPainter onto(this);
   // Painted by the raster engine (the one on OpenGL smooths lines only with multisampling), and only where there is
   // something: each piece is uploaded.
-  for (const QRectF& piece : overlayPieces(overlay)) {
-    const QRect box = piece.toAlignedRect().intersected(rect());
-    if (box.isEmpty()) continue;
+  QRegion pieces;  // Its boxes do not overlap: what is half transparent is painted once.
+  for (const QRectF& piece : overlayPieces(overlay)) pieces += piece.toAlignedRect().intersected(rect());
+  for (const QRect& box : pieces) {
     QImage image(box.size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(devicePixelRatioF());
     image.fill(Qt::transparent);

@@ -6,10 +6,13 @@
 #include <QImage>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <map>
 #include <memory>
 #include <optional>
 
+#include "app/viewport/feature_picker.h"
 #include "app/viewport/overlay_painter.h"
+#include "app/viewport/pick_request.h"
 #include "app/viewport/pointer_tool.h"
 #include "app/viewport/scene_model.h"
 #include "app/viewport/scene_renderer.h"
@@ -36,6 +39,16 @@ class ViewportWidget : public QOpenGLWidget {
   void setMotion(bool on) { motion_ = on; }
   /// Null: no tool. The tool must outlive its being set.
   void setPointerTool(PointerTool* tool);
+  /// The next click picks a face, an edge or a corner; see PickRequest. A pick that is still open is answered with
+  /// nothing first.
+  void startPick(PickRequest request);
+  /// Answers the open pick with nothing; nothing where there is none.
+  void cancelPick();
+  bool isPicking() const { return pick_.has_value(); }
+  /// The face, edge or corner at a place of the widget (pixels at 100 %), at once; nothing beside parts.
+  std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter = {});
+  /// Lines over the scene, kept by `owner` until it gives others (none: takes them away).
+  void setCurves(const std::string& owner, std::vector<SceneCurve> curves);
   void setStrip(const StripContext& context) { strip_ = context; }
   void setViewStrip(std::vector<ViewStripCell> cells);
   const ViewStrip& viewStrip() const { return view_strip_; }
@@ -66,6 +79,7 @@ class ViewportWidget : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -85,6 +99,9 @@ class ViewportWidget : public QOpenGLWidget {
   dvec3 pointUnder(const QPointF& position);
   void advanceAnimation();
   void hover(const QPointF& position);
+  void answerPick(const std::optional<PickedFeature>& feature);
+  bool pressWhilePicking(const QMouseEvent& event);
+  std::vector<SceneCurve> allCurves() const;
   bool pressViewStrip(const QMouseEvent& event);
   ViewCube viewCube() const;
   workcell::EntityId entityAt(const QPointF& position);
@@ -113,6 +130,10 @@ class ViewportWidget : public QOpenGLWidget {
   PointerTool* tool_ = nullptr;
   bool tool_active_ = false;
   StripContext strip_;
+  FeaturePicker picker_;
+  std::optional<PickRequest> pick_;
+  std::optional<PickedFeature> pick_hover_;
+  std::map<std::string, std::vector<SceneCurve>> curves_;
   std::optional<EmptyState> empty_;
   bool edges_ = true, motion_ = true;
   std::optional<ViewCubeSpot> cube_hover_;
@@ -120,7 +141,7 @@ class ViewportWidget : public QOpenGLWidget {
   int view_strip_hover_ = -1;
   QPointF press_place_, last_place_;
   dvec3 pivot_W_{0.0};
-  enum class Drag { kNone, kOrbit, kPan, kClick, kCube } drag_ = Drag::kNone;
+  enum class Drag { kNone, kOrbit, kPan, kClick, kCube, kPick } drag_ = Drag::kNone;
 };
 
 }  // namespace hapticell::app

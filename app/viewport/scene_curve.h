@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/vector.h"
+
+namespace hapticell::app {
+
+/// A line drawn over the scene: a guide, an axis, a frame, the outline of what is being picked.
+struct SceneCurve {
+  enum class Role { kGuide, kGuideOff, kSelection, kAxisX, kAxisY, kAxisZ, kLimit };
+  enum class Style { kSolid, kDashDot, kDashed };
+  std::vector<dvec3> points_W;  ///< One point: a disc.
+  Role role = Role::kGuide;
+  Style style = Style::kDashDot;
+  double width = 1.6;     ///< Pixels at 100 %.
+  std::string text = {};  ///< Beside its last point; empty: none.
+};
+
+}  // namespace hapticell::app
