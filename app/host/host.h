@@ -15,6 +15,7 @@ class QMenu;
 namespace hapticell::app {
 
 class DocumentModel;
+class HoldChoice;
 class MessageLog;
 class Selection;
 class ViewportWidget;
@@ -27,6 +28,8 @@ class Host {
   virtual ViewportWidget& viewport() = 0;
   virtual DocumentModel& documentModel() = 0;
   virtual Selection& selection() = 0;
+  /// What of an entity the hand takes.
+  virtual HoldChoice& holdChoice() = 0;
   virtual MessageLog& messages() = 0;
   virtual const config::Configuration& configuration() const = 0;
 

@@ -12,6 +12,7 @@
 #include <QToolBar>
 
 #include "app/panels/panels.h"
+#include "app/panels/tabbed_docks.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
@@ -22,7 +23,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
     : QMainWindow(parent),
       configuration_(configuration),
       viewport_(new ViewportWidget(this)),
-      status_(new StatusLine(this)) {
+      status_(new StatusLine(this)),
+      right_docks_(new TabbedDocks(*this)) {
   setObjectName("mainWindow");
   setWindowIcon(icon("cell"));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -152,18 +154,21 @@ void MainWindow::updateStatus() {
 }
 
 void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) {
-  if (onto) {
-    addDockWidget(area, dock);
-    tabifyDockWidget(onto, dock);
-  } else {
-    addDockWidget(area, dock);
+  if (area == Qt::RightDockWidgetArea) {
+    // All panels of the right share one place.
+    for (QDockWidget* other : findChildren<QDockWidget*>())
+      if (!onto && other != dock && !other->isFloating() && dockWidgetArea(other) == area) onto = other;
+    right_docks_->add(dock);
   }
+  addDockWidget(area, dock);
+  if (onto) tabifyDockWidget(onto, dock);
   actions_->windows->addAction(dock->toggleViewAction());
 }
 
 void MainWindow::removeDock(QDockWidget* dock) {
   actions_->windows->removeAction(dock->toggleViewAction());
   removeDockWidget(dock);
+  right_docks_->remove(dock);
 }
 
 void MainWindow::addToToolBar(QWidget* widget) {

@@ -8,6 +8,7 @@
 
 #include "app/host/actions.h"
 #include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/module_loader.h"
@@ -17,6 +18,8 @@
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
+
+class TabbedDocks;
 
 /// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
 /// of no force; it works without any module.
@@ -30,6 +33,7 @@ class MainWindow : public QMainWindow, public Host {
   ViewportWidget& viewport() override { return *viewport_; }
   DocumentModel& documentModel() override { return document_; }
   Selection& selection() override { return selection_; }
+  HoldChoice& holdChoice() override { return hold_choice_; }
   MessageLog& messages() override { return messages_; }
   const config::Configuration& configuration() const override { return configuration_; }
   void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) override;
@@ -76,9 +80,11 @@ class MainWindow : public QMainWindow, public Host {
   config::Configuration configuration_;
   DocumentModel document_;
   Selection selection_;
+  HoldChoice hold_choice_;
   MessageLog messages_;
   ViewportWidget* viewport_;
   StatusLine* status_;
+  TabbedDocks* right_docks_;
   QLabel* file_label_;
   std::unique_ptr<Actions> actions_;
   std::unique_ptr<ViewMenus> view_menus_;

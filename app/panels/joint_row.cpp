@@ -38,7 +38,21 @@ QString JointRow::valueText() const {
          (scale_.unit == QStringLiteral("°") ? scale_.unit : QLatin1Char(' ') + scale_.unit);
 }
 
+void JointRow::paintEnds(QPainter& painter) const {
+  const Theme& theme = themeOf(palette());
+  const QRect rail = track();
+  const auto end = [&](double limit, const QRect& box, Qt::Alignment side) {
+    const bool hit = isAtLimit() && std::abs(value_ - limit) < 0.5 * (scale_.upper - scale_.lower);
+    painter.setPen(hit ? theme.limit_text : theme.text2);
+    const QString unit = scale_.unit == QStringLiteral("°") ? scale_.unit : QString();
+    painter.drawText(box, Qt::AlignVCenter | side, QString::number(std::round(limit), 'f', 0) + unit);
+  };
+  end(scale_.lower, QRect(24, 0, rail.left() - 24 - 8, height()), Qt::AlignRight);
+  end(scale_.upper, QRect(rail.right() + 10, 0, width() - rail.right() - 10, height()), Qt::AlignLeft);
+}
+
 QRect JointRow::track() const {
+  if (scale_.ends) return {70, height() / 2, std::max(20, width() - 70 - 46), 1};
   return {40, height() / 2, std::max(20, width() - 40 - 74), 1};
 }
 
@@ -56,7 +70,10 @@ void JointRow::paintEvent(QPaintEvent*) {
   painter.setPen(isEnabled() ? theme.text1 : theme.text3);
   painter.drawText(QRect(0, 0, 38, height()), Qt::AlignVCenter,
                    painter.fontMetrics().elidedText(scale_.name, Qt::ElideRight, 38));
-  painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignRight, valueText());
+  if (scale_.ends)
+    paintEnds(painter);
+  else
+    painter.drawText(rect(), Qt::AlignVCenter | Qt::AlignRight, valueText());
   const QRect rail = track();
   const double y = rail.top() + 0.5;
   const bool limit = isAtLimit();
@@ -115,6 +132,22 @@ void JointRow::keyPressEvent(QKeyEvent* event) {
   setValue(std::clamp(value_ + step, scale_.lower, scale_.upper));
   emit moved(value_);
   emit ended(true);
+}
+
+double unitOf(const kinematics::Joint& joint) {
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  return joint.type == kinematics::JointType::kPrismatic ? 0.001 : kDegree;
+}
+
+JointRow::Scale scaleOf(const kinematics::Joint& joint, std::size_t number) {
+  const double unit = unitOf(joint);
+  const bool linear = joint.type == kinematics::JointType::kPrismatic;
+  const double full = linear ? 1000.0 : 360.0;
+  const double lower = std::isfinite(joint.lower) ? joint.lower / unit : -full;
+  const double upper = std::isfinite(joint.upper) ? joint.upper / unit : full;
+  const QString name =
+      joint.name.size() <= 4 ? QString::fromStdString(joint.name) : QStringLiteral("A%1").arg(number + 1);
+  return {name, linear ? QStringLiteral("mm") : QStringLiteral("°"), lower, upper};
 }
 
 }  // namespace hapticell::app

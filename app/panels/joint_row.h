@@ -4,6 +4,8 @@
 #include <QString>
 #include <QWidget>
 
+#include "kinematics/robot_model.h"
+
 namespace hapticell::app {
 
 /// One joint: name, a scale from limit to limit with a knob, the value. Dragging the knob is one change from began() to
@@ -15,6 +17,7 @@ class JointRow : public QWidget {
   struct Scale {
     QString name, unit;
     double lower = -180.0, upper = 180.0;
+    bool ends = false;  ///< Shows the limits at both ends in place of the value.
   };
   explicit JointRow(const Scale& scale, QWidget* parent = nullptr);
 
@@ -42,11 +45,17 @@ class JointRow : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void paintEnds(QPainter& painter) const;
   void moveTo(double pixel);
   QRect track() const;
   Scale scale_;
   double value_ = 0.0;
   bool dragged_ = false;
 };
+
+/// The scale of a joint: limits in degrees or millimetres; its own name where that is short, else "A1".
+JointRow::Scale scaleOf(const kinematics::Joint& joint, std::size_t number);
+/// What one of the scale's units is: radians or metres.
+double unitOf(const kinematics::Joint& joint);
 
 }  // namespace hapticell::app

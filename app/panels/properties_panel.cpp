@@ -24,22 +24,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kNarrowLabel = 72;  // The dock is narrow.
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
-double unitOf(const kinematics::Joint& joint) {
-  return joint.type == kinematics::JointType::kPrismatic ? 0.001 : kDegree;
-}
-
-JointRow::Scale scaleOf(const kinematics::Joint& joint, std::size_t number) {
-  const double unit = unitOf(joint);
-  const double full = joint.type == kinematics::JointType::kPrismatic ? 1000.0 : 360.0;
-  const double lower = std::isfinite(joint.lower) ? joint.lower / unit : -full;
-  const double upper = std::isfinite(joint.upper) ? joint.upper / unit : full;
-  const bool linear = joint.type == kinematics::JointType::kPrismatic;
-  const QString name =
-      joint.name.size() <= 4 ? QString::fromStdString(joint.name) : QStringLiteral("A%1").arg(number + 1);
-  return {name, linear ? QStringLiteral("mm") : QStringLiteral("°"), lower, upper};
-}
 
 std::vector<QColor> quietColors() {
   return {QColor("#B8BDC2"), QColor("#8D949B"), QColor("#4D545C"),

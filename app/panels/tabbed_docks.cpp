@@ -30,8 +30,8 @@ QToolButton* cornerButton(QWidget* parent, const QString& icon_name, const QStri
 
 }  // namespace
 
-TabbedDocks::TabbedDocks(QMainWindow& window, std::vector<QDockWidget*> docks)
-    : QObject(&window), window_(window), docks_(std::move(docks)), corner_(new QWidget(&window)) {
+TabbedDocks::TabbedDocks(QMainWindow& window, const std::vector<QDockWidget*>& docks)
+    : QObject(&window), window_(window), corner_(new QWidget(&window)) {
   auto* row = new QHBoxLayout(corner_);
   row->setContentsMargins(0, 0, 6, 0);
   row->setSpacing(2);
@@ -46,12 +46,20 @@ TabbedDocks::TabbedDocks(QMainWindow& window, std::vector<QDockWidget*> docks)
   connect(close, &QToolButton::clicked, this, [this] {
     if (QDockWidget* dock = current()) dock->close();
   });
+  for (QDockWidget* dock : docks) add(dock);
+}
+
+void TabbedDocks::add(QDockWidget* dock) {
+  docks_.push_back(dock);
   // Queued: the main window makes and moves its tab bars after it has told of the change.
-  for (QDockWidget* dock : docks_) {
-    connect(dock, &QDockWidget::visibilityChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
-    connect(dock, &QDockWidget::topLevelChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
-    connect(dock, &QDockWidget::dockLocationChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
-  }
+  connect(dock, &QDockWidget::visibilityChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
+  connect(dock, &QDockWidget::topLevelChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
+  connect(dock, &QDockWidget::dockLocationChanged, this, &TabbedDocks::arrange, Qt::QueuedConnection);
+  QTimer::singleShot(0, this, &TabbedDocks::arrange);
+}
+
+void TabbedDocks::remove(QDockWidget* dock) {
+  docks_.erase(std::remove(docks_.begin(), docks_.end(), dock), docks_.end());
   QTimer::singleShot(0, this, &TabbedDocks::arrange);
 }
 

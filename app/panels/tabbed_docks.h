@@ -16,7 +16,9 @@ namespace hapticell::app {
 class TabbedDocks : public QObject {
   Q_OBJECT
  public:
-  TabbedDocks(QMainWindow& window, std::vector<QDockWidget*> docks);
+  explicit TabbedDocks(QMainWindow& window, const std::vector<QDockWidget*>& docks = {});
+  void add(QDockWidget* dock);
+  void remove(QDockWidget* dock);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

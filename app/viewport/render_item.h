@@ -20,6 +20,13 @@ enum ItemState : std::uint32_t {
   kContact = 8,
 };
 
+/// A shape that stands in the scene only to show what would be: another configuration, another size.
+enum class Ghost : std::uint8_t {
+  kNone,
+  kFree,     ///< Screen door in the selection colour, dashed lines.
+  kTouches,  ///< The same in the contact colour: it could not stand there.
+};
+
 /// One mesh to draw: a solid, or a shape of a robot's link.
 struct RenderItem {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
@@ -31,7 +38,8 @@ struct RenderItem {
   int link = -1;                                 ///< Robots: index of the link.
   std::uint32_t state = kPlain;
   bool casts_shadow = true;
-  bool over_scene = false;  ///< Drawn over all that would hide it: the stylus must always be found.
+  Ghost ghost = Ghost::kNone;  ///< Ghosts are neither picked nor marked and cast no shadow.
+  bool over_scene = false;     ///< Drawn over all that would hide it: the stylus must always be found.
 };
 
 /// The colour with its saturation (HSV) at most `limit`: parts are quiet so that states are loud.

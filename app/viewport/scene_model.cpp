@@ -36,6 +36,11 @@ bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSn
 
 }  // namespace
 
+bool GhostPose::operator==(const GhostPose& other) const {
+  return entity == other.entity && X_WE.p == other.X_WE.p && X_WE.q == other.X_WE.q && joints == other.joints &&
+         touches == other.touches;
+}
+
 SceneModel::SceneModel() : stylus_(makeStylusMesh()) {}
 
 void SceneModel::setEntities(std::vector<workcell::Entity> entities) {
@@ -75,6 +80,23 @@ void SceneModel::setHovered(workcell::EntityId entity) {
   ++revision_;
 }
 
+void SceneModel::setGhosts(std::vector<GhostPose> ghosts) {
+  if (ghosts == ghosts_) return;
+  ghosts_ = std::move(ghosts);
+  ++revision_;
+}
+
+void SceneModel::setPlayed(std::vector<GhostPose> played) {
+  if (played == played_) return;
+  played_ = std::move(played);
+  ++revision_;
+}
+
+const GhostPose* SceneModel::playedOf(workcell::EntityId id) const {
+  const auto found = std::find_if(played_.begin(), played_.end(), [id](const auto& p) { return p.entity == id; });
+  return found == played_.end() ? nullptr : &*found;
+}
+
 const workcell::Entity* SceneModel::find(workcell::EntityId id) const {
   const auto found = std::find_if(entities_.begin(), entities_.end(), [id](const auto& e) { return e.id == id; });
   return found == entities_.end() ? nullptr : &*found;
@@ -88,11 +110,13 @@ const manipulation::EntityState* SceneModel::stateOf(workcell::EntityId id) cons
 }
 
 Pose SceneModel::placement_W(const workcell::Entity& entity) const {
+  if (const GhostPose* played = playedOf(entity.id)) return played->X_WE;
   const manipulation::EntityState* state = stateOf(entity.id);
   return state ? state->X_WE : entity.X_WE;
 }
 
 std::vector<double> SceneModel::joints(const workcell::Entity& entity) const {
+  if (const GhostPose* played = playedOf(entity.id)) return played->joints;
   const manipulation::EntityState* state = stateOf(entity.id);
   return state && state->joints.size() == entity.joints.size() ? state->joints : entity.joints;
 }
@@ -116,38 +140,51 @@ geometry::Bounds SceneModel::boundsOf_M(const std::shared_ptr<const geometry::Tr
   return known != mesh_bounds_.end() ? known->second : mesh->bounds();
 }
 
-void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
-  const Pose X_WE = placement_W(entity);
-  if (entity.mesh) {
+void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, std::vector<double> joints,
+                              std::vector<RenderItem>& items) const {
+  const auto add = [&](const std::shared_ptr<const geometry::TriangleMesh>& mesh, const Pose& X_WM,
+                       const std::array<float, 3>& color, int link) {
+    if (!mesh) return;
     RenderItem item;
-    item.mesh = entity.mesh;
-    item.bounds_M = boundsOf_M(item.mesh);
-    item.X_WM = X_WE;
-    item.color = quietened(entity.color);
+    item.mesh = mesh;
+    item.bounds_M = boundsOf_M(mesh);
+    item.X_WM = X_WM;
+    item.color = quietened(color);
     item.entity = entity.id;
-    item.state = marks(entity, {});
+    item.link = link;
     items.push_back(std::move(item));
-  }
+  };
+  add(entity.mesh, X_WE, entity.color, -1);
   if (!entity.robot) return;
-  std::vector<double> q = joints(entity);
-  q.resize(entity.robot->dof(), 0.0);
+  joints.resize(entity.robot->dof(), 0.0);
   std::vector<Pose> X_BL;
-  kinematics::forwardKinematics(*entity.robot, q, X_BL);
+  kinematics::forwardKinematics(*entity.robot, joints, X_BL);
   for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
     const kinematics::Link& link = entity.robot->links[i];
-    const auto& shapes = link.visuals.empty() ? link.collisions : link.visuals;
-    for (const kinematics::LinkShape& shape : shapes) {
-      if (!shape.mesh) continue;
-      RenderItem item;
-      item.mesh = shape.mesh;
-      item.bounds_M = boundsOf_M(item.mesh);
-      item.X_WM = X_WE * X_BL[i] * shape.X_LS;
-      item.color = quietened({shape.color[0], shape.color[1], shape.color[2]});
-      item.entity = entity.id;
-      item.link = static_cast<int>(i);
-      item.state = marks(entity, link.name);
-      items.push_back(std::move(item));
-    }
+    for (const kinematics::LinkShape& shape : link.visuals.empty() ? link.collisions : link.visuals)
+      add(shape.mesh, X_WE * X_BL[i] * shape.X_LS, {shape.color[0], shape.color[1], shape.color[2]},
+          static_cast<int>(i));
+  }
+}
+
+void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
+  const std::size_t first = items.size();
+  appendShapes(entity, placement_W(entity), joints(entity), items);
+  for (std::size_t i = first; i < items.size(); ++i) {
+    const int link = items[i].link;
+    items[i].state = marks(entity, link < 0 ? std::string() : entity.robot->links[static_cast<std::size_t>(link)].name);
+  }
+}
+
+void SceneModel::appendGhost(const GhostPose& ghost, std::vector<RenderItem>& items) const {
+  const workcell::Entity* entity = find(ghost.entity);
+  if (!entity) return;
+  const std::size_t first = items.size();
+  appendShapes(*entity, ghost.X_WE, ghost.joints, items);
+  for (std::size_t i = first; i < items.size(); ++i) {
+    items[i].entity = 0;
+    items[i].ghost = ghost.touches ? Ghost::kTouches : Ghost::kFree;
+    items[i].casts_shadow = false;
   }
 }
 
@@ -155,6 +192,7 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   std::vector<RenderItem> result;
   for (const workcell::Entity& entity : entities_)
     if (entity.visible) appendItems(entity, result);
+  for (const GhostPose& ghost : ghosts_) appendGhost(ghost, result);
   if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
   for (const bool band : {false, true}) {
     RenderItem item;

@@ -12,6 +12,15 @@
 
 namespace hapticell::app {
 
+/// An entity shown where it might stand.
+struct GhostPose {
+  workcell::EntityId entity = 0;
+  Pose X_WE;
+  std::vector<double> joints;  ///< Robots: one a variable.
+  bool touches = false;        ///< It would stand in something there.
+  bool operator==(const GhostPose& other) const;
+};
+
 /// What is to be drawn: the document's entities, moved to where the newest snapshot has them, with their marks.
 class SceneModel {
  public:
@@ -22,6 +31,11 @@ class SceneModel {
   void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
   void setSelected(std::vector<workcell::EntityId> entities);
   void setHovered(workcell::EntityId entity);
+  /// Ghosts of entities, drawn beside the entities themselves.
+  void setGhosts(std::vector<GhostPose> ghosts);
+  const std::vector<GhostPose>& ghosts() const { return ghosts_; }
+  /// Entities that are shown elsewhere than they stand: a motion that is played. Empty ends it.
+  void setPlayed(std::vector<GhostPose> played);
 
   const std::optional<manipulation::SceneSnapshot>& snapshot() const { return snapshot_; }
   const std::vector<workcell::Entity>& entities() const { return entities_; }
@@ -46,14 +60,21 @@ class SceneModel {
   std::string nameOf(workcell::EntityId entity, const std::string& part) const;
 
  private:
+  const GhostPose* playedOf(workcell::EntityId id) const;
   const manipulation::EntityState* stateOf(workcell::EntityId id) const;
   std::uint32_t marks(const workcell::Entity& entity, const std::string& part) const;
   geometry::Bounds boundsOf_M(const std::shared_ptr<const geometry::TriangleMesh>& mesh) const;
   void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
+  /// Shapes where they stand for this placement and these joints, without marks.
+  void appendShapes(const workcell::Entity& entity, const Pose& X_WE, std::vector<double> joints,
+                    std::vector<RenderItem>& items) const;
+  void appendGhost(const GhostPose& ghost, std::vector<RenderItem>& items) const;
   std::vector<workcell::Entity> entities_;
   std::optional<manipulation::SceneSnapshot> snapshot_, shown_;
   std::vector<workcell::EntityId> selected_;
   workcell::EntityId hovered_ = 0;
+  std::vector<GhostPose> ghosts_;
+  std::vector<GhostPose> played_;
   StylusMesh stylus_;
   std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds>
       mesh_bounds_;  // Millions of vertices: once.

@@ -43,7 +43,8 @@ FrameView viewOf(const Frame& frame) {
   return view;
 }
 
-SurfacePass::SurfacePass(Gl& gl) : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED"}), box_(unitBox()) {}
+SurfacePass::SurfacePass(Gl& gl)
+    : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST"}), box_(unitBox()) {}
 
 void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
                            const FrameView& view, GpuMeshCache& meshes) {
@@ -94,7 +95,7 @@ void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPa
   std::vector<std::pair<double, std::uint32_t>> order;
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
-    if (!item.mesh) continue;
+    if (!item.mesh || item.ghost != Ghost::kNone) continue;
     GpuMesh* mesh = meshes.of(item.mesh);
     if (!mesh) continue;
     const geometry::Bounds& bounds = mesh->bounds();
@@ -115,6 +116,24 @@ void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPa
     for (const auto& entry : order)
       if (wanted(entry)) drawItem(*program, frame.items[entry.second], entry.second + 1, frame, view, meshes);
   }
+  drawGhosts(frame, view, meshes);
+}
+
+void SurfacePass::drawGhosts(const Frame& frame, const FrameView& view, GpuMeshCache& meshes) {
+  const auto is_ghost = [](const RenderItem& item) { return item.ghost != Ghost::kNone && item.mesh; };
+  if (std::none_of(frame.items.begin(), frame.items.end(), is_ghost)) return;
+  QOpenGLShaderProgram* program = programs_.of(4u);
+  if (!program) return;
+  prepare(*program, frame, view, nullptr);
+  // What is behind keeps its identity: it is picked and outlined through the ghost.
+  gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const RenderItem& item : frame.items) {
+    if (!is_ghost(item)) continue;
+    const fvec3& color = item.ghost == Ghost::kTouches ? frame.colors.contact : frame.colors.selected;
+    program->setUniformValue("hatch_color", color.x, color.y, color.z);
+    drawItem(*program, item, 0, frame, view, meshes);
+  }
+  gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 EdgePass::EdgePass(Gl& gl) : gl_(gl), program_(loadProgram("edge", "edge")) {}
@@ -123,9 +142,7 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   if (!program_) return;
   program_->bind();
   const glm::vec4& color = frame.colors.crease;
-  program_->setUniformValue("line_color", color.x, color.y, color.z, color.w);
   program_->setUniformValue("pixels", static_cast<float>(frame.width), static_cast<float>(frame.height));
-  program_->setUniformValue("width", static_cast<float>(1.1 * frame.pixel_ratio));
   program_->setUniformValue("perspective", frame.camera.perspective);
   program_->setUniformValue("crease_cosine", 0.8829f);  // 28 degrees.
   program_->setUniformValue("nearer", 8.0e-4f);
@@ -146,6 +163,12 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
                                                     : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
     program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y),
                               static_cast<float>(eye.z));
+    const bool ghost = item.ghost != Ghost::kNone;
+    const fvec3& ghostly = item.ghost == Ghost::kTouches ? frame.colors.contact : frame.colors.selected;
+    program_->setUniformValue("line_color", ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)
+                                                  : QVector4D(color.x, color.y, color.z, color.w));
+    program_->setUniformValue("dash", static_cast<float>(ghost ? 9.0 * frame.pixel_ratio : 0.0));
+    program_->setUniformValue("width", static_cast<float>((ghost ? 1.6 : 1.1) * frame.pixel_ratio));
     if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
     if (creases_only)
       mesh->drawCreases();

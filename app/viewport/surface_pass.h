@@ -25,6 +25,7 @@ class SurfacePass {
   void draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes);
 
  private:
+  void drawGhosts(const Frame& frame, const FrameView& view, GpuMeshCache& meshes);
   void prepare(QOpenGLShaderProgram& program, const Frame& frame, const FrameView& view, const ShadowPass* shadow);
   void drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
                 const FrameView& view, GpuMeshCache& meshes);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
@@ -49,6 +50,14 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
           [this] { host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput()); });
   connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
   connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopController::postDocument);
+  connect(&host_.holdChoice(), &HoldChoice::changed, this, [this] {
+    const HoldChoice& choice = host_.holdChoice();
+    if (choice.kind() == settings_.moved_by && choice.frame() == settings_.moved_frame) return;
+    VirtualDesktopSettings settings = settings_;
+    settings.moved_by = choice.kind();
+    settings.moved_frame = choice.frame();
+    change(settings);
+  });
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
   connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
     host_.messages().tell(Severity::kProblem, sentence, tr("Forces are off. Connect again to start it anew."));
@@ -181,6 +190,7 @@ void VirtualDesktopController::postSettings() {
 void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
   const bool other_sets = settings.against != settings_.against;
   settings_ = settings;
+  host_.holdChoice().set(settings.moved_by, settings.moved_frame);
   if (other_sets) postDocument();
   postSettings();
   emit settingsChanged();

@@ -111,6 +111,39 @@ TEST(SceneModel, HiddenEntitiesAreNeitherDrawnNorFitted) {
   EXPECT_LT(scene.bounds_W().max.x, 1.0);
 }
 
+TEST(SceneModel, GhostsStandBesideTheEntityAndCannotBePicked) {
+  SceneModel scene;
+  scene.setEntities({turntable(2)});
+  const auto before = scene.revision();
+  scene.setGhosts({{2, Pose::identity(), {1.5707963267948966}, true}});
+  EXPECT_GT(scene.revision(), before);
+  const auto items = scene.items({});
+  ASSERT_EQ(items.size(), 2u);
+  EXPECT_EQ(items[0].ghost, Ghost::kNone);
+  EXPECT_EQ(items[0].X_WM.p, dvec3(0.5, 0, 0)) << "the entity itself stays where it is";
+  EXPECT_EQ(items[1].ghost, Ghost::kTouches);
+  EXPECT_EQ(items[1].entity, 0u);
+  EXPECT_FALSE(items[1].casts_shadow);
+  EXPECT_LT(glm::length(items[1].X_WM.p - dvec3(0, 0.5, 0)), 1e-12);
+  const auto drawn = scene.revision();
+  scene.setGhosts({{2, Pose::identity(), {1.5707963267948966}, true}});
+  EXPECT_EQ(scene.revision(), drawn) << "the same ghost is the same picture";
+}
+
+TEST(SceneModel, AMotionThatIsPlayedGoesOverDocumentAndSnapshot) {
+  SceneModel scene;
+  scene.setEntities({turntable(2)});
+  manipulation::SceneSnapshot snapshot;
+  snapshot.entities.push_back({2, Pose::identity(), {0.3}, false, false});
+  scene.setSnapshot(snapshot);
+  scene.setPlayed({{2, Pose::translation({1, 0, 0}), {1.0}, false}});
+  const workcell::Entity& robot = *scene.find(2);
+  EXPECT_EQ(scene.joints(robot), std::vector<double>{1.0});
+  EXPECT_EQ(scene.placement_W(robot).p, dvec3(1, 0, 0));
+  scene.setPlayed({});
+  EXPECT_EQ(scene.joints(robot), std::vector<double>{0.3});
+}
+
 TEST(SceneModel, ColoursAreQuietAndTheStylusIsDrawnOnlyWhileConnected) {
   SceneModel scene;
   scene.setEntities({solid(1)});

@@ -10,7 +10,7 @@ uniform bool perspective;
 uniform vec3 key_direction;     // World, towards the light.
 uniform sampler2DShadow shadow_map;
 uniform uint id;
-uniform vec3 hatch_color;       // sRGB.
+uniform vec3 hatch_color;       // sRGB; of ghosts all is in it.
 uniform float pixel_ratio;
 layout(location = 0) out vec4 color;
 layout(location = 1) out uint identity;
@@ -28,6 +28,10 @@ float lit() {
 }
 
 void main() {
+#ifdef GHOST
+  // A screen door needs no sorting: every other pixel is left open.
+  if (mod(floor(gl_FragCoord.x / max(pixel_ratio, 1.0)) + floor(gl_FragCoord.y / max(pixel_ratio, 1.0)), 2.0) < 0.5) discard;
+#endif
   vec3 to_eye = perspective ? normalize(world_from_view * -view_position) : eye_direction;
   vec3 n = normalize(world_normal);
   if (dot(n, to_eye) < 0.0) n = -n;
@@ -45,6 +49,9 @@ void main() {
     float shade = dot(shown, vec3(0.3, 0.55, 0.15));
     shown = stripe < 0.34 ? hatch_color : hatch_color * (0.35 + 0.45 * shade);
   }
+#endif
+#ifdef GHOST
+  shown = hatch_color * (0.45 + 0.55 * dot(shown, vec3(0.3, 0.55, 0.15)));
 #endif
   color = vec4(shown, 1.0);
   identity = id;
