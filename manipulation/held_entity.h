@@ -72,6 +72,14 @@ class HeldEntity {
   };
   FollowResult follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built);
 
+  /// Goes straight from the accepted configuration to another one, in small steps, until something stands in the way.
+  struct WayResult {
+    double share = 1.0;  ///< Of the way that was gone.
+    bool blocked = false;
+    std::uint32_t pair = 0;  ///< Where blocked: the index of what stood in the way.
+  };
+  WayResult goTo(const EntityConfiguration& target);
+
   /// The constraint set about the accepted configuration.
   struct SetWish {
     double zone_radius = haptic::kWantedZoneRadius;  ///< m of hand.

@@ -151,6 +151,25 @@ bool HeldEntity::recall(const MotionMapping& mapping, const Pose& X_WWanted) {
   return false;
 }
 
+HeldEntity::WayResult HeldEntity::goTo(const EntityConfiguration& target) {
+  constexpr double kPiece = 0.05;  // rad or m of a joint: bounds of the way are good for small pieces
+  constexpr int kMostPieces = 4000;
+  const EntityConfiguration start = accepted_;
+  double furthest = glm::length(target.X_WE.p - start.X_WE.p);
+  for (std::size_t i = 0; i < start.joints.size(); ++i) {
+    furthest = std::max(furthest, std::abs(target.joints[i] - start.joints[i]));
+  }
+  const int pieces = static_cast<int>(std::clamp(std::ceil(furthest / kPiece), 1.0, static_cast<double>(kMostPieces)));
+  for (int piece = 1; piece <= pieces; ++piece) {
+    const EntityConfiguration next =
+        piece == pieces ? target : manipulator_->between(start, target, static_cast<double>(piece) / pieces);
+    const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, next);
+    accepted_ = answer.s >= 1.0 ? next : manipulator_->between(accepted_, next, answer.s);
+    if (answer.blocked) return {(piece - 1 + answer.s) / pieces, true, answer.pair};
+  }
+  return {};
+}
+
 HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,
                                             const BuiltConstraints* built) {
   const Pose X_WWanted = mapping.toCell(X_DP);

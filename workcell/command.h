@@ -84,6 +84,12 @@ struct SetTools {
   std::vector<ToolFrame> tools;
 };
 
+/// The user's named poses of a robot, "home" among them perhaps; see namedPosesOf() in named_poses.h.
+struct SetNamedPoses {
+  EntityId id = 0;
+  std::vector<kinematics::NamedPose> poses;
+};
+
 /// Takes one of the named tools: tip link and tool centre point become its.
 struct ChooseTool {
   EntityId id = 0;
@@ -150,7 +156,7 @@ struct SetView {
 
 using Command =
     std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration, SetProperties,
-                 SetFrames, SetTool, SetTools, ChooseTool, Attach, Detach, MakeMechanism, EditMechanism,
+                 SetFrames, SetTool, SetTools, SetNamedPoses, ChooseTool, Attach, Detach, MakeMechanism, EditMechanism,
                  DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, AddGuide, EditGuide, RemoveGuide, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace hapticell::workcell {
 
@@ -77,6 +78,18 @@ Expected<void> checkTools(const Entity& entity) {
     names.push_back(tool.name);
   }
   return checkTool(entity);
+}
+
+Expected<void> checkNamedPoses(const Entity& entity) {
+  if (entity.named_poses.empty()) return {};
+  if (!entity.robot) return makeError(refusal(inQuotes(entity.name), "a solid", "a robot, which can have named poses"));
+  std::set<std::string> names;
+  for (const kinematics::NamedPose& pose : entity.named_poses) {
+    if (auto checked = checkName("a pose of " + inQuotes(entity.name), pose.name); !checked) return checked;
+    if (!names.insert(pose.name).second) return makeError(taken(pose.name));
+    if (auto checked = checkJoints(entity, pose.q); !checked) return checked;
+  }
+  return {};
 }
 
 Expected<void> checkFrames(const Entity& entity) {

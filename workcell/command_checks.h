@@ -34,6 +34,9 @@ Expected<void> checkTool(const Entity& entity);
 /// Refused: tools on a link that is not there, with one name twice, or with a pose that is none.
 Expected<void> checkTools(const Entity& entity);
 
+/// Refused: poses with one name twice, or without a finite number for each joint; poses of what is no robot.
+Expected<void> checkNamedPoses(const Entity& entity);
+
 /// Refused: frames with one name twice or with a pose that is none.
 Expected<void> checkFrames(const Entity& entity);
 

@@ -19,6 +19,7 @@ class Describer {
   std::string operator()(const SetFrames& c) const { return "Change frames of " + name(c.id); }
   std::string operator()(const SetTool& c) const { return "Change tool of " + name(c.id); }
   std::string operator()(const SetTools& c) const { return "Change tools of " + name(c.id); }
+  std::string operator()(const SetNamedPoses& c) const { return "Change poses of " + name(c.id); }
   std::string operator()(const ChooseTool& c) const { return "Take tool " + c.name + " of " + name(c.id); }
   std::string operator()(const Attach& c) const { return "Attach " + name(c.id) + " to " + name(c.to); }
   std::string operator()(const Detach& c) const { return "Release " + name(c.id); }

@@ -72,6 +72,18 @@ Json jsonFromTools(const Entity& entity) {
   return tools;
 }
 
+Json jsonFromPoses(const Entity& entity) {
+  Json poses = Json::array();
+  for (const kinematics::NamedPose& pose : entity.named_poses) {
+    Json joints = Json::object();
+    for (std::size_t i = 0; i < pose.q.size(); ++i) {
+      joints[entity.robot->joints[static_cast<std::size_t>(entity.robot->moving[i])].name] = pose.q[i];
+    }
+    poses.push_back({{"name", pose.name}, {"joints", joints}});
+  }
+  return poses;
+}
+
 Json jsonFromJoint(const MechanismJoint& joint) {
   Json json;
   json["name"] = joint.name;
@@ -141,6 +153,7 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
   }
   if (!entity.tools.empty()) json["tools"] = jsonFromTools(entity);
   if (!entity.tool.empty()) json["chosen_tool"] = entity.tool;
+  if (!entity.named_poses.empty()) json["poses"] = jsonFromPoses(entity);
   if (!entity.attachment.to.empty()) {
     json["attached"] = {
         {"to", entity.attachment.to}, {"link", entity.attachment.link}, {"placement", toJson(entity.attachment.X_LE)}};
@@ -436,10 +449,13 @@ class StateReader {
     }
     if (!entity.robot) return;
     if (const Json* tools = fields.array("tools")) readTools(*tools, place, entity);
+    if (const Json* poses = fields.array("poses")) readPoses(*poses, place, entity);
     fields.read("chosen_tool", entity.tool);
     fields.read("tip_link", entity.tip_link);
     fields.read("tool", entity.X_LT);
-    if (const Json* joints = fields.object("joints")) readJoints(*joints, place, entity);
+    if (const Json* joints = fields.object("joints")) {
+      entity.joints = readJoints(*joints, place, *entity.robot, std::exchange(entity.joints, {}));
+    }
   }
 
   void readFrames(const Json& frames, const std::string& place, Entity& entity) {
@@ -467,17 +483,30 @@ class StateReader {
     }
   }
 
-  void readJoints(const Json& json, const std::string& place, Entity& entity) {
+  void readPoses(const Json& poses, const std::string& place, Entity& entity) {
+    for (const Json& json : poses) {
+      kinematics::NamedPose pose;
+      const std::string here = place + ", pose " + std::to_string(entity.named_poses.size() + 1);
+      FieldReader fields(json, here, error_);
+      fields.require("name");
+      fields.read("name", pose.name);
+      const Json* joints = fields.object("joints");
+      pose.q = joints ? readJoints(*joints, here, *entity.robot, {}) : kinematics::restPositions(*entity.robot);
+      if (!error_) fields.warnAboutOthers(diagnostics_);
+      entity.named_poses.push_back(std::move(pose));
+    }
+  }
+
+  /// Positions by the joints' names; those that are not there as in `before`, or at rest where that is empty.
+  std::vector<double> readJoints(const Json& json, const std::string& place, const kinematics::RobotModel& model,
+                                 const std::vector<double>& before) {
     FieldReader fields(json, place + ", \"joints\"", error_);
-    const std::vector<double> rest =
-        entity.joints.empty() ? kinematics::restPositions(*entity.robot) : std::exchange(entity.joints, {});
-    for (int index : entity.robot->moving) {
-      const kinematics::Joint& joint = entity.robot->joints[static_cast<std::size_t>(index)];
-      double value = rest[entity.joints.size()];
-      fields.read(joint.name.c_str(), value);
-      entity.joints.push_back(value);
+    std::vector<double> positions = before.size() == model.dof() ? before : kinematics::restPositions(model);
+    for (std::size_t i = 0; i < model.moving.size(); ++i) {
+      fields.read(model.joints[static_cast<std::size_t>(model.moving[i])].name.c_str(), positions[i]);
     }
     if (!error_) fields.warnAboutOthers(diagnostics_);
+    return positions;
   }
 
   void readPairSet(const Json& json, std::size_t index) {

@@ -87,6 +87,7 @@ struct Entity {
   Pose X_LT;                                             ///< Robots: the tool centre point in the tip link.
   std::vector<ToolFrame> tools;                          ///< Robots: those to choose from; names unique.
   std::string tool;                                      ///< Name of the chosen one of `tools`; empty: none of them.
+  std::vector<kinematics::NamedPose> named_poses;        ///< Robots: the user's; see named_poses.h.
   std::shared_ptr<const MechanismDefinition> mechanism;  ///< Mechanisms: what `robot` was made from.
   Attachment attachment;
   OnContact on_contact = OnContact::kSlide;

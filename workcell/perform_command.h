@@ -20,6 +20,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit);
 Expected<EntityId> perform(const SetFrames& command, StateEdit& edit);
 Expected<EntityId> perform(const SetTool& command, StateEdit& edit);
 Expected<EntityId> perform(const SetTools& command, StateEdit& edit);
+Expected<EntityId> perform(const SetNamedPoses& command, StateEdit& edit);
 Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit);
 Expected<EntityId> perform(const Attach& command, StateEdit& edit);
 Expected<EntityId> perform(const Detach& command, StateEdit& edit);

@@ -21,6 +21,7 @@ Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
     if (auto checked = checkJoints(entity, entity.joints); !checked) return checked;
   }
   if (auto checked = checkTools(entity); !checked) return checked;
+  if (auto checked = checkNamedPoses(entity); !checked) return checked;
   if (auto checked = checkAttachment(entity, state); !checked) return checked;
   if (auto checked = checkFrames(entity); !checked) return checked;
   return checkProperties(entity);

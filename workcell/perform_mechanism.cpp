@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workcell/command_checks.h"
+#include "workcell/named_poses.h"
 #include "workcell/perform_command.h"
 
 namespace hapticell::workcell {
@@ -84,6 +85,7 @@ Expected<EntityId> perform(const EditMechanism& command, StateEdit& edit) {
   const Entity before = changed;
   if (auto rebuilt = rebuild(changed); !rebuilt) return makeError(rebuilt.error());
   keepJoints(before, changed);
+  changed.named_poses = posesFor(*changed.robot, before);
   return edit.move(command.id, [&](Entity& target) { target = changed; });
 }
 

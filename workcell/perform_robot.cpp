@@ -63,6 +63,15 @@ Expected<EntityId> perform(const SetTools& command, StateEdit& edit) {
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
 
+Expected<EntityId> perform(const SetNamedPoses& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  Entity changed = **entity;
+  changed.named_poses = command.poses;
+  if (auto checked = checkNamedPoses(changed); !checked) return makeError(checked.error());
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
 Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   if (!entity) return makeError(entity.error());

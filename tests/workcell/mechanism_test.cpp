@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/mechanism.h"
+#include "workcell/named_poses.h"
 
 #include <gtest/gtest.h>
 
@@ -232,6 +233,30 @@ TEST(Tools, SeveralToolsOfWhichOneIsChosen) {
   EXPECT_DOUBLE_EQ(document.find(robot)->X_LT.p.z, 0.4);
   ASSERT_TRUE(document.execute(SetTool{robot, "tcp", {}}));
   EXPECT_TRUE(document.find(robot)->tool.empty());
+}
+
+TEST(NamedPoses, AreKeptUndoneAndWritten) {
+  Document document;
+  Diagnostics notes;
+  const EntityId robot = document.execute(AddEntity{EntityLoader(".").load("library:hc6", 1.0, notes).value()}).value();
+  const std::vector<double> rest = kinematics::restPositions(*document.find(robot)->robot);
+  ASSERT_FALSE(namedPosesOf(*document.find(robot)).empty());
+  EXPECT_EQ(findNamedPose(*document.find(robot), "home"), rest);
+  std::vector<double> park = rest;
+  park[1] += 0.25;
+  ASSERT_TRUE(document.execute(SetNamedPoses{robot, {{"park", park}, {"home", park}}}));
+  EXPECT_EQ(findNamedPose(*document.find(robot), "park"), park);
+  EXPECT_EQ(findNamedPose(*document.find(robot), "home"), park);
+  EXPECT_TRUE(findNamedPose(*document.find(robot), "nowhere").empty());
+  EXPECT_FALSE(document.execute(SetNamedPoses{robot, {{"park", park}, {"park", rest}}}));
+  EXPECT_FALSE(document.execute(SetNamedPoses{robot, {{"short", {0.1}}}}));
+  const std::string text = documentText(document.state(), "/nowhere");
+  const auto read = parseDocument(text, "/nowhere", "test", notes);
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(documentText(read->state(), "/nowhere"), text);
+  EXPECT_EQ(findNamedPose(*read->state().entities[0], "park"), park);
+  ASSERT_TRUE(document.undo());
+  EXPECT_EQ(findNamedPose(*document.find(robot), "home"), rest);
 }
 
 }  // namespace
