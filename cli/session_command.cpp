@@ -79,7 +79,7 @@ Expected<void> readDevice(const std::string& name, SessionOptions& options) {
   const auto file = config::findShippedFile("devices/" + name + ".toml");
   if (!file) {
     return makeError({"", "--device", "there is no simulated device '" + name + "'",
-                      "phantom_desktop, touch, touch_x or premium", ""});
+                      "phantom_desktop, touch, touch_x, premium or premium_6dof", ""});
   }
   const auto profile = config::readDeviceProfile(*file);
   if (!profile) return tl::unexpected(profile.error());
@@ -265,7 +265,7 @@ void addSessionCommand(CLI::App& app, Action& chosen) {
   command->add_option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
   command->add_option("--rate-gui", words->rate_gui, "Hz of the pictures");
   command->add_option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
-  command->add_option("--device", words->device, "phantom_desktop, touch, touch_x or premium");
+  command->add_option("--device", words->device, "phantom_desktop, touch, touch_x, premium or premium_6dof");
   command->add_option("--set", words->set, "KEY=VALUE; may be repeated")->allow_extra_args(false);
   command->add_flag("--realtime", words->realtime,
                     "In real time, over TCP: with a server of its own, or the one of --server");

@@ -109,10 +109,11 @@ void readCapabilities(TableReader& table, DeviceProfile& profile) {
   table.read("resolution", profile.resolution, {1e-7, 0.01});
   table.read("rotation_resolution", profile.rotation_resolution, {0.0, 0.1});
   table.read("measured_axes", profile.measured_axes, {3, 6});
-  table.read("driven_axes", profile.driven_axes, {3, 3});
+  table.read("driven_axes", profile.driven_axes, {3, 6});
   table.read("buttons", profile.buttons, {0, 8});
   table.read("peak_force", profile.peak_force, {0.1, 100.0});
   table.read("continuous_force", profile.continuous_force, {0.1, 100.0});
+  table.read("peak_torque", profile.peak_torque, {0.0, 10.0});
   table.read("stiffness", profile.stiffness, {10.0, 20000.0});
   table.read("damping", profile.damping, {0.1, 50.0});
 }
@@ -177,6 +178,14 @@ Expected<DeviceProfile> parseDeviceProfile(std::string_view text, const std::str
   if (profile.continuous_force > profile.peak_force) {
     return makeError({name, "key 'capabilities.continuous_force'", textOf(profile.continuous_force),
                       "no more than peak_force, " + textOf(profile.peak_force), ""});
+  }
+  if (profile.driven_axes != 3 && profile.driven_axes != 6) {
+    return makeError({name, "key 'capabilities.driven_axes'", std::to_string(profile.driven_axes),
+                      "3 (force) or 6 (force and torque)", ""});
+  }
+  if ((profile.driven_axes == 6) != (profile.peak_torque > 0.0)) {
+    return makeError({name, "key 'capabilities.peak_torque'", textOf(profile.peak_torque),
+                      "above 0 with driven_axes = 6, else 0", ""});
   }
   return profile;
 }

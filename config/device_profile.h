@@ -26,6 +26,7 @@ struct DeviceProfile {
   int buttons = 1;
   double peak_force = 6.4;        ///< N.
   double continuous_force = 1.4;  ///< N.
+  double peak_torque = 0.0;       ///< N m; above 0 exactly where driven_axes is 6.
   double stiffness = 1000.0;      ///< Recommended K, N/m.
   double damping = 2.0;           ///< Recommended B, N s/m.
 

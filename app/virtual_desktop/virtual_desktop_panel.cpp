@@ -27,7 +27,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr const char* kProfiles[]{"phantom_desktop", "touch", "touch_x", "premium"};
+constexpr const char* kProfiles[]{"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"};
 
 /// Two or more toggles that look like segments.
 QPushButton* makeToggle(const QString& text, const QString& tip) {

@@ -20,6 +20,7 @@ struct DeviceCapabilities {
   int driven_axes = 3;            ///< 3: force only; 6: force and torque.
   double peak_force = 0.0;        ///< N.
   double continuous_force = 0.0;  ///< N that the motors bear for ever.
+  double peak_torque = 0.0;       ///< N m about any axis; 0 where driven_axes is 3.
   double stiffness = 0.0;         ///< N/m that is stable with nobody holding it.
   double damping = 0.0;           ///< N s/m that belongs to that stiffness.
   int buttons = 1;

@@ -48,6 +48,7 @@ DeviceCapabilities capabilitiesOf(const config::DeviceProfile& profile) {
   result.driven_axes = profile.driven_axes;
   result.peak_force = profile.peak_force;
   result.continuous_force = profile.continuous_force;
+  result.peak_torque = profile.peak_torque;
   result.stiffness = profile.stiffness;
   result.damping = profile.damping;
   result.buttons = profile.buttons;
@@ -72,8 +73,8 @@ Expected<void> SimulatedDevice::open() {
 
 void SimulatedDevice::close() noexcept {
   open_ = false;
-  commands_.fill(dvec3(0.0));
-  motor_D_ = dvec3(0.0);
+  commands_.fill({});
+  motor_D_ = motor_torque_D_ = dvec3(0.0);
 }
 
 void SimulatedDevice::place(const Pose& X_DS) noexcept {
@@ -96,10 +97,9 @@ DeviceStatus SimulatedDevice::read(DeviceReading& reading) noexcept {
 }
 
 DeviceStatus SimulatedDevice::write(const dvec3& force_D, const dvec3& torque_D) noexcept {
-  static_cast<void>(torque_D);
   if (!open_) return DeviceStatus::kNotOpen;
-  const bool good = isFinite(force_D);
-  commands_[0] = good ? force_D : dvec3(0.0);
+  const bool good = isFinite(force_D) && isFinite(torque_D);
+  commands_[0] = good ? Command{force_D, torque_D} : Command{};
   return good ? DeviceStatus::kOk : DeviceStatus::kFault;
 }
 
@@ -116,18 +116,23 @@ void SimulatedDevice::updateMass() noexcept {
 
 void SimulatedDevice::applyDelayedForce() noexcept {
   const auto delay = static_cast<std::size_t>(std::clamp(profile_.delay_ticks, 0, static_cast<int>(kMaxDelay) - 1));
-  const dvec3 wanted = open_ ? commands_[delay] : dvec3(0.0);
+  const Command command = open_ ? commands_[delay] : Command{};
   for (std::size_t i = kMaxDelay - 1; i > 0; --i) commands_[i] = commands_[i - 1];
   // Each motor's torque goes through its own converter; its range is the tip's force at the middle's lever.
   const dmat3 J = arm_.jacobian(arm_.joints(X_DS_.p));
   const double levels = std::ldexp(1.0, profile_.converter_bits - 1);
-  dvec3 torque = glm::transpose(J) * limited(wanted, profile_.converter_range);
+  dvec3 torque = glm::transpose(J) * limited(command.force_D, profile_.converter_range);
   for (int i = 0; i < 3; ++i) {
     const double full = profile_.converter_range * lever_[i];
     torque[i] = std::clamp(std::round(torque[i] / full * levels), -levels, levels - 1.0) * full / levels;
   }
   const dmat3 damped = J * glm::transpose(J) + dmat3(1e-6);
   motor_D_ = glm::inverse(damped) * (J * torque);
+  // The gimbal's motors, about the axes of D.
+  motor_torque_D_ = limited(command.torque_D, profile_.peak_torque);
+  if (profile_.peak_torque > 0.0) {
+    motor_torque_D_ = glm::round(motor_torque_D_ / profile_.peak_torque * levels) * profile_.peak_torque / levels;
+  }
 }
 
 dvec3 SimulatedDevice::stopForce() const noexcept {
@@ -171,7 +176,7 @@ void SimulatedDevice::integrate(double h, double into_tick) noexcept {
 
 void SimulatedDevice::integrateRotation(double h, const HandIntent& intent) noexcept {
   const HandOptions& hand = hand_.options();
-  dvec3 torque = -kGimbalDamping * w_DS_;
+  dvec3 torque = motor_torque_D_ - kGimbalDamping * w_DS_;
   if (hand_.holding()) {
     torque += hand.rotational_stiffness * difference(intent.X_DH, X_DS_).angular +
               hand.rotational_damping * (intent.w_DH - w_DS_);

@@ -27,7 +27,7 @@ class SimulatedDevice final : public Device {
   const DeviceCapabilities& capabilities() const override { return capabilities_; }
   Expected<void> open() override;
   DeviceStatus read(DeviceReading& reading) noexcept override;
-  /// Torque is ignored: three axes are driven. A force that is not finite stops the motors and is a fault.
+  /// Torque is ignored where three axes are driven. What is not finite stops the motors and is a fault.
   DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept override;
   void close() noexcept override;
 
@@ -45,6 +45,9 @@ class SimulatedDevice final : public Device {
   const dvec3& trueVelocity() const { return v_DS_; }
   /// What the motors exert on the stylus now, N: delayed and quantised.
   const dvec3& motorForce() const { return motor_D_; }
+  /// What the gimbal's motors exert on it now, N m: delayed, limited and quantised like the force.
+  const dvec3& motorTorque() const { return motor_torque_D_; }
+  const dvec3& trueAngularVelocity() const { return w_DS_; }
   /// What the hand exerts on the stylus now, N.
   const dvec3& handForce() const { return hand_D_; }
 
@@ -70,8 +73,12 @@ class SimulatedDevice final : public Device {
   dmat3 mass_{1.0};
   dmat3 inverse_mass_{1.0};
   dvec3 motor_D_{0.0};
+  dvec3 motor_torque_D_{0.0};
   dvec3 hand_D_{0.0};
-  std::array<dvec3, kMaxDelay> commands_{};
+  struct Command {
+    dvec3 force_D{0.0}, torque_D{0.0};
+  };
+  std::array<Command, kMaxDelay> commands_{};
   double temperature_ = 0.0;
 };
 

@@ -69,6 +69,7 @@ Expected<void> read(const wire::Device& from, DeviceDescription& to) {
   to.measured_axes = from.measured_axes();
   to.driven_axes = from.driven_axes();
   to.buttons = from.buttons();
+  to.peak_torque = from.peak_torque();
   if (!isWellFormed(to)) return refuse("Device", "a figure out of its range", "finite figures and a true box");
   return {};
 }
@@ -144,6 +145,7 @@ Expected<void> read(const wire::State& from, HapticState& to) {
       !copy(from.force(), to.force_D)) {
     return refuse("State", "a part is missing", "stylus, proxy, velocity and force");
   }
+  to.torque_D = from.torque() != nullptr ? fromWire(*from.torque()) : dvec3(0.0);
   to.tick = from.tick();
   to.server_stamp_ns = from.server_stamp_ns();
   to.buttons = from.buttons();

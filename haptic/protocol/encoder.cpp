@@ -28,7 +28,7 @@ Offset<wire::Device> write(FlatBufferBuilder& builder, const DeviceDescription& 
   const wire::Vector3 least = toWire(device.workspace_min), most = toWire(device.workspace_max);
   return wire::CreateDevice(builder, name, device.simulated, &least, &most, device.resolution, device.peak_force,
                             device.continuous_force, device.stiffness, device.damping, device.measured_axes,
-                            device.driven_axes, device.buttons);
+                            device.driven_axes, device.buttons, device.peak_torque);
 }
 
 Offset<wire::Welcome> write(FlatBufferBuilder& builder, const Welcome& welcome) {
@@ -76,9 +76,10 @@ Offset<wire::ConstraintSet> write(FlatBufferBuilder& builder, const ConstraintSe
 Offset<wire::State> write(FlatBufferBuilder& builder, const HapticState& state) {
   const wire::Pose stylus = toWire(state.X_DS), proxy = toWire(state.X_DP);
   const wire::Vector3 velocity = toWire(state.v_DS), force = toWire(state.force_D);
+  const wire::Vector3 torque = toWire(state.torque_D);
   return wire::CreateState(builder, state.tick, state.server_stamp_ns, &stylus, &proxy, &velocity, &force,
                            state.buttons, state.adopted_set, state.forces_on, state.force_ramp, state.motor_temperature,
-                           state.device_fault);
+                           state.device_fault, &torque);
 }
 
 Offset<wire::Statistics> write(FlatBufferBuilder& builder, const ServerStatistics& s) {

@@ -34,7 +34,7 @@ bool isWellFormed(const HandTarget& target) {
 }
 
 bool isWellFormed(const HapticState& state) {
-  return state.X_DS.isValid() && state.X_DP.isValid() && isFinite(state.v_DS) && isFinite(state.force_D) &&
+  return state.X_DS.isValid() && state.X_DP.isValid() && isFinite(state.v_DS) && isFinite(state.force_D) && isFinite(state.torque_D) &&
          allNotNegative({state.force_ramp, state.motor_temperature}) && state.force_ramp <= 1.0;
 }
 
@@ -48,7 +48,8 @@ bool isWellFormed(const DeviceDescription& device) {
   return isFinite(device.workspace_min) && isFinite(device.workspace_max) && size.x >= 0.0 && size.y >= 0.0 &&
          size.z >= 0.0 &&
          allNotNegative(
-             {device.resolution, device.peak_force, device.continuous_force, device.stiffness, device.damping}) &&
+             {device.resolution, device.peak_force, device.continuous_force, device.stiffness, device.damping,
+              device.peak_torque}) &&
          device.measured_axes >= 0 && device.measured_axes <= 6 && device.driven_axes >= 0 && device.driven_axes <= 6 &&
          device.buttons >= 0 && device.buttons <= 32;
 }

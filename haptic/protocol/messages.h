@@ -22,6 +22,7 @@ struct HapticState {
   Pose X_DP;                  ///< The proxy: where the stylus would be if it obeyed every constraint. The wanted pose.
   dvec3 v_DS{0.0};            ///< Filtered velocity, m/s.
   dvec3 force_D{0.0};         ///< Commanded force on the hand, N.
+  dvec3 torque_D{0.0};        ///< Commanded torque on the hand, N m; zero where no turning is driven.
   std::uint32_t buttons = 0;  ///< Bit i set while button i is pressed.
   std::uint64_t adopted_set = 0;   ///< Sequence of the set that is rendered; 0 while there is none.
   bool forces_on = false;          ///< The engage gate is open.
@@ -61,6 +62,7 @@ struct DeviceDescription {
   dvec3 workspace_min{0.0}, workspace_max{0.0};
   double resolution = 0.0, peak_force = 0.0, continuous_force = 0.0, stiffness = 0.0, damping = 0.0;
   int measured_axes = 6, driven_axes = 3, buttons = 1;
+  double peak_torque = 0.0;  ///< N m.
 };
 
 enum class ClientKind : std::uint8_t {

@@ -40,6 +40,7 @@ DeviceDescription describe(const Device& device) {
   description.damping = c.damping;
   description.measured_axes = c.measured_axes;
   description.driven_axes = c.driven_axes;
+  description.peak_torque = c.peak_torque;
   description.buttons = c.buttons;
   return description;
 }

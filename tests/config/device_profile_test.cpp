@@ -33,12 +33,18 @@ TEST(DeviceProfile, theDefaultIsThePapersDevice) {
 }
 
 TEST(DeviceProfile, everyShippedProfileIsGoodAndNamesItself) {
-  for (const char* name : {"phantom_desktop", "touch", "touch_x", "premium"}) {
+  for (const char* name : {"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"}) {
     const auto profile = readDeviceProfile(test::sourceFile(std::string("config/devices/") + name + ".toml"));
     ASSERT_TRUE(profile.has_value()) << profile.error().message();
     EXPECT_THAT(profile->name, HasSubstr("simulated"));
     EXPECT_GT(profile->peak_force, profile->continuous_force);
   }
+}
+
+TEST(DeviceProfile, drivesTurningOnlyWithATorque) {
+  EXPECT_THAT(problem("[capabilities]\ndriven_axes = 6\n"), HasSubstr("above 0 with driven_axes = 6"));
+  EXPECT_THAT(problem("[capabilities]\npeak_torque = 0.2\n"), HasSubstr("above 0 with driven_axes = 6"));
+  EXPECT_THAT(problem("[capabilities]\ndriven_axes = 5\n"), HasSubstr("3 (force) or 6"));
 }
 
 TEST(DeviceProfile, keepsDefaultsOfKeysThatAreMissing) {

@@ -81,6 +81,7 @@ inline HapticState state() {
   s.X_DP = pose();
   s.v_DS = vector();
   s.force_D = vector();
+  s.torque_D = vector();
   s.buttons = *rc::gen::arbitrary<std::uint32_t>();
   s.adopted_set = *rc::gen::arbitrary<std::uint64_t>();
   s.forces_on = *rc::gen::arbitrary<bool>();
@@ -118,6 +119,7 @@ inline DeviceDescription device() {
   d.measured_axes = *rc::gen::inRange(0, 7);
   d.driven_axes = *rc::gen::inRange(0, 7);
   d.buttons = *rc::gen::inRange(0, 33);
+  d.peak_torque = notNegative();
   return d;
 }
 

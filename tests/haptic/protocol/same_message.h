@@ -29,7 +29,7 @@ inline bool same(const ConstraintSet& a, const ConstraintSet& b) {
 
 inline bool same(const HapticState& a, const HapticState& b) {
   return a.tick == b.tick && a.server_stamp_ns == b.server_stamp_ns && same(a.X_DS, b.X_DS) && same(a.X_DP, b.X_DP) &&
-         a.v_DS == b.v_DS && a.force_D == b.force_D && a.buttons == b.buttons && a.adopted_set == b.adopted_set &&
+         a.v_DS == b.v_DS && a.force_D == b.force_D && a.torque_D == b.torque_D && a.buttons == b.buttons && a.adopted_set == b.adopted_set &&
          a.forces_on == b.forces_on && a.force_ramp == b.force_ramp && a.motor_temperature == b.motor_temperature &&
          a.device_fault == b.device_fault;
 }
@@ -54,7 +54,7 @@ inline bool same(const DeviceDescription& a, const DeviceDescription& b) {
   return a.name == b.name && a.simulated == b.simulated && a.workspace_min == b.workspace_min &&
          a.workspace_max == b.workspace_max && a.resolution == b.resolution && a.peak_force == b.peak_force &&
          a.continuous_force == b.continuous_force && a.stiffness == b.stiffness && a.damping == b.damping &&
-         a.measured_axes == b.measured_axes && a.driven_axes == b.driven_axes && a.buttons == b.buttons;
+         a.measured_axes == b.measured_axes && a.driven_axes == b.driven_axes && a.peak_torque == b.peak_torque && a.buttons == b.buttons;
 }
 
 inline bool same(const Hello& a, const Hello& b) {
