@@ -159,8 +159,8 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
     if (value < -ball.reach && !(deepest < -ball.reach && name == best)) continue;
     ContactRow row = rowOf(ball, element.shape, ball.radius);
     row.element = name;
-    // Facets of a hollow stand inside it: what the exact check of the motion allows ends there.
-    if (element.shape.side < 0.0) row.gap -= element.sagitta;
+    // Where facets stand in front of a hollow, what the exact check of the motion allows ends there.
+    row.gap -= element.raised;
     if (element.shape.side < 0.0) {
       if (row.gap >= -ball.reach || element.trims.empty()) {
         group.rows.push_back(row);

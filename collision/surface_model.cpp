@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "collision/hollow_relief.h"
 #include "collision/surface_clusters.h"
 #include "collision/surface_recognition.h"
 
@@ -99,6 +100,7 @@ void ModelBuilder::makeElements() {
     SurfaceElement element;
     element.shape = shape;
     element.sagitta = region.sagitta;
+    if (shape.side < 0.0) element.raised = std::max(0.0, region.sagitta - reliefOf(region));
     for (const SurfaceShape& trim : region.trims) {
       dvec3 center = shape.p_M;
       if (shape.type == SurfaceType::kTorus) {
@@ -430,7 +432,7 @@ std::shared_ptr<const SurfaceModel> SurfaceModel::build(const geometry::Triangle
 std::shared_ptr<const SurfaceModel> SurfaceModel::build(RecognisedSurface surface) {
   std::shared_ptr<SurfaceModel> model(new SurfaceModel);
   model->surface_ = std::move(surface);
-  model->collider_ = MeshCollider::build(model->surface_.mesh);
+  model->collider_ = MeshCollider::build(relievedMesh(model->surface_));
   ModelBuilder(*model).run();
   auto& rods = model->rods_;
   const auto rims = std::stable_partition(rods.begin(), rods.end(), [](const BodyRod& rod) { return !rod.rim; });

@@ -23,6 +23,7 @@ struct SurfaceElement {
   SurfaceShape shape;              ///< Never free form: facets are planes. Edges: a cylinder of radius 0.
   std::vector<ElementTrim> trims;  ///< Convex: all count (min); concave: free beyond any of them (max).
   double sagitta = 0.0;            ///< m.
+  double raised = 0.0;             ///< m that facets of collider() stand in front of a hollow surface.
   bool facet = false;              ///< Of a free-form region.
   bool edge = false;
 };
@@ -68,7 +69,9 @@ class SurfaceModel {
   static std::shared_ptr<const SurfaceModel> build(RecognisedSurface surface);
 
   const RecognisedSurface& surface() const { return surface_; }
-  const MeshCollider& collider() const { return *collider_; }  ///< Of surface().mesh.
+  /// Of relievedMesh(surface()): what an exact check of motions may use, so that a peg goes where its bore lets it.
+  const MeshCollider& collider() const { return *collider_; }
+  const std::shared_ptr<const MeshCollider>& sharedCollider() const { return collider_; }
   const geometry::Bounds& bounds() const { return collider_->bounds(); }
 
   const std::vector<SurfaceElement>& elements() const { return elements_; }

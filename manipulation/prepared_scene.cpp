@@ -5,6 +5,8 @@
 #include <atomic>
 #include <thread>
 
+#include "collision/hollow_relief.h"
+
 namespace hapticell::manipulation {
 
 namespace {
@@ -59,9 +61,11 @@ void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previ
       const geometry::TriangleMesh& mesh = *order[i]->mesh;
       collision::ColliderBuild how;
       if (mesh.triangles.size() >= kWorthAFile) how.cache_folder = collision::userCacheFolder();
-      meshes_.find(order[i]->key)->second = {collision::MeshCollider::build(mesh, how),
-                                             collision::ConvexPieces::build(mesh),
-                                             recognise ? collision::SurfaceModel::build(mesh) : nullptr};
+      PreparedMesh& prepared = meshes_.find(order[i]->key)->second;
+      prepared.pieces = collision::ConvexPieces::build(mesh);
+      if (recognise) prepared.surfaces = collision::SurfaceModel::build(mesh);
+      const bool relieved = recognise && collision::hasHollows(prepared.surfaces->surface());
+      prepared.collider = relieved ? prepared.surfaces->sharedCollider() : collision::MeshCollider::build(mesh, how);
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

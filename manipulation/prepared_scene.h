@@ -17,6 +17,7 @@ namespace hapticell::manipulation {
 
 /// A mesh made ready for both kinds of query.
 struct PreparedMesh {
+  /// Of the mesh; where surfaces were recognised its hollows are relieved (collision::relievedMesh).
   std::shared_ptr<const collision::MeshCollider> collider;
   std::shared_ptr<const collision::ConvexPieces> pieces;
   std::shared_ptr<const collision::SurfaceModel> surfaces;  ///< Null where nobody asked for recognition.
