@@ -6,8 +6,10 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <cstdio>
+#include <optional>
 
 #include "app/host/main_window.h"
+#include "app/host/render_command.h"
 #include "app/style/fonts.h"
 #include "app/style/proxy_style.h"
 #include "config/configuration.h"
@@ -18,10 +20,19 @@ using hapticell::app::MainWindow;
 
 struct Options {
   QString file, screenshot, theme, configuration;
+  std::optional<hapticell::app::RenderCommand> render;
   QSize size{1600, 900};
   int delay_ms = 1500;
   bool exit = false, module = true, measure = false;
 };
+
+/// "1920x1080"; not valid for anything else.
+QSize sizeFrom(const QString& text) {
+  const QStringList sides = text.split('x');
+  if (sides.size() != 2) return {};
+  const QSize size(sides[0].toInt(), sides[1].toInt());
+  return size.isEmpty() ? QSize() : size;
+}
 
 Options parse(const QApplication& application) {
   QCommandLineParser parser;
@@ -34,7 +45,11 @@ Options parse(const QApplication& application) {
                      {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
                      {"measure-frames", "Prints the median time of a frame at each level of detail and quits."},
                      {"theme", "dark or light.", "name"},
-                     {"size", "Size of the window.", "WIDTHxHEIGHT", "1600x900"},
+                     {"size", "Size of the window, or of the picture.", "WIDTHxHEIGHT"},
+                     {"render", "Draws this cell or file into the picture named by -o, without a window.", "file"},
+                     {{"o", "output"}, "The picture that --render makes.", "file.png"},
+                     {"view", "For --render: front, back, right, left, top, bottom, iso or saved.", "name", "iso"},
+                     {"no-floor", "For --render: leaves the floor's grid out."},
                      {"config", "A hapticell.toml that is read over the shipped one.", "file"},
                      {"no-module", "Does not start the Virtual Desktop by itself."}});
   parser.process(application);
@@ -47,10 +62,30 @@ Options parse(const QApplication& application) {
   options.measure = parser.isSet("measure-frames");
   options.module = !parser.isSet("no-module");
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
-  const QStringList sides = parser.value("size").split('x');
-  if (sides.size() == 2 && sides[0].toInt() >= 640 && sides[1].toInt() >= 400)
-    options.size = QSize(sides[0].toInt(), sides[1].toInt());
+  const QSize size = sizeFrom(parser.value("size"));
+  if (size.width() >= 640 && size.height() >= 400) options.size = size;
+  if (parser.isSet("render")) {
+    auto& render = options.render.emplace();
+    render.input = parser.value("render");
+    render.output = parser.value("output");
+    render.view = parser.value("view");
+    if (size.isValid()) render.size = size;
+    render.light = options.theme == "light";
+    render.floor = !parser.isSet("no-floor");
+  }
   return options;
+}
+
+int renderPicture(const hapticell::app::RenderCommand& command) {
+  if (command.output.isEmpty()) {
+    qCritical("--render needs the picture's name: hapticell --render cell.hcell -o picture.png");
+    return 2;
+  }
+  hapticell::Diagnostics diagnostics;
+  const auto done = hapticell::app::render(command, diagnostics);
+  for (const std::string& warning : diagnostics.warnings) qWarning().noquote() << QString::fromStdString(warning);
+  if (!done) qCritical().noquote() << QString::fromStdString(done.error().message());
+  return done ? 0 : 2;
 }
 
 void openAtStart(MainWindow& window, const QString& wanted) {
@@ -71,14 +106,28 @@ void printFrameTimes(MainWindow& window) {
   for (std::size_t i = 0; i < medians.size(); ++i) std::printf("%-14s %7.1f ms\n", names[i], 1000.0 * medians[i]);
 }
 
+bool hasDisplay() {
+#ifdef Q_OS_LINUX
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+  return true;
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!hasDisplay()) {
+    qCritical("There is no display to draw on. Start it on a desktop, or under xvfb-run.");
+    return 2;
+  }
   QApplication application(argc, argv);
   QApplication::setApplicationName("hapticell");
   QApplication::setApplicationDisplayName("HaptiCell");
   QApplication::setApplicationVersion(HAPTICELL_VERSION);
   const Options options = parse(application);
+  if (options.render) return renderPicture(*options.render);
   QApplication::setStyle(new hapticell::app::ProxyStyle);
   QApplication::setFont(hapticell::app::textFont(hapticell::app::TextRole::kText));
   auto configuration = hapticell::config::loadConfiguration(options.configuration.toStdString());

@@ -60,7 +60,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::connectViewActions() {
   const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
-  on(actions_->fit_all, [this] { viewport_->fit(viewport_->scene().bounds_W()); });
+  on(actions_->fit_all, [this] { viewport_->fitAll(); });
   on(actions_->fit_selection, [this] {
     const auto bounds = viewport_->scene().boundsOf_W(selection_.current());
     viewport_->fit(bounds.isEmpty() ? viewport_->scene().bounds_W() : bounds);

@@ -68,11 +68,8 @@ bool MainWindow::openFile(const QString& path) {
 
 void MainWindow::showSavedView() {
   const auto& view = document_.document().state().view;
-  if (!view) return viewport_->fit(viewport_->scene().bounds_W(), false);
-  Camera camera = viewport_->camera().turnedTo(view->p_WTarget - view->p_WEye);
-  camera.target_W = view->p_WTarget;
-  camera.distance = glm::length(view->p_WTarget - view->p_WEye);
-  viewport_->setCamera(camera, false);
+  if (!view) return viewport_->fitAll(false);
+  viewport_->setCamera(viewport_->camera().looking(view->p_WEye, view->p_WTarget), false);
 }
 
 bool MainWindow::saveDocument(bool ask_where) {
@@ -102,7 +99,7 @@ bool MainWindow::addFile(const QString& path) {
     return false;
   }
   selection_.set(*id);
-  viewport_->fit(viewport_->scene().bounds_W());
+  viewport_->fitAll();
   return true;
 }
 

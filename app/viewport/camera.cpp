@@ -15,6 +15,12 @@ constexpr double kMinDistance = 0.01;
 constexpr double kMaxDistance = 2000.0;
 constexpr double kFitMargin = 1.12;
 
+void appendCorners(const geometry::Bounds& box, std::vector<dvec3>& corners) {
+  for (int i = 0; i < 8; ++i)
+    corners.emplace_back((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                         (i & 4) ? box.max.z : box.min.z);
+}
+
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * glm::pi<double>());
 }
@@ -102,22 +108,41 @@ void Camera::zoom(double factor, const dvec3& p_WQ) {
 }
 
 Camera Camera::fitted(const geometry::Bounds& bounds_W, const ViewSize& size) const {
+  std::vector<dvec3> corners;
+  if (!bounds_W.isEmpty()) appendCorners(bounds_W, corners);
+  return fitted(corners, size);
+}
+
+Camera Camera::fitted(const std::vector<dvec3>& points_W, const ViewSize& size) const {
   Camera result = *this;
-  if (bounds_W.isEmpty()) return result;
-  result.target_W = bounds_W.center();
-  // The eight corners, each asked how far back the eye must stand to see it.
-  const double tangent = std::tan(0.5 * field_of_view);
-  const double tangent_x = tangent * size.width / size.height;
-  const dvec3 half = 0.5 * bounds_W.size();
-  double needed = 0.0;
-  for (int i = 0; i < 8; ++i) {
-    const dvec3 corner((i & 1) ? half.x : -half.x, (i & 2) ? half.y : -half.y, (i & 4) ? half.z : -half.z);
-    const double wide = std::abs(glm::dot(corner, right_W())) / tangent_x;
-    const double high = std::abs(glm::dot(corner, up_W())) / tangent;
-    const double back = perspective ? -glm::dot(corner, forward_W()) : 0.0;
-    needed = std::max(needed, std::max(wide, high) + back);
+  if (points_W.empty()) return result;
+  const double tangent_y = std::tan(0.5 * field_of_view) / kFitMargin;
+  const double tangent_x = tangent_y * size.width / size.height;
+  geometry::Bounds seen;              // Along right, up and backwards.
+  glm::dvec2 high(-1e30), low(1e30);  // Where the sides of a view that holds the points meet depth 0.
+  for (const dvec3& p_W : points_W) {
+    const dvec3 p(glm::dot(p_W, right_W()), glm::dot(p_W, up_W()), -glm::dot(p_W, forward_W()));
+    seen.add(p);
+    const glm::dvec2 slant = (perspective ? p.z : 0.0) * glm::dvec2(tangent_x, tangent_y);
+    high = glm::max(high, glm::dvec2(p) + slant);
+    low = glm::min(low, glm::dvec2(p) - slant);
   }
-  result.distance = std::clamp(std::max(needed, bounds_W.radius() * 0.2) * kFitMargin, kMinDistance, kMaxDistance);
+  // The eye stands as near as the wider of the two pairs of sides allows, in the middle of both.
+  const glm::dvec2 middle = 0.5 * (high + low), half = 0.5 * (high - low);
+  const double back = std::max(half.x / tangent_x, half.y / tangent_y);
+  const double middle_depth = seen.center().z;
+  const double needed = perspective ? back - middle_depth : back;
+  result.target_W = middle.x * right_W() + middle.y * up_W() - middle_depth * forward_W();
+  result.distance = std::clamp(std::max(needed, 0.2 * seen.radius()), kMinDistance, kMaxDistance);
+  return result;
+}
+
+Camera Camera::looking(const dvec3& p_WEye, const dvec3& p_WTarget) const {
+  const double length = glm::length(p_WTarget - p_WEye);
+  if (!(length > 0.0)) return *this;
+  Camera result = turnedTo(p_WTarget - p_WEye);
+  result.target_W = p_WTarget;
+  result.distance = length;
   return result;
 }
 

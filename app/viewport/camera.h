@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <vector>
 
 #include "geometry/bounds.h"
 
@@ -59,7 +60,11 @@ class Camera {
 
   /// The same direction, moved until the box fills the view less a margin. An empty box changes nothing.
   Camera fitted(const geometry::Bounds& bounds_W, const ViewSize& size) const;
+  /// The same for points: the nearest place of the eye that sees them all.
+  Camera fitted(const std::vector<dvec3>& points_W, const ViewSize& size) const;
   Camera turnedTo(StandardView view) const;
+  /// The eye at one point, looking at another, as saved views are kept. Points that coincide change nothing.
+  Camera looking(const dvec3& p_WEye, const dvec3& p_WTarget) const;
   /// Looking along a direction (from the eye into the scene, W).
   Camera turnedTo(const dvec3& direction_W) const;
 };

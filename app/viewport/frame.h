@@ -27,6 +27,7 @@ struct Frame {
   geometry::Bounds bounds_W;  ///< Of the whole scene.
   DetailLevel detail = DetailLevel::kFull;
   bool edges = true;
+  bool floor = true;  ///< The grid and the shadows on it.
   bool shaded = true;       ///< False: faces hidden, edges only.
   bool refine = false;      ///< The picture stands still: its samples are averaged.
   int band = 0, bands = 1;  ///< A refined sample may be drawn in horizontal bands, one a call.

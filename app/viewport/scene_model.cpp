@@ -215,6 +215,19 @@ geometry::Bounds SceneModel::bounds_W() const {
   return bounds;
 }
 
+std::vector<dvec3> SceneModel::corners_W() const {
+  std::vector<dvec3> corners;
+  for (const RenderItem& item : items({})) {
+    const geometry::Bounds& box = item.bounds_M;
+    if (box.isEmpty()) continue;
+    for (int i = 0; i < 8; ++i) {
+      corners.push_back(item.X_WM * dvec3((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                                          (i & 4) ? box.max.z : box.min.z));
+    }
+  }
+  return corners;
+}
+
 geometry::Bounds SceneModel::boundsOf_W(workcell::EntityId id) const {
   geometry::Bounds bounds;
   const workcell::Entity* entity = find(id);

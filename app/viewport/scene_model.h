@@ -52,6 +52,8 @@ class SceneModel {
   std::vector<RenderItem> items(const StylusLook& stylus) const;
 
   geometry::Bounds bounds_W() const;
+  /// Corners of the boxes of all visible parts: what a fitted view must show, nearer than the box of all.
+  std::vector<dvec3> corners_W() const;
   geometry::Bounds boundsOf_W(workcell::EntityId entity) const;
   /// Where an entity stands now, snapshot included.
   Pose placement_W(const workcell::Entity& entity) const;

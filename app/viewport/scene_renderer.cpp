@@ -138,7 +138,7 @@ void SceneRenderer::drawScene(const Frame& frame) {
   const ShadowPass* shadow = shadows ? &p.shadow : nullptr;
   p.surface.draw(frame, p.view, shadow, p.meshes);
 
-  p.floor.draw(frame, p.view, shadow);
+  if (frame.floor) p.floor.draw(frame, p.view, shadow);
 
   if (frame.edges && frame.detail < DetailLevel::kNoEdges)
     p.edge.draw(frame, p.view, frame.detail != DetailLevel::kFull, p.meshes);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/frame_colors.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -14,12 +16,6 @@ constexpr double kSettleSeconds = 0.16;  // After so long without motion the pic
 constexpr double kBandSeconds = 0.03;    // What a piece of a still picture may take.
 constexpr double kStylusPixels = 150.0;
 
-fvec3 rgb(const QColor& color) {
-  return {color.redF(), color.greenF(), color.blueF()};
-}
-glm::vec4 rgba(const QColor& color) {
-  return {color.redF(), color.greenF(), color.blueF(), color.alphaF()};
-}
 std::array<float, 3> triple(const QColor& color) {
   return {color.redF(), color.greenF(), color.blueF()};
 }
@@ -27,20 +23,6 @@ std::array<float, 3> triple(const QColor& color) {
 bool sameCamera(const Camera& a, const Camera& b) {
   return a.target_W == b.target_W && a.azimuth == b.azimuth && a.elevation == b.elevation && a.distance == b.distance &&
          a.field_of_view == b.field_of_view && a.perspective == b.perspective;
-}
-
-FrameColors colorsOf(const Theme& theme) {
-  FrameColors colors;
-  colors.background_top = rgb(theme.background_top);
-  colors.background_bottom = rgb(theme.background_bottom);
-  colors.grid = rgba(theme.grid);
-  colors.crease = rgba(theme.crease);
-  colors.selected = rgb(theme.selection);
-  colors.hovered = rgb(theme.text2);
-  colors.near_miss = rgb(theme.near_miss);
-  colors.contact = rgb(theme.contact);
-  colors.floor_shadow = theme.dark ? 0.42f : 0.20f;
-  return colors;
 }
 
 }  // namespace
@@ -108,6 +90,10 @@ void ViewportWidget::fit(const geometry::Bounds& bounds_W, bool animated) {
   setCamera((turn_.active ? turn_.to : camera_).fitted(bounds_W, viewSize()), animated);
 }
 
+void ViewportWidget::fitAll(bool animated) {
+  setCamera((turn_.active ? turn_.to : camera_).fitted(scene_.corners_W(), viewSize()), animated);
+}
+
 void ViewportWidget::setStandardView(StandardView view) {
   setCamera((turn_.active ? turn_.to : camera_).turnedTo(view));
 }
@@ -170,7 +156,7 @@ Frame ViewportWidget::makeFrame() const {
   frame.width = std::max(1, static_cast<int>(std::lround(width() * frame.pixel_ratio)));
   frame.height = std::max(1, static_cast<int>(std::lround(height() * frame.pixel_ratio)));
   const Theme& theme = themeOf(palette());
-  frame.colors = colorsOf(theme);
+  frame.colors = frameColors(theme);
   SceneModel::StylusLook look;
   if (scene_.snapshot())
     look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());

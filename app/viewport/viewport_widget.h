@@ -32,6 +32,7 @@ class ViewportWidget : public QOpenGLWidget {
   /// Turns to it within 250 ms, or at once.
   void setCamera(const Camera& camera, bool animated = true);
   void fit(const geometry::Bounds& bounds_W, bool animated = true);
+  void fitAll(bool animated = true);
   void setStandardView(StandardView view);
   void setPerspective(bool on);
   void setEdges(bool on);

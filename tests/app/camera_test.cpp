@@ -95,9 +95,39 @@ TEST(Camera, FittedBoxIsInsideAndFillsTheView) {
   }
 }
 
+TEST(Camera, FittedPointsTouchTheMarginOnTwoOppositeSides) {
+  const std::vector<dvec3> points{
+      {0.3, -1.0, 0.0}, {2.0, 0.4, 0.1}, {-0.5, 1.7, 2.2}, {0.9, 0.8, 3.0}, {1.0, 0.0, 0.5}};
+  for (int seed = 0; seed < 40; ++seed) {
+    const Camera camera = someCamera(seed).fitted(points, kSize);
+    double left = 1e9, right = 1e9, top = 1e9, bottom = 1e9;
+    for (const dvec3& point : points) {
+      const glm::dvec2 p = *camera.project(point, kSize);
+      left = std::min(left, p.x);
+      right = std::min(right, kSize.width - p.x);
+      top = std::min(top, p.y);
+      bottom = std::min(bottom, kSize.height - p.y);
+    }
+    const double margin_x = 0.5 * kSize.width * (1.0 - 1.0 / 1.12), margin_y = 0.5 * kSize.height * (1.0 - 1.0 / 1.12);
+    EXPECT_GE(std::min(left, right), margin_x - 1e-6);
+    EXPECT_GE(std::min(top, bottom), margin_y - 1e-6);
+    const bool wide = std::abs(left - margin_x) < 1e-6 && std::abs(right - margin_x) < 1e-6;
+    const bool high = std::abs(top - margin_y) < 1e-6 && std::abs(bottom - margin_y) < 1e-6;
+    EXPECT_TRUE(wide || high) << "the eye could stand nearer, seed " << seed;
+  }
+}
+
+TEST(Camera, LooksFromASavedEyeToItsTarget) {
+  const dvec3 eye(2.0, -2.5, 1.5), target(0.1, 0.2, 0.6);
+  const Camera camera = someCamera(1).looking(eye, target);
+  EXPECT_LT(glm::length(camera.eye_W() - eye), 1e-12);
+  EXPECT_LT(glm::length(camera.target_W - target), 1e-12);
+  EXPECT_EQ(someCamera(1).looking(eye, eye).distance, someCamera(1).distance);
+}
+
 TEST(Camera, EmptyBoxChangesNothing) {
   const Camera camera = someCamera(3);
-  EXPECT_EQ(camera.fitted({}, kSize).distance, camera.distance);
+  EXPECT_EQ(camera.fitted(geometry::Bounds{}, kSize).distance, camera.distance);
 }
 
 TEST(Camera, StandardViewsLookAlongTheAxes) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/host/render_command.h"
+
+#include <QFileInfo>
+#include <QImageWriter>
+#include <QSaveFile>
+#include <array>
+
+#include "app/viewport/picture_renderer.h"
+#include "workcell/document_io.h"
+#include "workcell/entity_source.h"
+
+namespace hapticell::app {
+namespace {
+
+struct NamedView {
+  const char* name;
+  StandardView view;
+};
+constexpr std::array<NamedView, 7> kViews{{{"front", StandardView::kFront},
+                                           {"back", StandardView::kBack},
+                                           {"right", StandardView::kRight},
+                                           {"left", StandardView::kLeft},
+                                           {"top", StandardView::kTop},
+                                           {"bottom", StandardView::kBottom},
+                                           {"iso", StandardView::kIsometric}}};
+
+QString knownViews() {
+  QStringList names;
+  for (const NamedView& known : kViews) names << known.name;
+  return names.join(", ") + " or saved";
+}
+
+Expected<workcell::Document> readScene(const QString& input, Diagnostics& diagnostics) {
+  if (input.endsWith(".hcell", Qt::CaseInsensitive)) {
+    workcell::LoadOptions options;
+    options.keep_unloaded = true;
+    return workcell::loadDocument(input.toStdString(), diagnostics, options);
+  }
+  workcell::EntityLoader loader(".");
+  auto read = loader.loadTree(input.toStdString(), {}, diagnostics);
+  if (!read) return makeError(read.error());
+  workcell::Document document;
+  for (workcell::Entity& entity : read->entities) {
+    auto added = document.execute(workcell::AddEntity{std::move(entity)});
+    if (!added) return makeError(added.error());
+  }
+  return document;
+}
+
+Expected<Camera> cameraFor(const RenderCommand& command, const workcell::Document& document, const SceneModel& scene) {
+  const ViewSize size{static_cast<double>(command.size.width()), static_cast<double>(command.size.height())};
+  const Camera camera;
+  if (command.view == "saved") {
+    if (const auto& saved = document.state().view) return camera.looking(saved->p_WEye, saved->p_WTarget);
+    return camera.turnedTo(StandardView::kIsometric).fitted(scene.corners_W(), size);
+  }
+  const auto view = viewNamed(command.view);
+  if (!view) {
+    return makeError({"", "--view", "'" + command.view.toStdString() + "'", knownViews().toStdString(), ""});
+  }
+  return camera.turnedTo(*view).fitted(scene.corners_W(), size);
+}
+
+Expected<void> write(const QImage& picture, const QString& output) {
+  const QByteArray format = QFileInfo(output).suffix().toLatin1().toLower();
+  if (!QImageWriter::supportedImageFormats().contains(format)) {
+    return makeError({output.toStdString(), "", "a picture format that cannot be written", "png, jpg, bmp or tiff",
+                      "Give the file another ending."});
+  }
+  QSaveFile file(output);
+  const bool opened = file.open(QIODevice::WriteOnly);
+  if (!opened || !picture.save(&file, format.constData()) || !file.commit()) {
+    return makeError({output.toStdString(), "", file.errorString().toStdString(), "a file that can be written",
+                      "Look whether its folder exists and is writable."});
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<StandardView> viewNamed(const QString& name) {
+  for (const NamedView& known : kViews)
+    if (name == known.name) return known.view;
+  return std::nullopt;
+}
+
+Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
+  const auto document = readScene(command.input, diagnostics);
+  if (!document) return makeError(document.error());
+  SceneModel scene;
+  scene.setEntities(document->snapshotEntities());
+  const auto camera = cameraFor(command, *document, scene);
+  if (!camera) return makeError(camera.error());
+  auto renderer = PictureRenderer::make();
+  if (!renderer) return makeError(renderer.error());
+  PictureRenderer::Look look;
+  look.floor = command.floor;
+  return write(renderer->draw(scene, *camera, command.size, command.light ? lightTheme() : darkTheme(), look),
+               command.output);
+}
+
+}  // namespace hapticell::app

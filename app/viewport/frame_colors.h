@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/style/theme.h"
+#include "app/viewport/frame.h"
+
+namespace hapticell::app {
+
+/// The colours that a theme gives a picture of the scene.
+FrameColors frameColors(const Theme& theme);
+
+}  // namespace hapticell::app
