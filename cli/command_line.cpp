@@ -44,6 +44,7 @@ int runCommandLine(int argc, char** argv) {
   Action chosen;
   // One line a command; each comes with the file that defines it.
   addConvertCommand(app, chosen);
+  addDevicesCommand(app, chosen);
   addDistanceCommand(app, chosen);
   addErgonomicsCommand(app, chosen);
   addFeelCommand(app, chosen);

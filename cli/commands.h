@@ -22,6 +22,7 @@ using Action = std::function<ExitStatus(ResultWriter&)>;
 /// called when the user chose it) the action, put into `chosen`. Nothing heavy happens while options are read.
 void addConvertCommand(CLI::App& app, Action& chosen);
 void addInspectCommand(CLI::App& app, Action& chosen);
+void addDevicesCommand(CLI::App& app, Action& chosen);
 void addDistanceCommand(CLI::App& app, Action& chosen);
 void addErgonomicsCommand(CLI::App& app, Action& chosen);
 void addFeelCommand(CLI::App& app, Action& chosen);

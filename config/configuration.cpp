@@ -101,9 +101,21 @@ std::string likeliest(const Configuration& configuration, std::string_view key) 
   return best;
 }
 
+/// driver.NAME.KEY: taken as it stands, since only the driver knows its keys.
+bool setDriverValue(Configuration& configuration, std::string_view key, std::string_view text) {
+  constexpr std::string_view kPrefix = "driver.";
+  if (key.substr(0, kPrefix.size()) != kPrefix) return false;
+  key.remove_prefix(kPrefix.size());
+  const std::size_t dot = key.find('.');
+  if (dot == 0 || dot == std::string_view::npos || dot + 1 == key.size()) return false;
+  configuration.drivers[std::string(key.substr(0, dot))][std::string(key.substr(dot + 1))] = text;
+  return true;
+}
+
 }  // namespace
 
 Expected<void> setValue(Configuration& configuration, std::string_view key, std::string_view text) {
+  if (setDriverValue(configuration, key, text)) return {};
   TextSetter setter{key, text, false, {}};
   visitSettings(configuration, setter);
   if (!setter.known) {
@@ -123,6 +135,9 @@ std::vector<Setting> settings(const Configuration& configuration) {
     const bool flag = std::is_same_v<std::decay_t<decltype(value)>, bool>;
     all.push_back({key, toText(value), flag ? "true, false" : rangeText(limits)});
   });
+  for (const auto& [driver, values] : configuration.drivers) {
+    for (const auto& [key, value] : values) all.push_back({"driver." + driver + "." + key, value, "any text"});
+  }
   return all;
 }
 

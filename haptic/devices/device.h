@@ -48,6 +48,9 @@ class Device {
   virtual DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept = 0;
   /// Switches the motors off at once, or on again; what a device without a switch does not do, its zero force does.
   virtual void setMotors(bool on) noexcept { static_cast<void>(on); }
+  /// Forces may come from now on (the engage gate is no longer closed), or no longer: a device whose amplifiers are
+  /// switched does so now, and has none powered before it was told.
+  virtual void setEngaged(bool engaged) noexcept { static_cast<void>(engaged); }
   /// Force zero, motors off. Safe to call at any time, more than once.
   virtual void close() noexcept = 0;
 };

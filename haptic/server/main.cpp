@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "config/configuration.h"
-#include "config/device_profile.h"
+#include "haptic/devices/device_choice.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/configured_loop.h"
 #include "haptic/server/fault_file.h"
@@ -23,12 +23,6 @@
 
 namespace hapticell::haptic {
 namespace {
-
-Expected<config::DeviceProfile> findProfile(const std::string& name) {
-  const auto file = config::findShippedFile("devices/" + name + ".toml");
-  if (!file) return tl::unexpected(file.error());
-  return config::readDeviceProfile(*file);
-}
 
 NetworkOptions networkOptions(const ServerOptions& asked, const config::Configuration& configuration) {
   NetworkOptions options;
@@ -85,10 +79,13 @@ sigset_t blockSignals() {
 Expected<void> serve(const ServerOptions& asked) {
   const auto configuration = config::loadConfiguration(asked.config);
   if (!configuration) return tl::unexpected(configuration.error());
-  const auto profile = findProfile(asked.device.value_or(configuration->haptic.device));
-  if (!profile) return tl::unexpected(profile.error());
-  SimulatedDevice device(*profile);
-  device.hand().setOptions(configuredHand(*configuration));
+  const auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
+                               [](const std::string& sentence) { spdlog::warn("{}", sentence); });
+  if (!made) return tl::unexpected(made.error());
+  Device& device = **made;
+  if (auto* simulated = dynamic_cast<SimulatedDevice*>(&device)) {
+    simulated->hand().setOptions(configuredHand(*configuration));
+  }
   if (const auto opened = device.open(); !opened) return tl::unexpected(opened.error());
 
   const sigset_t signals = blockSignals();
@@ -101,7 +98,8 @@ Expected<void> serve(const ServerOptions& asked) {
   runner.start();
   for (const std::string& warning : runner.warnings()) spdlog::warn("{}", warning);
   std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
-              static_cast<unsigned>((*network)->port()), profile->name.c_str(), configuration->haptic.rate_hz);
+              static_cast<unsigned>((*network)->port()), device.capabilities().name.c_str(),
+              configuration->haptic.rate_hz);
   std::fflush(stdout);
   const std::filesystem::path faults =
       asked.fault_log.empty() ? defaultFaultFolder() : std::filesystem::path(asked.fault_log);

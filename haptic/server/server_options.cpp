@@ -89,7 +89,8 @@ std::string_view serverUsage() {
 
 Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (docs/protocol.md).
 
-  --device NAME      profile of the stylus, as in config/devices/ (default: as configured)
+  --device NAME      a simulated stylus of config/devices/, or a driver's device, DRIVER or DRIVER:ID, as
+                     hapticell-cli devices lists them (default: as configured)
   --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only)
   --port N           TCP port (default: as configured, 4747; 0: any that is free)
   --config FILE      a hapticell.toml to read besides the usual ones

@@ -13,7 +13,7 @@ namespace hapticell::haptic {
 
 /// What hapticell-haptic-server is asked to do on its command line.
 struct ServerOptions {
-  std::optional<std::string> device;  ///< A profile in config/devices/; else the configuration's.
+  std::optional<std::string> device;  ///< A profile in config/devices/, or DRIVER[:ID]; else the configuration's.
   std::string listen = "127.0.0.1";
   std::optional<std::uint16_t> port;  ///< 0: any; else the configuration's.
   std::string config;                 ///< A hapticell.toml to read besides the usual ones.

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/device_choice.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "config/device_profile.h"
+#include "haptic/devices/driver_device.h"
+#include "haptic/devices/simulated_device.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+std::string namesOf(const std::vector<LoadedDriver>& drivers) {
+  std::string names;
+  for (const std::string& profile : simulatedProfiles()) names += (names.empty() ? "" : ", ") + profile;
+  for (const LoadedDriver& driver : drivers) {
+    if (driver.driver != nullptr) names += std::string(", ") + driver.driver->information().name;
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> simulatedProfiles() {
+  std::vector<std::string> names;
+  const auto folder = config::findShippedFile("devices");
+  std::error_code missing;
+  if (!folder) return names;
+  for (const auto& entry : std::filesystem::directory_iterator(*folder, missing)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+DeviceName parseDeviceName(const std::string& name) {
+  const std::size_t colon = name.find(':');
+  const std::string first = name.substr(0, colon);
+  if (colon == std::string::npos && config::findShippedFile("devices/" + first + ".toml")) return {"", first};
+  return {first, colon == std::string::npos ? "" : name.substr(colon + 1)};
+}
+
+Expected<driver::Driver*> findDriver(const std::string& name, const DriverSettings& settings) {
+  const std::vector<LoadedDriver> drivers = loadDrivers(driverFolders(), settings);
+  for (const LoadedDriver& loaded : drivers) {
+    if (loaded.driver != nullptr && name == loaded.driver->information().name) return loaded.driver;
+  }
+  for (const LoadedDriver& loaded : drivers) {
+    if (loaded.driver == nullptr && loaded.file.stem() == name) return tl::unexpected(loaded.problem);
+  }
+  return makeError({.file = "",
+                    .place = "device",
+                    .found = "'" + name + "'",
+                    .expected = "one of " + namesOf(drivers),
+                    .fix = "hapticell-cli devices shows what is plugged in."});
+}
+
+Expected<std::unique_ptr<Device>> makeDevice(const std::string& name, const config::Configuration& configuration,
+                                             std::function<void(const std::string&)> report) {
+  const DeviceName wanted = parseDeviceName(name);
+  if (wanted.driver.empty()) {
+    const auto file = config::findShippedFile("devices/" + wanted.id + ".toml");
+    if (!file) return tl::unexpected(file.error());
+    const auto profile = config::readDeviceProfile(*file);
+    if (!profile) return tl::unexpected(profile.error());
+    return std::make_unique<SimulatedDevice>(*profile);
+  }
+  const auto driver = findDriver(wanted.driver, configuration.drivers);
+  if (!driver) return tl::unexpected(driver.error());
+  DriverDeviceOptions options;
+  options.session.report = std::move(report);
+  return std::make_unique<DriverDevice>(**driver, wanted.id, std::move(options));
+}
+
+}  // namespace hapticell::haptic

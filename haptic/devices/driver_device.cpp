@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/driver_device.h"
+
+#include <pthread.h>
+#include <semaphore.h>
+#include <time.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <future>
+#include <thread>
+
+#include "haptic/devices/driver_library.h"
+#include "haptic/devices/driver_support.h"
+#include "haptic/rendering/triple_buffer.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr double kTick = 0.001;             // s between two calls of read().
+constexpr int kWorkerPriority = 70;         // SCHED_FIFO where granted: below the force loop's.
+constexpr long kWait = 5'000'000;           // ns that the thread waits for a command before it reads anyway.
+constexpr int kSilentLoop = 10;             // Such waits without a command: the force loop has stalled.
+constexpr double kMouseSpeed = 0.12;        // m/s at full deflection of a 3-D mouse,
+constexpr double kMouseTurn = 1.2;          // and rad/s.
+constexpr double kMouseReach = 0.08;        // m from the middle.
+constexpr double kPlainStiffness = 1000.0;  // N/m for the proxy of a device without force.
+
+dvec3 toVector(const double (&from)[3]) {
+  return {from[0], from[1], from[2]};
+}
+
+bool isFinite(const dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+DeviceCapabilities toCapabilities(const driver::Capabilities& from) {
+  DeviceCapabilities result;
+  result.name = from.name;
+  const bool mouse = from.kind == driver::Kind::kSpaceMouse;
+  result.workspace_min = mouse ? dvec3(-kMouseReach) : toVector(from.workspace_min);
+  result.workspace_max = mouse ? dvec3(kMouseReach) : toVector(from.workspace_max);
+  result.resolution = from.resolution;
+  result.measured_axes = static_cast<int>(from.measured_axes);
+  result.driven_axes = static_cast<int>(from.driven_axes);
+  result.peak_force = from.peak_force;
+  result.continuous_force = from.continuous_force;
+  result.stiffness = from.stiffness > 0.0 ? from.stiffness : kPlainStiffness;
+  result.damping = from.damping > 0.0 ? from.damping : 2.0;
+  result.buttons = static_cast<int>(from.buttons);
+  return result;
+}
+
+/// The driver's thread and what lies between it and the force loop.
+struct DriverDevice::Worker {
+  Worker(driver::Driver& driver, const std::string& id, const DriverSessionOptions& options)
+      : session(driver, id, options) {
+    sem_init(&due, 0, 0);
+  }
+  ~Worker() { sem_destroy(&due); }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  void run() {
+    pthread_setname_np(pthread_self(), "device");
+    sched_param priority{};
+    priority.sched_priority = kWorkerPriority;
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
+    driver::Problem problem = session.open();
+    const bool good = problem.status == driver::Status::kOk;
+    opened.set_value(std::move(problem));
+    int silent = 0;
+    while (good && !stopping.load(std::memory_order_acquire)) {
+      if (waitForTick())
+        silent = 0;
+      else
+        ++silent;
+      commands.update();
+      const bool stalled = silent >= kSilentLoop;
+      answers.write(session.turn(stalled ? driver::Command{} : commands.value()));
+    }
+    session.close();
+    ended.set_value();
+  }
+
+  /// False when nobody commanded for a while.
+  bool waitForTick() {
+    timespec until{};
+    clock_gettime(CLOCK_REALTIME, &until);
+    until.tv_nsec += kWait;
+    if (until.tv_nsec >= 1'000'000'000) until.tv_nsec -= 1'000'000'000, ++until.tv_sec;
+    if (sem_timedwait(&due, &until) != 0) return false;
+    while (sem_trywait(&due) == 0) {
+    }
+    return true;
+  }
+
+  DriverSession session;
+  TripleBuffer<driver::Command> commands;
+  TripleBuffer<DriverAnswer> answers;
+  std::atomic<bool> stopping{false};
+  sem_t due;
+  std::promise<driver::Problem> opened;
+  std::promise<void> ended;
+  std::future<void> end = ended.get_future();
+};
+
+DriverDevice::DriverDevice(driver::Driver& driver, std::string id, DriverDeviceOptions options)
+    : driver_(driver), id_(std::move(id)), options_(std::move(options)) {}
+
+DriverDevice::~DriverDevice() {
+  close();
+}
+
+Expected<void> DriverDevice::open() {
+  if (worker_ || session_) return {};
+  const std::string what = std::string(driver_.information().name) + (id_.empty() ? "" : ":" + id_);
+  driver::Problem problem;
+  if (options_.calls == DriverCalls::kInline) {
+    session_ = std::make_unique<DriverSession>(driver_, id_, options_.session);
+    problem = session_->open();
+    driver_capabilities_ = session_->capabilities();
+  } else {
+    worker_ = std::make_shared<Worker>(driver_, id_, options_.session);
+    auto opened = worker_->opened.get_future();
+    std::thread([worker = worker_] { worker->run(); }).detach();
+    if (opened.wait_for(std::chrono::duration<double>(options_.open_patience_s)) != std::future_status::ready) {
+      driver::refuse(problem, driver::Status::kFault, "the driver did not open it in time",
+                     "Unplug the device and plug it in again.");
+    } else {
+      problem = opened.get();
+      driver_capabilities_ = worker_->session.capabilities();
+    }
+  }
+  if (problem.status != driver::Status::kOk) {
+    close();
+    return tl::unexpected(toError(problem, what));
+  }
+  capabilities_ = toCapabilities(driver_capabilities_);
+  status_ = driver::Status::kOk;
+  silent_ticks_ = 0;
+  heard_ = false;
+  motors_ = true;
+  engaged_ = false;
+  return {};
+}
+
+void DriverDevice::takeAnswer(const DriverAnswer& answer, DeviceReading& reading) noexcept {
+  status_ = answer.status;
+  if (status_ != driver::Status::kOk) return;
+  const driver::State& state = answer.state;
+  if (driver_capabilities_.kind == driver::Kind::kSpaceMouse) {
+    const dvec3 step(state.motion[0], state.motion[1], state.motion[2]);
+    const dvec3 turn(state.motion[3], state.motion[4], state.motion[5]);
+    reading_.X_DS.p = glm::clamp(reading_.X_DS.p + kMouseSpeed * kTick * step, dvec3(-kMouseReach), dvec3(kMouseReach));
+    reading_.X_DS.q = glm::normalize(quaternionFromRotationVector(kMouseTurn * kTick * turn) * reading_.X_DS.q);
+  } else if (answer.measurements > 0) {
+    reading_.X_DS.p = toVector(state.position);
+    const dquat q(state.orientation[0], state.orientation[1], state.orientation[2], state.orientation[3]);
+    const double length = glm::length(q);
+    if (std::abs(length - 1.0) < 0.05) reading_.X_DS.q = q / length;
+  }
+  reading_.buttons = state.buttons;
+  reading_.motor_temperature = state.motor_temperature;
+  reading = reading_;
+}
+
+DeviceStatus DriverDevice::read(DeviceReading& reading) noexcept {
+  if (session_) {
+    takeAnswer(session_->turn(command_), reading);
+  } else if (worker_) {
+    const bool answered = worker_->answers.update();
+    silent_ticks_ = answered ? 0 : silent_ticks_ + 1;
+    heard_ = heard_ || answered;
+    if (silent_ticks_ > kPatience) return DeviceStatus::kFault;
+    if (!heard_) return DeviceStatus::kOk;  // Opened, and about to answer.
+    takeAnswer(worker_->answers.value(), reading);
+  } else {
+    return DeviceStatus::kNotOpen;
+  }
+  if (status_ == driver::Status::kOk) return DeviceStatus::kOk;
+  return status_ == driver::Status::kVanished ? DeviceStatus::kVanished : DeviceStatus::kFault;
+}
+
+DeviceStatus DriverDevice::write(const dvec3& force_D, const dvec3& torque_D) noexcept {
+  if (!worker_ && !session_) return DeviceStatus::kNotOpen;
+  const bool good = isFinite(force_D) && isFinite(torque_D);
+  command_.motors = good && motors_ && engaged_;
+  for (int i = 0; i < 3; ++i) {
+    command_.force[i] = command_.motors ? force_D[i] : 0.0;
+    command_.torque[i] = command_.motors ? torque_D[i] : 0.0;
+  }
+  if (worker_) {
+    worker_->commands.write(command_);
+    sem_post(&worker_->due);
+  }
+  return good ? DeviceStatus::kOk : DeviceStatus::kFault;
+}
+
+void DriverDevice::setMotors(bool on) noexcept {
+  motors_ = on;
+}
+
+void DriverDevice::setEngaged(bool engaged) noexcept {
+  engaged_ = engaged;
+}
+
+void DriverDevice::close() noexcept {
+  session_.reset();
+  if (!worker_) return;
+  worker_->commands.write(driver::Command{});
+  worker_->stopping.store(true, std::memory_order_release);
+  sem_post(&worker_->due);
+  worker_->end.wait_for(std::chrono::milliseconds(500));
+  worker_.reset();
+}
+
+}  // namespace hapticell::haptic

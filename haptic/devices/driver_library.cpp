@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/driver_library.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <future>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "haptic/devices/driver_support.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kMostDevices = 32;  // Of one driver.
+
+tl::unexpected<Error> notADriver(const fs::path& file, std::string found, std::string fix) {
+  return makeError({.file = file.string(),
+                    .place = "",
+                    .found = std::move(found),
+                    .expected = "a driver of HaptiCell",
+                    .fix = std::move(fix)});
+}
+
+}  // namespace
+
+Expected<driver::Driver*> loadDriver(const fs::path& file) {
+  // RTLD_NOW: a function that is missing is told now, not in the middle of a force.
+  void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    const char* const why = dlerror();
+    return notADriver(file, why != nullptr ? why : "it cannot be loaded",
+                      "Install the library that it names, or remove the file.");
+  }
+  void* const symbol = dlsym(library, "hapticell_driver");
+  if (symbol == nullptr) {
+    return notADriver(file, "it exports no function hapticell_driver", "See docs/drivers.md, or remove the file.");
+  }
+  driver::Driver* const driver = reinterpret_cast<HapticellDriverEntry>(symbol)(driver::kInterfaceVersion);
+  if (driver == nullptr) {
+    return notADriver(file, "it was built for another version of HaptiCell's driver interface",
+                      "Build it anew with version " + std::to_string(driver::kInterfaceVersion) + ".");
+  }
+  return driver;
+}
+
+std::vector<fs::path> driverFolders() {
+  std::vector<fs::path> folders;
+  if (const char* named = std::getenv("HAPTICELL_DRIVERS")) {
+    std::istringstream list(named);
+    for (std::string folder; std::getline(list, folder, ':');) {
+      if (!folder.empty()) folders.emplace_back(folder);
+    }
+  }
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  if (!program.empty()) {
+    folders.push_back(program.parent_path() / "drivers");
+    folders.push_back(program.parent_path().parent_path() / "lib" / "hapticell" / "drivers");
+  }
+  if (const char* home = std::getenv("HOME")) folders.push_back(fs::path(home) / ".local/lib/hapticell/drivers");
+  return folders;
+}
+
+std::vector<LoadedDriver> loadDrivers(const std::vector<fs::path>& folders, const DriverSettings& settings) {
+  std::vector<LoadedDriver> drivers;
+  std::set<std::string> names;
+  for (const fs::path& folder : folders) {
+    std::error_code missing;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder, missing)) {
+      if (entry.path().extension() == ".so") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      if (!names.insert(file.filename().string()).second) continue;
+      LoadedDriver loaded{file, nullptr, {}};
+      if (const auto driver = loadDriver(file)) {
+        loaded.driver = *driver;
+        const auto own = settings.find(loaded.driver->information().name);
+        if (own != settings.end()) {
+          for (const auto& [key, value] : own->second) loaded.driver->configure(key.c_str(), value.c_str());
+        }
+      } else {
+        loaded.problem = driver.error();
+      }
+      drivers.push_back(std::move(loaded));
+    }
+  }
+  return drivers;
+}
+
+DriverView look(driver::Driver& driver, double patience_s) {
+  auto answer = std::make_shared<std::promise<DriverView>>();
+  auto future = answer->get_future();
+  std::thread([&driver, answer] {
+    DriverView view;
+    view.found.resize(kMostDevices);
+    const std::uint32_t count = driver.find(view.found.data(), kMostDevices, view.problem);
+    view.found.resize(std::min(count, kMostDevices));
+    answer->set_value(std::move(view));
+  }).detach();
+  if (future.wait_for(std::chrono::duration<double>(patience_s)) == std::future_status::ready) return future.get();
+  DriverView silent;
+  driver::refuse(silent.problem, driver::Status::kFault, "the driver did not answer in time",
+                 "Unplug the device and plug it in again.");
+  return silent;
+}
+
+Error toError(const driver::Problem& problem, const std::string& file) {
+  return {.file = file, .place = "", .found = problem.found, .expected = "", .fix = problem.fix};
+}
+
+const char* toString(driver::Status status) {
+  static constexpr std::array kNames{
+      "ok",           "nothing_new",    "not_found", "in_use", "no_permission", "missing_library",
+      "missing_file", "not_calibrated", "garbled",   "fault",  "vanished"};
+  const auto index = static_cast<std::size_t>(status);
+  return index < kNames.size() ? kNames[index] : "fault";
+}
+
+const char* toString(driver::Kind kind) {
+  switch (kind) {
+    case driver::Kind::kGlove:
+      return "glove";
+    case driver::Kind::kSpaceMouse:
+      return "space_mouse";
+    case driver::Kind::kStylus:
+      break;
+  }
+  return "stylus";
+}
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/driver_session.h"
+
+#include <cmath>
+
+#include "haptic/devices/driver_support.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+bool allFinite(const driver::State& state) {
+  double sum = state.motor_temperature;
+  for (const double value : state.position) sum += value;
+  for (const double value : state.orientation) sum += value;
+  for (const double value : state.motion) sum += value;
+  for (const double value : state.sensors) sum += value;
+  return std::isfinite(sum);
+}
+
+}  // namespace
+
+DriverSession::DriverSession(driver::Driver& driver, std::string id, DriverSessionOptions options)
+    : driver_(driver), id_(std::move(id)), options_(std::move(options)) {}
+
+DriverSession::~DriverSession() {
+  close();
+}
+
+driver::Problem DriverSession::open() {
+  driver::Problem problem;
+  if (device_ != nullptr) return problem;
+  device_ = driver_.open(id_.c_str(), problem);
+  if (device_ == nullptr) {
+    if (problem.status == driver::Status::kOk) {
+      driver::refuse(problem, driver::Status::kFault, "the driver opened nothing and did not say why");
+    }
+    return problem;
+  }
+  capabilities_ = device_->capabilities();
+  answer_.status = driver::Status::kOk;
+  garbled_ = 0;
+  return {};
+}
+
+void DriverSession::close() {
+  if (device_ == nullptr) return;
+  device_->write(driver::Command{});
+  driver_.close(device_);
+  device_ = nullptr;
+  answer_.status = driver::Status::kVanished;
+}
+
+const DriverAnswer& DriverSession::turn(const driver::Command& command) {
+  if (device_ == nullptr) {
+    tryAgain();
+    return answer_;
+  }
+  driver::State state = answer_.state;
+  driver::Status status = device_->read(state);
+  if (status == driver::Status::kOk && !allFinite(state)) status = driver::Status::kGarbled;
+  if (!keep(status, true)) return answer_;
+  if (status == driver::Status::kOk) {
+    answer_.state = state;
+    ++answer_.measurements;
+  }
+  driver::Command allowed = command;
+  if (!command.motors || (answer_.state.flags & driver::kCalibrated) == 0) {
+    allowed.motors = false;
+    for (int i = 0; i < 3; ++i) allowed.force[i] = allowed.torque[i] = 0.0;
+  }
+  keep(device_->write(allowed), false);
+  return answer_;
+}
+
+bool DriverSession::keep(driver::Status status, bool reading) {
+  switch (status) {
+    case driver::Status::kOk:
+      if (reading) garbled_ = 0;
+      [[fallthrough]];
+    case driver::Status::kNothingNew:
+    case driver::Status::kNotCalibrated:
+      answer_.status = driver::Status::kOk;
+      return true;
+    case driver::Status::kGarbled:
+      if (++garbled_ < options_.garbled_turns) return true;
+      [[fallthrough]];
+    default:
+      lose(device_->problem());
+      return false;
+  }
+}
+
+void DriverSession::lose(const driver::Problem& problem) {
+  const std::string why = problem.found[0] != '\0' ? problem.found : "it does not answer as it should";
+  const std::string fix = problem.fix[0] != '\0' ? std::string(" ") + problem.fix : "";
+  const driver::Status status = problem.status == driver::Status::kOk ? driver::Status::kFault : problem.status;
+  close();
+  answer_.status = status;
+  turns_without_ = 0;
+  report(std::string(capabilities_.name) + ": " + why + ". Forces are off." + fix);
+}
+
+void DriverSession::tryAgain() {
+  if (++turns_without_ < options_.reopen_turns) return;
+  turns_without_ = 0;
+  const driver::Status before = answer_.status;
+  if (open().status != driver::Status::kOk) {
+    answer_.status = before;
+    return;
+  }
+  report(std::string(capabilities_.name) + ": it answers again. Forces stay off until they are switched on.");
+}
+
+void DriverSession::report(const std::string& sentence) const {
+  if (options_.report) options_.report(sentence);
+}
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "haptic/devices/driver_interface.h"
+
+namespace hapticell::haptic {
+
+/// How a driver's device is looked after.
+struct DriverSessionOptions {
+  std::uint32_t reopen_turns = 500;  ///< Turns between two attempts to find a device again that has gone.
+  std::uint32_t garbled_turns = 20;  ///< So many garbled answers on end count as a device that has gone.
+  std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, by the thread of turn().
+};
+
+/// What a turn brought.
+struct DriverAnswer {
+  driver::Status status = driver::Status::kVanished;  ///< kOk also where nothing was new.
+  driver::State state;                                ///< The last measurement.
+  std::uint64_t measurements = 0;                     ///< How many there were so far.
+};
+
+/// One device of a driver over its whole life: opened, read and commanded turn by turn, closed when it fails or
+/// vanishes, looked for again, opened again. Calls the driver in the caller's thread, so each call may block.
+class DriverSession {
+ public:
+  /// `id` as the driver's find() tells it; empty: the first that can be used.
+  DriverSession(driver::Driver& driver, std::string id, DriverSessionOptions options = {});
+  ~DriverSession();  ///< Closes.
+  DriverSession(const DriverSession&) = delete;
+  DriverSession& operator=(const DriverSession&) = delete;
+
+  /// Opens it now; the problem where that fails.
+  driver::Problem open();
+  bool isOpen() const { return device_ != nullptr; }
+  driver::Device* device() { return device_; }
+  /// Of the device that was open last.
+  const driver::Capabilities& capabilities() const { return capabilities_; }
+
+  /// Reads, then commands. A command without motors carries no force; neither does one to a device that is not
+  /// calibrated.
+  const DriverAnswer& turn(const driver::Command& command);
+  void close();
+
+ private:
+  bool keep(driver::Status status, bool reading);
+  void lose(const driver::Problem& problem);
+  void tryAgain();
+  void report(const std::string& sentence) const;
+
+  driver::Driver& driver_;
+  std::string id_;
+  DriverSessionOptions options_;
+  driver::Device* device_ = nullptr;
+  driver::Capabilities capabilities_;
+  DriverAnswer answer_;
+  std::uint32_t garbled_ = 0;
+  std::uint32_t turns_without_ = 0;
+};
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "haptic/devices/driver_interface.h"
+
+namespace hapticell::driver {
+
+/// A serial port at 115200 baud, 8 bits, no parity, one stop bit, no flow control, held against other programs.
+/// Modem lines are left alone: a pseudo-terminal has none.
+class SerialPort {
+ public:
+  /// Null and a problem: not there, no permission, in use (by a lock or by TIOCEXCL), no serial port.
+  static std::unique_ptr<SerialPort> open(const std::string& path, Problem& problem);
+  ~SerialPort();
+  SerialPort(const SerialPort&) = delete;
+  SerialPort& operator=(const SerialPort&) = delete;
+
+  /// What has arrived, waiting `wait_ms` at most. How many bytes, 0 for none, -1 when the port has gone.
+  int read(std::span<std::uint8_t> to, int wait_ms);
+  /// False when the port has gone or takes nothing within 50 ms.
+  bool write(std::span<const std::uint8_t> bytes);
+
+ private:
+  explicit SerialPort(int file) : file_(file) {}
+  int file_;
+};
+
+}  // namespace hapticell::driver

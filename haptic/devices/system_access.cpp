@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/system_access.h"
+
+#include <grp.h>
+#include <pwd.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "haptic/devices/device_node.h"
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr rlim_t kPriority = 80;  // The force loop's.
+constexpr const char* kLimits = "/etc/security/limits.d/90-hapticell.conf";
+
+std::string user() {
+  const passwd* const entry = getpwuid(geteuid());
+  return entry != nullptr ? entry->pw_name : std::to_string(geteuid());
+}
+
+std::string limitFix(const std::string& line) {
+  return "echo '" + user() + " - " + line + "' | sudo tee -a " + kLimits + ", then log in again";
+}
+
+SystemGrant priorityGrant() {
+  rlimit limit{};
+  getrlimit(RLIMIT_RTPRIO, &limit);
+  SystemGrant grant{"real-time priority", geteuid() == 0 || limit.rlim_cur >= kPriority, "", ""};
+  grant.found = geteuid() == 0 ? "root may" : "allowed up to " + std::to_string(limit.rlim_cur) + ", 80 is asked for";
+  if (!grant.granted) grant.fix = limitFix("rtprio 80");
+  return grant;
+}
+
+SystemGrant memoryGrant() {
+  rlimit limit{};
+  getrlimit(RLIMIT_MEMLOCK, &limit);
+  SystemGrant grant{"locked memory", geteuid() == 0 || limit.rlim_cur == RLIM_INFINITY, "", ""};
+  grant.found = grant.granted ? "unlimited" : "limited to " + std::to_string(limit.rlim_cur / 1024) + " KiB";
+  if (!grant.granted) grant.fix = limitFix("memlock unlimited");
+  return grant;
+}
+
+SystemGrant rulesGrant() {
+  SystemGrant grant{"udev rules", driver::udevRulesInstalled(), "", ""};
+  grant.found = grant.granted ? "70-hapticell.rules is installed" : "70-hapticell.rules is not installed";
+  if (!grant.granted) grant.fix = driver::udevFix();
+  return grant;
+}
+
+SystemGrant serialGrant() {
+  SystemGrant grant{"serial ports", geteuid() == 0, "", ""};
+  const group* const dialout = getgrnam("dialout");
+  if (dialout != nullptr && !grant.granted) {
+    std::vector<gid_t> groups(static_cast<std::size_t>(std::max(0, getgroups(0, nullptr))));
+    const int count = getgroups(static_cast<int>(groups.size()), groups.data());
+    groups.resize(static_cast<std::size_t>(std::max(0, count)));
+    grant.granted =
+        getegid() == dialout->gr_gid || std::find(groups.begin(), groups.end(), dialout->gr_gid) != groups.end();
+  }
+  grant.found = geteuid() == 0 ? "root may" : grant.granted ? "member of dialout" : "not a member of dialout";
+  if (!grant.granted) grant.fix = "sudo usermod -aG dialout " + user() + ", then log in again";
+  return grant;
+}
+
+}  // namespace
+
+std::vector<SystemGrant> systemGrants() {
+  return {priorityGrant(), memoryGrant(), rulesGrant(), serialGrant()};
+}
+
+}  // namespace hapticell::haptic
