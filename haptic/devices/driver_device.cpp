@@ -5,6 +5,7 @@
 #include <semaphore.h>
 #include <time.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -47,9 +48,11 @@ DeviceCapabilities toCapabilities(const driver::Capabilities& from) {
   result.workspace_max = mouse ? dvec3(kMouseReach) : toVector(from.workspace_max);
   result.resolution = from.resolution;
   result.measured_axes = static_cast<int>(from.measured_axes);
-  result.driven_axes = static_cast<int>(from.driven_axes);
+  result.driven_axes =
+      from.driven_axes == 6 && from.peak_torque > 0.0 ? 6 : std::min(3, static_cast<int>(from.driven_axes));
   result.peak_force = from.peak_force;
   result.continuous_force = from.continuous_force;
+  result.peak_torque = result.driven_axes == 6 ? from.peak_torque : 0.0;
   result.stiffness = from.stiffness > 0.0 ? from.stiffness : kPlainStiffness;
   result.damping = from.damping > 0.0 ? from.damping : 2.0;
   result.buttons = static_cast<int>(from.buttons);

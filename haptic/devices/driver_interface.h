@@ -66,6 +66,7 @@ struct Capabilities {
   std::uint32_t vibrators = 0;    ///< Of a glove, at most 6.
   double peak_force = 0.0;        ///< N; 0 where no force can be exerted.
   double continuous_force = 0.0;  ///< N that the motors bear for ever.
+  double peak_torque = 0.0;       ///< N m about any axis; 0 where driven_axes is not 6.
   double stiffness = 0.0;         ///< N/m that is stable with nobody holding it.
   double damping = 0.0;           ///< N s/m that belongs to that stiffness.
   double rate_hz = 0.0;           ///< How often it measures, about.
@@ -84,7 +85,7 @@ struct State {
   double position[3] = {};                       ///< Of the stylus's tip in D, m.
   double orientation[4] = {1.0, 0.0, 0.0, 0.0};  ///< Unit quaternion w, x, y, z, stylus in D.
   double motion[6] = {};                         ///< 3-D mouse: wanted motion and turning about D's axes, -1 .. 1.
-  double sensors[32] = {};                        ///< Glove: raw readings, 0 .. 255; the host makes angles of them.
+  double sensors[32] = {};                       ///< Glove: raw readings, 0 .. 255; the host makes angles of them.
   std::uint32_t buttons = 0;                     ///< Bit i set while button i is pressed.
   std::uint32_t flags = 0;
   double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit; 0 where it does not tell.

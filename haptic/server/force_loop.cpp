@@ -235,6 +235,8 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   input.link_silence = input.link_open ? std::max(0.0, kSecondsPerNanosecond * static_cast<double>(silence)) : 0.0;
   input.reported_temperature = reading_.motor_temperature;
   safety_result_ = safety_.tick(input);
+  const bool engaged = safety_result_.gate != GateState::kClosed && !device_fault_;
+  if (engaged != engaged_) device_.setEngaged(engaged_ = engaged);
   const dvec3 command_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
   if (device_.write(command_D, dvec3(0.0)) != DeviceStatus::kOk && !device_fault_) safety_.trip();
   renderer_.noteApplied(command_D);

@@ -148,6 +148,7 @@ class ForceLoop {
   DeviceReading reading_;
   bool device_fault_ = false;
   bool motors_off_ = false;
+  bool engaged_ = false;  // What the device was told last.
   bool input_fault_ = false;
   std::uint64_t stalls_ = 0;
   FaultRecorder faults_;

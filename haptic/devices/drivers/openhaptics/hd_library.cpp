@@ -67,7 +67,8 @@ Problem HdLibrary::load(const std::vector<std::string>& names) {
 #undef HAPTICELL_RESOLVE
   if (!missing.empty()) {
     hdInitDevice = nullptr;
-    refuse(problem, Status::kMissingLibrary, file + " lacks the function " + missing, "Install OpenHaptics 3.4 or later.");
+    refuse(problem, Status::kMissingLibrary, file + " lacks the function " + missing,
+           "Install OpenHaptics 3.4 or later.");
   }
   return problem;
 }

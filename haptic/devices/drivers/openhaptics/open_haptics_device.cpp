@@ -16,6 +16,7 @@ constexpr int kSchedulerPatience = 200;  // Reads, a millisecond apart, without 
 constexpr int kQuiet = 250;              // Ticks without force after one was refused.
 constexpr int kWarm = 1000;              // Ticks that a warning of warm motors is told.
 constexpr double kOfNominalStiffness = 0.8;
+constexpr double kPremiumTorque = 0.188;  // N m of the Premium 6DOF, the only such device.
 constexpr unsigned short kPriority = 65535;
 
 bool isExceeded(unsigned code) {
@@ -87,6 +88,7 @@ void OpenHapticsDevice::readCapabilities() {
   calibration_style_ = hd_.hdGetError().code == 0 ? static_cast<unsigned>(style) : 0;
   capabilities_.measured_axes = 6;
   capabilities_.driven_axes = axes >= 6 ? 6 : 3;
+  capabilities_.peak_torque = capabilities_.driven_axes == 6 ? kPremiumTorque : 0.0;
   capabilities_.buttons = 2;
   capabilities_.peak_force = number(hd::kMaxForce, 3.3);
   capabilities_.continuous_force = std::min(capabilities_.peak_force, number(hd::kMaxContinuousForce, 0.88));
