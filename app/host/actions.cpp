@@ -60,11 +60,12 @@ Actions::Actions(QMainWindow& window) {
   isometric = make({"actionIso", tr("Isometric"), "cube", pad(Qt::Key_9), tr("Iso")});
   perspective = make({"actionPerspective", tr("Perspective"), {}, pad(Qt::Key_5), {}});
   edges = make({"actionEdges", tr("Edges"), "grid", {}, {}});
+  section = make({"actionSection", tr("Section plane"), "section", QKeySequence(Qt::Key_V), tr("Section")});
   side_docks = make({"actionSideDocks", tr("Side panels"), {}, QKeySequence(Qt::Key_D), {}});
   dark = make({"actionDark", tr("Dark"), {}, {}, {}});
   light = make({"actionLight", tr("Light"), {}, {}, {}});
   about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
-  for (QAction* action : {perspective, edges, side_docks, dark, light}) action->setCheckable(true);
+  for (QAction* action : {perspective, edges, section, side_docks, dark, light}) action->setCheckable(true);
   for (QAction* action : {perspective, edges, side_docks}) action->setChecked(true);
   auto* themes = new QActionGroup(&window);
   themes->addAction(dark);
@@ -86,7 +87,7 @@ Actions::Actions(QMainWindow& window) {
   view->addSeparator();
   view->addActions({front, right, top, isometric});
   view->addSeparator();
-  view->addActions({perspective, edges});
+  view->addActions({perspective, edges, section});
   view->addSeparator();
   view->addActions({dark, light});
   applications = bar->addMenu(tr("Applications"));
@@ -107,7 +108,7 @@ Actions::Actions(QMainWindow& window) {
   tool_bar->addSeparator();
   tool_bar->addActions({undo, redo});
   tool_bar->addSeparator();
-  tool_bar->addActions({fit_selection, isometric, edges});
+  tool_bar->addActions({fit_selection, isometric, edges, section});
   tool_bar->addSeparator();
 }
 

@@ -30,7 +30,7 @@ struct Actions {
   explicit Actions(QMainWindow& window);
   QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *quit;
   QAction *undo, *redo, *remove;
-  QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *side_docks, *dark, *light;
+  QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks, *dark, *light;
   QAction* about;
   QMenu *applications, *windows;
   QToolBar* tool_bar;

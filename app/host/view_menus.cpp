@@ -13,6 +13,7 @@ ViewMenus::ViewMenus(const Actions& actions, ViewportWidget& viewport) : actions
   faces_.setObjectName("menuFaces");
   addChoice(projection_, actions.perspective, tr("Perspective"), tr("Orthographic"));
   addChoice(faces_, actions.edges, tr("Shaded, edges"), tr("Shaded"));
+  addSection();
   show();
 }
 
@@ -32,9 +33,38 @@ void ViewMenus::addChoice(QMenu& menu, QAction* action, const QString& on, const
   connect(action, &QAction::toggled, this, &ViewMenus::show);
 }
 
+void ViewMenus::addSection() {
+  section_.setObjectName("menuSection");
+  for (int axis = 0; axis < 3; ++axis)
+    section_.addAction(tr("Across %1").arg(QChar('X' + axis)), this, [this, axis] { chooseAxis(axis); });
+  section_.addAction(tr("Other side"), this, [this] {
+    if (viewport_.section()) viewport_.setSection(flipped(*viewport_.section()));
+  });
+  section_.addSeparator();
+  section_.addAction(tr("Close the section"), this, [this] { actions_.section->setChecked(false); });
+  connect(actions_.section, &QAction::toggled, this, &ViewMenus::setSection);
+}
+
+void ViewMenus::setSection(bool on) {
+  if (on)
+    viewport_.setSection(sectionFacing(viewport_.camera(), viewport_.scene().bounds_W()));
+  else
+    viewport_.setSection({});
+  show();
+}
+
+void ViewMenus::chooseAxis(int axis) {
+  viewport_.setSection(sectionAcross(axis, viewport_.camera(), viewport_.scene().bounds_W()));
+  show();
+}
+
 void ViewMenus::show() {
-  viewport_.setViewStrip({{actions_.perspective->isChecked() ? tr("Perspective") : tr("Orthographic"), &projection_},
-                          {actions_.edges->isChecked() ? tr("Shaded, edges") : tr("Shaded"), &faces_}});
+  std::vector<ViewStripCell> cells{
+      {actions_.perspective->isChecked() ? tr("Perspective") : tr("Orthographic"), &projection_},
+      {actions_.edges->isChecked() ? tr("Shaded, edges") : tr("Shaded"), &faces_}};
+  if (const auto& plane = viewport_.section())
+    cells.push_back({tr("Section %1").arg(QChar('X' + axisOf(*plane))), &section_});
+  viewport_.setViewStrip(std::move(cells));
 }
 
 }  // namespace hapticell::app

@@ -17,10 +17,13 @@ class ViewMenus : public QObject {
 
  private:
   void addChoice(QMenu& menu, QAction* action, const QString& on, const QString& off);
+  void addSection();
+  void setSection(bool on);
+  void chooseAxis(int axis);
   void show();
   const Actions& actions_;
   ViewportWidget& viewport_;
-  QMenu projection_, faces_;
+  QMenu projection_, faces_, section_;
 };
 
 }  // namespace hapticell::app

@@ -117,6 +117,7 @@ void addEdges(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_
     const dvec3 nb = end - i == 2 ? faces.normals[halves[i + 1].triangle] : -na;
     const dvec3 p = mesh.vertices[halves[i].key >> 32] - display.center;
     const dvec3 q = mesh.vertices[halves[i].key & 0xffffffffULL] - display.center;
+    if (end - i != 2) display.closed = false;
     const bool crease = end - i != 2 || glm::dot(na, nb) < cosine;
     (crease ? display.edges : smooth).push_back({fvec3(p), fvec3(q), fvec3(na), fvec3(nb)});
     i = end;

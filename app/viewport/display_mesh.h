@@ -31,6 +31,7 @@ struct DisplayMesh {
   std::vector<std::uint32_t> indices;  ///< Three a triangle.
   std::vector<DisplayEdge> edges;      ///< Creases and borders first, then the smooth ones.
   std::size_t creases = 0;             ///< How many of `edges` are creases or borders.
+  bool closed = true;                  ///< Each edge has two triangles: it bounds a solid.
 };
 
 /// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.

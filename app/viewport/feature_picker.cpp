@@ -46,6 +46,11 @@ collision::SurfaceShape placed(const collision::SurfaceShape& shape_M, const Pos
   return shape_W;
 }
 
+Ray sightThrough(const FeaturePicker::Question& question) {
+  const Ray ray_W = question.camera.rayThrough(question.pixel, question.size);
+  return question.section ? fromSection(*question.section, ray_W) : ray_W;
+}
+
 /// The point of the segment that is nearest to the pixel in the picture, and how far it is, pixels.
 struct SeenPoint {
   dvec3 p_W{0.0};
@@ -184,11 +189,11 @@ const FeaturePicker::Patch& FeaturePicker::patchAbout(const Hit& hit, const coll
 }
 
 std::optional<FeaturePicker::Hit> FeaturePicker::meetOrBeside(Question& question, Ray& ray_W) {
-  ray_W = question.camera.rayThrough(question.pixel, question.size);
+  ray_W = sightThrough(question);
   if (auto hit = meet(question, ray_W)) return hit;
   // Right through an edge of the mesh nothing is met: a little beside it.
   question.pixel += glm::dvec2(0.013, 0.007);
-  ray_W = question.camera.rayThrough(question.pixel, question.size);
+  ray_W = sightThrough(question);
   return meet(question, ray_W);
 }
 

@@ -9,6 +9,7 @@
 #include "app/viewport/camera.h"
 #include "app/viewport/picked_feature.h"
 #include "app/viewport/render_item.h"
+#include "app/viewport/section_plane.h"
 #include "collision/ray.h"
 
 namespace hapticell::app {
@@ -38,6 +39,7 @@ class FeaturePicker {
     ViewSize size;
     glm::dvec2 pixel{0.0};
     FeatureFilter filter;
+    std::optional<SectionPlane> section = {};  ///< What it cuts away is not picked.
   };
   FeaturePicker();
   ~FeaturePicker();

@@ -36,6 +36,12 @@ glm::dmat4 worldFromDisplay(const RenderItem& item, const dvec3& center_M) {
   return result;
 }
 
+glm::vec4 sectionInModel(const Frame& frame, const RenderItem& item, const glm::dmat4& world_from_model) {
+  if (!frame.section || item.over_scene) return {0.0f, 0.0f, 0.0f, 1.0f};
+  const dvec3 n = glm::transpose(glm::dmat3(world_from_model)) * frame.section->nhat_W;
+  return glm::vec4(glm::dvec4(n, frame.section->offset - glm::dot(frame.section->nhat_W, dvec3(world_from_model[3]))));
+}
+
 glm::dvec2 samplePlace(int sample) {
   if (sample == 0) return glm::dvec2(0.0);
   return {halton(sample, 2) - 0.5, halton(sample, 3) - 0.5};

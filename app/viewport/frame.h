@@ -6,6 +6,7 @@
 #include "app/viewport/camera.h"
 #include "app/viewport/detail_level.h"
 #include "app/viewport/render_item.h"
+#include "app/viewport/section_plane.h"
 
 namespace hapticell::app {
 
@@ -25,9 +26,10 @@ struct Frame {
   FrameColors colors;
   std::vector<RenderItem> items;
   geometry::Bounds bounds_W;  ///< Of the whole scene.
+  std::optional<SectionPlane> section;
   DetailLevel detail = DetailLevel::kFull;
   bool edges = true;
-  bool floor = true;  ///< The grid and the shadows on it.
+  bool floor = true;        ///< The grid and the shadows on it.
   bool shaded = true;       ///< False: faces hidden, edges only.
   bool refine = false;      ///< The picture stands still: its samples are averaged.
   int band = 0, bands = 1;  ///< A refined sample may be drawn in horizontal bands, one a call.
@@ -42,6 +44,10 @@ dvec3 keyLightDirection_W();
 
 /// X_WM with the item's scale and the mesh's centre as a matrix: what turns display vertices into W.
 glm::dmat4 worldFromDisplay(const RenderItem& item, const dvec3& center_M);
+
+/// The frame's section in the coordinates of `world_from_model` as (n, d): drawn is where dot(n, p) <= d. Without a
+/// section, and for what is drawn over the scene, nothing is cut.
+glm::vec4 sectionInModel(const Frame& frame, const RenderItem& item, const glm::dmat4& world_from_model);
 
 /// The i-th sample place within a pixel, -0.5 .. 0.5 (Halton, bases 2 and 3); the first is the middle.
 glm::dvec2 samplePlace(int sample);

@@ -107,13 +107,18 @@ bool RenderTarget::resize(int width, int height) {
   if (format_.depth) {
     gl_.glGenTextures(1, &depth_);
     setUp(depth_, format_.depth_compare);
-    gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
-                     nullptr);
+    if (format_.stencil)
+      gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, width, height, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                       nullptr);
+    else
+      gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                       nullptr);
     if (format_.depth_compare) {
       gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
       gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     }
-    gl_.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
+    gl_.glFramebufferTexture2D(GL_FRAMEBUFFER, format_.stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                               GL_TEXTURE_2D, depth_, 0);
   }
   if (buffers.empty()) {
     gl_.glDrawBuffer(GL_NONE);

@@ -44,6 +44,7 @@ class RenderTarget {
   struct Format {
     std::vector<GLenum> colors;  ///< Internal formats of the colour attachments.
     bool depth = false;
+    bool stencil = false;        ///< With depth: a stencil buffer beside it.
     bool depth_compare = false;  ///< For sampler2DShadow.
     bool linear = false;
   };

@@ -14,7 +14,7 @@ const void* offset(std::size_t bytes) {
 
 }  // namespace
 
-GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh) : gl_(gl), center_(mesh.center), bounds_(mesh.bounds) {
+GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh) : gl_(gl), center_(mesh.center), bounds_(mesh.bounds), closed_(mesh.closed) {
   index_count_ = static_cast<GLsizei>(mesh.indices.size());
   edge_count_ = static_cast<GLsizei>(mesh.edges.size());
   crease_count_ = static_cast<GLsizei>(mesh.creases);

@@ -22,6 +22,7 @@ class GpuMesh {
   void drawAllEdges();
   const dvec3& center() const { return center_; }
   const geometry::Bounds& bounds() const { return bounds_; }
+  bool closed() const { return closed_; }
   std::size_t triangles() const { return static_cast<std::size_t>(index_count_) / 3; }
   std::size_t edges() const { return static_cast<std::size_t>(edge_count_); }
 
@@ -30,6 +31,7 @@ class GpuMesh {
   Gl& gl_;
   dvec3 center_;
   geometry::Bounds bounds_;
+  bool closed_ = true;
   GLuint face_array_ = 0, edge_array_ = 0;
   GLuint buffers_[3]{};
   GLsizei index_count_ = 0, edge_count_ = 0, crease_count_ = 0;

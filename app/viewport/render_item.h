@@ -18,6 +18,7 @@ enum ItemState : std::uint32_t {
   kHovered = 2,
   kNearMiss = 4,
   kContact = 8,
+  kCap = 16,  ///< Not of an item: this pixel is of the part's cut face.
 };
 
 /// A shape that stands in the scene only to show what would be: another configuration, another size.

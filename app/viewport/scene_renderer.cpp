@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/viewport/cap_pass.h"
 #include "app/viewport/surface_pass.h"
 
 namespace hapticell::app {
@@ -79,6 +80,7 @@ struct SceneRenderer::Passes {
       : meshes(gl, std::move(on_mesh_ready)),
         shadow(gl),
         surface(gl),
+        cap(gl),
         edge(gl),
         floor(gl),
         triangle(gl),
@@ -86,13 +88,14 @@ struct SceneRenderer::Passes {
         occlusion(loadProgram("screen", "occlusion")),
         present(loadProgram("screen", "present")),
         composite("screen", "composite", {"OCCLUDED", "SILHOUETTES", "STATES"}),
-        scene(gl, {{GL_RGBA8, GL_R32UI}, true, false, false}),
-        openness(gl, {{GL_R8}, false, false, true}),
-        quick(gl, {{GL_RGBA8}, false, false, true}),
-        mean(gl, {{GL_RGBA16F}, false, false, true}) {}
+        scene(gl, {{GL_RGBA8, GL_R32UI}, true, true, false, false}),
+        openness(gl, {{GL_R8}, false, false, false, true}),
+        quick(gl, {{GL_RGBA8}, false, false, false, true}),
+        mean(gl, {{GL_RGBA16F}, false, false, false, true}) {}
   GpuMeshCache meshes;
   ShadowPass shadow;
   SurfacePass surface;
+  CapPass cap;
   EdgePass edge;
   FloorPass floor;
   ScreenTriangle triangle;
@@ -137,6 +140,7 @@ void SceneRenderer::drawScene(const Frame& frame) {
 
   const ShadowPass* shadow = shadows ? &p.shadow : nullptr;
   p.surface.draw(frame, p.view, shadow, p.meshes);
+  p.cap.draw(frame, p.view, p.meshes);
 
   if (frame.floor) p.floor.draw(frame, p.view, shadow);
 

@@ -23,7 +23,7 @@ dvec3 lightDirection(int sample) {
 }  // namespace
 
 ShadowPass::ShadowPass(Gl& gl)
-    : gl_(gl), program_(loadProgram("depth", "depth")), target_(gl, {{}, true, true, false}) {}
+    : gl_(gl), program_(loadProgram("depth", "depth")), target_(gl, {{}, true, false, true, false}) {}
 
 void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   ready_ = false;
@@ -41,14 +41,19 @@ void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glEnable(GL_POLYGON_OFFSET_FILL);
   gl_.glPolygonOffset(2.5f, 6.0f);
+  if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   program_->bind();
   for (const RenderItem& item : frame.items) {
     if (!item.casts_shadow || !item.mesh) continue;
     GpuMesh* mesh = meshes.of(item.mesh);
     if (!mesh) continue;
-    setMatrix(gl_, *program_, "clip_from_model", light_from_world_ * worldFromDisplay(item, mesh->center()));
+    const glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
+    setMatrix(gl_, *program_, "clip_from_model", light_from_world_ * world_from_model);
+    const glm::vec4 section = sectionInModel(frame, item, world_from_model);
+    program_->setUniformValue("section", section.x, section.y, section.z, section.w);
     mesh->drawFaces();
   }
+  gl_.glDisable(GL_CLIP_DISTANCE0);
   gl_.glDisable(GL_POLYGON_OFFSET_FILL);
   ready_ = true;
 }

@@ -44,7 +44,7 @@ FrameView viewOf(const Frame& frame) {
 }
 
 SurfacePass::SurfacePass(Gl& gl)
-    : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST"}), box_(unitBox()) {}
+    : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST", "SECTIONED"}), box_(unitBox()) {}
 
 void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
                            const FrameView& view, GpuMeshCache& meshes) {
@@ -61,6 +61,10 @@ void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item
   setMatrix(gl_, program, "view_from_model", view.view_from_world * world_from_model);
   setMatrix(gl_, program, "light_from_model", light_from_world_ * world_from_model);
   gl_.glUniformMatrix3fv(program.uniformLocation("world_from_model"), 1, GL_FALSE, glm::value_ptr(rotation));
+  if (frame.section) {
+    const glm::vec4 section = sectionInModel(frame, item, world_from_model);
+    program.setUniformValue("section", section.x, section.y, section.z, section.w);
+  }
   const fvec3 albedo = linear(item.color);
   program.setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
   gl_.glUniform1ui(program.uniformLocation("id"), id | item.state << 24);
@@ -105,24 +109,27 @@ void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPa
     if (item.over_scene) order.back().first = -1e30;
   }
   std::sort(order.begin(), order.end());
+  const unsigned cut = frame.section ? 8u : 0u;
+  if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   for (const bool hatched : {false, true}) {
     const auto wanted = [&](const auto& entry) {
       return ((frame.items[entry.second].state & kContact) != 0) == hatched;
     };
     if (std::none_of(order.begin(), order.end(), wanted)) continue;
-    QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (hatched ? 2u : 0u));
-    if (!program) return;
+    QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (hatched ? 2u : 0u) | cut);
+    if (!program) break;
     prepare(*program, frame, view, shadow);
     for (const auto& entry : order)
       if (wanted(entry)) drawItem(*program, frame.items[entry.second], entry.second + 1, frame, view, meshes);
   }
   drawGhosts(frame, view, meshes);
+  gl_.glDisable(GL_CLIP_DISTANCE0);
 }
 
 void SurfacePass::drawGhosts(const Frame& frame, const FrameView& view, GpuMeshCache& meshes) {
   const auto is_ghost = [](const RenderItem& item) { return item.ghost != Ghost::kNone && item.mesh; };
   if (std::none_of(frame.items.begin(), frame.items.end(), is_ghost)) return;
-  QOpenGLShaderProgram* program = programs_.of(4u);
+  QOpenGLShaderProgram* program = programs_.of(4u | (frame.section ? 8u : 0u));
   if (!program) return;
   prepare(*program, frame, view, nullptr);
   // What is behind keeps its identity: it is picked and outlined through the ghost.
@@ -152,12 +159,15 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   gl_.glEnablei(GL_BLEND, 0);
   gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   for (const RenderItem& item : frame.items) {
     if (!item.mesh || (item.state & kContact)) continue;
     GpuMesh* mesh = meshes.of(item.mesh);
     if (!mesh) continue;
     const glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
     setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
+    const glm::vec4 section = sectionInModel(frame, item, world_from_model);
+    program_->setUniformValue("section", section.x, section.y, section.z, section.w);
     const glm::dmat4 model_from_world = glm::inverse(world_from_model);
     const glm::dvec4 eye = frame.camera.perspective ? model_from_world * glm::dvec4(frame.camera.eye_W(), 1.0)
                                                     : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
@@ -176,6 +186,7 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
       mesh->drawAllEdges();
     if (item.over_scene) gl_.glDepthRange(0.0, 1.0);
   }
+  gl_.glDisable(GL_CLIP_DISTANCE0);
   gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_.glDisablei(GL_BLEND, 0);
   gl_.glDepthMask(GL_TRUE);

@@ -87,6 +87,8 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   } else if (event->button() == Qt::LeftButton) {
     drag_ = over_cube ? Drag::kCube : Drag::kClick;
     pivot_W_ = camera_.target_W;
+    if (section_ && onSectionHandle(*section_, scene_.bounds_W(), camera_, viewSize(), vec(event->position())))
+      drag_ = Drag::kSection;
   } else if (event->button() == Qt::RightButton) {
     emit contextMenuWanted(entityAt(event->position()), event->globalPosition().toPoint());
   }
@@ -110,6 +112,12 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
     case Drag::kCube:
       if (far_enough) camera_.orbit(vec(step), camera_.target_W);
       break;
+    case Drag::kSection:
+      if (!section_) return;
+      setSection(draggedSection(*section_, scene_.bounds_W(), camera_, viewSize(), vec(event->position() - step),
+                                vec(event->position())));
+      emit sectionMoved();
+      return;
     case Drag::kClick:
     case Drag::kPick:
       return;
@@ -192,7 +200,7 @@ std::optional<PickedFeature> ViewportWidget::featureAt(const QPointF& position, 
   const auto seen = pickAt(position);
   if (!seen || seen->entity == 0) return std::nullopt;
   const Frame frame = makeFrame();
-  return picker_.pick({&frame.items, seen->entity, seen->link, camera_, viewSize(), vec(position), filter});
+  return picker_.pick({&frame.items, seen->entity, seen->link, camera_, viewSize(), vec(position), filter, section_});
 }
 
 void ViewportWidget::startPick(PickRequest request) {

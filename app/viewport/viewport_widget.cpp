@@ -111,6 +111,12 @@ void ViewportWidget::setEdges(bool on) {
   update();
 }
 
+void ViewportWidget::setSection(const std::optional<SectionPlane>& plane) {
+  section_ = plane;
+  dirty_ = true;
+  update();
+}
+
 void ViewportWidget::setViewStrip(std::vector<ViewStripCell> cells) {
   view_strip_.setCells(std::move(cells));
   update();
@@ -133,11 +139,16 @@ void ViewportWidget::setCurves(const std::string& owner, std::vector<SceneCurve>
 std::vector<SceneCurve> ViewportWidget::allCurves() const {
   std::vector<SceneCurve> all;
   for (const auto& [owner, curves] : curves_) all.insert(all.end(), curves.begin(), curves.end());
+  if (section_) {
+    const auto section = sectionCurves(*section_, scene_.bounds_W(), camera_, viewSize());
+    all.insert(all.end(), section.begin(), section.end());
+  }
   if (!pick_hover_) return all;
   using Role = SceneCurve::Role;
   using Style = SceneCurve::Style;
   for (const auto& line : pick_hover_->outline_W) all.push_back({line, Role::kSelection, Style::kSolid, 2.5});
-  if (pick_hover_->kind != FeatureKind::kFace) all.push_back({{pick_hover_->p_WQ}, Role::kSelection, Style::kSolid, 2.5});
+  if (pick_hover_->kind != FeatureKind::kFace)
+    all.push_back({{pick_hover_->p_WQ}, Role::kSelection, Style::kSolid, 2.5});
   return all;
 }
 
@@ -165,6 +176,7 @@ Frame ViewportWidget::makeFrame() const {
   frame.items = scene_.items(look);
   frame.bounds_W = scene_.bounds_W();
   frame.edges = edges_;
+  frame.section = section_;
   return frame;
 }
 

@@ -36,6 +36,9 @@ class ViewportWidget : public QOpenGLWidget {
   void setStandardView(StandardView view);
   void setPerspective(bool on);
   void setEdges(bool on);
+  /// Nothing: the picture is whole. While there is one, its handle can be dragged.
+  void setSection(const std::optional<SectionPlane>& plane);
+  const std::optional<SectionPlane>& section() const { return section_; }
   bool edges() const { return edges_; }
   void setMotion(bool on) { motion_ = on; }
   /// Null: no tool. The tool must outlive its being set.
@@ -70,6 +73,8 @@ class ViewportWidget : public QOpenGLWidget {
   void hovered(hapticell::workcell::EntityId entity);
   void contextMenuWanted(hapticell::workcell::EntityId entity, QPoint global);
   void cameraChanged();
+  /// By its handle.
+  void sectionMoved();
 
  protected:
   void initializeGL() override;
@@ -137,12 +142,13 @@ class ViewportWidget : public QOpenGLWidget {
   std::map<std::string, std::vector<SceneCurve>> curves_;
   std::optional<EmptyState> empty_;
   bool edges_ = true, motion_ = true;
+  std::optional<SectionPlane> section_;
   std::optional<ViewCubeSpot> cube_hover_;
   ViewStrip view_strip_;
   int view_strip_hover_ = -1;
   QPointF press_place_, last_place_;
   dvec3 pivot_W_{0.0};
-  enum class Drag { kNone, kOrbit, kPan, kClick, kCube, kPick } drag_ = Drag::kNone;
+  enum class Drag { kNone, kOrbit, kPan, kClick, kCube, kPick, kSection } drag_ = Drag::kNone;
 };
 
 }  // namespace hapticell::app

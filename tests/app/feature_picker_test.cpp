@@ -135,7 +135,9 @@ TEST(EdgeChains, ASlotIsTwoLinesAndTwoArcs) {
   for (const EdgeChain& chain : chains) {
     lines += chain.is_line;
     arcs += chain.is_circle;
-    if (chain.is_circle) EXPECT_NEAR(chain.radius, 0.01, 1e-9);
+    if (chain.is_circle) {
+      EXPECT_NEAR(chain.radius, 0.01, 1e-9);
+    }
     covered += chain.vertices.size() - 1;
   }
   EXPECT_EQ(lines, 2);

@@ -14,7 +14,7 @@ layout(location = 0) out vec4 color;
 
 const uint kSelected = 1u, kHovered = 2u, kNearMiss = 4u, kContact = 8u;
 uint stateOf(uint id) { return id >> 24; }
-uint itemOf(uint id) { return id & 0xffffffu; }
+uint itemOf(uint id) { return id & 0x10ffffffu; }  // A cut face and the faces about it are two.
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);

@@ -12,6 +12,7 @@ uniform vec2 pixels;             // Size of the picture.
 uniform float width;             // Pixels.
 uniform float nearer;            // How far the line stands in front of its face, in parts of its distance (or of NDC depth).
 uniform float depth_offset;      // clip_from_view[3][2].
+uniform vec4 section;            // Drawn is where dot(xyz, position) <= w.
 out float across;
 const float kNear = 1e-5;
 void main() {
@@ -24,12 +25,21 @@ void main() {
   vec4 q = clip_from_model * vec4(to, 1.0);
   if (!(crease || outline) || (p.w < kNear && q.w < kNear)) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    gl_ClipDistance[0] = 1.0;
     across = 0.0;
     return;
   }
   // Cut off what lies behind the eye before dividing.
-  if (p.w < kNear) p = mix(q, p, (q.w - kNear) / (q.w - p.w));
-  if (q.w < kNear) q = mix(p, q, (p.w - kNear) / (p.w - q.w));
+  vec3 a = from, b = to;
+  if (p.w < kNear) {
+    a = mix(to, from, (q.w - kNear) / (q.w - p.w));
+    p = clip_from_model * vec4(a, 1.0);
+  }
+  if (q.w < kNear) {
+    b = mix(a, to, (p.w - kNear) / (p.w - q.w));
+    q = clip_from_model * vec4(b, 1.0);
+  }
+  gl_ClipDistance[0] = section.w - dot(section.xyz, gl_VertexID < 2 ? a : b);
   vec2 direction = (q.xy / q.w - p.xy / p.w) * pixels;
   float length = length(direction);
   direction = length > 1e-4 ? direction / length : vec2(1.0, 0.0);
