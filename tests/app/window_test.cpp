@@ -122,6 +122,23 @@ TEST(Window, WorksWithoutModulesAndStartsTheOneThatIsThere) {
   }
 }
 
+TEST(Window, TheSectionPlaneCutsTheSceneOpenAndClosesAgain) {
+  QTemporaryDir folder;
+  WindowPage page;
+  ViewportWidget& viewport = page.window().viewport();
+  viewport.setMotion(false);
+  page.window().addFile(writeSolid(folder, "corner.off"));
+  WindowPage::settle();
+  const QImage whole = viewport.finishedPicture();
+  page.trigger("actionSection");
+  ASSERT_TRUE(viewport.section());
+  EXPECT_EQ(viewport.viewStrip().cells().size(), 3u) << "the strip says which way it cuts";
+  EXPECT_NE(viewport.finishedPicture(), whole);
+  page.trigger("actionSection");
+  EXPECT_FALSE(viewport.section());
+  EXPECT_EQ(viewport.viewStrip().cells().size(), 2u);
+}
+
 TEST(Window, ThemesChangeAllColours) {
   WindowPage page;
   page.window().setTheme(false);
