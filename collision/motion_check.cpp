@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/listed_sweep.h"
 #include "collision/motion_bound.h"
 #include "collision/swept_check.h"
 
@@ -22,6 +23,10 @@ constexpr double kFirstStride = 0.02;  ///< Of motion (m): the longest step that
 constexpr double kLeastStride = 2.0;   ///< In plain steps: less is not worth the proof.
 constexpr double kStrideFactor = 6.0;
 constexpr double kStrideRecovery = 1.2;
+
+constexpr double kListReserve = 4.0;   ///< The list is made for so many times the motion that is asked for.
+constexpr double kListLeast = 0.3e-3;  ///< m: at least so wide.
+constexpr int kListTries = 3;
 
 struct Sample {
   double s = 0.0;
@@ -44,7 +49,9 @@ class Advancement {
     MotionStop result;
     result.s = until_;
     Sample good;
-    DistanceResult here = at(0.0);
+    const double reach_of_list = query_.near().reachAt(a_.at(0.0).inverse() * b_.at(0.0));
+    const bool listed = reach_of_list >= clearance_ + rate_ * until_;
+    DistanceResult here = listed ? query_.distanceOfListed(a_.at(0.0), b_.at(0.0)) : at(0.0);
     result.began_colliding = here.colliding;
     while (here.colliding) {
       if (good.s >= until_ || queries_ >= kMostQueries) return result;
@@ -55,11 +62,22 @@ class Advancement {
     clearance_ = std::min(clearance_, here.distance);
     while (good.s < until_ && good.distance < clearance_ + rate_ * (until_ - good.s)) {
       if (queries_ >= kMostQueries) return stoppedAt(good.s, at(good.s));
-      const double s = std::min(until_, good.s + safeStep(good));
+      const double plain = (good.distance - 0.5 * clearance_) / rate_;
+      if (const double stretch = listedStretch(good, plain); stretch > 0.0) {
+        ++queries_;
+        const ListedStop stop =
+            sweepListed(query_.a(), query_.b(), query_.near(), a_, b_, {good.s, good.s + stretch, clearance_});
+        query_.certifyApart(a_.at(stop.s), b_.at(stop.s), stop.distance_at_least);
+        if (stop.stopped) return stoppedBy(stop, result.began_colliding);
+        good = {stop.s, stop.distance_at_least};
+        continue;
+      }
+      const double s = std::min(until_, good.s + safeStep(good, plain));
       here = at(s);
       if (violates(here)) return stopBetween(good, s, here);
       good = {s, here.distance};
     }
+    result.distance_at_least = std::max(0.0, good.distance - rate_ * (until_ - good.s));
     return result;
   }
 
@@ -70,9 +88,27 @@ class Advancement {
     return query_.distance(a_.at(s), b_.at(s), clearance_ + rate_ * (until_ - s) + kRounding);
   }
 
+  /// How much of the rest the list of near pairs is good for, made anew where it is worn; 0: it must go without.
+  double listedStretch(const Sample& good, double plain) {
+    const double rest = until_ - good.s;
+    if (plain >= rest) return 0.0;
+    const Pose X_AB = a_.at(good.s).inverse() * b_.at(good.s);
+    NearPairs& near = query_.near();
+    const double known = (near.reachAt(X_AB) - clearance_) / rate_;
+    if (known >= std::min(rest, kLeastStride * plain)) return std::min(rest, known);
+    double radius = clearance_ + std::max(kListReserve * rate_ * rest, kListLeast);
+    for (int tries = 0; tries < kListTries; ++tries) {
+      radius = std::min(radius, near.likelyRadius());
+      const double stretch = std::min(rest, (radius - clearance_ - kRounding) / rate_);
+      if (stretch < std::min(rest, kLeastStride * plain)) break;
+      ++queries_;
+      if (near.fill(query_.a(), query_.b(), X_AB, radius)) return stretch;
+    }
+    return 0.0;
+  }
+
   /// What distance and speed allow in any direction; along a surface, where that is little, as far as can be proven.
-  double safeStep(const Sample& good) {
-    const double plain = (good.distance - 0.5 * clearance_) / rate_;
+  double safeStep(const Sample& good, double plain) {
     const double rest = until_ - good.s;
     if (plain >= rest || stride_ < kLeastStride * plain) {
       stride_ = std::max(stride_, plain) * kStrideRecovery;
@@ -94,7 +130,24 @@ class Advancement {
     MotionStop result;
     result.s = s;
     result.stopped = true;
+    result.distance_at_least = nearest.distance;
     result.nearest = nearest;
+    return result;
+  }
+
+  static MotionStop stoppedBy(const ListedStop& listed, bool began_colliding) {
+    MotionStop result;
+    result.s = listed.s;
+    result.stopped = true;
+    result.began_colliding = began_colliding;
+    result.distance_at_least = listed.distance_at_least;
+    DistanceResult& nearest = result.nearest;
+    nearest.p_WA = listed.nearest.p;
+    nearest.p_WB = listed.nearest.q;
+    nearest.distance = glm::distance(nearest.p_WA, nearest.p_WB);
+    nearest.nhat_BA_W = (nearest.p_WA - nearest.p_WB) / nearest.distance;
+    nearest.triangle_A = listed.pair.a;
+    nearest.triangle_B = listed.pair.b;
     return result;
   }
 

@@ -26,10 +26,11 @@ PartMotion standingStill(const Pose& X_WP);
 
 /// What stops a motion, and where.
 struct MotionStop {
-  double s = 1.0;                ///< The motion is free up to here.
-  bool stopped = false;          ///< s < 1 because something is in the way.
-  bool began_colliding = false;  ///< The parts collided at s = 0.
-  DistanceResult nearest;        ///< At s, or just beyond it, of what stopped it; unset unless stopped.
+  double s = 1.0;                  ///< The motion is free up to here.
+  bool stopped = false;            ///< s < 1 because something is in the way.
+  bool began_colliding = false;    ///< The parts collided at s = 0.
+  double distance_at_least = 0.0;  ///< Of the parts at s (m), as far as it is known; 0 where nothing is.
+  DistanceResult nearest;          ///< At s, or just beyond it, of what stopped it; unset unless stopped.
 };
 
 /// What a motion must keep.
@@ -43,14 +44,16 @@ inline constexpr double kLeastClearance = 1e-6;
 
 /// The largest s up to which A and B surely stay apart, by conservative advancement (Mirtich, "Impulse-based dynamic
 /// simulation", 1996): the distance at s, divided by the speed bound, is a safe step; nothing thin is jumped over.
-/// Along a surface longer steps are proven triangle by triangle (staysApart), where the motions' bend is known.
+/// Near a surface the triangles that could meet are listed (NearPairs, kept by the query until worn out) and followed
+/// one by one (sweepListed), so that along it a motion costs a step or two and no search. Where there are too many of
+/// them, longer steps are proven box by box (staysApart), where the motions' bend is known.
 ///
 /// At the returned s the parts are at least `clearance` apart; before it they may come nearer for a moment, but never
 /// nearer than half of that. Parts that begin nearer than `clearance` need only keep the distance they began with, so
 /// one can slide along and leave. Parts that begin colliding may move freely until they are apart (looked at every 2 mm
 /// of motion), then as above. After 400 distance queries the motion ends where it is proven so far. Parts that touch
 /// nothing on the way cost one query. Thread: that of `query`; no allocation
-/// but what `along` does.
+/// but what `along` does and the list's where it is longer than ever before.
 MotionStop advance(ProximityQuery& query, const PartMotion& a, const PartMotion& b, const MotionDemand& demand);
 
 }  // namespace hapticell::collision

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/listed_sweep.h"
 #include "collision/mesh_search.h"
 #include "collision/motion_bound.h"
 #include "collision/nearest_search.h"
@@ -134,6 +135,29 @@ DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, cons
   }
   if (isContained(X_AB, result.distance / (1.0 + demanded.tolerance))) containedResult(*a_, X_WA, *b_, X_WB, result);
   return result;
+}
+
+DistanceResult ProximityQuery::distanceOfListed(const Pose& X_WA, const Pose& X_WB) {
+  const Pose X_AB = X_WA.inverse() * X_WB;
+  const double reach = near_.reachAt(X_AB);
+  DistanceResult result = beyond(reach);
+  TriangleIndices pair;
+  const NearestPair found = nearestListed(*a_, *b_, near_, X_AB, reach, pair);
+  if (found.squared <= reach * reach) {
+    last_ = pair;
+    result.distance = std::sqrt(found.squared);
+    result.beyond_limit = false;
+    result.colliding = result.distance <= kTouchingDistance;
+  }
+  if (!result.colliding && isContained(X_AB, result.distance)) result.colliding = true;
+  if (result.colliding) result.distance = 0.0;
+  return result;
+}
+
+void ProximityQuery::certifyApart(const Pose& X_WA, const Pose& X_WB, double distance) {
+  certified_X_AB_ = X_WA.inverse() * X_WB;
+  certified_distance_ = distance;
+  certified_contained_ = false;
 }
 
 bool ProximityQuery::collides(const Pose& X_WA, const Pose& X_WB) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "collision/mesh_collider.h"
+#include "collision/near_pairs.h"
 #include "collision/triangle_pairs.h"
 #include "geometry/pose.h"
 
@@ -42,12 +43,21 @@ class ProximityQuery {
   const MeshCollider& a() const { return *a_; }
   const MeshCollider& b() const { return *b_; }
 
+  // For advance(), which keeps its list of near pairs here from motion to motion.
+  NearPairs& near() { return near_; }
+  /// Distance and colliding as distance() tells them, looked for among the listed pairs only: exact up to where those
+  /// are complete at these poses, and that at most.
+  DistanceResult distanceOfListed(const Pose& X_WA, const Pose& X_WB);
+  /// The parts came here without touching from where they were asked for last, and are so far apart (m).
+  void certifyApart(const Pose& X_WA, const Pose& X_WB, double distance);
+
  private:
   bool isContained(const Pose& X_AB, double surface_distance);
 
   std::shared_ptr<const MeshCollider> a_;
   std::shared_ptr<const MeshCollider> b_;
   TriangleIndices last_;
+  NearPairs near_;
   // Surfaces this far apart at that pose cannot have crossed after less motion: containment is then as it was.
   Pose certified_X_AB_;
   double certified_distance_ = -1.0;

@@ -331,6 +331,7 @@ ZoneContacts ZoneQuery::nearestOnly(double radius) {
   ZoneContacts result;
   result.radius = radius;
   result.complete = false;
+  if (options_.only_complete) return result;
   for (std::size_t m = 0; m < moving_.size(); ++m) {
     const DirectionLimits part_limits = limits(m, radius);
     std::vector<NearPair> pairs = nearPairs(m, part_limits);

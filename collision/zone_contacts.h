@@ -63,6 +63,7 @@ struct ZoneOptions {
   /// Which pairs count, row by row: pair_mask[moving * environment.size() + environment]; empty = all.
   std::span<const std::uint8_t> pair_mask;
   ZoneHint hint{};
+  bool only_complete = false;  ///< An incomplete answer is of no use: none is made (no contacts, `complete` false).
 };
 
 struct ZoneContacts {

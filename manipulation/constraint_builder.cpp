@@ -179,6 +179,7 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16);
   options.pair_mask = mask;
   options.hint = inputs.hint;
+  options.only_complete = inputs.only_complete;
   const collision::ZoneContacts found = contactsOf(inputs, movingParts(assembly, zone_W), options);
 
   built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);

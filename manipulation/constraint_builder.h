@@ -40,6 +40,7 @@ struct ConstraintInputs {
   /// then have their surfaces.
   collision::SurfaceContacts* surface_contacts = nullptr;
   std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part.
+  bool only_complete = false;  ///< See collision::ZoneOptions::only_complete.
 };
 
 /// One entry's origin, in the order of ConstraintSet::constraints.

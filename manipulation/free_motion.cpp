@@ -82,8 +82,11 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
   reached_[pair] = 0.0;
   if (state.clearance - kStandOff > answer.s * bound) return;
   const Pose X_WO = obstaclePose(pair);
-  state.clearance = state.query.distance(X_WP_[part], X_WO, std::max(kLeastLook, 2.0 * bound)).distance;
-  if (state.clearance - kStandOff > answer.s * bound) return;
+  const double reach_of_list = state.query.near().reachAt(X_WP_[part].inverse() * X_WO);
+  if (reach_of_list < kStandOff + answer.s * bound) {
+    state.clearance = state.query.distance(X_WP_[part], X_WO, std::max(kLeastLook, 2.0 * bound)).distance;
+    if (state.clearance - kStandOff > answer.s * bound) return;
+  }
 
   collision::PartMotion moved;
   moved.X_WStart = X_WP_[part];
@@ -93,13 +96,16 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
   const collision::MotionStop stop =
       collision::advance(state.query, moved, collision::standingStill(X_WO), {kStandOff, answer.s});
   reached_[pair] = stop.s;
-  state.clearance = stop.stopped ? stop.nearest.distance : 0.0;
+  state.clearance = stop.distance_at_least;
   if (!stop.stopped) return;
   answer.s = stop.s;
   answer.blocked = true;
   answer.pair = pair;
-  // Its nearest points may lie just beyond the stop.
-  answer.contact = state.query.distance(partPoseAt(motion, part, stop.s), X_WO, kLeastLook);
+  answer.contact = stop.nearest;
+  // Where the check gave up its nearest points may be missing.
+  if (stop.nearest.beyond_limit || stop.nearest.colliding) {
+    answer.contact = state.query.distance(partPoseAt(motion, part, stop.s), X_WO, kLeastLook);
+  }
 }
 
 MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityConfiguration& from,

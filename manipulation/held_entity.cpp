@@ -308,6 +308,7 @@ BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pos
   hint_.try_larger = ++since_larger_ >= kTryLarger;
   if (hint_.try_larger) since_larger_ = 0;
   inputs.hint = hint_;
+  inputs.only_complete = true;
   inputs.surface_contacts = surface_contacts_.get();
   inputs.surfaces = surfaces_;
   BuiltConstraints built = buildConstraints(inputs);

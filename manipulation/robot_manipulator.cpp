@@ -139,23 +139,14 @@ void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityC
   HAPTICELL_DEMAND(spheres.size() == parts_.size() && bounds.size() == parts_.size());
   if (model_->closure) return closedPathBounds(from, to, spheres, bounds);
   const std::vector<Pose> X_WL = linkPoses(from);
-  // Any point on a link moves at most |dq| times its distance from the axis. The distance at the start may grow by what
-  // both move meanwhile; `farthest` bounds that by the whole robot's size.
-  double farthest = 0.0, turned = 0.0, slid = 0.0;
-  for (const Pose& pose : X_WL) farthest = std::max(farthest, glm::length(pose.p - X_WL.front().p));
-  double offset = 0.0;
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    offset = std::max(offset, glm::length(parts_[k].X_LP * spheres[k].p_PS) + spheres[k].radius);
-  }
-  farthest += offset;
   std::vector<double> steps(model_->joints.size(), 0.0);
   for (std::size_t j = 0; j < model_->joints.size(); ++j) {
     const Joint& joint = model_->joints[j];
     steps[j] = std::abs(kinematics::jointPosition(*model_, to.joints, joint) -
                         kinematics::jointPosition(*model_, from.joints, joint));
-    (joint.type == JointType::kPrismatic ? slid : turned) += steps[j];
   }
-  const double loose = 2.0 * (slid + turned * 2.0 * (farthest + slid));
+  // From the link inwards: a point moves, seen from a joint, as far as the joints beyond it take it, so its distance
+  // from that joint's axis grows by no more than that.
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     const dvec3 center = X_WL[static_cast<std::size_t>(parts_[k].link)] * (parts_[k].X_LP * spheres[k].p_PS);
     bounds[k] = 0.0;
@@ -163,7 +154,7 @@ void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityC
       const Joint& joint = model_->joints[static_cast<std::size_t>(at)];
       const Pose& X_WJ = X_WL[static_cast<std::size_t>(joint.child_link)];
       const dvec3 axis = X_WJ.rotate(joint.axis_J);
-      const double lever = glm::length(glm::cross(axis, center - X_WJ.p)) + spheres[k].radius + loose;
+      const double lever = glm::length(glm::cross(axis, center - X_WJ.p)) + spheres[k].radius + bounds[k];
       bounds[k] += steps[static_cast<std::size_t>(at)] * (joint.type == JointType::kPrismatic ? 1.0 : lever);
       at = model_->links[static_cast<std::size_t>(joint.parent_link)].parent_joint;
     }
