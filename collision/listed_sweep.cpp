@@ -125,6 +125,7 @@ class ListedSweep {
       least_at_end_ = std::min(least_at_end_, bound);
       return;
     }
+    if (staysApartOnListedAxis(k)) return;
     double s = stretch_.from;
     NearestPair here = distanceAt(k, s);
     double distance = std::sqrt(here.squared);
@@ -155,6 +156,19 @@ class ListedSweep {
       }
     }
     endAt(s);
+  }
+
+  /// On the line of the nearest points when the pair was listed: a cheap proof that most pairs pass.
+  bool staysApartOnListedAxis(std::size_t k) {
+    const TrianglePair& pair = near_.pairs()[k];
+    if (!(pair.distance > 0.0)) return false;
+    const dvec3 axis = (pair.p_AP - pair.p_AQ) / pair.distance;
+    const double begin = gapOf(k, axis, stretch_.from), end = gapOf(k, axis, until_);
+    if (begin < stretch_.clearance || end < stretch_.clearance) return false;
+    const double length = until_ - stretch_.from;
+    if (keptShare(begin, end, bend_ * length * length / 8.0, 0.5 * stretch_.clearance) < 1.0) return false;
+    least_at_end_ = std::min(least_at_end_, end);
+    return true;
   }
 
   void endAt(double s) {

@@ -64,10 +64,7 @@ class Advancement {
       if (queries_ >= kMostQueries) return stoppedAt(good.s, at(good.s));
       const double plain = (good.distance - 0.5 * clearance_) / rate_;
       if (const double stretch = listedStretch(good, plain); stretch > 0.0) {
-        ++queries_;
-        const ListedStop stop =
-            sweepListed(query_.a(), query_.b(), query_.near(), a_, b_, {good.s, good.s + stretch, clearance_});
-        query_.certifyApart(a_.at(stop.s), b_.at(stop.s), stop.distance_at_least);
+        const ListedStop stop = sweep(good.s, good.s + stretch);
         if (stop.stopped) return stoppedBy(stop, result.began_colliding);
         good = {stop.s, stop.distance_at_least};
         continue;
@@ -88,6 +85,14 @@ class Advancement {
     return query_.distance(a_.at(s), b_.at(s), clearance_ + rate_ * (until_ - s) + kRounding);
   }
 
+  ListedStop sweep(double from, double to) {
+    ++queries_;
+    stride_ *= kStrideRecovery;
+    const ListedStop stop = sweepListed(query_.a(), query_.b(), query_.near(), a_, b_, {from, to, clearance_});
+    query_.certifyApart(a_.at(stop.s), b_.at(stop.s), stop.distance_at_least);
+    return stop;
+  }
+
   /// How much of the rest the list of near pairs is good for, made anew where it is worn; 0: it must go without.
   double listedStretch(const Sample& good, double plain) {
     const double rest = until_ - good.s;
@@ -96,6 +101,8 @@ class Advancement {
     NearPairs& near = query_.near();
     const double known = (near.reachAt(X_AB) - clearance_) / rate_;
     if (known >= std::min(rest, kLeastStride * plain)) return std::min(rest, known);
+    // Over a plane much longer steps can be proven than any list is good for.
+    if (stride_ * rate_ > near.likelyRadius() && near.likelyRadius() < rate_ * rest) return 0.0;
     double radius = clearance_ + std::max(kListReserve * rate_ * rest, kListLeast);
     for (int tries = 0; tries < kListTries; ++tries) {
       radius = std::min(radius, near.likelyRadius());

@@ -72,6 +72,7 @@ class Scene {
   PartIndex environment(PairIndex pair) const { return pairs_[pair].environment; }
   std::uint32_t tag(PairIndex pair) const { return pairs_[pair].tag; }
   void setEnabled(PairIndex pair, bool enabled) { pairs_[pair].enabled = enabled; }
+  bool isEnabled(PairIndex pair) const { return pairs_[pair].enabled; }
 
   /// The nearest of all pairs, if any is nearer than `limit` (m). Pairs that collide come before all others.
   std::optional<PairDistance> nearest(double limit = std::numeric_limits<double>::infinity());

@@ -55,6 +55,37 @@ TEST(RobotManipulator, SwingsTheWristRoundWithoutAJump) {
   EXPECT_LT(glm::length(manipulator.movedFrame(now).p - X_0.p), 1e-6);
 }
 
+TEST(RobotManipulator, PathBoundsHoldAndAreNotLoose) {
+  const auto model = std::make_shared<const kinematics::RobotModel>(kinematics::test::kr120());
+  const RobotManipulator manipulator = manipulatorOf(model);
+  const std::vector<PartSphere> spheres{{{0.1, 0.2, 0.05}, 0.3}};
+  for (int i = 0; i < 40; ++i) {
+    EntityConfiguration from{Pose::translation({1, 2, 0}), {0.2, -1.2, 1.4, 0.3, 0.7, 0.1}}, to = from;
+    const double size = i < 20 ? 0.002 : 0.5;
+    for (std::size_t k = 0; k < 6; ++k) to.joints[k] += size * std::sin(2.3 * i + 1.7 * static_cast<double>(k));
+    double bound = 0.0;
+    manipulator.pathBounds(from, to, spheres, {&bound, 1});
+    double longest = 0.0;
+    for (const dvec3& direction : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1), dvec3(-0.6, 0.8, 0)}) {
+      double length = 0.0;
+      dvec3 before{0.0};
+      for (int step = 0; step <= 50; ++step) {
+        Pose X_WP;
+        manipulator.partPoses(manipulator.between(from, to, step / 50.0), {&X_WP, 1});
+        const dvec3 p_WQ = X_WP * (spheres[0].p_PS + spheres[0].radius * direction);
+        if (step > 0) length += glm::distance(p_WQ, before);
+        before = p_WQ;
+      }
+      longest = std::max(longest, length);
+    }
+    EXPECT_LE(longest, bound) << i;
+    // Joints that turn against each other cancel in the path only.
+    if (i < 20) {
+      EXPECT_LT(bound, 8.0 * longest) << i;
+    }
+  }
+}
+
 TEST(RobotManipulator, RestsOutOfReachAndSaysWhy) {
   const auto model = std::make_shared<const kinematics::RobotModel>(kinematics::test::kr120());
   const RobotManipulator manipulator = manipulatorOf(model);
