@@ -24,6 +24,9 @@ struct DeviceCapabilities {
   double stiffness = 0.0;         ///< N/m that is stable with nobody holding it.
   double damping = 0.0;           ///< N s/m that belongs to that stiffness.
   int buttons = 1;
+  bool simulated = false;      ///< There is no such thing on the table.
+  int delay_ticks = 0;         ///< Ticks from write() to the force, where that is known.
+  double thermal_time = 30.0;  ///< Motors' time constant, s.
 };
 
 /// One measurement of the stylus.
@@ -34,6 +37,8 @@ struct DeviceReading {
 };
 
 enum class DeviceStatus : std::uint8_t { kOk, kNotOpen, kFault, kVanished };
+
+class SimulatedDevice;
 
 /// A force-feedback stylus (or a pointing device without force). Used by one thread at a time: the force loop's.
 ///
@@ -53,6 +58,8 @@ class Device {
   virtual void setEngaged(bool engaged) noexcept { static_cast<void>(engaged); }
   /// Force zero, motors off. Safe to call at any time, more than once.
   virtual void close() noexcept = 0;
+  /// The simulated device that this is or holds, which has to be advanced and can be held by a hand; null for others.
+  virtual SimulatedDevice* simulated() noexcept { return nullptr; }
 };
 
 }  // namespace hapticell::haptic

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "config/device_profile.h"
+#include "haptic/devices/device_recording.h"
 #include "haptic/devices/driver_device.h"
 #include "haptic/devices/simulated_device.h"
 
@@ -13,8 +14,8 @@ namespace hapticell::haptic {
 namespace {
 
 std::string namesOf(const std::vector<LoadedDriver>& drivers) {
-  std::string names;
-  for (const std::string& profile : simulatedProfiles()) names += (names.empty() ? "" : ", ") + profile;
+  std::string names = "replay:FILE";
+  for (const std::string& profile : simulatedProfiles()) names += ", " + profile;
   for (const LoadedDriver& driver : drivers) {
     if (driver.driver != nullptr) names += std::string(", ") + driver.driver->information().name;
   }
@@ -66,6 +67,11 @@ Expected<std::unique_ptr<Device>> makeDevice(const std::string& name, const conf
     const auto profile = config::readDeviceProfile(*file);
     if (!profile) return tl::unexpected(profile.error());
     return std::make_unique<SimulatedDevice>(*profile);
+  }
+  if (wanted.driver == "replay") {
+    auto recording = readDeviceRecording(wanted.id);
+    if (!recording) return tl::unexpected(recording.error());
+    return std::make_unique<ReplayDevice>(std::move(*recording));
   }
   const auto driver = findDriver(wanted.driver, configuration.drivers);
   if (!driver) return tl::unexpected(driver.error());

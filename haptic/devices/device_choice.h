@@ -17,7 +17,8 @@ struct DeviceName {
   std::string id;      ///< Behind the first colon: which of the driver's devices; empty: the first that can be used.
 };
 
-/// "falcon", "openhaptics:Left Device"; a name with a shipped profile (and no colon) is a simulated device.
+/// "falcon", "openhaptics:Left Device", "replay:FILE.hdev" (a recorded session); a name with a shipped profile (and no
+/// colon) is a simulated device.
 DeviceName parseDeviceName(const std::string& name);
 
 /// The simulated device, or the driver's device, that `name` means, not opened yet. `report` is told sentences about a

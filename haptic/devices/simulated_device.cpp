@@ -52,6 +52,9 @@ DeviceCapabilities capabilitiesOf(const config::DeviceProfile& profile) {
   result.stiffness = profile.stiffness;
   result.damping = profile.damping;
   result.buttons = profile.buttons;
+  result.simulated = true;
+  result.delay_ticks = profile.delay_ticks;
+  result.thermal_time = profile.thermal_time;
   return result;
 }
 

@@ -30,6 +30,7 @@ class SimulatedDevice final : public Device {
   /// Torque is ignored where three axes are driven. What is not finite stops the motors and is a fault.
   DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept override;
   void close() noexcept override;
+  SimulatedDevice* simulated() noexcept override { return this; }
 
   /// Lets `dt` seconds pass (0 to 0.1; more counts as 0.1).
   void advance(double dt) noexcept;

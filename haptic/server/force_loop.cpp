@@ -19,10 +19,8 @@ ForceLoopOptions optionsFor(const Device& device, double rate_hz) {
   options.safety.continuous_force = capabilities.continuous_force;
   // A killed client's socket is closed some milliseconds late, and 50 ms are promised from the kill.
   options.safety.close_decay = 0.02;
-  if (const auto* simulated = dynamic_cast<const SimulatedDevice*>(&device)) {
-    options.renderer.delay = simulated->profile().delay_ticks / rate_hz;
-    options.safety.thermal_time = simulated->profile().thermal_time;
-  }
+  options.renderer.delay = capabilities.delay_ticks / rate_hz;
+  options.safety.thermal_time = capabilities.thermal_time;
   return options;
 }
 
@@ -30,7 +28,7 @@ DeviceDescription describe(const Device& device) {
   const DeviceCapabilities& c = device.capabilities();
   DeviceDescription description;
   description.name = c.name;
-  description.simulated = dynamic_cast<const SimulatedDevice*>(&device) != nullptr;
+  description.simulated = c.simulated;
   description.workspace_min = c.workspace_min;
   description.workspace_max = c.workspace_max;
   description.resolution = c.resolution;
@@ -47,7 +45,7 @@ DeviceDescription describe(const Device& device) {
 
 ForceLoop::ForceLoop(Device& device, const Clock& clock, const ForceLoopOptions& options)
     : device_(device),
-      simulated_(dynamic_cast<SimulatedDevice*>(&device)),
+      simulated_(device.simulated()),
       clock_(clock),
       options_(options),
       period_(1.0 / options.rate_hz),

@@ -12,6 +12,7 @@
 
 #include "config/configuration.h"
 #include "haptic/devices/device_choice.h"
+#include "haptic/devices/device_recording.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/configured_loop.h"
 #include "haptic/server/fault_file.h"
@@ -79,11 +80,12 @@ sigset_t blockSignals() {
 Expected<void> serve(const ServerOptions& asked) {
   const auto configuration = config::loadConfiguration(asked.config);
   if (!configuration) return tl::unexpected(configuration.error());
-  const auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
-                               [](const std::string& sentence) { spdlog::warn("{}", sentence); });
+  auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
+                         [](const std::string& sentence) { spdlog::warn("{}", sentence); });
   if (!made) return tl::unexpected(made.error());
+  if (!asked.record.empty()) made = std::make_unique<RecordingDevice>(std::move(*made), asked.record);
   Device& device = **made;
-  if (auto* simulated = dynamic_cast<SimulatedDevice*>(&device)) {
+  if (SimulatedDevice* const simulated = device.simulated()) {
     simulated->hand().setOptions(configuredHand(*configuration));
   }
   if (const auto opened = device.open(); !opened) return tl::unexpected(opened.error());

@@ -41,6 +41,7 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
   if (option == "--device") options.device = value;
   if (option == "--listen") options.listen = value;
   if (option == "--config") options.config = value;
+  if (option == "--record") options.record = value;
   if (option == "--fault-log") options.fault_log = value;
   if (option == "--port") {
     options.port = number<std::uint16_t>(value, 0, 65535);
@@ -61,7 +62,7 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
 
 bool takesValue(std::string_view option) {
   for (const std::string_view known :
-       {"--device", "--listen", "--config", "--fault-log", "--port", "--seconds", "--state-rate"}) {
+       {"--device", "--listen", "--config", "--record", "--fault-log", "--port", "--seconds", "--state-rate"}) {
     if (option == known) return true;
   }
   return false;
@@ -94,6 +95,7 @@ Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (
   --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only)
   --port N           TCP port (default: as configured, 4747; 0: any that is free)
   --config FILE      a hapticell.toml to read besides the usual ones
+  --record FILE      record the device's session, for --device replay:FILE
   --fault-log FOLDER where the two seconds around a fault are written (default: ~/.local/state/hapticell)
   --state-rate HZ    how often the stylus's state is sent at most (default: 1000)
   --seconds N        end by itself after so long

@@ -19,6 +19,7 @@ struct ServerOptions {
   std::string config;                 ///< A hapticell.toml to read besides the usual ones.
   double seconds = 0.0;               ///< Ends by itself after so long; 0: runs until it is told to stop.
   double state_rate_hz = 1000.0;
+  std::string record;     ///< A *.hdev that the device's session is recorded in; empty: none.
   std::string fault_log;  ///< Folder that the ticks around a fault are written to; empty: the default one.
   bool allow_unprotected_network = false;
   bool real_time = true;  ///< Ask for real-time priority and locked memory.

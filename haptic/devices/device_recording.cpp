@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/device_recording.h"
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace hapticell::haptic {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr char kMagic[] = "HCELDEV1";
+constexpr std::size_t kMagicSize = 8, kTickSize = 120, kRing = 16384;
+constexpr std::uint32_t kMostHeader = 1 << 16;
+static_assert(std::endian::native == std::endian::little, "the file is little-endian");
+
+json toJson(const dvec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+json toJson(const DeviceCapabilities& c) {
+  return {{"name", c.name},
+          {"workspace_min", toJson(c.workspace_min)},
+          {"workspace_max", toJson(c.workspace_max)},
+          {"resolution", c.resolution},
+          {"measured_axes", c.measured_axes},
+          {"driven_axes", c.driven_axes},
+          {"peak_force", c.peak_force},
+          {"continuous_force", c.continuous_force},
+          {"peak_torque", c.peak_torque},
+          {"stiffness", c.stiffness},
+          {"damping", c.damping},
+          {"buttons", c.buttons},
+          {"delay_ticks", c.delay_ticks},
+          {"thermal_time", c.thermal_time}};
+}
+
+bool fromJson(const json& from, DeviceCapabilities& c) try {
+  for (int i = 0; i < 3; ++i) {
+    c.workspace_min[i] = from.at("workspace_min").at(static_cast<std::size_t>(i)).get<double>();
+    c.workspace_max[i] = from.at("workspace_max").at(static_cast<std::size_t>(i)).get<double>();
+  }
+  c.name = from.at("name").get<std::string>();
+  for (const auto& [key, value] : {std::pair{"resolution", &c.resolution},
+                                   {"peak_force", &c.peak_force},
+                                   {"continuous_force", &c.continuous_force},
+                                   {"peak_torque", &c.peak_torque},
+                                   {"stiffness", &c.stiffness},
+                                   {"damping", &c.damping},
+                                   {"thermal_time", &c.thermal_time}}) {
+    *value = from.at(key).get<double>();
+    if (!(*value >= 0.0)) return false;
+  }
+  for (const auto& [key, value] : {std::pair{"measured_axes", &c.measured_axes},
+                                   {"driven_axes", &c.driven_axes},
+                                   {"buttons", &c.buttons},
+                                   {"delay_ticks", &c.delay_ticks}}) {
+    *value = from.at(key).get<int>();
+    if (*value < 0 || *value > 32) return false;
+  }
+  return true;
+} catch (const json::exception&) {
+  return false;
+}
+
+using TickBytes = std::array<char, kTickSize>;
+
+TickBytes pack(const RecordedTick& tick) {
+  TickBytes bytes{};
+  std::memcpy(bytes.data(), &tick.status, 4);
+  std::memcpy(bytes.data() + 4, &tick.buttons, 4);
+  const Pose& X = tick.X_DS;
+  const double numbers[14] = {X.p.x,           X.p.y,          X.p.z,          X.q.w,
+                              X.q.x,           X.q.y,          X.q.z,          tick.motor_temperature,
+                              tick.force_D.x,  tick.force_D.y, tick.force_D.z, tick.torque_D.x,
+                              tick.torque_D.y, tick.torque_D.z};
+  std::memcpy(bytes.data() + 8, numbers, sizeof numbers);
+  return bytes;
+}
+
+RecordedTick unpack(const char* bytes) {
+  RecordedTick tick;
+  std::memcpy(&tick.status, bytes, 4);
+  std::memcpy(&tick.buttons, bytes + 4, 4);
+  double n[14];
+  std::memcpy(n, bytes + 8, sizeof n);
+  tick.X_DS.p = {n[0], n[1], n[2]};
+  tick.X_DS.q = dquat(n[3], n[4], n[5], n[6]);
+  tick.motor_temperature = n[7];
+  tick.force_D = {n[8], n[9], n[10]};
+  tick.torque_D = {n[11], n[12], n[13]};
+  return tick;
+}
+
+}  // namespace
+
+Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file) {
+  const auto refuse = [&](std::string place, std::string found, std::string expected) {
+    return makeError({file.string(), std::move(place), std::move(found), std::move(expected), ""});
+  };
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return refuse("", "the file cannot be read", "a recorded device session (*.hdev)");
+  char magic[kMagicSize] = {};
+  std::uint32_t length = 0;
+  stream.read(magic, sizeof magic);
+  stream.read(reinterpret_cast<char*>(&length), sizeof length);
+  if (!stream || std::memcmp(magic, kMagic, kMagicSize) != 0 || length > kMostHeader) {
+    return refuse("its beginning", "something else", "a recorded device session (*.hdev)");
+  }
+  std::string header(length, '\0');
+  stream.read(header.data(), length);
+  DeviceRecording recording;
+  if (!stream || !fromJson(json::parse(header, nullptr, false), recording.capabilities)) {
+    return refuse("its header", "no capabilities", "JSON as a recording writes it");
+  }
+  TickBytes bytes{};
+  while (stream.read(bytes.data(), bytes.size())) {
+    recording.ticks.push_back(unpack(bytes.data()));
+    const RecordedTick& tick = recording.ticks.back();
+    if (!tick.X_DS.isValid() || tick.status > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
+      return refuse("tick " + std::to_string(recording.ticks.size()), "no pose or no status", "a finite pose");
+    }
+  }
+  return recording;
+}
+
+/// A ring between the force loop, which fills it, and a thread that writes it down.
+class RecordingDevice::Writer {
+ public:
+  Writer(std::ofstream file) : file_(std::move(file)), ring_(kRing), thread_([this] { run(); }) {}
+  ~Writer() {
+    stopping_ = true;
+    thread_.join();
+  }
+  void add(const RecordedTick& tick) noexcept {
+    const std::uint64_t at = written_.load(std::memory_order_relaxed);
+    if (at - taken_.load(std::memory_order_acquire) >= kRing) {
+      lost_.fetch_add(1, std::memory_order_relaxed);
+      return;
+    }
+    ring_[at % kRing] = tick;
+    written_.store(at + 1, std::memory_order_release);
+  }
+  std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
+
+ private:
+  void run() {
+    while (!stopping_) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      flush();
+    }
+    flush();
+  }
+  void flush() {
+    std::uint64_t at = taken_.load(std::memory_order_relaxed);
+    const std::uint64_t end = written_.load(std::memory_order_acquire);
+    for (; at < end; ++at) {
+      const TickBytes bytes = pack(ring_[at % kRing]);
+      file_.write(bytes.data(), bytes.size());
+    }
+    taken_.store(at, std::memory_order_release);
+    file_.flush();
+  }
+
+  std::ofstream file_;
+  std::vector<RecordedTick> ring_;
+  std::atomic<std::uint64_t> written_{0}, taken_{0}, lost_{0};
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
+
+RecordingDevice::RecordingDevice(std::unique_ptr<Device> device, std::filesystem::path file)
+    : device_(std::move(device)), file_(std::move(file)) {}
+
+RecordingDevice::~RecordingDevice() {
+  close();
+}
+
+Expected<void> RecordingDevice::open() {
+  if (writer_) return {};
+  if (const auto opened = device_->open(); !opened) return opened;
+  std::ofstream stream(file_, std::ios::binary | std::ios::trunc);
+  const std::string header = toJson(device_->capabilities()).dump();
+  const auto length = static_cast<std::uint32_t>(header.size());
+  stream.write(kMagic, kMagicSize);
+  stream.write(reinterpret_cast<const char*>(&length), sizeof length);
+  stream.write(header.data(), static_cast<std::streamsize>(header.size()));
+  stream.flush();
+  if (!stream) {
+    device_->close();
+    return makeError({file_.string(), "", "the file cannot be written", "a place for the recording", ""});
+  }
+  writer_ = std::make_unique<Writer>(std::move(stream));
+  return {};
+}
+
+DeviceStatus RecordingDevice::read(DeviceReading& reading) noexcept {
+  const DeviceStatus status = device_->read(reading);
+  tick_.status = static_cast<std::uint32_t>(status);
+  if (status != DeviceStatus::kOk) return status;
+  tick_.buttons = reading.buttons;
+  tick_.X_DS = reading.X_DS;
+  tick_.motor_temperature = reading.motor_temperature;
+  return status;
+}
+
+DeviceStatus RecordingDevice::write(const dvec3& force_D, const dvec3& torque_D) noexcept {
+  tick_.force_D = force_D;
+  tick_.torque_D = torque_D;
+  if (writer_) writer_->add(tick_);
+  return device_->write(force_D, torque_D);
+}
+
+void RecordingDevice::close() noexcept {
+  writer_.reset();
+  device_->close();
+}
+
+std::uint64_t RecordingDevice::lost() const {
+  return writer_ ? writer_->lost() : 0;
+}
+
+ReplayDevice::ReplayDevice(DeviceRecording recording) : recording_(std::move(recording)) {}
+
+Expected<void> ReplayDevice::open() {
+  if (recording_.ticks.empty()) return makeError({"", "recording", "not one tick", "a session that was recorded", ""});
+  next_ = 0;
+  open_ = true;
+  return {};
+}
+
+DeviceStatus ReplayDevice::read(DeviceReading& reading) noexcept {
+  if (!open_) return DeviceStatus::kNotOpen;
+  const RecordedTick& tick = ended() ? recording_.ticks.back() : recording_.ticks[next_];
+  const auto status = static_cast<DeviceStatus>(tick.status);
+  if (status == DeviceStatus::kOk) {
+    reading.X_DS = tick.X_DS;
+    reading.buttons = ended() ? 0 : tick.buttons;
+    reading.motor_temperature = tick.motor_temperature;
+  }
+  return status;
+}
+
+DeviceStatus ReplayDevice::write(const dvec3&, const dvec3&) noexcept {
+  if (!ended()) ++next_;
+  return open_ ? DeviceStatus::kOk : DeviceStatus::kNotOpen;
+}
+
+}  // namespace hapticell::haptic

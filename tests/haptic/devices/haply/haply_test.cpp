@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "haptic/devices/driver_session.h"
+#include "haptic/devices/drivers/haply/haply_driver.h"
+#include "tests/haptic/devices/haply/fake_haply_service.h"
+
+namespace hapticell::driver {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(HaplyMessages, ReadsDeviceAndGrip) {
+  const auto reports = readHaplyMessage(
+      R"({"inverse3":[{"device_id":"04BD","state":{"cursor_position":{"x":0.1,"y":-0.2,"z":0.3}}}],)"
+      R"("wireless_verse_grip":[{"state":{"orientation":{"x":0,"y":0,"z":0.6,"w":0.8},"buttons":{"a":false,"b":true}}}]})");
+  ASSERT_TRUE(reports);
+  ASSERT_EQ(reports->size(), 1u);
+  EXPECT_EQ((*reports)[0].device_id, "04BD");
+  EXPECT_EQ((*reports)[0].cursor, dvec3(0.1, -0.2, 0.3));
+  EXPECT_NEAR((*reports)[0].orientation->z, 0.6, 1e-12);
+  EXPECT_EQ((*reports)[0].buttons, 2u);
+  EXPECT_TRUE(readHaplyMessage("{}")->empty());
+}
+
+TEST(HaplyMessages, RefusesGarbage) {
+  const char* const device = R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":0,"y":0,"z":0}}}])";
+  for (const std::string& text :
+       {std::string(), std::string("["), std::string("[]"), std::string(R"({"inverse3":7})"),
+        std::string(R"({"inverse3":[{"state":{}}]})"),
+        std::string(R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":"0","y":0,"z":0}}}]})"),
+        std::string(R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":1e999,"y":0,"z":0}}}]})"),
+        device + std::string(R"(,"wireless_verse_grip":[{"state":{"orientation":{"x":0,"y":0,"z":0,"w":0}}}]})")}) {
+    EXPECT_FALSE(readHaplyMessage(text)) << text;
+  }
+}
+
+RC_GTEST_PROP(HaplyMessages, AnyTextDoesNoHarm, (const std::string& text)) {
+  readHaplyMessage(text);
+}
+
+TEST(HaplyMessages, CommandHasTheServicesForm) {
+  const auto command = nlohmann::json::parse(haplyForceCommand("04BD", {1.0, -2.0, 0.5}));
+  EXPECT_EQ(command["inverse3"][0]["device_id"], "04BD");
+  EXPECT_EQ(command["inverse3"][0]["commands"]["set_cursor_force"]["values"]["y"], -2.0);
+}
+
+/// Turns until `good` holds: a network has to be waited for.
+template <typename Condition>
+bool turnUntil(haptic::DriverSession& session, const Command& command, Condition&& good) {
+  for (int i = 0; i < 30000; ++i) {
+    if (good(session.turn(command))) return true;
+  }
+  return false;
+}
+
+TEST(Haply, MeasuresAndPushes) {
+  FakeHaplyService service;
+  HaplyDriver driver;
+  driver.configure("address", service.address().c_str());
+  driver.configure("middle", "0,-0.2,0.2");
+  Found found[2];
+  Problem problem;
+  ASSERT_EQ(driver.find(found, 2, problem), 1u) << problem.found;
+  EXPECT_STREQ(found[0].id, "04BD");
+  haptic::DriverSession session(driver, "04BD");
+  problem = session.open();
+  ASSERT_EQ(problem.status, Status::kOk) << problem.found;
+  EXPECT_EQ(session.capabilities().measured_axes, 6u);
+  Command push;
+  push.motors = true;
+  push.force[2] = 1.5;
+  ASSERT_TRUE(turnUntil(session, push, [](const auto& answer) { return answer.measurements > 0; }));
+  const State state = session.turn(push).state;
+  EXPECT_NEAR(state.position[0], 0.05, 1e-12);
+  EXPECT_NEAR(state.position[1], 0.05, 1e-12);
+  EXPECT_NEAR(state.orientation[3], 0.6, 1e-12);
+  EXPECT_EQ(state.buttons, 5u);
+  const auto force = [&] {
+    const auto command = service.lastCommand();
+    return command ? (*command)["inverse3"][0]["commands"]["set_cursor_force"]["values"]["z"].get<double>() : -1.0;
+  };
+  EXPECT_TRUE(turnUntil(session, push, [&](const auto&) { return force() == 1.5; }));
+  session.close();  // A last word of zero.
+  for (int i = 0; i < 30000 && force() != 0.0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(force(), 0.0);
+}
+
+TEST(Haply, NobodyThere) {
+  HaplyDriver driver;
+  driver.configure("address", "ws://127.0.0.1:1");
+  Found found[2];
+  Problem problem;
+  EXPECT_EQ(driver.find(found, 2, problem), 0u);
+  EXPECT_EQ(problem.status, Status::kNotFound);
+  EXPECT_THAT(problem.fix, HasSubstr("Haply Hub"));
+  EXPECT_EQ(driver.open("", problem), nullptr);
+}
+
+TEST(Haply, AServiceWithoutThatDevice) {
+  FakeHaplyService service;
+  HaplyDriver driver;
+  driver.configure("address", service.address().c_str());
+  Problem problem;
+  EXPECT_EQ(driver.open("FFFF", problem), nullptr);
+  EXPECT_THAT(problem.found, HasSubstr("no such Inverse3"));
+}
+
+TEST(Haply, GarbageAndAnUnpluggedDevice) {
+  FakeHaplyService service;
+  HaplyDriver driver;
+  haptic::DriverSession session(driver, service.address());
+  ASSERT_EQ(session.open().status, Status::kOk);
+  service.say("{\"inverse3\": nonsense");
+  EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.status == Status::kGarbled; }));
+  service.say("");
+  haptic::DriverSession again(driver, service.address());
+  ASSERT_EQ(again.open().status, Status::kOk);
+  service.say(R"({"inverse3":[{"device_id":"other","state":{"cursor_position":{"x":0,"y":0,"z":0}}}]})");
+  EXPECT_TRUE(turnUntil(again, {}, [](const auto& answer) { return answer.status == Status::kVanished; }));
+}
+
+TEST(Haply, TheServiceEndsAndComesBack) {
+  auto service = std::make_unique<FakeHaplyService>();
+  const unsigned short port = service->port();
+  HaplyDriver driver;
+  std::vector<std::string> told;
+  haptic::DriverSession session(driver, service->address(),
+                                {.reopen_turns = 1, .report = [&](const std::string& text) { told.push_back(text); }});
+  ASSERT_EQ(session.open().status, Status::kOk);
+  service.reset();
+  EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.status == Status::kVanished; }));
+  EXPECT_THAT(told.at(0), HasSubstr("service"));
+  service = std::make_unique<FakeHaplyService>(port);
+  EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.status == Status::kOk; }));
+}
+
+}  // namespace
+}  // namespace hapticell::driver
