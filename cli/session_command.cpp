@@ -153,17 +153,17 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
 
 const char* const kTraceHeader =
     "t,x,y,z,qw,qx,qy,qz,proxy_x,proxy_y,proxy_z,fx,fy,fz,button,contact,"
-    "moved_x,moved_y,moved_z,moved_qw,moved_qx,moved_qy,moved_qz\n";
+    "moved_x,moved_y,moved_z,moved_qw,moved_qx,moved_qy,moved_qz,tx,ty,tz\n";
 
 void appendRow(std::string& text, const manipulation::TraceRow& row) {
   char line[640];
   const Pose &S = row.X_DS, &P = row.X_DP, &M = row.X_WM;
   std::snprintf(line, sizeof line,
                 "%.6f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.6f,%.6f,%.6f,%u,%d,"
-                "%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f\n",
+                "%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.9f,%.6f,%.6f,%.6f\n",
                 row.t, S.p.x, S.p.y, S.p.z, S.q.w, S.q.x, S.q.y, S.q.z, P.p.x, P.p.y, P.p.z, row.force_D.x,
                 row.force_D.y, row.force_D.z, row.buttons, row.contact ? 1 : 0, M.p.x, M.p.y, M.p.z, M.q.w, M.q.x,
-                M.q.y, M.q.z);
+                M.q.y, M.q.z, row.torque_D.x, row.torque_D.y, row.torque_D.z);
   text += line;
 }
 

@@ -11,6 +11,7 @@ namespace hapticell::feel {
 namespace {
 
 constexpr double kTapRate = 3.0;        // Hz.
+constexpr double kSwingUp = 300.0;      // Ticks.
 constexpr double kMotorDelay = 1.5e-3;  // s from the measurement to the middle of the force that answers it.
 
 struct TapOutcome {
@@ -26,7 +27,9 @@ TapOutcome tap(const FeelScene& scene, const SessionSetup& setup, double speed) 
   TapOutcome outcome;
   bool touching = false;
   for (int i = 1; i <= 3000; ++i) {
-    const dvec3 hand(0, 0, swing * (std::cos(1e-3 * omega * i) + 0.45));
+    // Swings up slowly: the stylus is to meet the wall as fast as the hand means it to.
+    const double share = std::min(1.0, i / kSwingUp);
+    const dvec3 hand(0, 0, swing * (share * std::cos(1e-3 * omega * i) + 1.45 - share));
     session.follow([&](double) { return hand; }, 1e-3);
     const haptic::RenderResult& now = session.last();
     if (now.contact && !touching) outcome.speed = std::max(outcome.speed, glm::length(now.v_DS));

@@ -26,15 +26,33 @@ std::unique_ptr<RenderingWay> wayOf(const SessionSetup& setup) {
   return std::make_unique<ProxyWay>(setup.renderer);
 }
 
+SessionSetup withTorque(SessionSetup setup) {
+  if (setup.device.driven_axes == 6) setup.renderer.peak_torque = setup.device.peak_torque;
+  return setup;
+}
+
+haptic::SafetyOptions limitsOf(const SessionSetup& setup) {
+  haptic::SafetyOptions options;
+  options.peak_torque = setup.renderer.peak_torque;
+  return options;
+}
+
+haptic::MetricVector together(const dvec3& force_D, const dvec3& torque_D) {
+  return {force_D, torque_D / haptic::kRotationLever};
+}
+
 }  // namespace
 
-FeelSession::FeelSession(const FeelScene& scene, const SessionSetup& setup)
+FeelSession::FeelSession(const FeelScene& scene, const SessionSetup& wanted)
     : scene_(scene),
-      hand_(setup.hand.value_or(scene.hand())),
-      client_(setup.seen != nullptr ? *setup.seen : scene, setup.rate),
-      device_(setup.device),
-      way_(wayOf(setup)),
-      exact_(setup.renderer) {
+      setup_(withTorque(wanted)),
+      hand_(setup_.hand.value_or(scene.hand())),
+      client_(setup_.seen != nullptr ? *setup_.seen : scene, setup_.rate),
+      device_(setup_.device),
+      way_(wayOf(setup_)),
+      exact_(setup_.renderer),
+      safety_(limitsOf(setup_)),
+      account_(setup_.device.delay_ticks) {
   device_.hand().setOptions(hand_);
   HAPTICELL_DEMAND(device_.open().has_value());
 }
@@ -44,6 +62,7 @@ void FeelSession::begin(const dvec3& start) {
   device_.place(X_DS);
   way_->reset(X_DS);
   exact_.reset(X_DS);
+  X_DSBefore_ = X_DS;
   follow([&](double) { return start; }, 1.2, false);
 }
 
@@ -72,13 +91,13 @@ void FeelSession::forgetFigures() {
   figures_ = {};
   depth_errors_.clear();
   direction_errors_.clear();
-  balance_.clear();
+  loss_ = haptic::WorstLoss();
 }
 
 void FeelSession::tick(bool measured) {
-  const dvec3 before = device_.truePose().p;
   device_.advance(kTick);
-  const dvec3 force_before = result_.force_D;
+  const haptic::MetricVector force_before = wantedForce();
+  const haptic::MetricVector commanded_before = together(safety_result_.force_D, safety_result_.torque_D);
   haptic::DeviceReading reading;
   device_.read(reading);
   client_.step(time_, *way_);
@@ -89,48 +108,49 @@ void FeelSession::tick(bool measured) {
   exact_result_ = exact_.tick(reading.X_DS, kTick);
   haptic::SafetyInput input;
   input.force_D = result_.force_D;
+  input.torque_D = result_.torque_D;
   input.v_DS = result_.v_DS;
   input.enabled = true;
   safety_result_ = safety_.tick(input);
-  way_->noteApplied(safety_result_.force_D);
-  device_.write(safety_result_.force_D, dvec3(0.0));
+  way_->noteApplied(safety_result_.force_D, safety_result_.torque_D);
+  device_.write(safety_result_.force_D, safety_result_.torque_D);
   readings_.push_back(reading.X_DS.p);
   if (exact_result_.active_rows != exact_rows_) last_change_ = time_;
   exact_rows_ = exact_result_.active_rows;
+  // What a moving obstacle does to the hand is none of the renderer's making.
+  const haptic::MetricVector step = exact_.way(reading.X_DS, X_DSBefore_) - together(kTick * result_.v_DO, dvec3(0.0));
+  account_.add(step, commanded_before, result_.stiffness);
+  X_DSBefore_ = reading.X_DS;
   if (measured) {
-    accountEnergy(device_.truePose().p - before);
+    loss_.add(time_, account_.balance());
     measure(reading, force_before);
   }
   time_ += kTick;
 }
 
-void FeelSession::accountEnergy(const dvec3& moved) {
-  // What a moving obstacle does to the hand is none of the renderer's making.
-  work_ -= glm::dot(device_.motorForce(), moved - kTick * result_.v_DO);
-  const double stiffness = std::max(result_.stiffness, 1.0);
-  const double acting = glm::length(safety_result_.force_D), spring = glm::length(result_.spring_D);
-  balance_.push_back(work_ - haptic::storedEnergy(spring, stiffness, acting));
+haptic::MetricVector FeelSession::wantedForce() const {
+  return together(result_.force_D, result_.torque_D);
 }
 
-void FeelSession::measure(const haptic::DeviceReading& reading, const dvec3& force_before) {
+void FeelSession::measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before) {
   figures_.force_max = std::max(figures_.force_max, glm::length(safety_result_.force_D));
   figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP, time_));
   if (exact_result_.active_rows == 0 && glm::length(result_.offset_D) == 0.0 && result_.active_rows == 0) {
     ++figures_.free_ticks;
-    figures_.free_force_max = std::max(figures_.free_force_max, glm::length(result_.force_D));
+    figures_.free_force_max = std::max(figures_.free_force_max, haptic::length(wantedForce()));
   }
   if (time_ - last_change_ <= kAfterChange) return;
-  figures_.step_n = std::max(figures_.step_n, glm::length(result_.force_D - force_before));
-  const dvec3 exact_depth = exact_result_.X_DP.p - reading.X_DS.p;
-  const double depth = glm::length(exact_depth);
+  figures_.step_n = std::max(figures_.step_n, haptic::length(wantedForce() - force_before));
+  const haptic::MetricVector exact_depth = exact_.way(exact_result_.X_DP, reading.X_DS);
+  const double depth = haptic::length(exact_depth);
   if (exact_result_.active_rows == 0 || depth < kLeastDepth) return;
   ++figures_.contact_ticks;
-  const double rendered = glm::length(result_.spring_D) / result_.stiffness;
+  const haptic::MetricVector spring = together(result_.spring_D, result_.spring_torque_D);
+  const double rendered = haptic::length(spring) / result_.stiffness;
   figures_.depth_error_max = std::max(figures_.depth_error_max, std::abs(rendered - depth));
   figures_.depth_excess_max = std::max(figures_.depth_excess_max, rendered - depth);
   depth_errors_.push_back(std::abs(rendered - depth) / depth);
-  const double cosine =
-      glm::dot(exact_depth, result_.spring_D) / (depth * std::max(glm::length(result_.spring_D), 1e-9));
+  const double cosine = haptic::dot(exact_depth, spring) / (depth * std::max(haptic::length(spring), 1e-9));
   direction_errors_.push_back(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi);
 }
 
@@ -148,12 +168,7 @@ FeelFigures FeelSession::figures() const {
   FeelFigures result = figures_;
   result.depth_error_p95 = percentile(depth_errors_, 0.95);
   result.direction_p95_deg = percentile(direction_errors_, 0.95);
-  // The least of balance[j] - balance[i], i < j < i + 1000.
-  for (std::size_t i = 0; i < balance_.size(); ++i) {
-    for (std::size_t j = i + 1; j < std::min(i + 1000, balance_.size()); ++j) {
-      result.energy_min = std::min(result.energy_min, balance_[j] - balance_[i]);
-    }
-  }
+  result.energy_min = loss_.value();
   return result;
 }
 

@@ -43,6 +43,8 @@ struct FeelFigures {
 /// of the true moment every tick: the reference for depth and direction.
 class FeelSession {
  public:
+  /// A device of six driven axes is rendered with its torque; M1 to M4 are then of force and torque together, in the
+  /// metric (a torque counts with the lever kRotationLever).
   FeelSession(const FeelScene& scene, const SessionSetup& setup);
 
   /// Puts stylus and proxy there and lets the gate open while the hand holds still.
@@ -70,10 +72,11 @@ class FeelSession {
 
  private:
   void tick(bool measured);
-  void measure(const haptic::DeviceReading& reading, const dvec3& force_before);
-  void accountEnergy(const dvec3& moved);
+  void measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before);
+  haptic::MetricVector wantedForce() const;
 
   const FeelScene& scene_;
+  SessionSetup setup_;
   haptic::HandOptions hand_;
   SlowClient client_;
   haptic::SimulatedDevice device_;
@@ -87,8 +90,9 @@ class FeelSession {
   std::uint64_t ticks_ = 0;
   std::size_t exact_rows_ = 0;
   double last_change_ = -1.0;
-  double work_ = 0.0;
-  std::vector<double> balance_;
+  haptic::EnergyAccount account_;
+  haptic::WorstLoss loss_;
+  Pose X_DSBefore_;
   std::vector<dvec3> readings_;
   std::vector<double> depth_errors_, direction_errors_;
   FeelFigures figures_;

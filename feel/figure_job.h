@@ -35,7 +35,7 @@ void addSlidingJobs(const BenchmarkOptions& options, std::vector<FigureJob>& job
 void addEnergyJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);     // M3 of taps, M6
 void addStabilityJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);  // M5, M10
 void addWallJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);       // M8, M12
-void addMeshJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);   // M13
+void addMeshJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);       // M13
 void addTimedJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);      // M7, M11
 
 }  // namespace hapticell::feel

@@ -82,6 +82,11 @@ RenderResult ClassicWay::tick(const Pose& X_DS, double dt) {
   result.spring_D = options_.stiffness * (result.X_DP.p - X_DS.p);
   result.force_D = result.spring_D - options_.damping * glm::dot(v_DS_, unit) * unit;
   if (glm::dot(result.force_D, result.spring_D) < 0.0) result.force_D = dvec3(0.0);
+  if (options_.peak_torque > 0.0) {
+    const dvec3 lever(entry.gradient[3], entry.gradient[4], entry.gradient[5]);
+    result.torque_D = glm::dot(result.force_D, unit) / length * lever;
+    result.spring_torque_D = glm::dot(result.spring_D, unit) / length * lever;
+  }
   return result;
 }
 

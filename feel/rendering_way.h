@@ -17,7 +17,7 @@ class RenderingWay {
   /// `age`: seconds since the set was made.
   virtual void offer(const haptic::ConstraintSet& set, double age) = 0;
   virtual haptic::RenderResult tick(const Pose& X_DS, double dt) = 0;
-  virtual void noteApplied(const dvec3& force_D) = 0;
+  virtual void noteApplied(const dvec3& force_D, const dvec3& torque_D) = 0;
 };
 
 /// The renderer of this program: the proxy is looked at and the whole set is sent.
@@ -29,7 +29,7 @@ class ProxyWay final : public RenderingWay {
   haptic::ConstraintSet sent(const haptic::ConstraintSet& exact) const override { return exact; }
   void offer(const haptic::ConstraintSet& set, double age) override { renderer_.adopt(set, age); }
   haptic::RenderResult tick(const Pose& X_DS, double dt) override { return renderer_.tick(X_DS, dt); }
-  void noteApplied(const dvec3& force_D) override { renderer_.noteApplied(force_D); }
+  void noteApplied(const dvec3& force_D, const dvec3& torque_D) override { renderer_.noteApplied(force_D, torque_D); }
 
  private:
   haptic::ForceRenderer renderer_;
@@ -45,7 +45,7 @@ class ClassicWay final : public RenderingWay {
   haptic::ConstraintSet sent(const haptic::ConstraintSet& exact) const override;
   void offer(const haptic::ConstraintSet& set, double age) override;
   haptic::RenderResult tick(const Pose& X_DS, double dt) override;
-  void noteApplied(const dvec3&) override {}
+  void noteApplied(const dvec3&, const dvec3&) override {}
 
  private:
   haptic::RendererOptions options_;

@@ -9,7 +9,8 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kSlide = 4.0;  // s.
+constexpr double kSlide = 4.0;         // s.
+constexpr double kPeakTorque = 0.188;  // N m, of the six-axis device.
 
 /// What is asked of a scene; below 0: reported only.
 struct Limits {
@@ -30,7 +31,8 @@ struct Sliding {
   NamedScene scene;
   Limits limits{};
   double duration = kSlide;
-  std::string id{};  // M14: all figures under this name.
+  std::string id{};     // M14: all figures under this name.
+  bool torque = false;  // On a device of six driven axes.
 };
 
 NamedScene plain(const std::string& name, std::unique_ptr<FeelScene> (*make)()) {
@@ -91,6 +93,12 @@ std::vector<Sliding> movedSlidings() {
            }),
       limits, 0.5);
   add(made("wall that comes at 0.1 m/s", [] { return driftingScene(planeScene(), {0, 0, 0.1}, 0.5); }), limits, 0.5);
+  for (const NamedScene& scene : benchmarkScenes()) {
+    if (scene.name.starts_with("peg") || scene.name.starts_with("robot")) {
+      all.push_back({{scene.name + ", force and torque", scene.make}, limits, kSlide, "M14", true});
+    }
+  }
+  all.push_back({made("box on flat wall, force and torque", boxScene), limits, kSlide, "M14", true});
   add(made("cylinder R500 at 10 m/m", [] { return scaledScene(cylinderScene(0.5), cylinderScene(0.05), 10.0); }),
       limits, kSlide);
   add(made("cylinder R5 at 0.1 m/m", [] { return scaledScene(cylinderScene(0.005), cylinderScene(0.05), 0.1); }),
@@ -98,7 +106,8 @@ std::vector<Sliding> movedSlidings() {
   return all;
 }
 
-Expected<FeelFigures> slide(const Sliding& sliding, const SessionSetup& setup) {
+Expected<FeelFigures> slide(const Sliding& sliding, SessionSetup setup) {
+  if (sliding.torque) setup.device.driven_axes = 6, setup.device.peak_torque = kPeakTorque;
   const auto scene = sliding.scene.make();
   if (!scene) return tl::unexpected(scene.error());
   FeelSession session(**scene, setup);

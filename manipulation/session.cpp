@@ -83,7 +83,7 @@ trajectory::Trajectory emptyRecording(const workcell::Entity& entity, const Move
 class WatchedEngine {
  public:
   WatchedEngine(haptic::HapticLink& link, const SessionOptions& options)
-      : options_(options), engine_(link, options.configuration) {}
+      : options_(options), engine_(link, options.configuration), forces_(options.device.delay_ticks) {}
 
   /// Sets all choices; errors are told before the session begins.
   Expected<void> prepare() {
@@ -243,13 +243,17 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
   const auto ticks = static_cast<std::uint64_t>(std::ceil(options.hand.duration() / period - 1e-9));
   std::uint64_t steps = 0, pictures = 0, adopted = 0;
   std::vector<double> latencies;
+  Pose X_DSBefore = device.truePose();
   for (std::uint64_t tick = 0; tick <= ticks; ++tick) {
     const double t = static_cast<double>(tick) * period;
     const haptic::HandSample sample = options.hand.at(t);
     device.hand().hold(sample.X_DH, sample.buttons);
     link.step();
     const haptic::HapticState& state = loop.current();
-    engine.count({t, state.force_D, state.X_DS.p, loop.lastRender().stiffness});
+    const haptic::MetricVector carried{period * loop.lastRender().v_DO, dvec3(0.0)};
+    engine.count({t, state.force_D, loop.renderer().applied(), loop.renderer().way(state.X_DS, X_DSBefore) - carried,
+                  loop.lastRender().stiffness});
+    X_DSBefore = state.X_DS;
     if (state.adopted_set != adopted) {
       adopted = state.adopted_set;
       if (const double sent = engine.sentAt(adopted); sent >= 0.0) latencies.push_back(1e3 * (t - sent));
@@ -263,7 +267,8 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
       ++pictures;
     }
     if (trace) {
-      trace({t, state.X_DS, state.X_DP, state.force_D, state.buttons, engine.inContact(), engine.movedFrame()});
+      trace({t, state.X_DS, state.X_DP, state.force_D, state.torque_D, state.buttons, engine.inContact(),
+             engine.movedFrame()});
     }
   }
   SessionReport report = engine.finish(static_cast<double>(ticks) * period);
@@ -276,6 +281,15 @@ Expected<SessionReport> runSession(const SessionOptions& options, const TraceSin
 }
 
 namespace {
+
+haptic::MetricVector commandOf(const haptic::HapticState& state) {
+  return {state.force_D, state.torque_D / haptic::kRotationLever};
+}
+
+/// Turning that costs no torque is no work, so that it may be counted where none is driven, too.
+haptic::MetricVector wayBetween(const haptic::HapticState& state, const haptic::HapticState& before) {
+  return haptic::metricVector(haptic::metricDifference(state.X_DS, before.X_DS));
+}
 
 /// Waits until the server has answered and its device can be held.
 Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std::string& address) {
@@ -327,10 +341,12 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
     engine.step(t, now.count());
     if (const auto& state = engine.state(); state && (!last || state->tick != last->tick)) {
       if (!first) first = state;
-      engine.count({1e-9 * static_cast<double>(state->server_stamp_ns), state->force_D, state->X_DS.p, stiffness});
+      engine.count({1e-9 * static_cast<double>(state->server_stamp_ns), state->force_D, commandOf(*state),
+                    wayBetween(*state, last.value_or(*state)), stiffness});
       last = state;
       if (trace) {
-        trace({t, state->X_DS, state->X_DP, state->force_D, state->buttons, engine.inContact(), engine.movedFrame()});
+        trace({t, state->X_DS, state->X_DP, state->force_D, state->torque_D, state->buttons, engine.inContact(),
+               engine.movedFrame()});
       }
     }
     if (t >= next_picture) {

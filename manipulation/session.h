@@ -47,7 +47,8 @@ struct TraceRow {
   double t = 0.0;
   Pose X_DS;
   Pose X_DP;
-  dvec3 force_D{0.0};  ///< Commanded, N.
+  dvec3 force_D{0.0};   ///< Commanded, N.
+  dvec3 torque_D{0.0};  ///< Commanded, N m; zero on a device that drives no turning.
   std::uint32_t buttons = 0;
   bool contact = false;
   Pose X_WM;  ///< The moved frame of what is held as it is shown; identity while nothing is held.

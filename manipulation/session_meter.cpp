@@ -10,7 +10,6 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kWindow = 1.0;          ///< s
 constexpr double kInterruption = 0.050;  ///< s
 constexpr double kDeepest = 1.0;         ///< m: what is not free by then counts as this deep.
 
@@ -56,15 +55,11 @@ void ForceMeter::add(const MeteredTick& tick) {
   if (started_) {
     const double ms = std::max(1e-6, 1e3 * (tick.t - last_.t));
     max_step_ = std::max(max_step_, glm::length(tick.force_D - last_.force_D) / std::max(1.0, ms));
-    work_ -= glm::dot(last_.force_D, tick.p_DS - last_.p_DS);
+    account_.add(tick.step_D, last_.coupling_D, tick.stiffness);
+    loss_.add(tick.t, account_.balance());
   }
   started_ = true;
   last_ = tick;
-  const double balance = work_ - glm::dot(tick.force_D, tick.force_D) / (2.0 * tick.stiffness);
-  while (!highest_.empty() && highest_.front().first < tick.t - kWindow) highest_.pop_front();
-  while (!highest_.empty() && highest_.back().second <= balance) highest_.pop_back();
-  highest_.emplace_back(tick.t, balance);
-  least_ = std::min(least_, balance - highest_.front().second);
 }
 
 void ContactLog::add(double t, const ManipulationEngine& engine, double force) {

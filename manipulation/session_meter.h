@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "haptic/rendering/energy_account.h"
 #include "manipulation/manipulation_step.h"
 
 namespace hapticell::manipulation {
@@ -15,28 +15,31 @@ namespace hapticell::manipulation {
 /// What one tick of the force loop tells the meter. Device frame, SI.
 struct MeteredTick {
   double t = 0.0;
-  dvec3 force_D{0.0};       ///< Commanded; it acts until the next tick.
-  dvec3 p_DS{0.0};          ///< The stylus, as measured.
-  double stiffness = 1000;  ///< Of the coupling, N/m.
+  dvec3 force_D{0.0};               ///< Commanded, N.
+  haptic::MetricVector coupling_D;  ///< What of it (and of the torque) is no load's: what is booked, N.
+  haptic::MetricVector step_D;  ///< The stylus's way since the last tick, as measured, as seen from what it touches.
+  double stiffness = 1000;      ///< Of the coupling, N/m.
 };
 
 /// Force, slew and energy over a session.
 ///
-/// Energy (docs/feel.md): balance = work of the hand into the commanded force - |F|^2 / 2K; the least change of it over
-/// any second is what the rendering made (negative) or took. Everything it needs stands in a session's trace.
+/// Energy: the worst fall of haptic::EnergyAccount's balance within a second (docs/feel.md). What a held part's weight
+/// and inertia do is no part of it.
 class ForceMeter {
  public:
+  /// `delay_ticks` of the device, where it is known.
+  explicit ForceMeter(int delay_ticks = 0) : account_(delay_ticks) {}
   void add(const MeteredTick& tick);
   double maxForce() const { return max_force_; }
-  double maxStep() const { return max_step_; }   ///< N per ms.
-  double leastEnergy() const { return least_; }  ///< J, 0 or negative.
+  double maxStep() const { return max_step_; }          ///< N per ms.
+  double leastEnergy() const { return loss_.value(); }  ///< J, 0 or negative.
 
  private:
   bool started_ = false;
   MeteredTick last_;
-  double last_t_ = 0.0;
-  double max_force_ = 0.0, max_step_ = 0.0, least_ = 0.0, work_ = 0.0;
-  std::deque<std::pair<double, double>> highest_;  ///< Falling balances of the last second: the window's maximum first.
+  double max_force_ = 0.0, max_step_ = 0.0;
+  haptic::EnergyAccount account_;
+  haptic::WorstLoss loss_;
 };
 
 /// One contact of two entities.

@@ -10,6 +10,8 @@
 #include "geometry/pose.h"
 #include "haptic/rendering/constraint_set.h"
 #include "haptic/rendering/held_load.h"
+#include "haptic/rendering/passivity.h"
+#include "haptic/rendering/proxy_mover.h"
 #include "haptic/rendering/proxy_rows.h"
 
 namespace hapticell::haptic {
@@ -21,6 +23,9 @@ struct RendererOptions {
   double delay = 0.001;       ///< From the measurement to the force that answers it, seconds.
   bool adapt = true;          ///< False: K and B are taken as they are, for finding out where they become unstable.
   double peak_force = 6.4;    ///< Of the device, N; forces are compared at set changes after clamping to it.
+  double peak_torque = 0.0;   ///< N m. Above 0 turning is felt too, by K and B times the square of kRotationLever;
+                              ///< else the proxy's turn is free and nothing is felt of it.
+  double tick = 0.001;        ///< Nominal, s: how many ticks `delay` is.
 };
 
 /// The options that are stable with nobody holding the stylus: K <= 0.65 * 2.3 N/mm per millisecond of delay, and
@@ -32,7 +37,9 @@ RendererOptions limitedByDelay(RendererOptions options);
 struct RenderResult {
   Pose X_DP;                        ///< The proxy: where the stylus would be if it obeyed every constraint.
   dvec3 force_D{0.0};               ///< Wanted on the hand, N; not yet through the safety chain.
-  dvec3 spring_D{0.0};              ///< Its part K (y - x) + K o.
+  dvec3 torque_D{0.0};              ///< Wanted on the hand, N m; zero where no turning is driven.
+  dvec3 spring_D{0.0};              ///< The force's part K (y - x) + K o.
+  dvec3 spring_torque_D{0.0};       ///< The torque's part of the same, N m.
   dvec3 load_D{0.0};                ///< Its part that load and pulls make, N.
   dvec3 v_DS{0.0};                  ///< Filtered velocity of the stylus, m/s.
   dvec3 v_DO{0.0};                  ///< Of what is touched, m/s; its work on the hand is none that the renderer made.
@@ -46,10 +53,6 @@ struct RenderResult {
   std::uint64_t adopted_set = 0;    ///< Sequence of the set that is rendered; 0 before the first.
 };
 
-/// What a coupling of `stiffness` K holds when its spring would pull with `spring` newtons but at most `limit` can act:
-/// the work that the hand gets back, |F| s - |F|^2 / 2K at stretch s. Without a limit the familiar |F|^2 / 2K. Joules.
-double storedEnergy(double spring, double stiffness, double limit);
-
 /// What became of a set that was offered.
 enum class Adoption : std::uint8_t {
   kAdopted,
@@ -60,10 +63,9 @@ enum class Adoption : std::uint8_t {
 
 /// Turns stylus poses and constraint sets into a proxy and a force, a thousand times a second.
 ///
-/// The proxy (god-object; C. Zilles, K. Salisbury, 1995) moves from its last place towards the stylus inside one
-/// half-space per group, found by nearestFeasible(); the force is a virtual coupling (E. Colgate) from the stylus to
-/// the proxy. A new set's force difference goes into an offset that decays, so that no change of set is felt; a
-/// passivity observer and a ramped controller (B. Hannaford, J.-H. Ryu, 2002) are always on. docs/feel.md tells each
+/// The proxy (ProxyMover) moves from its last place towards the stylus; the force is a virtual coupling (E. Colgate)
+/// from the stylus to the proxy. A new set's force difference goes into an offset that decays, so that no change of set
+/// is felt; a passivity observer and a ramped controller (PassivityController) are always on. docs/feel.md tells each
 /// step and why.
 ///
 /// In free motion (no active row, no offset) the force is exactly zero. Owned by the force loop's thread; reset(),
@@ -88,7 +90,7 @@ class ForceRenderer {
 
   /// Tells what the safety chain let through of the last tick's force, so that the energy account is of the real force.
   /// Without this call the account takes the wanted force.
-  void noteApplied(const dvec3& force_D);
+  void noteApplied(const dvec3& force_D, const dvec3& torque_D = dvec3(0.0));
 
   /// What the hand carries from the next tick on; it makes its force besides the contacts' and has no part in their
   /// energy account. reset() keeps it, but begins it anew.
@@ -103,34 +105,36 @@ class ForceRenderer {
   }
 
   const Pose& proxy() const { return proxy_; }
+  /// Of the last tick's command what the coupling made, after noteApplied(): what the energy account is of.
+  const MetricVector& applied() const { return last_.applied; }
+  /// The way from X_DA to X_DB that the device can feel.
+  MetricVector way(const Pose& X_DB, const Pose& X_DA) const { return mover_.way(X_DB, X_DA); }
 
  private:
-  struct Solved;
   /// What a change of sets alone does to the proxy and to the stretch of the spring, m.
   struct SetJump {
-    dvec3 proxy_D{0.0};
-    dvec3 stretch_D{0.0};
+    MetricVector proxy_D, stretch_D;
   };
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-  Solved moveProxy(const GroupedSet& grouped, const Pose& X_DS, double dt) const;
-  void applyFriction(const GroupedSet& grouped, Solved& solved, double dt) const;
-  Solved changeSet(const Pose& X_DS, double dt, SetJump& jump);
-  dvec3 stretchOf(const Solved& solved, const Pose& X_DS) const;
-  dvec3 takeOutJump(const Solved& solved, const dvec3& stretch_D, const SetJump& jump, const dvec3& stylus_step,
+  ProxyStep changeSet(const Pose& X_DS, double dt, SetJump& jump);
+  MetricVector stretchOf(const ProxyStep& solved, const Pose& X_DS) const;
+  MetricVector takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
+                           const MetricVector& stylus_step, double dt);
+  void filterVelocities(const MetricVector& stylus_step, const MetricVector& proxy_step, double dt);
+  void decayOffset(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
+  void updateCoupling(const ProxyStep& solved, double dt);
+  void updateSpring(const ProxyStep& solved, const MetricVector& stretch_D, const MetricVector& relative_step,
                     double dt);
-  void filterVelocities(const dvec3& stylus_step, const dvec3& proxy_step, double dt);
-  void decayOffset(const Solved& solved, const dvec3& stylus_step, double dt);
-  dvec3 rationed(const dvec3& spring_D, const dvec3& stylus_step, double dt);
-  void updateCoupling(const Solved& solved, double dt);
   dvec3 pullOf(const Pose& X_DS) const;
-  dvec3 couplingForce(const Solved& solved) const;
-  dvec3 pushing(const dvec3& spring_D, const dvec3& left_D) const;
-  dvec3 borne(const dvec3& stretch_D);
-  double forceLimit() const { return std::min(force_limit_, options_.peak_force); }
-  void observeEnergy(const dvec3& stylus_step, bool contact, double dt);
+  MetricVector couplingForce(const ProxyStep& solved) const;
+  MetricVector pushing(const MetricVector& spring_D, const MetricVector& left_D) const;
+  MetricVector borne(const MetricVector& stretch_D);
+  double forceLimit(const MetricVector& direction_D) const;
+  RenderResult resultOf(const ProxyStep& solved) const;
 
   RendererOptions options_;
+  ProxyMover mover_;
   HeldLoad load_;
   std::array<GroupedSet, 2> sets_{};
   std::size_t current_ = 0;  ///< Index of the set in use; the other one is the offered one.
@@ -142,24 +146,17 @@ class ForceRenderer {
 
   Pose proxy_;
   Pose stylus_;
-  dvec3 offset_D_{0.0};
-  dvec3 stretch_D_{0.0};  ///< Of the last tick, before it yields.
-  double yield_ = 0.0;    ///< By how much the spring has yielded, m.
+  MetricVector offset_D_;
+  MetricVector stretch_D_;  ///< Of the last tick, before it yields.
+  double yield_ = 0.0;      ///< By how much the spring has yielded, m.
   double force_limit_ = kNoLimit;
-  dvec3 v_stylus_D_{0.0};
-  dvec3 v_proxy_D_{0.0};
-  dvec3 spring_D_{0.0};
-  dvec3 applied_D_{0.0};                                    ///< Force of the last tick, N.
-  dvec3 load_D_{0.0};                                       ///< Of the last tick, N.
-  dvec3 wanted_D_{0.0};                                     ///< Of the last tick, N.
-  double limit_ = std::numeric_limits<double>::infinity();  ///< What the safety chain let through at most, N.
+  MetricVector v_stylus_D_, v_proxy_D_;
+  HeldSpring last_;    ///< Of the last tick.
+  dvec3 load_D_{0.0};  ///< Of the last tick, N.
   double stiffness_ = 1000.0;
-  double held_stiffness_ = 1000.0;  ///< Of the last tick.
   double damping_ = 2.0;
-  double energy_ = 0.0;   ///< Taken up and not forgotten, J.
-  double balance_ = 0.0;  ///< energy_ less what the spring holds, J.
-  double controller_damping_ = 0.0;
-  double unpaid_budget_ = 0.0;  ///< What the spring may still gain without the hand's work, J.
+  PassivityController passivity_;
+  SpringRation ration_;
   bool contact_ = false;
 };
 

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptic/rendering/constraint_set.h"
+
 namespace hapticell::haptic {
 
 namespace {
 
 constexpr double kImplausible = 1e4;     // N; nothing on a desk makes such a force.
 constexpr double kLongestTick = 0.1;     // s that one call can stand for.
+constexpr double kShortestLever = 1e-3;  // m: an implausible torque.
 constexpr double kSlewTick = 0.001;      // s; a late tick does not earn a larger step.
 constexpr double kDeratingBegins = 0.8;  // Motor temperature.
 
@@ -39,6 +42,7 @@ SafetyOptions sane(const SafetyOptions& wanted) {
   SafetyOptions options = wanted;
   options.peak_force = saneOr(wanted.peak_force, defaults.peak_force);
   options.continuous_force = std::min(saneOr(wanted.continuous_force, defaults.continuous_force), options.peak_force);
+  options.peak_torque = saneOr(wanted.peak_torque, 0.0);
   options.slew = saneOr(wanted.slew, defaults.slew);
   options.thermal_time = saneOr(wanted.thermal_time, defaults.thermal_time);
   options.gate_force = saneOr(wanted.gate_force, defaults.gate_force);
@@ -52,10 +56,15 @@ SafetyOptions sane(const SafetyOptions& wanted) {
 
 }  // namespace
 
-SafetyChain::SafetyChain(const SafetyOptions& options) : options_(sane(options)) {}
+SafetyChain::SafetyChain(const SafetyOptions& options) : options_(sane(options)) {
+  force_.peak = options_.peak_force;
+  force_.slew = options_.slew;
+  torque_.peak = options_.peak_torque;
+  torque_.slew = options_.slew * kRotationLever;
+}
 
 void SafetyChain::reset() noexcept {
-  last_D_ = slewed_D_ = dvec3(0.0);
+  force_.last = force_.slewed = torque_.last = torque_.slewed = dvec3(0.0);
   gate_ = GateState::kClosed;
   small_ticks_ = 0;
   ramp_ = 0.0;
@@ -67,34 +76,49 @@ void SafetyChain::trip() noexcept {
   needs_new_enable_ = true;
 }
 
+void SafetyChain::slewTowards(Channel& channel, const dvec3& wanted, double dt, SafetyResult& result) noexcept {
+  const double step = channel.slew * std::min(dt, kSlewTick);
+  if (glm::length(wanted - channel.slewed) > step && channel.peak > 0.0) result.slew_limited = true;
+  channel.slewed = insideBall(walk(channel.slewed, wanted, step), channel.peak);
+  if (glm::length(channel.slewed) > thermalShare() * channel.peak) result.derated = true;
+}
+
+void SafetyChain::finish(Channel& channel, const dvec3& wanted, double dt) noexcept {
+  const double step = channel.slew * std::min(dt, kSlewTick);
+  channel.last = insideBall(walk(channel.last, insideBall(wanted, channel.peak), step), channel.peak);
+}
+
 SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
   const double dt = std::clamp(std::isfinite(input.dt) ? input.dt : kSlewTick, 0.0, kLongestTick);
-  const double step = options_.slew * std::min(dt, kSlewTick);
   SafetyResult result;
 
-  result.input_fault = !isPlausible(input.force_D);
+  result.input_fault = !isPlausible(input.force_D) || !isPlausible(input.torque_D / kShortestLever);
   const dvec3 wanted = result.input_fault ? dvec3(0.0) : input.force_D;
-  result.slew_limited = glm::length(wanted - slewed_D_) > step;
-  slewed_D_ = insideBall(walk(slewed_D_, wanted, step), options_.peak_force);
-  const double thermal_limit = thermalLimit();
-  result.derated = glm::length(slewed_D_) > thermal_limit;
-  dvec3 force = insideBall(slewed_D_, thermal_limit);
+  const dvec3 wanted_torque = result.input_fault ? dvec3(0.0) : input.torque_D;
+  slewTowards(force_, wanted, dt, result);
+  slewTowards(torque_, wanted_torque, dt, result);
+  dvec3 force = insideBall(force_.slewed, thermalShare() * force_.peak);
+  const dvec3 torque = insideBall(torque_.slewed, thermalShare() * torque_.peak);
 
   stepFade(input, dt);
-  stepGate(input, !result.input_fault && glm::length(wanted) < options_.gate_force, dt);
+  const bool small = glm::length(wanted) < options_.gate_force &&
+                     (torque_.peak <= 0.0 || glm::length(wanted_torque) < options_.gate_force * kRotationLever);
+  stepGate(input, !result.input_fault && small, dt);
   force *= ramp_ * fade_;
   if (gate_ == GateState::kRamping && isPlausible(input.v_DS)) {
     force -= (options_.ramp_damping * (1.0 - ramp_) * fade_) * input.v_DS;
   }
-  last_D_ = insideBall(walk(last_D_, insideBall(force, options_.peak_force), step), options_.peak_force);
+  finish(force_, force, dt);
+  finish(torque_, (ramp_ * fade_) * torque, dt);
   stepTemperature(input.reported_temperature, dt);
 
-  result.force_D = last_D_;
+  result.force_D = force_.last;
+  result.torque_D = torque_.last;
   result.gate = gate_;
   result.ramp = ramp_;
   result.fade = fade_;
   result.temperature = temperature_;
-  result.force_limit = thermalLimit();
+  result.force_limit = thermalShare() * options_.peak_force;
   return result;
 }
 
@@ -146,13 +170,18 @@ void SafetyChain::stepGate(const SafetyInput& input, bool small_force, double dt
   }
 }
 
-double SafetyChain::thermalLimit() const noexcept {
+double SafetyChain::thermalShare() const noexcept {
   const double room = std::clamp((1.0 - temperature_) / (1.0 - kDeratingBegins), 0.0, 1.0);
-  return options_.continuous_force + (options_.peak_force - options_.continuous_force) * room;
+  const double continuous = options_.continuous_force / options_.peak_force;
+  return continuous + (1.0 - continuous) * room;
 }
 
 void SafetyChain::stepTemperature(double reported, double dt) noexcept {
-  const double load = glm::dot(last_D_, last_D_) / (options_.continuous_force * options_.continuous_force);
+  double load = glm::dot(force_.last, force_.last) / (options_.continuous_force * options_.continuous_force);
+  if (torque_.peak > 0.0) {
+    const double continuous = torque_.peak * options_.continuous_force / options_.peak_force;
+    load = std::max(load, glm::dot(torque_.last, torque_.last) / (continuous * continuous));
+  }
   temperature_ += (load - temperature_) * (1.0 - std::exp(-dt / options_.thermal_time));
   if (reported > temperature_ && reported <= 2.0) temperature_ = reported;
 }

@@ -11,9 +11,10 @@ namespace hapticell::haptic {
 struct SafetyOptions {
   double peak_force = 6.4;        ///< N.
   double continuous_force = 1.4;  ///< N the motors bear for ever.
-  double slew = 1000.0;           ///< N/s: 1 N in a millisecond.
+  double peak_torque = 0.0;       ///< N m; 0: no turning is driven. Derated like the force, by the same share.
+  double slew = 1000.0;           ///< N/s: 1 N in a millisecond; of a torque times kRotationLever.
   double thermal_time = 30.0;     ///< Time constant of the motors, s.
-  double gate_force = 0.2;        ///< The gate opens only below this wanted force, N,
+  double gate_force = 0.2;        ///< The gate opens only below this wanted force (torque: times the lever), N,
   int gate_ticks = 3;             ///< and only after more than so many ticks of it.
   double ramp_time = 0.8;         ///< From closed to open, s.
   double ramp_damping = 2.0;      ///< N s/m at the ramp's beginning, falling to 0.
@@ -25,6 +26,7 @@ struct SafetyOptions {
 /// What the chain hears each tick.
 struct SafetyInput {
   dvec3 force_D{0.0};                 ///< Wanted force, N; anything at all, not-a-number included.
+  dvec3 torque_D{0.0};                ///< Wanted torque, N m; likewise.
   dvec3 v_DS{0.0};                    ///< Stylus velocity for the ramp's damping, m/s.
   double dt = 0.001;                  ///< Since the last tick, s.
   bool enabled = false;               ///< The explicit enable of the controlling client (Esc clears it).
@@ -42,7 +44,8 @@ enum class GateState : std::uint8_t {
 };
 
 struct SafetyResult {
-  dvec3 force_D{0.0};  ///< To the device.
+  dvec3 force_D{0.0};   ///< To the device.
+  dvec3 torque_D{0.0};  ///< To the device.
   GateState gate = GateState::kClosed;
   double ramp = 0.0;          ///< 0 closed .. 1 open.
   double fade = 1.0;          ///< 1 while the link lives .. 0.
@@ -57,10 +60,11 @@ struct SafetyResult {
 /// derating, engage gate with the fades of a lost link.
 ///
 /// Two promises hold for any input whatever: |force| <= peak_force, and two successive forces differ by at most
-/// slew * min(dt, 1 ms). Both, because each stage only shrinks towards zero inside the ball of the peak force, and the
-/// last act of tick() walks from the last force towards the result by no more than the slew: the ball is convex, so the
-/// walk does not leave it. A fade to zero is never stopped by the slew: the peak force is down in under 10 ms, and each
-/// decay here is longer. Owned by the force loop's thread; nothing here allocates, locks or throws.
+/// slew * min(dt, 1 ms); likewise the torque, which goes the same way through a ball of its own. Both, because each
+/// stage only shrinks towards zero inside the ball of the peak force, and the last act of tick() walks from the last
+/// force towards the result by no more than the slew: the ball is convex, so the walk does not leave it. A fade to zero
+/// is never stopped by the slew: the peak force is down in under 10 ms, and each decay here is longer. Owned by the
+/// force loop's thread; nothing here allocates, locks or throws.
 class SafetyChain {
  public:
   explicit SafetyChain(const SafetyOptions& options = {});
@@ -77,14 +81,22 @@ class SafetyChain {
   const SafetyOptions& options() const { return options_; }
 
  private:
+  /// What one of the two, force or torque, was and may be.
+  struct Channel {
+    dvec3 last{0.0}, slewed{0.0};
+    double peak = 0.0;
+    double slew = 0.0;  ///< A second.
+  };
+  void slewTowards(Channel& channel, const dvec3& wanted, double dt, SafetyResult& result) noexcept;
+  void finish(Channel& channel, const dvec3& wanted, double dt) noexcept;
   void stepGate(const SafetyInput& input, bool small_force, double dt) noexcept;
   void stepFade(const SafetyInput& input, double dt) noexcept;
   void stepTemperature(double reported, double dt) noexcept;
-  double thermalLimit() const noexcept;
+  /// Part of the peak that warm motors bear now.
+  double thermalShare() const noexcept;
 
   SafetyOptions options_;
-  dvec3 last_D_{0.0};
-  dvec3 slewed_D_{0.0};
+  Channel force_, torque_;
   GateState gate_ = GateState::kClosed;
   int small_ticks_ = 0;
   double ramp_ = 0.0;

@@ -15,7 +15,11 @@ ForceLoopOptions optionsFor(const Device& device, double rate_hz) {
   options.renderer.stiffness = capabilities.stiffness;
   options.renderer.damping = capabilities.damping;
   options.renderer.peak_force = capabilities.peak_force;
+  options.renderer.tick = 1.0 / rate_hz;
   options.safety.peak_force = capabilities.peak_force;
+  if (capabilities.driven_axes == 6) {
+    options.renderer.peak_torque = options.safety.peak_torque = capabilities.peak_torque;
+  }
   options.safety.continuous_force = capabilities.continuous_force;
   // A killed client's socket is closed some milliseconds late, and 50 ms are promised from the kill.
   options.safety.close_decay = 0.02;
@@ -197,7 +201,7 @@ void ForceLoop::record(std::int64_t now, const TickTiming& timing) noexcept {
   sample.X_DS = reading_.X_DS;
   sample.X_DP = render_.X_DP;
   sample.wanted_D = render_.force_D;
-  sample.commanded_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
+  sample.commanded_D = safety_result_.force_D;
   sample.adopted_set = render_.adopted_set;
   sample.rows = static_cast<std::uint32_t>(render_.active_rows);
   sample.skipped = timing.skipped;
@@ -225,6 +229,7 @@ void ForceLoop::readDevice() noexcept {
 void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   SafetyInput input;
   input.force_D = render_.force_D;
+  input.torque_D = render_.torque_D;
   input.v_DS = render_.v_DS;
   input.dt = dt;
   input.enabled = control_.forces_enabled;
@@ -235,9 +240,10 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   safety_result_ = safety_.tick(input);
   const bool engaged = safety_result_.gate != GateState::kClosed && !device_fault_;
   if (engaged != engaged_) device_.setEngaged(engaged_ = engaged);
-  const dvec3 command_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
-  if (device_.write(command_D, dvec3(0.0)) != DeviceStatus::kOk && !device_fault_) safety_.trip();
-  renderer_.noteApplied(command_D);
+  if (device_fault_ || motors_off_) safety_result_.force_D = safety_result_.torque_D = dvec3(0.0);
+  const dvec3 command_D = safety_result_.force_D;
+  if (device_.write(command_D, safety_result_.torque_D) != DeviceStatus::kOk && !device_fault_) safety_.trip();
+  renderer_.noteApplied(command_D, safety_result_.torque_D);
   renderer_.setForceLimit(safety_result_.force_limit);
   log_.add({tick_, now, command_D, input.link_open, input.link_silence, safety_result_.gate == GateState::kOpen});
 }
@@ -248,7 +254,8 @@ void ForceLoop::publish(std::int64_t now, const TickTiming& timing) noexcept {
   state_.X_DS = reading_.X_DS;
   state_.X_DP = render_.X_DP;
   state_.v_DS = render_.v_DS;
-  state_.force_D = device_fault_ || motors_off_ ? dvec3(0.0) : safety_result_.force_D;
+  state_.force_D = safety_result_.force_D;
+  state_.torque_D = safety_result_.torque_D;
   state_.buttons = reading_.buttons;
   state_.adopted_set = render_.adopted_set;
   state_.forces_on = safety_result_.gate == GateState::kOpen || safety_result_.gate == GateState::kRamping;

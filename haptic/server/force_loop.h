@@ -61,6 +61,7 @@ class ForceLoop {
   const HapticState& current() const { return state_; }              ///< Of the last tick.
   const RenderResult& lastRender() const { return render_; }         ///< Of the last tick.
   const SafetyResult& lastSafety() const { return safety_result_; }  ///< Of the last tick.
+  const ForceRenderer& renderer() const { return renderer_; }        ///< After the last tick.
   const TickLog& log() const { return log_; }
   /// Ticks are missed so many times at once (a stalled machine) that a hardware device's motors go off; until the
   /// client takes its enable back and gives it again. A simulated device only counts.

@@ -145,6 +145,21 @@ TEST(Feel, longerDelaysStayStableWithTheirStiffness) {
   }
 }
 
+TEST(Feel, sixDrivenAxesComeToRestToo) {
+  config::DeviceProfile profile;
+  profile.driven_axes = 6;
+  profile.peak_torque = 0.188;
+  for (const Case& c : {kCases[7], kCases[8]}) {
+    const auto scene = c.make();
+    FeelSession session(*scene, {kRates[1], haptic::HandOptions::loose(), profile});
+    pressAtRest(session, *scene);
+    EXPECT_LE(session.wobble(0.5), kCount) << c.name;
+    session.letGo(3.0);
+    EXPECT_LE(session.wobble(0.5), kCount) << c.name << ", let go";
+    EXPECT_LE(glm::length(session.device().trueAngularVelocity()), 0.01) << c.name;
+  }
+}
+
 TEST(Feel, theMeasureSeesALimitCycle) {
   // A stiffness for one millisecond of delay on a device that has four.
   config::DeviceProfile profile;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "haptic/rendering/energy_account.h"
+
+namespace hapticell::haptic {
+
+/// Passivity observer and controller (B. Hannaford, J.-H. Ryu, 2002): an EnergyAccount that forgets gains, and a damper
+/// on the stylus that rises by 0.1 N s/m a millisecond while more than 0.2 mJ are lost, and falls likewise.
+///
+/// Force loop's thread; never allocates, locks or throws.
+class PassivityController {
+ public:
+  void setDelay(int ticks) {
+    delay_ = ticks;
+    account_.setDelay(ticks);
+  }
+  void reset();
+  /// One tick; see EnergyAccount::add(). The damper acts only in `contact`.
+  void add(const MetricVector& step, const MetricVector& commanded, double stiffness);
+  void step(bool contact, double dt);
+
+  double balance() const { return account_.balance(); }  ///< J, 0 or negative.
+  double damping() const { return damping_; }            ///< N s/m.
+
+ private:
+  int delay_ = 0;
+  EnergyAccount account_;
+  double damping_ = 0.0;
+};
+
+/// What the coupling's last tick was, for the ration.
+struct HeldSpring {
+  MetricVector spring;   ///< K times its stretch, N.
+  MetricVector wanted;   ///< Spring and dampers, N.
+  MetricVector applied;  ///< What the safety chain let through of it, N.
+  double stiffness = 1000.0;
+  double limit = 0.0;  ///< N that can act at most.
+};
+
+/// Shortens a spring that would hold more than the hand has paid for: a set that lies deeper than the one before, a
+/// turn of the wrist, which no device of three driven axes feels, a proxy that catches up. Beside the hand's own work
+/// it may gain 0.3 mW, and 0.2 mJ at once. What is cut off stays in the offset, the direction is free.
+class SpringRation {
+ public:
+  void reset();
+  /// `stretch` (m) shortened as far as needed; the stylus has gone `step` since `last`.
+  MetricVector apply(const MetricVector& stretch, double stiffness, const HeldSpring& last, const MetricVector& step,
+                     double dt);
+
+ private:
+  double budget_ = 0.0;  ///< J that the spring may still gain without the hand's work.
+};
+
+}  // namespace hapticell::haptic

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/rendering/proxy_mover.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
+constexpr int kIterations = 2;
+constexpr double kLargestOutrun = 3.0;
+
+}  // namespace
+
+void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result) {
+  active_rows = result.active_count;
+  const std::size_t last = rows.count - 1;
+  trust = result.multiplier[last] != 0.0;
+  trust_D = result.multiplier[last] * metricVector(rows.row[last].normal);
+  contact = false;
+  friction = stiffness = damping = 0.0;
+  v_DO = dvec3(0.0);
+  outrun = 1.0;
+  double pressed = 0.0;
+  for (std::size_t i = 0; i < last; ++i) {
+    const double press = std::abs(result.multiplier[i]);
+    if (press <= 0.0) continue;
+    const Constraint& constraint = grouped.set.constraints[rows.entry[i]];
+    contact = true;
+    noteOutrun(constraint, press);
+    pressed += press;
+    friction += press * constraint.friction;
+    v_DO += press * constraint.velocity_D;
+    damping = std::max(damping, constraint.damping);
+    if (constraint.stiffness > 0.0)
+      stiffness = stiffness > 0.0 ? std::min(stiffness, constraint.stiffness) : constraint.stiffness;
+  }
+  if (pressed <= 0.0) return;
+  friction /= pressed;
+  v_DO /= pressed;
+}
+
+/// On a convex surface of radius R a stylus that is d deep goes R - d while the proxy goes R.
+void ProxyStep::noteOutrun(const Constraint& constraint, double press) {
+  const SymmetricMatrix6& B = constraint.curvature;
+  const double size = std::max(glm::length(linearPart(constraint.gradient)), 1e-9);
+  const double bulge = std::max({0.0, B[0], B[6], B[11]}) / size;
+  outrun = std::max(outrun, 1.0 / std::max(1.0 - bulge * press, 1.0 / kLargestOutrun));
+}
+
+MetricVector ProxyMover::felt(MetricVector v) const {
+  if (!turning_) v.angular = dvec3(0.0);
+  return v;
+}
+
+MetricVector ProxyMover::way(const Pose& X_DB, const Pose& X_DA) const {
+  return turning_ ? metricVector(metricDifference(X_DB, X_DA)) : MetricVector{X_DB.p - X_DA.p, dvec3(0.0)};
+}
+
+ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Pose& X_DS, double dt) const {
+  ProxyStep step;
+  step.X_DP = X_DP;
+  ProxyRows rows;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    rows.gather(grouped, step.X_DP);
+    const Vector6 wanted = metricDifference(X_DS, step.X_DP);
+    const SolverResult result = nearestFeasible(rows.all(), wanted);
+    MetricVector d = metricVector(result.d);
+    step.X_DG = displacedInMetric(step.X_DP, result.d);
+    step.depth = length(felt(metricVector(wanted) - d));
+    const double size = length(d);
+    step.note(grouped, rows, result);
+    step.trust_D = felt(step.trust_D);
+    step.lag_D = {};
+    if (result.active_count == 0 && size <= kLongestMove) {
+      step.X_DP = X_DS;  // To the last bit, so that free motion costs exactly nothing.
+      continue;
+    }
+    if (size > kLongestMove) {
+      step.lag_D = felt((1.0 - kLongestMove / size) * d);
+      d *= kLongestMove / size;
+    }
+    step.X_DP = displacedInMetric(step.X_DP, asVector6(d));
+  }
+  applyFriction(grouped, X_DP, step, dt);
+  return step;
+}
+
+void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, ProxyStep& step, double dt) const {
+  if (!step.contact || step.friction <= 0.0) return;
+  const Pose carried{from.p + dt * step.v_DO, from.q};  // What is touched takes the proxy along.
+  const MetricVector gone = way(step.X_DP, carried);
+  const double size = length(gone);
+  const double held = step.friction * step.depth;
+  if (size <= 0.0 || held <= 0.0) return;
+  // Of the whole way, not of what a tick can do of it: else a proxy that is left behind would stick for ever.
+  const double share = std::clamp((length(way(step.X_DG, carried)) - held) / size, 0.0, 1.0);
+  if (turning_) {
+    step.X_DP = displacedInMetric(carried, asVector6(share * gone));
+  } else {
+    step.X_DP.p = carried.p + share * gone.linear;
+  }
+  ProxyRows rows;
+  rows.gather(grouped, step.X_DP);
+  const SolverResult back = nearestFeasible(rows.all(), Vector6{});
+  if (back.active_count > 0) step.X_DP = displacedInMetric(step.X_DP, back.d);
+}
+
+}  // namespace hapticell::haptic
