@@ -6,10 +6,12 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <cstdio>
+#include <functional>
 #include <optional>
 
 #include "app/host/main_window.h"
 #include "app/host/render_command.h"
+#include "app/import/file_work.h"
 #include "app/style/fonts.h"
 #include "app/style/proxy_style.h"
 #include "config/configuration.h"
@@ -93,11 +95,21 @@ void openAtStart(MainWindow& window, const QString& wanted) {
     if (wanted.endsWith(".hcell", Qt::CaseInsensitive))
       window.openFile(wanted);
     else
-      window.addFile(wanted);
+      window.importFiles({wanted}, false);
     return;
   }
   const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
   if (demo) window.openFile(QString::fromStdString(*demo));
+}
+
+/// Acts once nothing is being read any more and `delay_ms` passed since.
+void whenRead(MainWindow& window, int delay_ms, const std::function<void()>& act) {
+  constexpr int kLook = 50;
+  if (window.files().isBusy()) {
+    QTimer::singleShot(kLook, &window, [&window, delay_ms, act] { whenRead(window, delay_ms, act); });
+  } else {
+    QTimer::singleShot(delay_ms, &window, act);
+  }
 }
 
 void printFrameTimes(MainWindow& window) {
@@ -144,7 +156,7 @@ int main(int argc, char** argv) {
   if (options.module) window.startModule("Virtual Desktop");
   int status = 0;
   if (!options.screenshot.isEmpty()) {
-    QTimer::singleShot(options.delay_ms, &window, [&] {
+    whenRead(window, options.delay_ms, [&] {
       if (!window.picture().save(options.screenshot)) {
         qCritical().noquote() << options.screenshot << "was not written. Look whether its folder exists.";
         status = 2;
@@ -153,7 +165,7 @@ int main(int argc, char** argv) {
     });
   }
   if (options.measure) {
-    QTimer::singleShot(options.delay_ms, &window, [&window] {
+    whenRead(window, options.delay_ms, [&window] {
       printFrameTimes(window);
       QApplication::quit();
     });

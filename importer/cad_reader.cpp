@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importer/cad_reader.h"
 
+#include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -10,6 +12,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,6 +41,10 @@ class SceneBuilder {
     scene_.unit_is_stated = cad.unit_is_stated;
     scene_.metres_per_unit = reading.metres_per_unit.value_or(cad.metres_per_unit);
     factor_ = scene_.metres_per_unit / cad.metres_per_unit;
+    tessellation_ = reading.tessellation;
+    const double diagonal = 1e-3 * factor_ * diagonalOfAll();
+    if (reading.relative_chord > 0.0 && diagonal > 0.0) tessellation_.chord = reading.relative_chord * diagonal;
+    scene_.chord = tessellation_.chord;
   }
 
   ImportedScene build(const CadDocument& cad) {
@@ -60,6 +67,14 @@ class SceneBuilder {
   }
 
  private:
+  double diagonalOfAll() const {
+    TDF_LabelSequence roots;
+    shapes_->GetFreeShapes(roots);
+    Bnd_Box box;
+    for (const TDF_Label& root : roots) BRepBndLib::AddClose(XCAFDoc_ShapeTool::GetShape(root), box);
+    return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+  }
+
   int countParts() const {
     TDF_LabelSequence all;
     shapes_->GetShapes(all);
@@ -151,10 +166,11 @@ class SceneBuilder {
   };
 
   Known addMesh(const TopoDS_Shape& shape, const std::string& name) {
-    MeshedShape meshed = meshShape(shape, factor_, reading_.tessellation, face_colors_);
+    MeshedShape meshed = meshShape(shape, factor_, tessellation_, face_colors_);
     constexpr double kReading = 0.6;
     ++done_;
-    parent_.progress(kReading + (1.0 - kReading) * done_ / std::max(total_, done_), "meshing");
+    const std::string of = " part " + std::to_string(done_) + " of " + std::to_string(std::max(total_, done_)) + ", ";
+    parent_.progress(kReading + (1.0 - kReading) * done_ / std::max(total_, done_), "meshing" + of + name);
     if (meshed.missing_faces > 0) {
       scene_.warnings.push_back("'" + name + "': " + std::to_string(meshed.missing_faces) + " of " +
                                 std::to_string(meshed.faces) +
@@ -193,6 +209,7 @@ class SceneBuilder {
   Handle(XCAFDoc_ColorTool) colors_;
   ImportedScene scene_;
   double factor_ = 1.0;
+  workcell::Tessellation tessellation_;
   FaceColors face_colors_;
   std::vector<int> place_;  // Where in the scene each node of the document is.
   TopoDS_Compound loose_;

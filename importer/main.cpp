@@ -62,6 +62,7 @@ Expected<void> read(const Call& call, ParentLink& parent) {
   reading.metres_per_unit = call.number("--unit");
   reading.tessellation.chord = call.number("--chord").value_or(reading.tessellation.chord);
   reading.tessellation.angle = call.number("--angle").value_or(reading.tessellation.angle);
+  reading.relative_chord = call.number("--relative-chord").value_or(0.0);
   const auto scene = isCad(call.file) ? readCad(reading, parent) : readWithAssimp(reading, parent);
   if (!scene) return hapticell::makeError(scene.error());
   if (scene->meshes.empty()) {

@@ -14,6 +14,7 @@ struct Reading {
   std::filesystem::path file;                  ///< Absolute.
   std::optional<double> metres_per_unit = {};  ///< Where another unit than the file's was chosen.
   workcell::Tessellation tessellation = {};
+  double relative_chord = 0.0;  ///< As in workcell::ImportOptions.
 };
 
 }  // namespace hapticell::importer

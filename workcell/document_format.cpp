@@ -177,7 +177,7 @@ Json jsonFromPairSet(const PairSet& set) {
 class StateReader {
  public:
   StateReader(const fs::path& folder, Diagnostics& diagnostics, const LoadOptions& options)
-      : folder_(folder), loader_(folder, true), diagnostics_(diagnostics), options_(options) {}
+      : folder_(folder), loader_(folder, true, options.monitor), diagnostics_(diagnostics), options_(options) {}
 
   Expected<DocumentState> read(const Json& json) {
     FieldReader fields(json, "the document", error_);
@@ -188,7 +188,11 @@ class StateReader {
     readView(fields);
     readTrajectories(fields);
     if (!error_) fields.warnAboutOthers(diagnostics_);
-    for (std::size_t k = 0; entities && k < entities->size() && !error_; ++k) readEntity((*entities)[k], k);
+    for (std::size_t k = 0; entities && k < entities->size() && !error_; ++k) {
+      reportEntity(k, entities->size());
+      if (!error_) readEntity((*entities)[k], k);
+    }
+    if (!error_) refuseCancelled();
     if (!error_) hangUp();
     for (std::size_t k = 0; sets && k < sets->size() && !error_; ++k) readPairSet((*sets)[k], k);
     for (std::size_t k = 0; guides && k < guides->size() && !error_; ++k) readGuide((*guides)[k], k);
@@ -214,6 +218,20 @@ class StateReader {
       fields.fail("version", number, "at most 1, the newest that this program knows");
       error_->fix = "Open the document with a newer HaptiCell.";
     }
+  }
+
+  void refuseCancelled() {
+    if (options_.monitor && options_.monitor->isCancelled()) {
+      error_ = Error{"", "", "the opening was cancelled", "", ""};
+    }
+  }
+
+  void reportEntity(std::size_t index, std::size_t count) {
+    refuseCancelled();
+    if (!options_.monitor) return;
+    const double n = static_cast<double>(count), k = static_cast<double>(index);
+    options_.monitor->setRange(k / n, (k + 1.0) / n);
+    options_.monitor->report("reading part " + std::to_string(index + 1) + " of " + std::to_string(count), 0.0);
   }
 
   void readEntity(const Json& json, std::size_t index) {

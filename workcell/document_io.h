@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "workcell/document.h"
+#include "workcell/import_monitor.h"
 
 namespace hapticell::workcell {
 
@@ -20,6 +21,8 @@ struct LoadOptions {
   /// Entities whose file is missing or broken are kept as they stand in the document (Entity::unloaded) and told,
   /// instead of ending the reading.
   bool keep_unloaded = false;
+  /// Told how far the reading is, and asked whether to go on; may be null.
+  ImportMonitor* monitor = nullptr;
 };
 
 /// Reads a workcell document (*.hcell, docs/formats.md) with the meshes and robots that it names. On error there is no

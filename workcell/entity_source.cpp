@@ -134,7 +134,7 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
   const std::string key = file.string() + how;
   auto known = trees_.find(key);
   if (known == trees_.end()) {
-    Expected<ImportResult> tree = loadTree(file.string(), options, diagnostics);
+    Expected<ImportResult> tree = loadTree(file.string(), options, diagnostics, monitor_);
     if (!tree) return makeError(tree.error());
     known = trees_.emplace(key, std::move(*tree)).first;
   }

@@ -21,8 +21,9 @@ class EntityLoader {
  public:
   /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
   /// document), so a size that suggests another unit is no reason to warn.
-  explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false)
-      : folder_(std::move(folder)), unit_is_stated_(unit_is_stated) {}
+  /// `monitor` (may be null) is told of, and can end, what load() and loadSource() do.
+  explicit EntityLoader(std::filesystem::path folder, bool unit_is_stated = false, ImportMonitor* monitor = nullptr)
+      : folder_(std::move(folder)), unit_is_stated_(unit_is_stated), monitor_(monitor) {}
 
   /// One entity with shape, source and a name that suggests itself (the robot's own, else the file's stem); the rest as
   /// by default, joints empty. `scale` is metres per unit of the file (0: as the file says, metres where it says none);
@@ -54,6 +55,7 @@ class EntityLoader {
 
   std::filesystem::path folder_;
   bool unit_is_stated_ = false;
+  ImportMonitor* monitor_ = nullptr;
   std::map<std::pair<std::string, double>, MeshPointer> meshes_;
   struct KnownRobot {
     std::shared_ptr<const kinematics::RobotModel> model;

@@ -8,7 +8,7 @@
 namespace hapticell::workcell {
 
 struct ImportProgress {
-  std::string stage;   ///< "reading", "meshing", "checking" ...: one word or two, English.
+  std::string stage;   ///< "reading", "meshing part 3 of 8, bolt", "checking" ...; English.
   double share = 0.0;  ///< Of the whole import, 0 to 1, never falling.
 };
 
@@ -18,7 +18,14 @@ class ImportMonitor {
   void report(const std::string& stage, double share) {
     const std::lock_guard lock(mutex_);
     progress_.stage = stage;
+    share = from_ + share * (to_ - from_);
     if (share > progress_.share) progress_.share = share < 1.0 ? share : 1.0;
+  }
+  /// From here on 0 to 1 of report() are these shares of the whole: one of several files.
+  void setRange(double from, double to) {
+    const std::lock_guard lock(mutex_);
+    from_ = from;
+    to_ = to;
   }
   ImportProgress progress() const {
     const std::lock_guard lock(mutex_);
@@ -30,6 +37,7 @@ class ImportMonitor {
  private:
   mutable std::mutex mutex_;
   ImportProgress progress_;
+  double from_ = 0.0, to_ = 1.0;
   std::atomic<bool> cancelled_{false};
 };
 

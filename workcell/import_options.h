@@ -38,6 +38,8 @@ struct ImportOptions {
   /// Empty: as the file says; z where it names none.
   std::optional<UpAxis> up_axis = {};
   Tessellation tessellation = {};
+  /// Above 0: the chord is this share of the diagonal of all that stands in the file, instead of `tessellation.chord`.
+  double relative_chord = 0.0;
   bool merge = false;           ///< One solid instead of the file's tree.
   bool weld = true;             ///< Merge corners, drop degenerate and duplicate triangles (geometry::weld).
   bool warn_about_unit = true;  ///< Tell where the size of a file without unit makes another one likely.

@@ -72,6 +72,8 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
   call.arguments = {"read",    absolute.string(),
                     "--chord", number(options.tessellation.chord),
                     "--angle", number(options.tessellation.angle)};
+  if (options.relative_chord > 0.0)
+    call.arguments.insert(call.arguments.end(), {"--relative-chord", number(options.relative_chord)});
   if (options.metres_per_unit)
     call.arguments.insert(call.arguments.end(), {"--unit", number(*options.metres_per_unit)});
   call.limits = options.limits;

@@ -38,6 +38,7 @@ struct ImportedScene {
   double metres_per_unit = 1.0;  ///< As the file says (or was told to be read).
   bool unit_is_stated = false;   ///< The file names its unit.
   UpAxis up_axis = UpAxis::kZ;   ///< As the file says; the scene itself is z up.
+  double chord = 0.0;            ///< Metres, as it was cut into triangles; 0 where the file holds triangles.
   std::vector<SceneNode> nodes;  ///< Parents before children.
   std::vector<geometry::TriangleMesh> meshes;
   std::vector<std::string> warnings;  ///< What was dropped, repaired or guessed, and why.

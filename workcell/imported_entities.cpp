@@ -56,10 +56,12 @@ class SceneConverter {
     source_.scale = scene_.metres_per_unit;
     source_.up_axis = options.up_axis;
     source_.tessellation = options.tessellation;
+    if (options.relative_chord > 0.0 && scene_.chord > 0.0) source_.tessellation.chord = scene_.chord;
     result_.report.format = scene_.format;
     result_.report.metres_per_unit = scene_.metres_per_unit;
     result_.report.unit_is_stated = scene_.unit_is_stated;
     result_.report.up_axis = scene_.up_axis;
+    result_.report.chord = scene_.chord;
   }
 
   Expected<ImportResult> convert() {

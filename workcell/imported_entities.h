@@ -16,6 +16,7 @@ struct ImportReport {
   double metres_per_unit = 1.0;          ///< As it was read.
   bool unit_is_stated = true;            ///< False: the file names none.
   UpAxis up_axis = UpAxis::kZ;           ///< The file's.
+  double chord = 0.0;                    ///< Metres; 0 where nothing was cut into triangles.
   std::size_t parts = 0;                 ///< Solids and robots.
   std::size_t triangles = 0;             ///< Of all parts, each use counted.
   std::size_t merged_vertices = 0;       ///< Repaired: corners of neighbouring triangles made one.

@@ -11,7 +11,7 @@ namespace hapticell::workcell {
 
 namespace {
 
-constexpr std::string_view kMagic("HCSCENE\2", 8);
+constexpr std::string_view kMagic("HCSCENE\3", 8);
 
 class Writer {
  public:
@@ -163,6 +163,7 @@ std::string sceneBytes(const ImportedScene& scene) {
   writer.number(scene.metres_per_unit);
   writer.number(std::uint8_t{scene.unit_is_stated});
   writer.number(static_cast<std::uint8_t>(scene.up_axis));
+  writer.number(scene.chord);
   writer.number(std::uint64_t{scene.warnings.size()});
   for (const std::string& warning : scene.warnings) writer.text(warning);
   writer.number(std::uint64_t{scene.meshes.size()});
@@ -182,6 +183,8 @@ Expected<ImportedScene> sceneFromBytes(std::string_view bytes) {
   reader.require(scene.metres_per_unit > 0.0);
   scene.unit_is_stated = reader.number<std::uint8_t>() != 0;
   scene.up_axis = readAxis(reader);
+  scene.chord = reader.number<double>();
+  reader.require(scene.chord >= 0.0);
   constexpr std::size_t kSmallestNode = 80;
   for (std::size_t k = reader.count(4); k > 0 && !reader.failed; --k) scene.warnings.push_back(reader.text());
   for (std::size_t k = reader.count(16); k > 0 && !reader.failed; --k) scene.meshes.push_back(readMesh(reader));

@@ -45,7 +45,7 @@ Actions::Actions(QMainWindow& window) {
   open = make({"actionOpen", tr("Open…"), "open", QKeySequence::Open, {}});
   save = make({"actionSave", tr("Save"), "save", QKeySequence::Save, {}});
   save_as = make({"actionSaveAs", tr("Save as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), {}});
-  import_mesh = make({"actionImport", tr("Import solid…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
+  import_mesh = make({"actionImport", tr("Import…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
   add_robot =
       make({"actionAddRobot", tr("Add robot…"), "robot", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), tr("Robot")});
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/host/document_model.h"
 
-#include <memory>
 #include <utility>
 
 #include "workcell/document_io.h"
-#include "workcell/mesh_reader.h"
-#include "workcell/robot_reader.h"
+#include "workcell/imported_entities.h"
 
 namespace hapticell::app {
 
@@ -21,6 +19,20 @@ bool DocumentModel::execute(const workcell::Command& command) {
     emit refused(QString::fromStdString(done.error().message()));
     return false;
   }
+  emit changed();
+  return true;
+}
+
+bool DocumentModel::executeAll(const QString& text, const std::vector<workcell::Command>& commands) {
+  document_.beginCompound(text.toStdString());
+  for (const workcell::Command& command : commands) {
+    const auto done = document_.execute(command);
+    if (done) continue;
+    document_.cancelCompound();
+    emit refused(QString::fromStdString(done.error().message()));
+    return false;
+  }
+  document_.endCompound();
   emit changed();
   return true;
 }
@@ -63,13 +75,10 @@ void DocumentModel::clear() {
   emit changed();
 }
 
-Expected<void> DocumentModel::open(const QString& path, Diagnostics& diagnostics) {
-  auto loaded = workcell::loadDocument(path.toStdString(), diagnostics);
-  if (!loaded) return makeError(loaded.error());
-  document_ = std::move(*loaded);
+void DocumentModel::adopt(workcell::Document document) {
+  document_ = std::move(document);
   emit opened();
   emit changed();
-  return {};
 }
 
 Expected<void> DocumentModel::save(const QString& path) {
@@ -78,38 +87,10 @@ Expected<void> DocumentModel::save(const QString& path) {
   return saved;
 }
 
-Expected<workcell::EntityId> DocumentModel::importMesh(const QString& path, double scale, Diagnostics& diagnostics) {
-  const std::filesystem::path file = path.toStdString();
-  workcell::MeshReadOptions options;
-  options.scale = scale;
-  auto mesh = workcell::readMesh(file, options, diagnostics);
-  if (!mesh) return makeError(mesh.error());
-  workcell::Entity entity;
-  entity.name = document_.uniqueName(file.stem().string());
-  entity.kind = workcell::EntityKind::kSolid;
-  entity.source = {std::filesystem::absolute(file).string(), scale};
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
-  auto id = document_.execute(workcell::AddEntity{entity});
-  if (id) emit changed();
-  return id;
-}
-
-Expected<workcell::EntityId> DocumentModel::addRobot(const QString& path, Diagnostics& diagnostics) {
-  const std::filesystem::path file = path.toStdString();
-  auto robot = workcell::readRobot(file, diagnostics);
-  if (!robot) return makeError(robot.error());
-  const kinematics::RobotModel& model = robot->model;
-  workcell::Entity entity;
-  entity.kind = workcell::EntityKind::kRobot;
-  entity.source = {std::filesystem::absolute(file).string(), 1.0};
-  entity.name = document_.uniqueName(model.name.empty() ? file.stem().string() : model.name);
-  entity.joints = kinematics::restPositions(model);
-  if (const int tip = model.defaultTip(); tip >= 0) entity.tip_link = model.links[static_cast<std::size_t>(tip)].name;
-  entity.tools = std::move(robot->tools);
-  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(robot->model));
-  auto id = document_.execute(workcell::AddEntity{entity});
-  if (id) emit changed();
-  return id;
+Expected<std::vector<workcell::EntityId>> DocumentModel::addImported(std::vector<workcell::Entity> entities) {
+  auto ids = workcell::addImported(document_, std::move(entities), Pose::identity());
+  if (ids) emit changed();
+  return ids;
 }
 
 }  // namespace hapticell::app

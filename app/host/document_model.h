@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <vector>
 
 #include "workcell/document.h"
 
@@ -19,6 +20,8 @@ class DocumentModel : public QObject {
 
   /// Does a command as one step of undo; what was refused is told by refused().
   bool execute(const workcell::Command& command);
+  /// Several commands as one step of undo, and one changed(); where one is refused, none is done.
+  bool executeAll(const QString& text, const std::vector<workcell::Command>& commands);
   void undo();
   void redo();
   /// Undoes or does again until `steps` steps are done: what a click into the history asks for.
@@ -31,12 +34,11 @@ class DocumentModel : public QObject {
 
   /// An empty document in place of this one.
   void clear();
-  /// On error the old document stays.
-  Expected<void> open(const QString& path, Diagnostics& diagnostics);
+  /// A document that was read elsewhere (files are never read in this thread) in place of this one.
+  void adopt(workcell::Document document);
   Expected<void> save(const QString& path);
-  /// Adds a solid from a mesh file (`scale`: metres a unit). What the reader noticed goes to `diagnostics`.
-  Expected<workcell::EntityId> importMesh(const QString& path, double scale, Diagnostics& diagnostics);
-  Expected<workcell::EntityId> addRobot(const QString& path, Diagnostics& diagnostics);
+  /// What an import made, as one step of undo, placed in the world as its file says. Gives the new ids in tree order.
+  Expected<std::vector<workcell::EntityId>> addImported(std::vector<workcell::Entity> entities);
 
  signals:
   void changed();  ///< The document differs from before; undo and redo included.

@@ -11,6 +11,7 @@
 #include <QPainter>
 #include <QToolBar>
 
+#include "app/import/file_work.h"
 #include "app/panels/panels.h"
 #include "app/panels/tabbed_docks.h"
 #include "app/style/fonts.h"
@@ -49,6 +50,11 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
   view_menus_ = std::make_unique<ViewMenus>(*actions_, *viewport_);
   connectScene();
   addPanels(*this);
+  files_ = new FileWork(*this, this);
+  connect(files_, &FileWork::opened, this, [this](const QString&, bool done) {
+    if (done) showSavedView();
+  });
+  setAcceptDrops(true);
   setTheme(configuration_.gui.theme != "light");
   documentChanged();
 }

@@ -19,6 +19,7 @@
 
 namespace hapticell::app {
 
+class FileWork;
 class TabbedDocks;
 
 /// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
@@ -45,10 +46,11 @@ class MainWindow : public QMainWindow, public Host {
   void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
   void setGuiRate(double hertz) override;
 
-  /// Opens a workcell, telling problems in the messages. False when the old document stays.
-  bool openFile(const QString& path);
-  /// Adds a solid or a robot from a file, as one step of undo.
-  bool addFile(const QString& path);
+  /// Begins to open a workcell; files().opened() tells when it is there. Problems stand in the messages.
+  void openFile(const QString& path);
+  /// Begins to import files, each one step of undo; `ask`: after showing what they are. files().imported() tells.
+  void importFiles(const QStringList& paths, bool ask = true);
+  FileWork& files() { return *files_; }
   void loadModules(const QStringList& folders);
   /// Starts the module of that name; false when there is none.
   bool startModule(const QString& name);
@@ -60,6 +62,8 @@ class MainWindow : public QMainWindow, public Host {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void connectFileActions();
@@ -74,8 +78,6 @@ class MainWindow : public QMainWindow, public Host {
   void documentChanged();
   void updateTitle();
   void updateStatus();
-  void tellError(const QString& title, const Error& error);
-  void tellNotices(const QString& title, const Diagnostics& diagnostics);
 
   config::Configuration configuration_;
   DocumentModel document_;
@@ -89,6 +91,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<Actions> actions_;
   std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
+  FileWork* files_ = nullptr;  // A child object.
   double gui_rate_ = 0.0;
   QElapsedTimer since_numbers_;
 };

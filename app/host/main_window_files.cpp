@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opening, saving, importing: everything of the window that asks for a file.
 #include <QAction>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+#include <algorithm>
 
 #include "app/host/main_window.h"
-#include "workcell/robot_reader.h"
+#include "app/import/file_work.h"
 
 namespace hapticell::app {
 
 void MainWindow::connectFileActions() {
   connect(actions_->new_cell, &QAction::triggered, this, [this] {
-    if (mayDiscard()) document_.clear();
+    if (mayDiscard()) files_->clear();
   });
   connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
   connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
@@ -24,26 +28,18 @@ void MainWindow::connectFileActions() {
   connect(actions_->redo, &QAction::triggered, &document_, &DocumentModel::redo);
 }
 
-void MainWindow::tellError(const QString& title, const Error& error) {
-  messages_.tell(Severity::kProblem, title,
-                 QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
-}
-
-void MainWindow::tellNotices(const QString& title, const Diagnostics& diagnostics) {
-  for (const std::string& warning : diagnostics.warnings)
-    messages_.tell(Severity::kWarning, title, QString::fromStdString(warning));
-}
-
 void MainWindow::importFromDialog() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Import a solid"), {},
-                                                    tr("Meshes (*.stl *.obj *.ply *.off);;All files (*)"));
-  if (!path.isEmpty()) addFile(path);
+  importFiles(QFileDialog::getOpenFileNames(
+      this, tr("Import"), {},
+      tr("All that can be read (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx "
+         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.iges *.igs);;Meshes (*.stl *.obj *.ply "
+         "*.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;"
+         "All files (*)")));
 }
 
 void MainWindow::addRobotFromDialog() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Add a robot"), {},
-                                                    tr("Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)"));
-  if (!path.isEmpty()) addFile(path);
+  importFiles(QFileDialog::getOpenFileNames(this, tr("Add a robot"), {},
+                                            tr("Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)")));
 }
 
 void MainWindow::openFromDialog() {
@@ -53,17 +49,37 @@ void MainWindow::openFromDialog() {
   if (!path.isEmpty()) openFile(path);
 }
 
-bool MainWindow::openFile(const QString& path) {
-  Diagnostics diagnostics;
-  const QString name = QFileInfo(path).fileName();
-  const auto opened = document_.open(path, diagnostics);
-  tellNotices(tr("%1 was read with remarks").arg(name), diagnostics);
-  if (!opened) {
-    tellError(tr("%1 was not opened").arg(name), opened.error());
-    return false;
+void MainWindow::openFile(const QString& path) {
+  files_->open(path);
+}
+
+void MainWindow::importFiles(const QStringList& paths, bool ask) {
+  if (!paths.isEmpty()) files_->import(paths, ask);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  const auto isFile = [](const QUrl& url) { return url.isLocalFile(); };
+  if (std::any_of(urls.begin(), urls.end(), isFile)) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList parts;
+  QString cell;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (!url.isLocalFile()) continue;
+    const QString path = url.toLocalFile();
+    path.endsWith(".hcell", Qt::CaseInsensitive) ? void(cell = path) : parts.append(path);
   }
-  showSavedView();
-  return true;
+  event->acceptProposedAction();
+  // Queued: the program that is dragged from waits until this returns, and a question may follow.
+  QMetaObject::invokeMethod(
+      this,
+      [this, cell, parts] {
+        if (!cell.isEmpty() && mayDiscard()) openFile(cell);
+        importFiles(parts);
+      },
+      Qt::QueuedConnection);
 }
 
 void MainWindow::showSavedView() {
@@ -85,21 +101,6 @@ bool MainWindow::saveDocument(bool ask_where) {
     return false;
   }
   messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
-  return true;
-}
-
-bool MainWindow::addFile(const QString& path) {
-  Diagnostics diagnostics;
-  const QString name = QFileInfo(path).fileName();
-  const bool robot = workcell::looksLikeRobot(path.toStdString());
-  const auto id = robot ? document_.addRobot(path, diagnostics) : document_.importMesh(path, 1.0, diagnostics);
-  tellNotices(tr("%1 was read with remarks").arg(name), diagnostics);
-  if (!id) {
-    tellError(tr("%1 was not added").arg(name), id.error());
-    return false;
-  }
-  selection_.set(*id);
-  viewport_->fitAll();
   return true;
 }
 

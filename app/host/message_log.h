@@ -4,11 +4,19 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace hapticell::app {
 
 enum class Severity { kInformation, kWarning, kProblem };
+
+/// What the user can do about it, as a button.
+struct MessageAction {
+  QString word;
+  std::function<void()> act;
+};
 
 /// One thing the user should know: what happened, and below it where and what to do.
 struct Message {
@@ -16,6 +24,7 @@ struct Message {
   QString title;
   QString text;
   QDateTime when;
+  std::vector<MessageAction> actions = {};
 };
 
 /// What was told so far, newest last. Never a window in front of the scene. GUI thread.
@@ -23,8 +32,9 @@ class MessageLog : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  void tell(Severity severity, const QString& title, const QString& text = {}) {
-    messages_.push_back({severity, title, text, QDateTime::currentDateTime()});
+  void tell(Severity severity, const QString& title, const QString& text = {},
+            std::vector<MessageAction> actions = {}) {
+    messages_.push_back({severity, title, text, QDateTime::currentDateTime(), std::move(actions)});
     emit told(messages_.back());
   }
   const std::vector<Message>& messages() const { return messages_; }

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/panels/form.h"
@@ -40,6 +41,18 @@ MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(pare
     words->addWidget(text);
   }
   row->addLayout(words, 1);
+  std::vector<QPushButton*> buttons;
+  for (const MessageAction& action : message.actions) {
+    auto* button = new QPushButton(action.word);
+    row->addWidget(button, 0, Qt::AlignTop);
+    buttons.push_back(button);
+  }
+  for (std::size_t k = 0; k < buttons.size(); ++k) {
+    connect(buttons[k], &QPushButton::clicked, this, [act = message.actions[k].act, buttons] {
+      for (QPushButton* button : buttons) button->setEnabled(false);  // Each offer is taken once.
+      act();
+    });
+  }
   when_ = makeLabel(message.when.toString("HH:mm:ss"), TextRole::kSecond, true);
   row->addWidget(when_, 0, Qt::AlignTop);
   const QString kind = message.severity == Severity::kProblem   ? tr("Problem")

@@ -8,8 +8,10 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <optional>
 
 #include "app/host/main_window.h"
+#include "app/import/file_work.h"
 
 namespace hapticell::app {
 
@@ -43,6 +45,14 @@ class WindowPage {
     }
     settle();
   }
+  /// Opens a workcell and waits until it is there, or not: whether it is.
+  bool open(const QString& path) {
+    return ends([&] { window_.openFile(path); }, &FileWork::opened);
+  }
+  /// Imports a file without asking and waits: whether it is in the cell.
+  bool add(const QString& path) {
+    return ends([&] { window_.importFiles({path}, false); }, &FileWork::imported);
+  }
   bool hasDock(const char* name) const { return window_.findChild<QDockWidget*>(name) != nullptr; }
   QString sentence() const { return window_.statusLine().sentence(); }
   std::size_t entities() { return window_.documentModel().document().state().entities.size(); }
@@ -60,6 +70,19 @@ class WindowPage {
   }
 
  private:
+  template <typename Begin, typename Signal>
+  bool ends(Begin begin, Signal signal) {
+    std::optional<bool> done;
+    const auto connection =
+        QObject::connect(&window_.files(), signal, &window_, [&done](const QString&, bool is_there) { done = is_there; });
+    begin();
+    constexpr int kPatience = 60000;
+    until([&done] { return done.has_value(); }, kPatience);
+    QObject::disconnect(connection);
+    settle();
+    return done.value_or(false);
+  }
+
   MainWindow window_;
 };
 

@@ -30,7 +30,7 @@ TEST(Window, AnEmptyCellSaysHowToBegin) {
 TEST(Window, ImportIsOneStepOfUndo) {
   QTemporaryDir folder;
   WindowPage page;
-  ASSERT_TRUE(page.window().addFile(writeSolid(folder, "corner.off")));
+  ASSERT_TRUE(page.add(writeSolid(folder, "corner.off")));
   EXPECT_EQ(page.entities(), 1u);
   EXPECT_NE(page.window().selection().current(), 0u);
   page.trigger("actionUndo");
@@ -43,12 +43,12 @@ TEST(Window, ImportIsOneStepOfUndo) {
 TEST(Window, ABadFileIsASentenceAndTheCellIsAsItWas) {
   QTemporaryDir folder;
   WindowPage page;
-  page.window().addFile(writeSolid(folder, "corner.off"));
+  page.add(writeSolid(folder, "corner.off"));
   QFile bad(folder.filePath("broken.stl"));
   ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
   bad.write("solid broken\nfacet normal 0 0 1\nouter loop\nvertex 0 0");
   bad.close();
-  EXPECT_FALSE(page.window().addFile(bad.fileName()));
+  EXPECT_FALSE(page.add(bad.fileName()));
   EXPECT_EQ(page.entities(), 1u);
   ASSERT_FALSE(page.window().messages().messages().empty());
   const Message& told = page.window().messages().messages().back();
@@ -61,14 +61,14 @@ TEST(Window, SavesAndOpensAgain) {
   const QString path = folder.filePath("cell.hcell");
   {
     WindowPage page;
-    page.window().addFile(writeSolid(folder, "corner.off"));
+    page.add(writeSolid(folder, "corner.off"));
     ASSERT_TRUE(page.window().documentModel().save(path));
   }
   WindowPage page;
-  ASSERT_TRUE(page.window().openFile(path));
+  ASSERT_TRUE(page.open(path));
   EXPECT_EQ(page.entities(), 1u);
   EXPECT_FALSE(page.window().documentModel().document().isDirty());
-  EXPECT_FALSE(page.window().openFile(folder.filePath("missing.hcell")));
+  EXPECT_FALSE(page.open(folder.filePath("missing.hcell")));
   EXPECT_EQ(page.entities(), 1u);
 }
 
@@ -76,7 +76,7 @@ TEST(Window, ThePictureShowsThePartAndAClickFindsIt) {
   QTemporaryDir folder;
   WindowPage page;
   page.window().viewport().setMotion(false);
-  page.window().addFile(writeSolid(folder, "corner.off"));
+  page.add(writeSolid(folder, "corner.off"));
   const QImage empty = [] {
     WindowPage other;
     return other.window().viewport().finishedPicture();
@@ -100,7 +100,7 @@ TEST(Window, ThePictureShowsThePartAndAClickFindsIt) {
 TEST(Window, FrameTimesFallFromFullToBoxes) {
   QTemporaryDir folder;
   WindowPage page;
-  page.window().addFile(writeSolid(folder, "corner.off"));
+  page.add(writeSolid(folder, "corner.off"));
   const auto medians = page.window().viewport().measureFrames(3);
   ASSERT_EQ(medians.size(), 6u);
   for (const double seconds : medians) EXPECT_GT(seconds, 0.0);

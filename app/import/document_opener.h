@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "workcell/document_io.h"
+
+namespace hapticell::app {
+
+/// What an opening ended with.
+struct OpenedDocument {
+  Expected<workcell::Document> document;
+  Diagnostics notes;
+  std::vector<std::filesystem::path> missing;  ///< Files that were not found; their entities are kept without a shape.
+};
+
+/// Reads workcell documents, with all the meshes they name, beside the window. One at a time: another begins by giving
+/// the first one up. GUI thread.
+class DocumentOpener : public QObject {
+  Q_OBJECT
+ public:
+  using Locate = std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)>;
+
+  explicit DocumentOpener(QObject* parent = nullptr);
+  ~DocumentOpener() override;
+
+  /// Reads the file at `path`. `locate` (may be empty) is asked in another thread for files that are not where the
+  /// document says.
+  void open(const QString& path, const Locate& locate = {});
+  /// Reads a state again from its text, as it would stand in `folder`.
+  void openText(const std::string& text, const std::filesystem::path& folder, const QString& name,
+                const Locate& locate);
+  bool isBusy() const { return run_ != nullptr; }
+  QString name() const;
+  workcell::ImportProgress progress() const;
+  /// Ends it within a second; ended() tells of it as of a failure.
+  void cancel();
+
+ signals:
+  void began();
+  void progressed();
+  void ended(const std::shared_ptr<hapticell::app::OpenedDocument>& opened, const QString& path);
+
+ private:
+  struct Run;
+  using Read = std::function<Expected<workcell::Document>(Diagnostics&, const workcell::LoadOptions&)>;
+  void start(const QString& path, const Locate& locate, Read read);
+  void end(const std::shared_ptr<Run>& run);
+
+  std::shared_ptr<Run> run_;
+  QTimer poll_;
+  QThreadPool readers_;  // Two: one that was given up may still be reading when the next begins.
+};
+
+}  // namespace hapticell::app

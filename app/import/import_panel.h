@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/import/import_session.h"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace hapticell::app {
+
+class PreviewBox;
+class Segmented;
+
+/// Something other than an import that takes its time: the opening of a workcell.
+struct OtherWork {
+  QString name;
+  QString stage;
+  double share = 0.0;
+};
+
+/// The import dialog: what a file is, what is made of it, and how far it is. One file at a time is shown, the others
+/// wait in the choice on top. All choices are the session's; this only shows and asks.
+class ImportPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ImportPanel(ImportSession& session, QWidget* parent = nullptr);
+  /// Shown while no file is: nothing hides it.
+  void setOtherWork(const std::optional<OtherWork>& work);
+  /// Id of the file that is shown; 0 for none.
+  int current() const { return current_; }
+  QString title() const;
+
+ signals:
+  void otherCancelled();
+  void titleChanged(const QString& title);
+
+ private:
+  void addFacts();
+  void addChoices();
+  void addProgress();
+  void addButtons();
+  void refresh();
+  void showFile(const FileImport& file);
+  void showUnits(const FileImport& file);
+  void showProgress();
+  void fillFiles();
+  void chooseCurrent(const std::function<void(ImportChoices&)>& change);
+
+  ImportSession& session_;
+  std::optional<OtherWork> other_;
+  int current_ = 0;
+  bool filling_ = false;
+  QComboBox *file_, *unit_;
+  PreviewBox* preview_;
+  QWidget *facts_, *choices_, *progress_;
+  QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_;
+  Segmented *up_, *quality_, *tree_;
+  QProgressBar* bar_;
+  QPushButton *cancel_, *import_, *import_all_;
+};
+
+}  // namespace hapticell::app

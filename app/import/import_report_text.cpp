@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/import/import_report_text.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include "app/import/import_choices.h"
+
+namespace hapticell::app {
+
+QString reportText(const workcell::ImportReport& report) {
+  const auto count = [](std::size_t n) { return countText(static_cast<double>(n)); };
+  const QString unit = unitText(report.metres_per_unit);
+  QStringList sentences;
+  sentences << QObject::tr("%1 %2, %3 triangles. One unit of the file is one %4%5.")
+                   .arg(count(report.parts), report.parts == 1 ? QObject::tr("part") : QObject::tr("parts"),
+                        count(report.triangles), unit,
+                        report.unit_is_stated ? QObject::tr(", as it says") : QObject::tr("; it names none itself"));
+  if (report.merged_vertices > 0)
+    sentences << QObject::tr("Repaired: %1 corners of neighbouring triangles were made one.")
+                     .arg(count(report.merged_vertices));
+  if (report.degenerate_triangles > 0)
+    sentences << QObject::tr("Dropped: %1 triangles without area.").arg(count(report.degenerate_triangles));
+  if (report.duplicate_triangles > 0)
+    sentences << QObject::tr("Dropped: %1 triangles that were there twice.").arg(count(report.duplicate_triangles));
+  return sentences.join(' ');
+}
+
+}  // namespace hapticell::app
