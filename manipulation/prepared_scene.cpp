@@ -78,8 +78,9 @@ void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previ
 
 void PreparedScene::addParts(const workcell::Entity& entity, std::vector<Job>& jobs) {
   if (entity.kind == workcell::EntityKind::kSolid) {
-    if (!entity.mesh || entity.mesh->triangles.empty()) return;
-    addPart({entity.id, -1, "", {}}, {entity.mesh.get(), -1}, entity.mesh, jobs);
+    const auto& mesh = workcell::checkedMesh(entity);
+    if (!mesh || mesh->triangles.empty()) return;
+    addPart({entity.id, -1, "", {}}, {mesh.get(), -1}, mesh, jobs);
     return;
   }
   if (!entity.robot) return;

@@ -32,6 +32,19 @@ struct RenameEntity {
   std::string name;
 };
 
+/// Gives an entity the shape that its file holds now; name, placement, colour and flags stay. A solid gets the mesh of
+/// `fresh`, a robot its model, with the positions of joints of the same name. A collision proxy is made no more.
+struct ReplaceShape {
+  EntityId id = 0;
+  Entity fresh;  ///< Of the same kind; its source becomes the entity's.
+};
+
+/// What a solid is checked by; kNone: by itself.
+struct SetCollisionProxy {
+  EntityId id = 0;
+  CollisionProxy proxy;
+};
+
 struct SetPlacement {
   EntityId id = 0;
   Pose X_WE;
@@ -155,7 +168,7 @@ struct SetView {
 };
 
 using Command =
-    std::variant<AddEntity, RemoveEntity, RenameEntity, SetPlacement, SetJoints, SetConfiguration, SetProperties,
+    std::variant<AddEntity, RemoveEntity, RenameEntity, ReplaceShape, SetCollisionProxy, SetPlacement, SetJoints, SetConfiguration, SetProperties,
                  SetFrames, SetTool, SetTools, SetNamedPoses, ChooseTool, Attach, Detach, MakeMechanism, EditMechanism,
                  DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, AddGuide, EditGuide, RemoveGuide, SetView>;
 

@@ -13,6 +13,8 @@ class Describer {
   std::string operator()(const AddEntity& c) const { return "Add " + c.entity.name; }
   std::string operator()(const RemoveEntity& c) const { return "Remove " + name(c.id); }
   std::string operator()(const RenameEntity& c) const { return "Rename " + name(c.id); }
+  std::string operator()(const ReplaceShape& c) const { return "Read " + name(c.id) + " again"; }
+  std::string operator()(const SetCollisionProxy& c) const { return "Change what is checked of " + name(c.id); }
   std::string operator()(const SetPlacement& c) const { return "Move " + name(c.id); }
   std::string operator()(const SetJoints& c) const { return "Move joints of " + name(c.id); }
   std::string operator()(const SetConfiguration& c) const { return "Move " + name(c.id); }

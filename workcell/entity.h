@@ -40,6 +40,16 @@ struct SourceFile {
   std::string part = {};
   std::optional<UpAxis> up_axis = {};  ///< Where another one than the file's was chosen.
   Tessellation tessellation = {};      ///< STEP and IGES.
+  double simplified = 0.0;             ///< Metres that triangles may leave the file's surface by; 0: all are kept.
+};
+
+/// What is checked for contact in place of the drawn mesh of a solid: fewer triangles, or its hull.
+struct CollisionProxy {
+  enum class Kind { kNone, kCoarse, kConvex };
+  Kind kind = Kind::kNone;
+  double tolerance = 0.0;  ///< Metres asked for; kCoarse.
+  double deviation = 0.0;  ///< Metres measured: no point of either surface is farther from the other.
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
 };
 
 /// A named frame F on an entity, to move it by or to take axes from (frame:NAME).
@@ -80,6 +90,7 @@ struct Entity {
   /// The entity as its document has it, where its file could not be read: it is shown nowhere and saved as it was.
   std::shared_ptr<const std::string> unloaded;
   std::shared_ptr<const geometry::TriangleMesh> mesh;    ///< Solids.
+  CollisionProxy proxy;                                  ///< Solids.
   std::shared_ptr<const kinematics::RobotModel> robot;   ///< Robots.
   std::shared_ptr<const mannequin::Figure> figure;       ///< Mannequins; they have a `robot` too (figure_model.h).
   std::vector<double> joints;                            ///< Robots: position of each variable.
@@ -96,6 +107,11 @@ struct Entity {
   double mass = 1.0;               ///< kg, for the class kDynamics.
   std::vector<Frame> frames;       ///< Names unique within the entity.
 };
+
+/// The mesh that a solid is checked by: its proxy's where it has one, else its own.
+inline const std::shared_ptr<const geometry::TriangleMesh>& checkedMesh(const Entity& entity) {
+  return entity.proxy.mesh ? entity.proxy.mesh : entity.mesh;
+}
 
 /// A pair set as users know it: what of the first column is checked against what of the second.
 struct PairSet {

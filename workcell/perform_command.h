@@ -13,6 +13,8 @@ namespace hapticell::workcell {
 Expected<EntityId> perform(const AddEntity& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit);
 Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit);
+Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit);
+Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit);
 Expected<EntityId> perform(const SetPlacement& command, StateEdit& edit);
 Expected<EntityId> perform(const SetJoints& command, StateEdit& edit);
 Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workcell/command_checks.h"
+#include "workcell/named_poses.h"
 #include "workcell/perform_command.h"
 
 namespace hapticell::workcell {
@@ -36,6 +37,21 @@ void handDown(const SetProperties& command, Entity& target) {
   if (command.on_contact) target.on_contact = *command.on_contact;
   if (command.force_class) target.force_class = *command.force_class;
   if (command.material) target.material = *command.material;
+}
+
+/// The positions of `before` for another model, by the joints' names, within its limits; others at rest.
+std::vector<double> jointsFor(const kinematics::RobotModel& model, const Entity& before) {
+  std::vector<double> q = kinematics::restPositions(model);
+  for (std::size_t i = 0; i < model.moving.size(); ++i) {
+    const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
+    for (std::size_t k = 0; before.robot && k < before.joints.size(); ++k) {
+      const int old = before.robot->moving[k];
+      if (before.robot->joints[static_cast<std::size_t>(old)].name == joint.name) {
+        q[i] = std::clamp(before.joints[k], joint.lower, joint.upper);
+      }
+    }
+  }
+  return q;
 }
 
 }  // namespace
@@ -88,6 +104,38 @@ Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
     edit.change(near->id, [&](Entity& changed) { changed.attachment.to = command.name; });
   }
   return edit.change(command.id, [&](Entity& changed) { changed.name = command.name; });
+}
+
+Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  const Entity& before = **entity;
+  const bool fits = before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
+  if (!fits) return makeError(refusal(inQuotes(before.name), "another kind of thing", "a shape of the kind it has"));
+  Entity changed = before;
+  changed.source = command.fresh.source;
+  changed.unloaded.reset();
+  changed.mesh = command.fresh.mesh;
+  changed.proxy = {};
+  if (command.fresh.robot) {
+    changed.robot = command.fresh.robot;
+    changed.joints = jointsFor(*changed.robot, before);
+    changed.named_poses = before.robot ? posesFor(*changed.robot, before) : before.named_poses;
+    if (changed.robot->findLink(changed.tip_link) < 0) changed.tip_link = command.fresh.tip_link;
+    std::erase_if(changed.tools, [&](const ToolFrame& tool) { return changed.robot->findLink(tool.tip_link) < 0; });
+  }
+  return edit.change(command.id, [&](Entity& target) { target = changed; });
+}
+
+Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
+  const auto entity = edit.existing(command.id);
+  if (!entity) return makeError(entity.error());
+  if (!(*entity)->mesh) return makeError(refusal(inQuotes((*entity)->name), "no mesh", "a solid"));
+  const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
+  if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
+    return makeError(refusal(inQuotes((*entity)->name), "nothing to check it by", "a mesh"));
+  }
+  return edit.change(command.id, [&](Entity& target) { target.proxy = wanted ? command.proxy : CollisionProxy{}; });
 }
 
 Expected<EntityId> perform(const SetPlacement& command, StateEdit& edit) {
