@@ -98,6 +98,7 @@ void openAtStart(MainWindow& window, const QString& wanted) {
       window.importFiles({wanted}, false);
     return;
   }
+  window.files().offerLeftOver();
   const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
   if (demo) window.openFile(QString::fromStdString(*demo));
 }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <string>
 
 #include "cli/commands.h"
 #include "cli/import_arguments.h"
+#include "cli/progress_line.h"
+#include "workcell/document_io.h"
+#include "workcell/entity_source.h"
 #include "workcell/length_unit.h"
+#include "workcell/mesh_care.h"
 #include "workcell/scene_export.h"
 
 namespace hapticell::cli {
@@ -19,7 +25,51 @@ struct ConvertOptions {
   std::string output_unit;  ///< Of a written mesh file; empty: metres.
   std::string up;
   workcell::Tessellation tessellation;
+  double simplify = 0.0;  ///< Metres; 0: not.
+  bool hull = false;
 };
+
+std::string extensionOf(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+/// A robot's file, or the one robot of a workcell, as URDF.
+Expected<nlohmann::ordered_json> convertToUrdf(const ConvertOptions& options, Diagnostics& notes) {
+  workcell::DocumentState state;
+  if (extensionOf(options.file) == ".hcell") {
+    const auto document = workcell::loadDocument(options.file, notes);
+    if (!document) return tl::unexpected(document.error());
+    state = document->state();
+  } else {
+    auto entity = workcell::EntityLoader(std::filesystem::current_path()).load(options.file, 0.0, notes);
+    if (!entity) return tl::unexpected(entity.error());
+    entity->id = 1;
+    state.entities.push_back(std::make_shared<const workcell::Entity>(std::move(*entity)));
+  }
+  const auto written = workcell::exportState(state, options.output, {}, notes);
+  if (!written) return tl::unexpected(written.error());
+  return nlohmann::ordered_json{{"output", options.output}, {"warnings", notes.warnings}};
+}
+
+/// Replaces meshes by ones with fewer triangles or by their hulls. Gives the largest deviation, metres.
+Expected<double> careFor(workcell::ImportedScene& scene, const ConvertOptions& options) {
+  double most = 0.0;
+  for (geometry::TriangleMesh& mesh : scene.meshes) {
+    geometry::weld(mesh, geometry::weldTolerance(mesh));
+    auto made = options.hull ? workcell::convexMesh(mesh) : workcell::simplify(mesh, options.simplify);
+    if (!made) {
+      Error error = made.error();
+      error.file = options.file;
+      return makeError(error);
+    }
+    mesh = std::move(made->mesh);
+    most = std::max(most, made->deviation);
+  }
+  for (workcell::SceneNode& node : scene.nodes) node.origin.reset();  // The exact shape is not what was asked for.
+  return most;
+}
 
 Expected<workcell::ImportOptions> importOptions(const ConvertOptions& options) {
   workcell::ImportOptions reading;
@@ -39,6 +89,7 @@ Expected<workcell::ImportOptions> importOptions(const ConvertOptions& options) {
 }
 
 Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
+  if (extensionOf(options.output) == ".urdf") return convertToUrdf(options, notes);
   const auto reading = importOptions(options);
   if (!reading) return tl::unexpected(reading.error());
   workcell::ExportOptions writing;
@@ -47,8 +98,12 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
     if (!unit) return tl::unexpected(unit.error());
     writing.metres_per_unit = workcell::metresPer(*unit);
   }
-  const auto scene = workcell::sceneOfFile(options.file, *reading, notes);
+  ProgressLine progress;
+  auto scene = workcell::sceneOfFile(options.file, *reading, notes, &progress.monitor());
   if (!scene) return tl::unexpected(scene.error());
+  const bool cared = options.hull || options.simplify > 0.0;
+  const auto deviation = cared ? careFor(*scene, options) : Expected<double>(0.0);
+  if (!deviation) return tl::unexpected(deviation.error());
   const auto written = workcell::exportScene(*scene, options.output, writing, notes);
   if (!written) return tl::unexpected(written.error());
   std::size_t parts = 0, triangles = 0;
@@ -57,8 +112,10 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
     ++parts;
     triangles += scene->meshes[static_cast<std::size_t>(node.mesh)].triangles.size();
   }
-  return nlohmann::ordered_json{
-      {"output", options.output}, {"parts", parts}, {"triangles", triangles}, {"warnings", notes.warnings}};
+  nlohmann::ordered_json result{{"output", options.output}, {"parts", parts}, {"triangles", triangles}};
+  if (cared) result["deviation"] = *deviation;
+  result["warnings"] = notes.warnings;
+  return result;
 }
 
 ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer) {
@@ -77,10 +134,15 @@ void addConvertCommand(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("convert", "From any readable format to any writable one, by the extension");
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("file", options->file, "A mesh, CAD, robot or workcell file")->required();
-  command->add_option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF")->required();
+  command->add_option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot")
+      ->required();
   command->add_option("--unit", options->unit, "What one unit of the read file is: m, mm or in");
   command->add_option("--output-unit", options->output_unit,
                       "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m)");
+  CLI::Option* simplify =
+      command->add_option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
+          ->check(CLI::Range(1e-9, 1e3));
+  command->add_flag("--hull", options->hull, "The convex hull of each part")->excludes(simplify);
   command->add_option("--up", options->up, "The axis of the read file that points up: x, y or z");
   addTessellationOptions(*command, options->tessellation);
   command->callback(

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/entity_report.h"
 #include "cli/import_arguments.h"
+#include "cli/progress_line.h"
 #include "geometry/topology.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -103,7 +104,8 @@ Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& no
     if (!said) return tl::unexpected(said.error());
     reading.metres_per_unit = workcell::metresPer(*said);
   }
-  const auto scene = workcell::readScene(options.file, reading, nullptr);
+  ProgressLine progress;
+  const auto scene = workcell::readScene(options.file, reading, &progress.monitor());
   if (!scene) return tl::unexpected(scene.error());
   notes.warnings = scene->warnings;
   if (!scene->unit_is_stated) notes.warn("the file names no unit; it is taken as " + unitWord(scene->metres_per_unit));

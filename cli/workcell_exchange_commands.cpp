@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/commands.h"
 #include "workcell/change_report.h"
@@ -23,7 +24,23 @@ struct PackOptions {
 struct ChangesOptions {
   std::string before, after, output;
   bool all = false;
+  bool since_import = false;
 };
+
+/// The two states that are compared: of two documents, or of one and the files that its entities came from.
+Expected<std::pair<workcell::DocumentState, workcell::DocumentState>> comparedStates(const ChangesOptions& options,
+                                                                                     Diagnostics& notes) {
+  const auto first = workcell::loadDocument(options.before, notes);
+  if (!first) return tl::unexpected(first.error());
+  if (options.since_import) {
+    const auto imported = workcell::stateAtImport(first->state(), nullptr, notes);
+    if (!imported) return tl::unexpected(imported.error());
+    return std::pair(*imported, first->state());
+  }
+  const auto second = workcell::loadDocument(options.after, notes);
+  if (!second) return tl::unexpected(second.error());
+  return std::pair(first->state(), second->state());
+}
 
 ExitStatus finish(const Expected<ordered_json>& result, const Diagnostics& notes, const ResultWriter& writer) {
   for (const std::string& note : notes.warnings) warn(note);
@@ -37,17 +54,19 @@ Expected<ordered_json> pack(const PackOptions& options, Diagnostics& notes) {
   const auto document = workcell::loadDocument(options.file, notes);
   if (!document) return tl::unexpected(document.error());
   const std::string name = fs::path(options.file).filename().string();
-  const auto packed = workcell::packDocument(document->state(), options.folder, name, notes);
+  const auto packed = workcell::pack(document->state(), options.folder, name, notes);
   if (!packed) return tl::unexpected(packed.error());
   return ordered_json{{"workcell", packed->document.string()}, {"files", packed->copied}, {"bytes", packed->bytes}};
 }
 
 Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes) {
-  const auto before = workcell::loadDocument(options.before, notes);
-  if (!before) return tl::unexpected(before.error());
-  const auto after = workcell::loadDocument(options.after, notes);
-  if (!after) return tl::unexpected(after.error());
-  const auto list = workcell::compareStates(before->state(), after->state());
+  if (options.since_import != options.after.empty()) {
+    return makeError({"", "the command line", options.since_import ? "a second document" : "one document",
+                      "two documents, or one with --since-import", ""});
+  }
+  const auto states = comparedStates(options, notes);
+  if (!states) return tl::unexpected(states.error());
+  const auto list = workcell::compareStates(states->first, states->second);
   if (!options.output.empty()) {
     const auto written = writeFileAtomically(options.output, workcell::changesAsCsv(list, options.all));
     if (!written) return tl::unexpected(written.error());
@@ -67,10 +86,12 @@ Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes
 }  // namespace
 
 void addWorkcellExchangeCommands(CLI::App& workcell, Action& chosen) {
-  CLI::App* packing = workcell.add_subcommand("pack", "A document with all the files it names in one folder");
+  CLI::App* packing =
+      workcell.add_subcommand("pack", "A document with all the files it names in one folder or archive");
   const auto pack_options = std::make_shared<PackOptions>();
   packing->add_option("file", pack_options->file, "The document (.hcell)")->required();
-  packing->add_option("-o,--output", pack_options->folder, "A new or empty folder")->required();
+  packing->add_option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz")
+      ->required();
   packing->callback([pack_options, &chosen] {
     chosen = [pack_options](ResultWriter& writer) {
       Diagnostics notes;
@@ -78,10 +99,13 @@ void addWorkcellExchangeCommands(CLI::App& workcell, Action& chosen) {
       return finish(result, notes, writer);
     };
   });
-  CLI::App* changing = workcell.add_subcommand("changes", "What was moved, added and removed between two documents");
+  CLI::App* changing = workcell.add_subcommand(
+      "changes", "What was moved, added and removed between two documents, or since the import");
   const auto options = std::make_shared<ChangesOptions>();
   changing->add_option("before", options->before, "The earlier document (.hcell)")->required();
-  changing->add_option("after", options->after, "The later document (.hcell)")->required();
+  changing->add_option("after", options->after, "The later document (.hcell)");
+  changing->add_flag("--since-import", options->since_import,
+                     "Compare the one document with the files that its entities came from");
   changing->add_option("-o,--output", options->output, "Write a table as well (CSV)");
   changing->add_flag("--all", options->all, "List what did not change too");
   changing->callback([options, &chosen] {

@@ -26,11 +26,14 @@ fs::path autosavePath(const fs::path& path) {
 }
 
 Expected<void> autosave(const Document& document) {
-  if (!document.isDirty()) return {};
-  const fs::path file = fs::absolute(autosavePath(document.path()));
+  return document.isDirty() ? autosave(document.state(), document.path()) : Expected<void>();
+}
+
+Expected<void> autosave(const DocumentState& state, const fs::path& path) {
+  const fs::path file = fs::absolute(autosavePath(path));
   std::error_code fault;
   fs::create_directories(file.parent_path(), fault);
-  return writeFileAtomically(file, documentText(document.state(), file.parent_path()));
+  return writeFileAtomically(file, documentText(state, file.parent_path()));
 }
 
 std::optional<fs::path> findAutosave(const fs::path& path) {

@@ -21,6 +21,9 @@ std::filesystem::path autosavePath(const std::filesystem::path& path);
 /// dirty stay as they are.
 Expected<void> autosave(const Document& document);
 
+/// Writes the copy of a state that belongs to the document at `path` (empty: a new one). Any thread.
+Expected<void> autosave(const DocumentState& state, const std::filesystem::path& path);
+
 /// The copy of the document at `path`, where there is one that is newer than the document (or the document is gone).
 std::optional<std::filesystem::path> findAutosave(const std::filesystem::path& path);
 

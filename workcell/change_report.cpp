@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "workcell/entity_source.h"
 
 namespace hapticell::workcell {
 
@@ -91,6 +95,35 @@ const char* wordOf(EntityChange::Kind kind) {
       break;
   }
   return "unchanged";
+}
+
+Expected<DocumentState> stateAtImport(const DocumentState& state, ImportMonitor* monitor, Diagnostics& diagnostics) {
+  EntityLoader loader(std::filesystem::current_path(), true);
+  std::map<std::string, std::map<std::string, Pose>> trees;  // Placements by file and part.
+  DocumentState before = state;
+  for (auto& entity : before.entities) {
+    auto changed = std::make_shared<Entity>(*entity);
+    changed->X_WE = {};
+    if (changed->robot) changed->joints = kinematics::restPositions(*changed->robot);
+    const SourceFile& source = changed->source;
+    if (!source.part.empty()) {
+      const auto [tree, is_new] = trees.try_emplace(source.path);
+      if (is_new) {
+        ImportOptions options;
+        options.metres_per_unit = source.scale;
+        options.up_axis = source.up_axis;
+        options.relative_chord = 0.1;
+        options.weld = false;
+        const auto read = loader.loadTree(source.path, options, diagnostics, monitor);
+        if (!read) return makeError(read.error());
+        for (const Entity& part : read->entities) tree->second[part.source.part] = part.X_WE;
+      }
+      if (const auto placed = tree->second.find(source.part); placed != tree->second.end())
+        changed->X_WE = placed->second;
+    }
+    entity = std::move(changed);
+  }
+  return before;
 }
 
 std::vector<EntityChange> compareStates(const DocumentState& before, const DocumentState& after) {

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/error.h"
 #include "workcell/document_state.h"
+#include "workcell/import_monitor.h"
 
 namespace hapticell::workcell {
 
@@ -20,6 +22,11 @@ struct EntityChange {
   double angle = 0.0;     ///< Radians that it turned, 0 to pi.
   std::string joints;     ///< Those that changed: "joint_1 0.1 -> 0.5; ..." (rad, m).
 };
+
+/// The state as the files that the entities came from place them: parts of CAD assemblies as in their file, all else at
+/// the origin, robots at rest. Reads those files once more, coarsely; `monitor` may be null. Errors: a file that is
+/// gone or broken.
+Expected<DocumentState> stateAtImport(const DocumentState& state, ImportMonitor* monitor, Diagnostics& diagnostics);
 
 /// Compares by name, in the order of the later state, removed ones behind. Less than 1e-9 m and 1e-9 rad is no change.
 std::vector<EntityChange> compareStates(const DocumentState& before, const DocumentState& after);

@@ -2,6 +2,7 @@
 #include "workcell/document.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "geometry/assertion.h"
 
@@ -29,12 +30,13 @@ std::string Document::uniqueName(std::string_view wanted) const {
 }
 
 Expected<EntityId> Document::execute(const Command& command) {
-  Step before{commandText(command, state_), state_, state_id_};
+  std::optional<Step> before;
+  if (!inCompound()) before = Step{commandText(command, state_), state_, state_id_};
   Expected<EntityId> done = apply(command, state_, next_id_);
   if (!done) return done;
   for (const auto& entity : state_.entities) next_id_ = std::max(next_id_, entity->id + 1);
-  if (!inCompound()) {
-    undo_.push_back(std::move(before));
+  if (before) {
+    undo_.push_back(std::move(*before));
     redo_.clear();
   }
   state_id_ = ++last_state_id_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/document_state.h"
 
-#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace hapticell::workcell {
 
@@ -9,14 +10,20 @@ std::vector<EntityId> familyOf(const DocumentState& state, EntityId id) {
   const Entity* root = state.find(id);
   std::vector<EntityId> family;
   if (!root) return family;
+  std::unordered_map<std::string_view, std::vector<const Entity*>> below;
+  for (const auto& entity : state.entities) {
+    if (!entity->parent.empty()) below[entity->parent].push_back(entity.get());
+  }
+  std::unordered_set<EntityId> known{id};
   std::vector<const Entity*> open{root};
   while (!open.empty()) {
     const Entity* parent = open.back();
     open.pop_back();
     family.push_back(parent->id);
-    for (const auto& entity : state.entities) {
-      const bool known = std::find(family.begin(), family.end(), entity->id) != family.end();
-      if (entity->parent == parent->name && !known) open.push_back(entity.get());
+    const auto children = below.find(parent->name);
+    if (children == below.end()) continue;
+    for (const Entity* child : children->second) {
+      if (known.insert(child->id).second) open.push_back(child);
     }
   }
   return family;

@@ -40,6 +40,7 @@ struct SourceFile {
   std::string part = {};
   std::optional<UpAxis> up_axis = {};  ///< Where another one than the file's was chosen.
   Tessellation tessellation = {};      ///< STEP and IGES.
+  bool oriented = false;               ///< Triangles were turned to face outwards (orient()).
   double simplified = 0.0;             ///< Metres that triangles may leave the file's surface by; 0: all are kept.
 };
 

@@ -7,6 +7,7 @@
 
 #include "geometry/shapes.h"
 #include "mannequin/figure_model.h"
+#include "workcell/mesh_care.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/robot_library.h"
 #include "workcell/robot_reader.h"
@@ -57,6 +58,26 @@ Expected<Entity> EntityLoader::load(const std::string& what, double scale, Diagn
 }
 
 Expected<Entity> EntityLoader::loadSource(const SourceFile& source, Diagnostics& diagnostics) {
+  Expected<Entity> entity = loadShapeOf(source, diagnostics);
+  if (!entity || !entity->mesh || (!source.oriented && source.simplified == 0.0)) return entity;
+  entity->source.oriented = source.oriented;
+  entity->source.simplified = source.simplified;
+  auto& cared = cared_meshes_[{entity->mesh, {source.oriented, source.simplified}}];
+  if (!cared) {
+    geometry::TriangleMesh mesh = *entity->mesh;
+    if (source.oriented) orient(mesh);
+    if (source.simplified > 0.0) {
+      Expected<MadeMesh> made = simplify(mesh, source.simplified);
+      if (!made) return makeError(made.error());
+      mesh = std::move(made->mesh);
+    }
+    cared = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+  }
+  entity->mesh = cared;
+  return entity;
+}
+
+Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics& diagnostics) {
   const std::string& what = source.path;
   const std::string scheme = schemeOf(what);
   const bool said = source.scale != 0.0 && source.scale != 1.0;

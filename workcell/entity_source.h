@@ -44,6 +44,7 @@ class EntityLoader {
  private:
   using MeshPointer = std::shared_ptr<const geometry::TriangleMesh>;
 
+  Expected<Entity> loadShapeOf(const SourceFile& source, Diagnostics& diagnostics);
   Expected<Entity> loadShape(const std::string& what, double scale) const;
   Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
   Expected<Entity> loadMannequin(const std::string& what);
@@ -62,7 +63,8 @@ class EntityLoader {
     std::vector<ToolFrame> tools;
   };
   std::map<std::string, KnownRobot> robots_;
-  std::map<std::string, ImportResult> trees_;  // By file and how it was read.
+  std::map<std::pair<MeshPointer, std::pair<bool, double>>, MeshPointer> cared_meshes_;  // By how they were made.
+  std::map<std::string, ImportResult> trees_;                                            // By file and how it was read.
 };
 
 /// True for a source that is no file: "library:", "box:", "cylinder:", "sphere:", "mannequin:".

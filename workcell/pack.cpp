@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/pack.h"
 
+#include <cstdlib>
 #include <map>
 #include <memory>
 #include <set>
 
+#include "workcell/archive.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/file_content.h"
@@ -164,6 +166,25 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
   auto report = packInto(state, absolute, name, diagnostics);
   if (!report) fs::remove_all(absolute, fault);
+  return report;
+}
+
+Expected<PackReport> pack(const DocumentState& state, const fs::path& output, const std::string& name,
+                          Diagnostics& diagnostics) {
+  if (!isArchiveName(output)) return packDocument(state, output, name, diagnostics);
+  const fs::path archive = fs::absolute(output).lexically_normal();
+  std::string aside = (archive.parent_path() / ".hapticell-pack-XXXXXX").string();
+  if (!::mkdtemp(aside.data())) {
+    return makeError({output.string(), "", "no folder can be made beside it", "permission to write", ""});
+  }
+  auto report = packDocument(state, aside, name, diagnostics);
+  if (report) {
+    const auto written = writeArchive(aside, archive);
+    if (!written) report = makeError(written.error());
+  }
+  if (report) report->document = report->document.lexically_relative(aside);
+  std::error_code ignored;
+  fs::remove_all(aside, ignored);
   return report;
 }
 

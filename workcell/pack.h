@@ -16,6 +16,11 @@ struct PackReport {
   std::uintmax_t bytes = 0;
 };
 
+/// As below, into a folder or, by its name (isArchiveName()), into an archive of it; `document` is then its name in
+/// there. An archive that is there already is replaced.
+Expected<PackReport> pack(const DocumentState& state, const std::filesystem::path& output, const std::string& name,
+                          Diagnostics& diagnostics);
+
 /// Makes `folder` (which must not exist, or be empty) hold the document as `name` and, in "files", all that it names:
 /// mesh and CAD files with what stands beside them under the same stem, robots with the whole package (or folder) that
 /// they stand in, at most 2 GB of it. Built-in things need no file. Files of one name get a number. On error the folder

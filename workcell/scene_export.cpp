@@ -13,6 +13,7 @@
 #include "workcell/import_process.h"
 #include "workcell/mesh_writer.h"
 #include "workcell/scene_exchange.h"
+#include "workcell/urdf_writer.h"
 
 namespace hapticell::workcell {
 
@@ -190,14 +191,17 @@ ImportedScene sceneOf(const DocumentState& state) {
   return SceneCollector(state).collect();
 }
 
-Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& options, Diagnostics& diagnostics) {
+Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& options, Diagnostics& diagnostics,
+                                    ImportMonitor* monitor) {
   if (lowerExtension(file) == ".hcell") {
-    const auto document = loadDocument(file, diagnostics);
+    LoadOptions loading;
+    loading.monitor = monitor;
+    const auto document = loadDocument(file, diagnostics, loading);
     if (!document) return makeError(document.error());
     return sceneOf(document->state());
   }
   if (holdsScene(file)) {
-    Expected<ImportedScene> scene = readScene(file, options, nullptr);
+    Expected<ImportedScene> scene = readScene(file, options, monitor);
     if (!scene) return scene;
     for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
     if (scene->format != "step") return scene;
@@ -216,6 +220,22 @@ Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& o
     state.entities.push_back(std::make_shared<const Entity>(std::move(entity)));
   }
   return sceneOf(state);
+}
+
+Expected<void> exportState(const DocumentState& state, const fs::path& file, const ExportOptions& options,
+                           Diagnostics& diagnostics) {
+  if (lowerExtension(file) != ".urdf") return exportScene(sceneOf(state), file, options, diagnostics);
+  const Entity* robot = nullptr;
+  for (const auto& entity : state.entities) {
+    if (!entity->robot) continue;
+    if (robot) {
+      return makeError({file.string(), "", "more than one robot ('" + robot->name + "', '" + entity->name + "')",
+                        "one, which is all a URDF holds", "Choose one of them."});
+    }
+    robot = entity.get();
+  }
+  if (!robot) return makeError({file.string(), "", "no robot", "one, for a URDF", ""});
+  return writeUrdf(*robot, file, diagnostics);
 }
 
 const std::vector<std::string>& writableExtensions() {

@@ -16,8 +16,9 @@ namespace hapticell::workcell {
 ImportedScene sceneOf(const DocumentState& state);
 
 /// The same of a file of any readable format. `options` as for an import (a robot stands at its resting joints).
+/// `monitor` may be null.
 Expected<ImportedScene> sceneOfFile(const std::filesystem::path& file, const ImportOptions& options,
-                                    Diagnostics& diagnostics);
+                                    Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 /// What the formats that exportScene() writes are called: ".step", ".stp", ".glb", ".gltf", ".stl", ".obj", ".ply",
 /// ".off".
@@ -28,6 +29,11 @@ struct ExportOptions {
   ImportLimits limits = {};
   ImportMonitor* monitor = nullptr;  ///< May be null.
 };
+
+/// Writes what stands in a document, or the part of it that is left in `state`, as exportScene(); a ".urdf" is the one
+/// robot in it with the base it has (writeUrdf()).
+Expected<void> exportState(const DocumentState& state, const std::filesystem::path& file, const ExportOptions& options,
+                           Diagnostics& diagnostics);
 
 /// Writes a scene in the format that the file's extension names, aside and then moved into place. STEP: tree, names,
 /// colours, placements; exact shapes where a node has an origin, else a plane face a triangle. glTF: tree, names,

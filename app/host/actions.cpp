@@ -48,6 +48,18 @@ Actions::Actions(QMainWindow& window) {
   import_mesh = make({"actionImport", tr("Import…"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), tr("Import")});
   add_robot =
       make({"actionAddRobot", tr("Add robot…"), "robot", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), tr("Robot")});
+  export_cell = make({"actionExport", tr("Export cell…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E), {}});
+  export_selection =
+      make({"actionExportSelection", tr("Export selection…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), {}});
+  reload = make({"actionReload", tr("Read again from disk"), {}, QKeySequence(Qt::Key_F5), {}});
+  mesh_care = make({"actionMeshCare", tr("Mesh and collision shape…"), {}, {}, {}});
+  pack = make({"actionPack", tr("Pack with all files…"), {}, {}, {}});
+  report_saved = make({"actionReportSaved", tr("Against the saved cell…"), {}, {}, {}});
+  report_import = make({"actionReportImport", tr("Against the imported files…"), {}, {}, {}});
+  report_other = make({"actionReportOther", tr("Against another workcell…"), {}, {}, {}});
+  duplicate = make({"actionDuplicate", tr("Duplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D), {}});
+  isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
+  show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
@@ -75,13 +87,16 @@ Actions::Actions(QMainWindow& window) {
   QMenu* file = bar->addMenu(tr("File"));
   file->addActions({new_cell, open, save, save_as});
   file->addSeparator();
-  file->addActions({import_mesh, add_robot});
+  file->addActions({import_mesh, add_robot, reload});
+  file->addSeparator();
+  file->addActions({export_cell, export_selection, pack});
+  file->addMenu(tr("Report changes"))->addActions({report_saved, report_import, report_other});
   file->addSeparator();
   file->addAction(quit);
   QMenu* edit = bar->addMenu(tr("Edit"));
   edit->addActions({undo, redo});
   edit->addSeparator();
-  edit->addAction(remove);
+  edit->addActions({duplicate, isolate, show_all, mesh_care, remove});
   QMenu* view = bar->addMenu(tr("View"));
   view->addActions({fit_selection, fit_all});
   view->addSeparator();

@@ -29,8 +29,10 @@ QAction* makeAction(QObject* parent, const ActionFace& face);
 struct Actions {
   explicit Actions(QMainWindow& window);
   QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *quit;
-  QAction *undo, *redo, *remove;
-  QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks, *dark, *light;
+  QAction *export_cell, *export_selection, *reload, *pack, *mesh_care, *report_saved, *report_import, *report_other;
+  QAction *undo, *redo, *remove, *duplicate, *isolate, *show_all;
+  QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks;
+  QAction *dark, *light;
   QAction* about;
   QMenu *applications, *windows;
   QToolBar* tool_bar;

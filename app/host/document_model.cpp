@@ -87,9 +87,10 @@ Expected<void> DocumentModel::save(const QString& path) {
   return saved;
 }
 
-Expected<std::vector<workcell::EntityId>> DocumentModel::addImported(std::vector<workcell::Entity> entities) {
-  auto ids = workcell::addImported(document_, std::move(entities), Pose::identity());
-  if (ids) emit changed();
+Expected<std::vector<workcell::EntityId>> DocumentModel::addImported(std::vector<workcell::Entity> entities,
+                                                                     const Pose& X_WF) {
+  auto ids = workcell::addImported(document_, std::move(entities), X_WF);
+  if (ids && !document_.inCompound()) emit changed();
   return ids;
 }
 

@@ -37,8 +37,8 @@ class DocumentModel : public QObject {
   /// A document that was read elsewhere (files are never read in this thread) in place of this one.
   void adopt(workcell::Document document);
   Expected<void> save(const QString& path);
-  /// What an import made, as one step of undo, placed in the world as its file says. Gives the new ids in tree order.
-  Expected<std::vector<workcell::EntityId>> addImported(std::vector<workcell::Entity> entities);
+  /// What an import made, as one step of undo, its file's frame F at X_WF. Gives the new ids in tree order.
+  Expected<std::vector<workcell::EntityId>> addImported(std::vector<workcell::Entity> entities, const Pose& X_WF = {});
 
  signals:
   void changed();  ///< The document differs from before; undo and redo included.

@@ -45,16 +45,16 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
   viewport_->setMotion(configuration_.gui.motion);
   viewport_->setEmptyState(EmptyState{
       tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
-  connectFileActions();
   connectViewActions();
   view_menus_ = std::make_unique<ViewMenus>(*actions_, *viewport_);
   connectScene();
   addPanels(*this);
-  files_ = new FileWork(*this, this);
-  connect(files_, &FileWork::opened, this, [this](const QString&, bool done) {
+  files_ = std::make_unique<FileWork>(*this);
+  connect(files_.get(), &FileWork::opened, this, [this](const QString&, bool done) {
     if (done) showSavedView();
   });
   setAcceptDrops(true);
+  connectFileActions();
   setTheme(configuration_.gui.theme != "light");
   documentChanged();
 }
@@ -62,6 +62,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
 MainWindow::~MainWindow() {
   // Modules use the host; they end while it is whole.
   modules_.reset();
+  files_.reset();
 }
 
 void MainWindow::connectViewActions() {
@@ -100,7 +101,9 @@ void MainWindow::connectScene() {
   connect(&selection_, &Selection::changed, this, [this](workcell::EntityId entity) {
     viewport_->scene().setSelected(entity ? std::vector<workcell::EntityId>{entity}
                                           : std::vector<workcell::EntityId>{});
-    actions_->remove->setEnabled(entity != 0);
+    for (QAction* action :
+         {actions_->remove, actions_->duplicate, actions_->isolate, actions_->reload, actions_->export_selection})
+      action->setEnabled(entity != 0);
     viewport_->refresh();
   });
   connect(viewport_, &ViewportWidget::picked, this, [this](workcell::EntityId entity) { selection_.set(entity); });
@@ -108,7 +111,9 @@ void MainWindow::connectScene() {
   connect(actions_->remove, &QAction::triggered, this, [this] {
     if (selection_.current() && document_.execute(workcell::RemoveEntity{selection_.current()})) selection_.set(0);
   });
-  actions_->remove->setEnabled(false);
+  for (QAction* action :
+       {actions_->remove, actions_->duplicate, actions_->isolate, actions_->reload, actions_->export_selection})
+    action->setEnabled(false);
 }
 
 void MainWindow::documentChanged() {
@@ -249,6 +254,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  files_->autosaver().discard();
   if (modules_)
     for (Module* module : modules_->modules()) module->stop();
   event->accept();

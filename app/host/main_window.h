@@ -91,7 +91,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<Actions> actions_;
   std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
-  FileWork* files_ = nullptr;  // A child object.
+  std::unique_ptr<FileWork> files_;
   double gui_rate_ = 0.0;
   QElapsedTimer since_numbers_;
 };

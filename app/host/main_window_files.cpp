@@ -11,6 +11,7 @@
 
 #include "app/host/main_window.h"
 #include "app/import/file_work.h"
+#include "app/panels/tree_edits.h"
 
 namespace hapticell::app {
 
@@ -23,6 +24,22 @@ void MainWindow::connectFileActions() {
   connect(actions_->save_as, &QAction::triggered, this, [this] { saveDocument(true); });
   connect(actions_->import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
   connect(actions_->add_robot, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
+  ExportWork& exports = files_->exports();
+  const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
+  on(actions_->export_cell, [&exports] { exports.askExport(false); });
+  on(actions_->export_selection, [&exports] { exports.askExport(true); });
+  on(actions_->pack, [&exports] { exports.askPack(); });
+  on(actions_->report_saved, [&exports] { exports.askReport(ExportWork::Against::kSaved); });
+  on(actions_->report_import, [&exports] { exports.askReport(ExportWork::Against::kImport); });
+  on(actions_->report_other, [&exports] { exports.askReport(ExportWork::Against::kOtherCell); });
+  on(actions_->mesh_care, [this] { files_->showMeshCare(); });
+  on(actions_->reload, [this] { files_->reloadSelected(); });
+  on(actions_->duplicate, [this] {
+    const Entities copies = duplicateEntities(document_, {selection_.current()});
+    if (!copies.empty()) selection_.set(copies.front());
+  });
+  on(actions_->isolate, [this] { isolateEntities(document_, {selection_.current()}); });
+  on(actions_->show_all, [this] { showAll(document_); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->undo, &QAction::triggered, &document_, &DocumentModel::undo);
   connect(actions_->redo, &QAction::triggered, &document_, &DocumentModel::redo);
@@ -100,6 +117,7 @@ bool MainWindow::saveDocument(bool ask_where) {
                    QString::fromStdString(saved.error().message()));
     return false;
   }
+  files_->autosaver().discard();
   messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
   return true;
 }

@@ -54,6 +54,18 @@ void DocumentOpener::open(const QString& path, const Locate& locate) {
   });
 }
 
+void DocumentOpener::openCopy(const QString& copy, const QString& path) {
+  const auto read = [from = copy.toStdString(), to = path.toStdString()](
+                        Diagnostics& notes, const workcell::LoadOptions& options) -> Expected<workcell::Document> {
+    auto document = workcell::loadDocument(from, notes, options);
+    if (!document) return document;
+    document->setPath(to);
+    document->markUnsaved();
+    return document;
+  };
+  start(path, {}, read);
+}
+
 void DocumentOpener::openText(const std::string& text, const std::filesystem::path& folder, const QString& name,
                               const Locate& locate) {
   start(name, locate, [=](Diagnostics& notes, const workcell::LoadOptions& options) {
@@ -78,9 +90,10 @@ void DocumentOpener::start(const QString& path, const Locate& locate, Read read)
       return place;
     };
     auto document = guarded([&] { return read(notes, options); }, run->path);
-    run->result = std::make_shared<OpenedDocument>(
-        OpenedDocument{std::move(document), std::move(notes), std::move(missing)});
-    QMetaObject::invokeMethod(this, [this, run] { end(run); }, Qt::QueuedConnection);
+    run->result =
+        std::make_shared<OpenedDocument>(OpenedDocument{std::move(document), std::move(notes), std::move(missing)});
+    QMetaObject::invokeMethod(
+        this, [this, run] { end(run); }, Qt::QueuedConnection);
   });
   poll_.start();
   emit began();

@@ -32,6 +32,8 @@ class DocumentOpener : public QObject {
   /// Reads the file at `path`. `locate` (may be empty) is asked in another thread for files that are not where the
   /// document says.
   void open(const QString& path, const Locate& locate = {});
+  /// Reads the copy of the document at `path` that a crash left: what is read is unsaved, and has that path.
+  void openCopy(const QString& copy, const QString& path);
   /// Reads a state again from its text, as it would stand in `folder`.
   void openText(const std::string& text, const std::filesystem::path& folder, const QString& name,
                 const Locate& locate);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/import/file_work.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
+#include <algorithm>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -14,8 +16,11 @@
 #include "app/host/selection.h"
 #include "app/import/import_panel.h"
 #include "app/import/import_report_text.h"
+#include "app/import/mesh_care_panel.h"
+#include "app/import/shape_reload.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
+#include "workcell/autosave.h"
 #include "workcell/document_io.h"
 
 namespace hapticell::app {
@@ -37,13 +42,22 @@ std::optional<std::filesystem::path> findBelow(const QString& folder, const std:
 
 }  // namespace
 
-FileWork::FileWork(Host& host, QObject* parent) : QObject(parent), host_(host) {
+FileWork::FileWork(Host& host, QObject* parent)
+    : QObject(parent),
+      host_(host),
+      exports_(host, background_),
+      autosaver_(host.documentModel()),
+      watch_(host.documentModel()) {
   panel_ = new ImportPanel(session_);
   dock_ = makeDock("dockImport", tr("Import"), panel_);
   host_.addDock(dock_, Qt::RightDockWidgetArea);
   dock_->setAttribute(Qt::WA_ShowWithoutActivating);
   dock_->setFloating(true);
   dock_->hide();
+  mesh_dock_ = makeDock("dockMesh", tr("Mesh"), new MeshCarePanel(host_, background_));
+  host_.addDock(mesh_dock_, Qt::RightDockWidgetArea);
+  mesh_dock_->setFloating(true);
+  mesh_dock_->hide();
   patience_.setSingleShot(true);
   patience_.setInterval(kPatience);
   connect(&patience_, &QTimer::timeout, this, [this] {
@@ -51,32 +65,43 @@ FileWork::FileWork(Host& host, QObject* parent) : QObject(parent), host_(host) {
   });
   connect(&session_, &ImportSession::changed, this, &FileWork::showPanel);
   connect(&session_, &ImportSession::finished, this, &FileWork::takeImported);
-  connect(&opener_, &DocumentOpener::began, this, &FileWork::showOpening);
-  connect(&opener_, &DocumentOpener::progressed, this, &FileWork::showOpening);
+  connect(&opener_, &DocumentOpener::began, this, &FileWork::showOther);
+  connect(&opener_, &DocumentOpener::progressed, this, &FileWork::showOther);
+  connect(&background_, &BackgroundWork::progressed, this, &FileWork::showOther);
+  connect(&watch_, &SourceWatch::changed, this, &FileWork::offerReload);
+  connect(&autosaver_, &Autosaver::failed, this, [this](const QString& sentence) {
+    host_.messages().tell(Severity::kWarning, tr("No copy against a crash could be written"), sentence);
+  });
   connect(&opener_, &DocumentOpener::ended, this, &FileWork::takeOpened);
-  connect(panel_, &ImportPanel::otherCancelled, &opener_, &DocumentOpener::cancel);
+  connect(panel_, &ImportPanel::otherCancelled, this, &FileWork::cancelOther);
   connect(panel_, &ImportPanel::titleChanged, dock_, [this](const QString& title) {
     dock_->setWindowTitle(title);
     dock_->toggleViewAction()->setText(tr("Import"));
   });
 }
 
-void FileWork::raisePanel() {
-  if (dock_->isVisible()) return;
-  if (dock_->isFloating()) {
+void FileWork::raiseDock(QDockWidget& dock, QSize size) {
+  if (dock.isVisible()) return;
+  if (dock.isFloating()) {
     const QWidget& scene = host_.viewport();
-    dock_->resize(348, 500);
-    const QPoint corner = scene.mapToGlobal(QPoint(scene.width() - dock_->width() - 16, 16));
-    dock_->move(corner);
+    dock.resize(size);
+    dock.move(scene.mapToGlobal(QPoint(scene.width() - dock.width() - 16, 16)));
   }
-  dock_->show();
-  dock_->raise();
+  dock.show();
+  dock.raise();
+}
+
+void FileWork::raisePanel() {
+  raiseDock(*dock_, {348, 500});
+}
+
+void FileWork::showMeshCare() {
+  raiseDock(*mesh_dock_, {348, 300});
 }
 
 void FileWork::showPanel() {
-  const bool asks = std::any_of(session_.files().begin(), session_.files().end(), [](const FileImport& file) {
-    return file.stage != FileImport::Stage::kImporting;
-  });
+  const bool asks = std::any_of(session_.files().begin(), session_.files().end(),
+                                [](const FileImport& file) { return file.stage != FileImport::Stage::kImporting; });
   if (asks) return raisePanel();
   if (isBusy()) {
     if (!patience_.isActive()) patience_.start();
@@ -85,11 +110,21 @@ void FileWork::showPanel() {
   }
 }
 
-void FileWork::showOpening() {
-  if (!opener_.isBusy()) return;
-  const workcell::ImportProgress progress = opener_.progress();
-  panel_->setOtherWork(OtherWork{opener_.name(), QString::fromStdString(progress.stage), progress.share});
+void FileWork::showOther() {
+  std::optional<OtherWork> other;
+  if (opener_.isBusy()) {
+    const workcell::ImportProgress progress = opener_.progress();
+    other = OtherWork{opener_.name(), QString::fromStdString(progress.stage), progress.share};
+  } else if (background_.isBusy()) {
+    const workcell::ImportProgress progress = background_.progress();
+    other = OtherWork{background_.name(), QString::fromStdString(progress.stage), progress.share};
+  }
+  panel_->setOtherWork(other);
   showPanel();
+}
+
+void FileWork::cancelOther() {
+  opener_.isBusy() ? opener_.cancel() : background_.cancel();
 }
 
 void FileWork::tellError(const QString& title, const Error& error) {
@@ -100,6 +135,7 @@ void FileWork::tellError(const QString& title, const Error& error) {
 void FileWork::clear() {
   opener_.cancel();
   session_.cancelAll();
+  autosaver_.discard();
   host_.documentModel().clear();
 }
 
@@ -109,8 +145,7 @@ void FileWork::open(const QString& path) {
 }
 
 void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path) {
-  panel_->setOtherWork(std::nullopt);
-  showPanel();
+  showOther();
   const QString name = QFileInfo(path).fileName();
   if (!opened->document) {
     tellError(tr("%1 was not opened").arg(name), opened->document.error());
@@ -122,11 +157,81 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
     document.setPath(path.toStdString());
     document.markUnsaved();
   }
+  autosaver_.discard();
   host_.documentModel().adopt(std::move(document));
+  offerCopy(path);
   for (const std::string& warning : opened->notes.warnings)
-    host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name), QString::fromStdString(warning));
+    host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name),
+                          QString::fromStdString(warning));
   offerMissing(opened->missing);
   emit this->opened(path, true);
+}
+
+void FileWork::offerCopy(const QString& path) {
+  if (host_.documentModel().document().isDirty()) return;  // It is the copy.
+  const auto copy = workcell::findAutosave(path.toStdString());
+  if (!copy) return;
+  const QString file = QString::fromStdString(copy->string());
+  const QString when = QFileInfo(file).lastModified().toString(tr("d MMMM, HH:mm"));
+  const QString what = path.isEmpty() ? tr("A new workcell") : QFileInfo(path).fileName();
+  host_.messages().tell(
+      Severity::kWarning, tr("%1 was not closed in order").arg(what),
+      tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
+      {{tr("Restore the copy"), [this, file, path] { opener_.openCopy(file, path); }},
+       {tr("Forget it"), [path] { workcell::discardAutosave(path.toStdString()); }}});
+}
+
+void FileWork::offerLeftOver() {
+  offerCopy({});
+}
+
+void FileWork::offerReload(const QStringList& paths) {
+  QStringList names;
+  std::vector<std::string> files;
+  for (const QString& path : paths) {
+    names << QFileInfo(path).fileName();
+    files.push_back(path.toStdString());
+  }
+  host_.messages().tell(
+      Severity::kInformation, tr("%1 changed on disk").arg(names.join(", ")),
+      tr("The cell shows what it held before. Placements, names and colours stay when it is read again."),
+      {{tr("Read again"), [this, files] { reload(files); }}});
+}
+
+void FileWork::reloadSelected() {
+  const workcell::DocumentState& state = host_.documentModel().document().state();
+  std::vector<std::string> paths;
+  for (const auto id : workcell::familyOf(state, host_.selection().current())) {
+    const std::string& path = state.find(id)->source.path;
+    if (!path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+  }
+  if (!paths.empty()) reload(paths);
+}
+
+void FileWork::reload(const std::vector<std::string>& paths) {
+  const QString name = QFileInfo(QString::fromStdString(paths.front())).fileName();
+  const QString text = paths.size() == 1 ? tr("Read %1 again").arg(name) : tr("Read %1 files again").arg(paths.size());
+  const auto work = [this, paths, name, text, state = host_.documentModel().document().state()](
+                        workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+    auto reload = std::make_shared<ShapeReload>(reloadShapes(state, paths, monitor));
+    if (monitor.isCancelled()) return makeError({name.toStdString(), "", "the reading was cancelled", "", ""});
+    return BackgroundWork::Then([this, reload, name, text] {
+      for (const std::string& problem : reload->problems)
+        host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name),
+                              QString::fromStdString(problem));
+      const auto& document = host_.documentModel().document();
+      // What was removed meanwhile needs no shape.
+      std::erase_if(reload->commands, [&](const workcell::Command& command) {
+        const auto* shape = std::get_if<workcell::ReplaceShape>(&command);
+        const auto* proxy = std::get_if<workcell::SetCollisionProxy>(&command);
+        return !document.find(shape ? shape->id : proxy->id);
+      });
+      if (reload->commands.empty()) return;
+      host_.documentModel().executeAll(text, reload->commands);
+    });
+  };
+  background_.start(name, work,
+                    [this, name](const Error& error) { tellError(tr("%1 was not read again").arg(name), error); });
 }
 
 void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
@@ -139,19 +244,22 @@ void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
   if (more > 0) text += tr(" and %1 more").arg(more);
   host_.messages().tell(
       Severity::kWarning,
-      names.size() == 1 ? tr("A file of this cell is missing") : tr("%1 files of this cell are missing").arg(names.size()),
+      names.size() == 1 ? tr("A file of this cell is missing")
+                        : tr("%1 files of this cell are missing").arg(names.size()),
       text + tr(". Their parts are kept without a shape; the rest is here. Show a folder that holds them."),
       {{tr("Show folder…"), [this] { findMissing(); }}});
 }
 
 void FileWork::findMissing() {
   const workcell::Document& document = host_.documentModel().document();
-  const QString folder = QFileDialog::getExistingDirectory(&host_.window(), tr("Where the missing files are"),
-                                                           QString::fromStdString(document.path().parent_path().string()));
+  const QString folder =
+      QFileDialog::getExistingDirectory(&host_.window(), tr("Where the missing files are"),
+                                        QString::fromStdString(document.path().parent_path().string()));
   if (folder.isEmpty()) return;
-  const std::filesystem::path base =
-      document.path().empty() ? std::filesystem::path(QDir::currentPath().toStdString()) : document.path().parent_path();
-  opener_.openText(workcell::documentText(document.state(), base), base, QString::fromStdString(document.path().string()),
+  const std::filesystem::path base = document.path().empty() ? std::filesystem::path(QDir::currentPath().toStdString())
+                                                             : document.path().parent_path();
+  opener_.openText(workcell::documentText(document.state(), base), base,
+                   QString::fromStdString(document.path().string()),
                    [folder](const std::filesystem::path& file) { return findBelow(folder, file); });
 }
 
@@ -167,7 +275,9 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
     return;
   }
   const workcell::ImportReport report = (*result)->report;
+  host_.documentModel().beginStep(tr("Import %1").arg(name));
   const auto ids = host_.documentModel().addImported(std::move((*result)->entities));
+  host_.documentModel().endStep();
   if (!ids) {
     tellError(tr("%1 was not added").arg(name), ids.error());
     emit imported(path, false);
@@ -182,7 +292,8 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
 
 void FileWork::tellReport(const QString& name, const workcell::ImportReport& report) {
   for (const std::string& warning : report.warnings)
-    host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name), QString::fromStdString(warning));
+    host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name),
+                          QString::fromStdString(warning));
   host_.messages().tell(Severity::kInformation, tr("%1 is in the cell").arg(name), reportText(report));
 }
 

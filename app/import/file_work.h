@@ -5,8 +5,12 @@
 #include <QStringList>
 #include <QTimer>
 
+#include "app/import/autosaver.h"
+#include "app/import/background_work.h"
 #include "app/import/document_opener.h"
+#include "app/import/export_work.h"
 #include "app/import/import_session.h"
+#include "app/import/source_watch.h"
 
 class QDockWidget;
 
@@ -15,8 +19,9 @@ namespace hapticell::app {
 class Host;
 class ImportPanel;
 
-/// Everything of the window that reads files: opening workcells, importing solids, assemblies and robots, telling what
-/// came of it. No file is read in the window's thread; what was read changes the document at one stroke. GUI thread.
+/// Everything of the window that reads files: opening workcells, importing solids, assemblies and robots, reading them
+/// again, and telling what came of it. No file is read in the window's thread; what was read changes the document at
+/// one stroke. GUI thread.
 class FileWork : public QObject {
   Q_OBJECT
  public:
@@ -28,9 +33,19 @@ class FileWork : public QObject {
   void import(const QStringList& paths, bool ask);
   /// An empty document; what was under way is given up.
   void clear();
-  bool isBusy() const { return opener_.isBusy() || session_.isBusy(); }
+  /// Reads the files of these entities again; placements stay.
+  void reload(const std::vector<std::string>& paths);
+  void reloadSelected();
+  /// At the program's begin: whether an unsaved new workcell was left by a crash.
+  void offerLeftOver();
+  bool isBusy() const { return opener_.isBusy() || session_.isBusy() || background_.isBusy(); }
+  Autosaver& autosaver() { return autosaver_; }
+  ExportWork& exports() { return exports_; }
+  BackgroundWork& background() { return background_; }
   ImportSession& session() { return session_; }
   QDockWidget& dock() { return *dock_; }
+  /// Opens the panel that looks after the selected solid's mesh.
+  void showMeshCare();
 
  signals:
   /// A workcell was opened, or not.
@@ -43,17 +58,25 @@ class FileWork : public QObject {
   void takeImported(const QString& path, const ImportSession::Result& result);
   void tellReport(const QString& name, const workcell::ImportReport& report);
   void tellError(const QString& title, const Error& error);
+  void offerCopy(const QString& path);
+  void offerReload(const QStringList& paths);
+  void cancelOther();
   void offerMissing(const std::vector<std::filesystem::path>& missing);
   void findMissing();
-  void showOpening();
+  void showOther();
   void showPanel();
   void raisePanel();
+  void raiseDock(QDockWidget& dock, QSize size);
 
   Host& host_;
   ImportSession session_;
   DocumentOpener opener_;
+  BackgroundWork background_;
+  ExportWork exports_;
+  Autosaver autosaver_;
+  SourceWatch watch_;
   ImportPanel* panel_;
-  QDockWidget* dock_;
+  QDockWidget *dock_, *mesh_dock_;
   QTimer patience_;
 };
 

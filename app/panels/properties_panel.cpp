@@ -25,11 +25,6 @@ namespace {
 
 constexpr int kNarrowLabel = 72;  // The dock is narrow.
 
-std::vector<QColor> quietColors() {
-  return {QColor("#B8BDC2"), QColor("#8D949B"), QColor("#4D545C"),
-          QColor("#A99A86"), QColor("#7F93A8"), QColor("#93A48C")};
-}
-
 QColor colorOf(const workcell::Entity& entity) {
   return QColor::fromRgbF(entity.color[0], entity.color[1], entity.color[2]);
 }

@@ -11,6 +11,11 @@
 
 namespace hapticell::app {
 
+std::vector<QColor> quietColors() {
+  return {QColor("#B8BDC2"), QColor("#8D949B"), QColor("#4D545C"),
+          QColor("#A99A86"), QColor("#7F93A8"), QColor("#93A48C")};
+}
+
 SwatchRow::SwatchRow(std::vector<QColor> colors, QWidget* parent) : QWidget(parent), colors_(std::move(colors)) {
   setFixedHeight(kFieldHeight);
   setFocusPolicy(Qt::StrongFocus);

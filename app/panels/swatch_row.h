@@ -7,6 +7,9 @@
 
 namespace hapticell::app {
 
+/// What parts are coloured with: quiet, so that states are loud.
+std::vector<QColor> quietColors();
+
 /// A few quiet colours to choose from, side by side; the chosen one is framed. Arrow keys move in it.
 class SwatchRow : public QWidget {
   Q_OBJECT

@@ -9,9 +9,12 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/panels/swatch_row.h"
+#include "app/panels/tree_edits.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/style_painting.h"
@@ -80,6 +83,19 @@ class RowDelegate final : public QStyledItemDelegate {
   }
 };
 
+/// "Folder", "Folder 2" ...: one that is not there.
+QString newFolderName(const DocumentModel& document) {
+  const auto& entities = document.document().state().entities;
+  const auto isUsed = [&](const QString& name) {
+    return std::any_of(entities.begin(), entities.end(), [text = name.toStdString()](const auto& entity) {
+      return entity->name == text || entity->parent == text;
+    });
+  };
+  QString name = QObject::tr("Folder");
+  for (int number = 2; isUsed(name); ++number) name = QObject::tr("Folder %1").arg(number);
+  return name;
+}
+
 }  // namespace
 
 WorkcellTreeView::WorkcellTreeView(QWidget* parent) : QTreeView(parent) {
@@ -89,6 +105,10 @@ WorkcellTreeView::WorkcellTreeView(QWidget* parent) : QTreeView(parent) {
   setUniformRowHeights(true);
   setIndentation(18);
   setFrameShape(QFrame::NoFrame);
+  setSelectionMode(ExtendedSelection);
+  setDragDropMode(InternalMove);
+  setDragEnabled(true);
+  setDropIndicatorShown(true);
   setEditTriggers(EditKeyPressed | DoubleClicked);
   setExpandsOnDoubleClick(false);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -226,35 +246,78 @@ void WorkcellPanel::selectEntity(workcell::EntityId entity) {
   restoring_ = false;
 }
 
+std::vector<workcell::EntityId> WorkcellPanel::chosenEntities() const {
+  std::vector<workcell::EntityId> ids;
+  for (const QModelIndex& index : tree_->selectionModel()->selectedIndexes())
+    for (const auto id : model_.entitiesOf(source(index)))
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  return ids;
+}
+
 void WorkcellPanel::openMenu(const QPoint& place) {
   const QModelIndex index = tree_->indexAt(place);
   if (!index.isValid()) return;
-  const QPersistentModelIndex row = source(index);
-  const bool shown = index.data(Role::kVisibleRole).toBool();
-  const bool locked = index.data(Role::kLockedRole).toBool();
-  const bool has_entities = !model_.entitiesOf(row).empty();
-  const workcell::EntityId entity = index.data(Role::kEntityRole).toULongLong();
   QMenu menu(this);
-  menu.addAction(icon("fit"), tr("Fit"), this,
-                 [&] {
-                   geometry::Bounds bounds;
-                   for (const auto id : model_.entitiesOf(row)) bounds.add(host_.viewport().scene().boundsOf_W(id));
-                   if (!bounds.isEmpty()) host_.viewport().fit(bounds);
-                 })
-      ->setEnabled(has_entities);
-  menu.addAction(icon(shown ? "eye_closed" : "eye"), shown ? tr("Hide") : tr("Show"), this,
-                 [&] { model_.setShown(row, !shown); })
-      ->setEnabled(has_entities);
-  menu.addAction(icon(locked ? "unlock" : "lock"), locked ? tr("Unlock") : tr("Lock"), this,
-                 [&] { model_.setLocked(row, !locked); })
-      ->setEnabled(has_entities);
-  menu.addSeparator();
-  menu.addAction(tr("Rename"), this, [&] { tree_->edit(filter_model_.mapFromSource(row)); })
-      ->setEnabled(model_.flags(row) & Qt::ItemIsEditable);
-  menu.addAction(icon("delete"), tr("Remove from the cell"), this,
-                 [&] { host_.documentModel().execute(workcell::RemoveEntity{entity}); })
-      ->setEnabled(model_.kindOf(row) == WorkcellTreeModel::Kind::kEntity);
+  fillMenu(menu, index);
   menu.exec(tree_->viewport()->mapToGlobal(place));
+}
+
+void WorkcellPanel::fillMenu(QMenu& menu, const QModelIndex& index) {
+  DocumentModel& document = host_.documentModel();
+  const auto ids = chosenEntities();
+  const workcell::Entity* first = ids.empty() ? nullptr : document.document().find(ids.front());
+  const auto add = [&](const char* name, const QString& text, const QString& icon_name, auto&& act) {
+    QAction* action = menu.addAction(icon_name.isEmpty() ? QIcon() : icon(icon_name), text, this, act);
+    action->setObjectName(QString::fromLatin1(name));
+    action->setEnabled(first);
+    return action;
+  };
+  add("treeFit", tr("Fit"), "fit", [this, ids] {
+    geometry::Bounds bounds;
+    for (const auto id : ids) bounds.add(host_.viewport().scene().boundsOf_W(id));
+    if (!bounds.isEmpty()) host_.viewport().fit(bounds);
+  });
+  const bool shown = index.data(Role::kVisibleRole).toBool(), locked = index.data(Role::kLockedRole).toBool();
+  add("treeShow", shown ? tr("Hide") : tr("Show"), shown ? "eye_closed" : "eye",
+      [&document, ids, shown] { showEntities(document, ids, !shown); });
+  add("treeIsolate", tr("Isolate"), "select", [&document, ids] { isolateEntities(document, ids); });
+  QAction* all = add("treeShowAll", tr("Show all"), "eye", [&document] { showAll(document); });
+  all->setEnabled(true);
+  add("treeLock", locked ? tr("Unlock") : tr("Lock"), locked ? "unlock" : "lock",
+      [&document, ids, locked] { lockEntities(document, ids, !locked); });
+  const bool checked = first && first->checked;
+  QAction* check = add("treeCheck", tr("Checked for collision"), {},
+                       [&document, ids, checked] { checkEntities(document, ids, !checked); });
+  check->setCheckable(true);
+  check->setChecked(checked);
+  addColors(menu, ids);
+  menu.addSeparator();
+  const QPersistentModelIndex row = index;
+  add("treeRename", tr("Rename"), {}, [this, row] {
+    tree_->edit(row);
+  })->setEnabled(model_.flags(source(index)) & Qt::ItemIsEditable);
+  add("treeDuplicate", tr("Duplicate"), "plus", [this, &document, ids] {
+    const auto copies = duplicateEntities(document, ids);
+    if (!copies.empty()) host_.selection().set(copies.front());
+  });
+  add("treeGroup", tr("Put into a new folder"), "folder",
+      [&document, ids] { moveBelow(document, ids, newFolderName(document)); });
+  add("treeRemove", tr("Remove from the cell"), "delete", [&document, ids] { removeEntities(document, ids); });
+  menu.addSeparator();
+  for (const char* name : {"actionReload", "actionMeshCare", "actionExportSelection"})
+    if (auto* action = host_.window().findChild<QAction*>(name)) menu.addAction(action);
+}
+
+void WorkcellPanel::addColors(QMenu& menu, const std::vector<workcell::EntityId>& ids) {
+  QMenu* colors = menu.addMenu(tr("Colour"));
+  colors->setEnabled(!ids.empty());
+  for (const QColor& color : quietColors()) {
+    QPixmap swatch(16, 16);
+    swatch.fill(color);
+    colors->addAction(QIcon(swatch), color.name().toUpper(), this, [this, ids, color] {
+      colorEntities(host_.documentModel(), ids, {color.redF(), color.greenF(), color.blueF()});
+    });
+  }
 }
 
 }  // namespace hapticell::app

@@ -9,6 +9,7 @@
 #include "app/panels/workcell_tree_model.h"
 
 class QLineEdit;
+class QMenu;
 
 namespace hapticell::app {
 
@@ -44,10 +45,15 @@ class WorkcellPanel : public QWidget {
   void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) { model_.setSnapshot(snapshot); }
   WorkcellTreeModel& model() { return model_; }
   WorkcellTreeView& tree() { return *tree_; }
+  /// Those of the selected rows and below them.
+  std::vector<workcell::EntityId> chosenEntities() const;
+  /// What can be done with the selected rows; `index` is the one that was pointed at.
+  void fillMenu(QMenu& menu, const QModelIndex& index);
 
  private:
   void selectEntity(workcell::EntityId entity);
   void openMenu(const QPoint& place);
+  void addColors(QMenu& menu, const std::vector<workcell::EntityId>& ids);
   void keepExpanded();
   QString keyOf(const QModelIndex& index) const;
   QModelIndex source(const QModelIndex& index) const { return filter_model_.mapToSource(index); }

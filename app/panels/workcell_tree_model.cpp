@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/workcell_tree_model.h"
 
+#include <QMimeData>
 #include <algorithm>
 #include <map>
+#include <set>
+
+#include "app/panels/tree_edits.h"
 
 namespace hapticell::app {
 namespace {
+
+constexpr const char* kMimeType = "application/x-hapticell-entities";
 
 int strength(Mark mark) {
   switch (mark) {
@@ -70,12 +76,28 @@ void WorkcellTreeModel::appendRobot(std::vector<Node>& nodes, int row, const wor
   }
 }
 
+void WorkcellTreeModel::appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity,
+                                     const Children& children) {
+  const int row =
+      append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity.name), {}, entity.id, -1, 0, {}, {}});
+  if (entity.robot) appendRobot(nodes, row, entity);
+  const auto [first, last] = children.equal_range(entity.name);
+  for (auto child = first; child != last; ++child) appendEntity(nodes, row, *child->second, children);
+}
+
 std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build(const DocumentModel& document) {
   std::vector<Node> nodes;
   const auto& state = document.document().state();
   const int cell = append(nodes, -1, {Kind::kCell, document.title(), {}, 0, -1, 0, {}, {}});
+  std::set<std::string> names;
+  Children children;
+  for (const auto& entity : state.entities) {
+    names.insert(entity->name);
+    if (!entity->parent.empty()) children.emplace(entity->parent, entity.get());
+  }
   std::map<std::string, int> folders;
   for (const auto& entity : state.entities) {
+    if (names.contains(entity->parent)) continue;
     int parent = cell;
     if (!entity->parent.empty()) {
       const auto [place, added] = folders.try_emplace(entity->parent, -1);
@@ -84,9 +106,7 @@ std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build(const DocumentMode
             append(nodes, cell, {Kind::kFolder, QString::fromStdString(entity->parent), {}, 0, -1, 0, {}, {}});
       parent = place->second;
     }
-    const int row =
-        append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity->name), {}, entity->id, -1, 0, {}, {}});
-    if (entity->robot) appendRobot(nodes, row, *entity);
+    appendEntity(nodes, parent, *entity, children);
   }
   if (!state.pair_sets.empty()) {
     const int sets = append(nodes, cell, {Kind::kPairSets, tr("Pair sets"), {}, 0, -1, 0, {}, {}});
@@ -199,7 +219,7 @@ const workcell::Entity* WorkcellTreeModel::entityOf(const Node& node) const {
 void WorkcellTreeModel::collect(int index, std::vector<workcell::EntityId>& entities) const {
   const Node& node = nodes_[static_cast<std::size_t>(index)];
   if (node.kind == Kind::kEntity) entities.push_back(node.entity);
-  if (node.kind == Kind::kCell || node.kind == Kind::kFolder)
+  if (node.kind == Kind::kCell || node.kind == Kind::kFolder || node.kind == Kind::kEntity)
     for (const int child : node.children) collect(child, entities);
 }
 
@@ -254,6 +274,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
     case kInnerMarkRole:
       return static_cast<int>(innerMark(static_cast<int>(index.internalId())));
     case kSuffixRole:
+      if (entity && entity->unloaded) return tr("file missing");
       return entity && snapshot_ && snapshot_->held == entity->id ? tr("held") : QString();
     case kCanHideRole:
       return node.kind == Kind::kCell || node.kind == Kind::kFolder || node.kind == Kind::kEntity;
@@ -270,6 +291,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
         case Kind::kFolder:
           return QStringLiteral("folder");
         case Kind::kEntity:
+          if (entity && entity->kind == workcell::EntityKind::kAssembly) return QStringLiteral("folder");
           return entity && entity->robot ? QStringLiteral("robot") : QStringLiteral("cube");
         case Kind::kTcp:
           return QStringLiteral("frame");
@@ -291,13 +313,20 @@ Qt::ItemFlags WorkcellTreeModel::flags(const QModelIndex& index) const {
   const Kind kind = kindOf(index);
   Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
   if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kPairSet) result |= Qt::ItemIsEditable;
+  if (kind == Kind::kFolder || kind == Kind::kEntity) result |= Qt::ItemIsDragEnabled;
+  if (kind == Kind::kCell || kind == Kind::kFolder || kind == Kind::kEntity) result |= Qt::ItemIsDropEnabled;
   return result;
 }
 
 bool WorkcellTreeModel::renameFolder(const Node& node, const QString& name) {
-  workcell::SetProperties change;
-  change.parent = name.toStdString();
-  return applyAll(indexOfNode(static_cast<int>(&node - nodes_.data())), tr("Rename %1").arg(node.name), change);
+  std::vector<workcell::Command> commands;
+  for (const int child : node.children) {
+    workcell::SetProperties change;
+    change.id = nodes_[static_cast<std::size_t>(child)].entity;
+    change.parent = name.toStdString();
+    commands.emplace_back(change);
+  }
+  return document_.executeAll(tr("Rename %1").arg(node.name), commands);
 }
 
 bool WorkcellTreeModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -315,30 +344,38 @@ bool WorkcellTreeModel::setData(const QModelIndex& index, const QVariant& value,
   return document_.execute(workcell::EditPairSet{node.name.toStdString(), renamed});
 }
 
-bool WorkcellTreeModel::applyAll(const QModelIndex& index, const QString& text, const workcell::SetProperties& change) {
-  const auto ids = entitiesOf(index);
-  if (ids.empty()) return false;
-  document_.beginStep(text);
-  bool done = true;
-  for (const auto id : ids) {
-    workcell::SetProperties one = change;
-    one.id = id;
-    done = document_.execute(one) && done;
-  }
-  document_.endStep();
-  return done;
-}
-
 bool WorkcellTreeModel::setShown(const QModelIndex& index, bool shown) {
-  workcell::SetProperties change;
-  change.visible = shown;
-  return applyAll(index, (shown ? tr("Show %1") : tr("Hide %1")).arg(index.data().toString()), change);
+  return showEntities(document_, entitiesOf(index), shown);
 }
 
 bool WorkcellTreeModel::setLocked(const QModelIndex& index, bool locked) {
-  workcell::SetProperties change;
-  change.locked = locked;
-  return applyAll(index, (locked ? tr("Lock %1") : tr("Unlock %1")).arg(index.data().toString()), change);
+  return lockEntities(document_, entitiesOf(index), locked);
+}
+
+QStringList WorkcellTreeModel::mimeTypes() const {
+  return {QString::fromLatin1(kMimeType)};
+}
+
+QMimeData* WorkcellTreeModel::mimeData(const QModelIndexList& indexes) const {
+  QStringList ids;
+  for (const QModelIndex& index : indexes) {
+    const Kind kind = kindOf(index);
+    if (kind != Kind::kEntity && kind != Kind::kFolder) continue;
+    for (const auto id : entitiesOf(index)) ids << QString::number(id);
+  }
+  auto* data = new QMimeData;
+  data->setData(QString::fromLatin1(kMimeType), ids.join(' ').toLatin1());
+  return data;
+}
+
+bool WorkcellTreeModel::dropMimeData(const QMimeData* data, Qt::DropAction, int, int, const QModelIndex& parent) {
+  if (!data->hasFormat(QString::fromLatin1(kMimeType)) || !parent.isValid()) return false;
+  Entities ids;
+  for (const QByteArray& id : data->data(QString::fromLatin1(kMimeType)).split(' ')) ids.push_back(id.toULongLong());
+  const Kind kind = kindOf(parent);
+  if (kind != Kind::kCell && kind != Kind::kFolder && kind != Kind::kEntity) return false;
+  moveBelow(document_, ids, kind == Kind::kCell ? QString() : nodes_[parent.internalId()].name);
+  return false;  // The document has done it; the view has nothing to take away.
 }
 
 }  // namespace hapticell::app

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/host/document_model.h"
@@ -11,11 +13,12 @@
 
 namespace hapticell::app {
 
-/// The workcell as a tree: the cell, its folders with their entities, robots with tool centre point and links, pair
-/// sets.
+/// The workcell as a tree: the cell, its folders and entities, assemblies and solids with what stands below them,
+/// robots with tool centre point and links, pair sets.
 ///
-/// Names, visibility and lock are changed through the document's commands, each one step of undo. State marks come from
-/// the newest snapshot and are a role of their own, so that a screen reader can say them. GUI thread.
+/// Names, places in the tree, visibility and lock are changed through the document's commands, each one step of undo.
+/// State marks come from the newest snapshot and are a role of their own, so that a screen reader can say them. GUI
+/// thread.
 class WorkcellTreeModel : public QAbstractItemModel {
   Q_OBJECT
  public:
@@ -51,6 +54,12 @@ class WorkcellTreeModel : public QAbstractItemModel {
   int columnCount(const QModelIndex&) const override { return 1; }
   QVariant data(const QModelIndex& index, int role) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  /// Puts dragged entities below the row they are dropped on.
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                    const QModelIndex& parent) override;
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  private:
@@ -68,6 +77,9 @@ class WorkcellTreeModel : public QAbstractItemModel {
   };
   static std::vector<Node> build(const DocumentModel& document);
   static int append(std::vector<Node>& nodes, int parent, Node node);
+  using Children = std::multimap<std::string, const workcell::Entity*>;  // By the name of what they stand below.
+  static void appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity,
+                           const Children& children);
   static void appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity);
   void documentChanged();
   void updateMarks();
@@ -79,7 +91,6 @@ class WorkcellTreeModel : public QAbstractItemModel {
   QString stateWords(const Node& node) const;
   QModelIndex indexOfNode(int node) const;
   bool renameFolder(const Node& node, const QString& name);
-  bool applyAll(const QModelIndex& index, const QString& text, const workcell::SetProperties& change);
 
   DocumentModel& document_;
   std::vector<Node> nodes_;

@@ -127,7 +127,7 @@ TEST(Window, TheSectionPlaneCutsTheSceneOpenAndClosesAgain) {
   WindowPage page;
   ViewportWidget& viewport = page.window().viewport();
   viewport.setMotion(false);
-  page.window().addFile(writeSolid(folder, "corner.off"));
+  page.add(writeSolid(folder, "corner.off"));
   WindowPage::settle();
   const QImage whole = viewport.finishedPicture();
   page.trigger("actionSection");

@@ -36,6 +36,7 @@ ALLOWED = {
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
     r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
+    r"^(archive|meshoptimizer)": {"workcell"},
     r"^toml\+\+": {"config", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
     r"^CLI/": {"cli"},

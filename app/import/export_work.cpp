@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/import/export_work.h"
+
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QUrl>
+#include <algorithm>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/import/change_page.h"
+#include "workcell/document_io.h"
+#include "workcell/pack.h"
+#include "workcell/scene_export.h"
+
+namespace hapticell::app {
+namespace {
+
+using workcell::DocumentState;
+
+/// What is left of a state when only a family in it is wanted.
+DocumentState onlyFamily(const DocumentState& state, workcell::EntityId id) {
+  const std::vector<workcell::EntityId> family = workcell::familyOf(state, id);
+  DocumentState part;
+  for (const auto& entity : state.entities) {
+    if (std::find(family.begin(), family.end(), entity->id) == family.end()) continue;
+    auto kept = std::make_shared<workcell::Entity>(*entity);
+    if (kept->id == id) kept->parent.clear();
+    part.entities.push_back(std::move(kept));
+  }
+  return part;
+}
+
+Expected<DocumentState> stateBefore(ExportWork::Against against, const DocumentState& now, const std::string& file,
+                                    workcell::ImportMonitor& monitor) {
+  Diagnostics notes;
+  if (against == ExportWork::Against::kImport) return workcell::stateAtImport(now, &monitor, notes);
+  workcell::LoadOptions options;
+  options.keep_unloaded = true;
+  options.monitor = &monitor;
+  auto document = workcell::loadDocument(file, notes, options);
+  if (!document) return makeError(document.error());
+  return document->state();
+}
+
+}  // namespace
+
+ExportWork::ExportWork(Host& host, BackgroundWork& background, QObject* parent)
+    : QObject(parent), host_(host), background_(background) {}
+
+void ExportWork::askExport(bool selection_only) {
+  const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
+  if (selection_only && !entity) return;
+  const QString stem = selection_only ? QString::fromStdString(entity->name) : host_.documentModel().title();
+  const bool robot = selection_only && entity->robot;
+  QStringList filters{tr("STEP (*.step)"), tr("glTF (*.glb)"), tr("STL (*.stl)"), tr("OBJ (*.obj)"), tr("PLY (*.ply)")};
+  robot ? filters.prepend(tr("URDF (*.urdf)")) : filters.append(tr("URDF of the one robot (*.urdf)"));
+  QString chosen;
+  QString path = QFileDialog::getSaveFileName(&host_.window(), tr("Export"), stem + (robot ? ".urdf" : ".step"),
+                                              filters.join(";;"), &chosen);
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += chosen.mid(chosen.indexOf("*.") + 1).chopped(1);
+  exportTo(path, selection_only);
+}
+
+void ExportWork::askPack() {
+  const QString path =
+      QFileDialog::getSaveFileName(&host_.window(), tr("Pack the workcell with its files"),
+                                   host_.documentModel().title() + ".zip", tr("Archives (*.zip *.tar.gz)"));
+  if (!path.isEmpty()) packTo(path);
+}
+
+void ExportWork::askReport(Against against) {
+  QString other;
+  if (against == Against::kOtherCell) {
+    other = QFileDialog::getOpenFileName(&host_.window(), tr("Compare with"), {}, tr("Workcells (*.hcell)"));
+    if (other.isEmpty()) return;
+  }
+  const QString path =
+      QFileDialog::getSaveFileName(&host_.window(), tr("Report what was changed"),
+                                   host_.documentModel().title() + tr("-changes.pdf"), tr("PDF (*.pdf);;CSV (*.csv)"));
+  if (!path.isEmpty()) reportTo(path, against, other);
+}
+
+void ExportWork::tellWritten(const QString& path, const std::vector<std::string>& notes) {
+  const QString name = QFileInfo(path).fileName();
+  for (const std::string& note : notes)
+    host_.messages().tell(Severity::kWarning, tr("%1 was written with remarks").arg(name),
+                          QString::fromStdString(note));
+  const QString folder = QFileInfo(path).absolutePath();
+  host_.messages().tell(Severity::kInformation, tr("%1 is written").arg(name), folder,
+                        {{tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}});
+  emit finished(path, true);
+}
+
+void ExportWork::run(const QString& path, BackgroundWork::Work work, const QString& failed) {
+  background_.start(QFileInfo(path).fileName(), std::move(work), [this, path, failed](const Error& error) {
+    host_.messages().tell(Severity::kProblem, failed, QString::fromStdString(error.message()));
+    emit finished(path, false);
+  });
+}
+
+void ExportWork::exportTo(const QString& path, bool selection_only) {
+  const DocumentState& all = host_.documentModel().document().state();
+  const DocumentState state = selection_only ? onlyFamily(all, host_.selection().current()) : all;
+  const auto work = [this, path, state](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+    workcell::ExportOptions options;
+    options.monitor = &monitor;
+    monitor.report("writing", 0.0);
+    Diagnostics notes;
+    const auto written = workcell::exportState(state, path.toStdString(), options, notes);
+    if (!written) return makeError(written.error());
+    return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
+  };
+  run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));
+}
+
+void ExportWork::packTo(const QString& path) {
+  const DocumentState state = host_.documentModel().document().state();
+  const std::string name = (host_.documentModel().title() + ".hcell").toStdString();
+  const auto work = [this, path, state, name](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+    monitor.report("packing", 0.0);
+    Diagnostics notes;
+    const auto packed = workcell::pack(state, path.toStdString(), name, notes);
+    if (!packed) return makeError(packed.error());
+    return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
+  };
+  run(path, work, tr("%1 was not written").arg(QFileInfo(path).fileName()));
+}
+
+void ExportWork::reportTo(const QString& path, Against against, const QString& other) {
+  const workcell::Document& document = host_.documentModel().document();
+  const std::string file = against == Against::kOtherCell ? other.toStdString() : document.path().string();
+  const QString failed = tr("%1 was not written").arg(QFileInfo(path).fileName());
+  if (against == Against::kSaved && file.empty()) {
+    host_.messages().tell(Severity::kWarning, failed,
+                          tr("The cell was never saved. Compare it with the import instead."));
+    emit finished(path, false);
+    return;
+  }
+  const QString against_text = against == Against::kImport ? tr("the placements of the imported files")
+                                                           : QFileInfo(QString::fromStdString(file)).fileName();
+  const auto work = [=, this, state = document.state(), cell = host_.documentModel().title()](
+                        workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+    const auto before = stateBefore(against, state, file, monitor);
+    if (!before) return makeError(before.error());
+    const auto written = writeChanges(workcell::compareStates(*before, state), cell, against_text, path);
+    if (!written) return makeError(written.error());
+    return BackgroundWork::Then([this, path] { tellWritten(path, {}); });
+  };
+  run(path, work, failed);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "app/import/background_work.h"
+
+namespace hapticell::app {
+
+class Host;
+
+/// What the window gives back: exports, packs and change reports, written beside the window; messages tell what came of
+/// it. The functions that ask for a file end in those that take its name. GUI thread.
+class ExportWork : public QObject {
+  Q_OBJECT
+ public:
+  /// What a change report compares with.
+  enum class Against { kSaved, kImport, kOtherCell };
+
+  ExportWork(Host& host, BackgroundWork& background, QObject* parent = nullptr);
+
+  void askExport(bool selection_only);
+  void askPack();
+  void askReport(Against against);
+
+  /// Writes the cell, or what is selected and all below it, in the format that the name's ending says.
+  void exportTo(const QString& path, bool selection_only);
+  /// The document with all its files, as a folder or an archive (.zip, .tar.gz).
+  void packTo(const QString& path);
+  /// PDF or CSV by the name's ending; `other` is the workcell for kOtherCell.
+  void reportTo(const QString& path, Against against, const QString& other = {});
+
+ signals:
+  void finished(const QString& path, bool done);
+
+ private:
+  void run(const QString& path, BackgroundWork::Work work, const QString& failed);
+  void tellWritten(const QString& path, const std::vector<std::string>& notes);
+
+  Host& host_;
+  BackgroundWork& background_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/import/mesh_care_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/import/import_choices.h"
+#include "app/panels/form.h"
+#include "app/style/segmented.h"
+#include "app/style/value_field.h"
+#include "workcell/mesh_care.h"
+
+namespace hapticell::app {
+namespace {
+
+using workcell::CollisionProxy;
+
+QString millimetres(double metres) {
+  return QObject::tr("%1 mm").arg(1000.0 * metres, 0, 'f', metres < 1e-4 ? 3 : 2);
+}
+
+QString healthText(const workcell::MeshHealth& health) {
+  const auto count = [](std::size_t n) { return countText(static_cast<double>(n)); };
+  QStringList words;
+  if (health.border_edges > 0) words << QObject::tr("%1 open edges").arg(count(health.border_edges));
+  if (health.non_manifold_edges > 0)
+    words << QObject::tr("%1 edges of more than two faces").arg(count(health.non_manifold_edges));
+  if (health.flipped_edges > 0)
+    words << QObject::tr("%1 edges whose faces look opposite ways").arg(count(health.flipped_edges));
+  return words.isEmpty() ? QObject::tr("closed") : words.join(", ");
+}
+
+}  // namespace
+
+MeshCarePanel::MeshCarePanel(Host& host, BackgroundWork& background, QWidget* parent)
+    : QWidget(parent), host_(host), background_(background) {
+  setMinimumWidth(330);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  QVBoxLayout* what = addSection(*column, {});
+  name_ = makeLabel({}, TextRole::kSection);
+  counts_ = makeLabel({}, TextRole::kSecond, true);
+  counts_->setObjectName("meshCounts");
+  counts_->setWordWrap(true);
+  what->addWidget(name_);
+  what->addWidget(counts_);
+  QVBoxLayout* fewer = addSection(*column, tr("Mesh"));
+  tolerance_ = new ValueField({tr("mm"), 2, 0.01, 1000.0, 0.1});
+  tolerance_->setValue(0.2);
+  simplify_ = new QPushButton(tr("Simplify"));
+  simplify_->setObjectName("meshSimplify");
+  addRow(*fewer, tr("Off by at most"), sideBySide({tolerance_, simplify_}), 100);
+  turn_ = new QPushButton(tr("Turn faces outwards"));
+  turn_->setObjectName("meshTurn");
+  addRow(*fewer, {}, turn_, 100);
+  QVBoxLayout* checked = addSection(*column, tr("Checked for contact by"));
+  proxy_ = new Segmented({tr("Itself"), tr("Coarse"), tr("Convex hull")});
+  proxy_->setObjectName("meshProxy");
+  checked->addWidget(proxy_);
+  proxy_text_ = makeLabel({}, TextRole::kSecond, true);
+  proxy_text_->setObjectName("meshProxyText");
+  proxy_text_->setWordWrap(true);
+  checked->addWidget(proxy_text_);
+  column->addStretch(1);
+  connect(simplify_, &QPushButton::clicked, this, &MeshCarePanel::simplify);
+  connect(turn_, &QPushButton::clicked, this, &MeshCarePanel::turnOutwards);
+  connect(proxy_, &Segmented::chosen, this, &MeshCarePanel::chooseProxy);
+  connect(&host_.selection(), &Selection::changed, this, &MeshCarePanel::refresh);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, &MeshCarePanel::refresh);
+  refresh();
+}
+
+const workcell::Entity* MeshCarePanel::solid() const {
+  const workcell::Entity* entity = host_.documentModel().document().find(host_.selection().current());
+  return entity && entity->mesh ? entity : nullptr;
+}
+
+void MeshCarePanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  refresh();
+}
+
+void MeshCarePanel::refresh() {
+  if (!isVisible()) return;
+  const workcell::Entity* entity = solid();
+  for (QWidget* widget : std::initializer_list<QWidget*>{tolerance_, simplify_, turn_, proxy_})
+    widget->setEnabled(entity);
+  if (!entity) {
+    looked_at_ = nullptr;
+    name_->setText(tr("No solid is selected"));
+    counts_->setText(tr("Click one in the scene or in the tree."));
+    proxy_text_->clear();
+    return;
+  }
+  name_->setText(QString::fromStdString(entity->name));
+  proxy_->setCurrent(static_cast<int>(entity->proxy.kind));
+  const CollisionProxy& proxy = entity->proxy;
+  proxy_text_->setText(
+      proxy.mesh ? tr("%1 triangles, off the mesh by at most %2")
+                       .arg(countText(static_cast<double>(proxy.mesh->triangles.size())), millimetres(proxy.deviation))
+                 : tr("The mesh as it is drawn."));
+  if (looked_at_ != entity->mesh.get()) look();
+}
+
+void MeshCarePanel::look() {
+  const auto mesh = solid()->mesh;
+  looked_at_ = mesh.get();
+  const QString triangles = tr("%1 triangles").arg(countText(static_cast<double>(mesh->triangles.size())));
+  counts_->setText(triangles);
+  background_.start(
+      tr("Looking at the mesh"),
+      [this, mesh, triangles](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
+        const QString health = healthText(workcell::healthOf(*mesh));
+        return BackgroundWork::Then([this, mesh, triangles, health] {
+          if (looked_at_ == mesh.get()) counts_->setText(triangles + QStringLiteral(", ") + health);
+        });
+      },
+      [](const Error&) {});
+}
+
+void MeshCarePanel::start(const QString& name, BackgroundWork::Work work) {
+  background_.start(name, std::move(work), [this, name](const Error& error) {
+    host_.messages().tell(Severity::kProblem, tr("%1 is as it was").arg(name), QString::fromStdString(error.message()));
+  });
+}
+
+void MeshCarePanel::replace(workcell::EntityId id, const workcell::SourceFile& source, geometry::TriangleMesh mesh,
+                            const QString& told) {
+  const workcell::Entity* entity = host_.documentModel().document().find(id);
+  if (!entity) return;
+  workcell::Entity fresh = *entity;
+  fresh.source = source;
+  fresh.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+  if (host_.documentModel().execute(workcell::ReplaceShape{id, std::move(fresh)}))
+    host_.messages().tell(Severity::kInformation, QString::fromStdString(entity->name), told);
+}
+
+void MeshCarePanel::simplify() {
+  const workcell::Entity* entity = solid();
+  if (!entity) return;
+  workcell::SourceFile source = entity->source;
+  source.simplified += 0.001 * tolerance_->value();
+  start(QString::fromStdString(entity->name),
+        [this, id = entity->id, mesh = entity->mesh, source,
+         tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+          monitor.report("simplifying", 0.1);
+          auto made = workcell::simplify(*mesh, tolerance);
+          if (!made) return makeError(made.error());
+          const QString told =
+              tr("%1 of %2 triangles are left, off the surface by at most %3.")
+                  .arg(countText(static_cast<double>(made->mesh.triangles.size())),
+                       countText(static_cast<double>(mesh->triangles.size())), millimetres(made->deviation));
+          auto result = std::make_shared<workcell::MadeMesh>(std::move(*made));
+          return BackgroundWork::Then(
+              [this, id, source, result, told] { replace(id, source, std::move(result->mesh), told); });
+        });
+}
+
+void MeshCarePanel::turnOutwards() {
+  const workcell::Entity* entity = solid();
+  if (!entity) return;
+  workcell::SourceFile source = entity->source;
+  source.oriented = true;
+  start(
+      QString::fromStdString(entity->name),
+      [this, id = entity->id, mesh = entity->mesh, source](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
+        auto turned = std::make_shared<geometry::TriangleMesh>(*mesh);
+        const std::size_t count = workcell::orient(*turned);
+        const QString told = count == 0
+                                 ? tr("All faces look outwards already.")
+                                 : tr("%1 faces were turned outwards.").arg(countText(static_cast<double>(count)));
+        return BackgroundWork::Then(
+            [this, id, source, turned, told] { replace(id, source, std::move(*turned), told); });
+      });
+}
+
+void MeshCarePanel::chooseProxy(int kind) {
+  const workcell::Entity* entity = solid();
+  if (!entity) return;
+  start(QString::fromStdString(entity->name),
+        [this, id = entity->id, mesh = entity->mesh, kind = static_cast<CollisionProxy::Kind>(kind),
+         tolerance = 0.001 * tolerance_->value()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+          monitor.report("making what is checked", 0.1);
+          auto proxy = workcell::makeProxy(*mesh, kind, tolerance);
+          if (!proxy) return makeError(proxy.error());
+          auto made = std::make_shared<CollisionProxy>(std::move(*proxy));
+          return BackgroundWork::Then([this, id, made] {
+            host_.documentModel().execute(workcell::SetCollisionProxy{id, *made});
+          });
+        });
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "workcell/command.h"
+#include "workcell/document_state.h"
+#include "workcell/import_monitor.h"
+
+namespace hapticell::app {
+
+/// The commands that give entities the shapes that their files hold now, proxies made anew, and what could not be read.
+struct ShapeReload {
+  std::vector<workcell::Command> commands;
+  std::vector<std::string> problems;  ///< A sentence each; those entities stay as they are.
+};
+
+/// Reads all entities of `state` again whose file is one of `paths`. Blocks; any thread.
+ShapeReload reloadShapes(const workcell::DocumentState& state, const std::vector<std::string>& paths,
+                         workcell::ImportMonitor& monitor);
+
+}  // namespace hapticell::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QSet>
+#include <QTimer>
+
+#include "app/host/document_model.h"
+
+namespace hapticell::app {
+
+/// Watches the files that the document's entities came from and tells when some of them hold something else. GUI
+/// thread.
+class SourceWatch : public QObject {
+  Q_OBJECT
+ public:
+  explicit SourceWatch(DocumentModel& document, QObject* parent = nullptr);
+
+ signals:
+  /// Once their writing has been quiet for a while.
+  void changed(const QStringList& paths);
+
+ private:
+  void follow();
+  void note(const QString& path);
+
+  DocumentModel& document_;
+  QFileSystemWatcher watcher_;
+  QSet<QString> noted_;
+  QTimer quiet_, refresh_;
+};
+
+}  // namespace hapticell::app

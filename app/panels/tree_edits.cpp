@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panels/tree_edits.h"
+
+#include <QObject>
+#include <algorithm>
+#include <functional>
+#include <unordered_set>
+
+#include "workcell/imported_entities.h"
+
+namespace hapticell::app {
+namespace {
+
+using workcell::DocumentState;
+using workcell::Entity;
+using workcell::EntityId;
+using workcell::SetProperties;
+
+QString nameOf(const DocumentState& state, const Entities& ids) {
+  const Entity* first = ids.empty() ? nullptr : state.find(ids.front());
+  if (!first) return {};
+  const QString name = QString::fromStdString(first->name);
+  return ids.size() == 1 ? name : QObject::tr("%1 and %2 more").arg(name).arg(ids.size() - 1);
+}
+
+/// Those that do not stand below another of them.
+Entities topmost(const DocumentState& state, const Entities& ids) {
+  std::unordered_set<EntityId> below;
+  for (const EntityId id : ids) {
+    const auto family = workcell::familyOf(state, id);
+    for (const EntityId member : family)
+      if (member != id) below.insert(member);
+  }
+  Entities top;
+  for (const EntityId id : ids)
+    if (state.find(id) && !below.contains(id)) top.push_back(id);
+  return top;
+}
+
+/// Sets properties of all below; an assembly hands them down itself.
+bool setAll(DocumentModel& document, const QString& verb, const Entities& ids, const SetProperties& change) {
+  const DocumentState& state = document.document().state();
+  std::vector<workcell::Command> commands;
+  std::unordered_set<EntityId> done;
+  for (const EntityId id : withBelow(state, ids)) {
+    if (done.contains(id)) continue;
+    SetProperties one = change;
+    one.id = id;
+    commands.emplace_back(one);
+    if (state.find(id)->kind != workcell::EntityKind::kAssembly) continue;
+    for (const EntityId member : workcell::familyOf(state, id)) done.insert(member);
+  }
+  if (commands.empty()) return false;
+  return document.executeAll(verb.arg(nameOf(state, topmost(state, ids))), commands);
+}
+
+/// Shows exactly those for which `wanted` says so.
+bool showExactly(DocumentModel& document, const QString& text, const std::function<bool(const Entity&)>& wanted) {
+  const DocumentState& state = document.document().state();
+  Entities all;
+  for (const auto& entity : state.entities) all.push_back(entity->id);
+  std::vector<workcell::Command> commands;
+  const bool any = std::any_of(state.entities.begin(), state.entities.end(),
+                               [&](const auto& entity) { return entity->visible != wanted(*entity); });
+  if (!any) return false;
+  for (const EntityId id : withBelow(state, all)) {  // Parents first: an assembly's word is followed by its parts' own.
+    SetProperties one;
+    one.id = id;
+    one.visible = wanted(*state.find(id));
+    commands.emplace_back(one);
+  }
+  return document.executeAll(text, commands);
+}
+
+}  // namespace
+
+Entities withBelow(const DocumentState& state, const Entities& ids) {
+  Entities result;
+  std::unordered_set<EntityId> known;
+  for (const EntityId id : topmost(state, ids))
+    for (const EntityId member : workcell::familyOf(state, id))
+      if (known.insert(member).second) result.push_back(member);
+  return result;
+}
+
+bool showEntities(DocumentModel& document, const Entities& ids, bool shown) {
+  SetProperties change;
+  change.visible = shown;
+  return setAll(document, shown ? QObject::tr("Show %1") : QObject::tr("Hide %1"), ids, change);
+}
+
+bool lockEntities(DocumentModel& document, const Entities& ids, bool locked) {
+  SetProperties change;
+  change.locked = locked;
+  return setAll(document, locked ? QObject::tr("Lock %1") : QObject::tr("Unlock %1"), ids, change);
+}
+
+bool checkEntities(DocumentModel& document, const Entities& ids, bool checked) {
+  SetProperties change;
+  change.checked = checked;
+  return setAll(document, checked ? QObject::tr("Check %1 for collision") : QObject::tr("Leave %1 unchecked"), ids,
+                change);
+}
+
+bool colorEntities(DocumentModel& document, const Entities& ids, const std::array<float, 3>& color) {
+  SetProperties change;
+  change.color = color;
+  return setAll(document, QObject::tr("Colour %1"), ids, change);
+}
+
+bool isolateEntities(DocumentModel& document, const Entities& ids) {
+  const DocumentState& state = document.document().state();
+  const Entities family = withBelow(state, ids);
+  std::unordered_set<EntityId> shown(family.begin(), family.end());
+  for (const EntityId id : ids) {  // What they stand below is not drawn itself, but its eye should be open.
+    const Entity* at = state.find(id);
+    while (at && (at = state.findByName(at->parent)) && at->kind == workcell::EntityKind::kAssembly)
+      if (!shown.insert(at->id).second) break;
+  }
+  return showExactly(document, QObject::tr("Isolate %1").arg(nameOf(state, ids)),
+                     [&](const Entity& entity) { return shown.contains(entity.id); });
+}
+
+bool showAll(DocumentModel& document) {
+  return showExactly(document, QObject::tr("Show all"), [](const Entity&) { return true; });
+}
+
+bool removeEntities(DocumentModel& document, const Entities& ids) {
+  const DocumentState& state = document.document().state();
+  const Entities top = topmost(state, ids);
+  std::vector<workcell::Command> commands;
+  for (const EntityId id : top) commands.emplace_back(workcell::RemoveEntity{id});
+  return !commands.empty() && document.executeAll(QObject::tr("Remove %1").arg(nameOf(state, top)), commands);
+}
+
+Entities duplicateEntities(DocumentModel& document, const Entities& ids) {
+  const DocumentState& state = document.document().state();
+  const Entities top = topmost(state, ids);
+  std::vector<Entity> copies;
+  geometry::Bounds bounds_W;
+  for (const EntityId id : withBelow(state, ids)) {
+    copies.push_back(*state.find(id));
+    copies.back().attachment = {};
+    if (copies.back().mesh) bounds_W.add(geometry::transformed(copies.back().X_WE, copies.back().mesh->bounds()));
+  }
+  if (copies.empty()) return {};
+  constexpr double kOtherwise = 0.5;  // Metres; robots are about as wide.
+  const double beside = bounds_W.isEmpty() ? kOtherwise : 1.1 * bounds_W.size().x;
+  document.beginStep(QObject::tr("Duplicate %1").arg(nameOf(state, top)));
+  const auto added = document.addImported(std::move(copies), Pose::translation({beside, 0.0, 0.0}));
+  document.endStep();
+  return added ? *added : Entities{};
+}
+
+bool moveBelow(DocumentModel& document, const Entities& ids, const QString& parent) {
+  const DocumentState& state = document.document().state();
+  std::vector<workcell::Command> commands;
+  for (const EntityId id : topmost(state, ids)) {
+    if (state.find(id)->parent == parent.toStdString()) continue;
+    SetProperties change;
+    change.id = id;
+    change.parent = parent.toStdString();
+    commands.emplace_back(change);
+  }
+  if (commands.empty()) return false;
+  const QString where = parent.isEmpty() ? QObject::tr("the top") : parent;
+  return document.executeAll(QObject::tr("Put %1 below %2").arg(nameOf(state, ids), where), commands);
+}
+
+}  // namespace hapticell::app

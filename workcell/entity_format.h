@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "workcell/field_reader.h"
+#include "workcell/format_context.h"
+
+namespace hapticell::workcell {
+
+/// "solid", "robot" ...: as EntityKind.
+const std::vector<std::string>& entityKindWords();
+
+Json jsonFromEntity(const Entity& entity, const std::filesystem::path& folder);
+
+/// Reads what every entity has (placement, colour, flags, frames, attachment, what it is checked by) and what robots
+/// have, into one whose shape is there. `place` stands in the messages.
+void readEntityFields(FieldReader& fields, const std::string& place, const FormatContext& context, Entity& entity);
+
+}  // namespace hapticell::workcell
