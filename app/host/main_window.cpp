@@ -81,9 +81,11 @@ void MainWindow::connectViewActions() {
   on(actions_->dark, [this] { setTheme(true); });
   on(actions_->light, [this] { setTheme(false); });
   on(actions_->side_docks, [this](bool checked) {
-    for (QDockWidget* dock : findChildren<QDockWidget*>())
-      if (const auto area = dockWidgetArea(dock); area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea)
-        dock->setVisible(checked);
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+      const auto area = dockWidgetArea(dock);
+      const bool aside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+      if (aside && !dock->isFloating()) dock->setVisible(checked);
+    }
   });
   on(actions_->about, [this] {
     QMessageBox::about(

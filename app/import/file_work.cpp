@@ -132,6 +132,13 @@ void FileWork::tellError(const QString& title, const Error& error) {
                         QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
 }
 
+void FileWork::offer(Severity severity, const QString& title, const QString& text, std::vector<MessageAction> actions) {
+  host_.messages().tell(severity, title, text, std::move(actions));
+  const bool held = host_.snapshot() && host_.snapshot()->held != 0;
+  auto* messages = host_.window().findChild<QDockWidget*>("dockMessages");
+  if (messages && !held) messages->raise();
+}
+
 void FileWork::clear() {
   opener_.cancel();
   session_.cancelAll();
@@ -174,11 +181,10 @@ void FileWork::offerCopy(const QString& path) {
   const QString file = QString::fromStdString(copy->string());
   const QString when = QFileInfo(file).lastModified().toString(tr("d MMMM, HH:mm"));
   const QString what = path.isEmpty() ? tr("A new workcell") : QFileInfo(path).fileName();
-  host_.messages().tell(
-      Severity::kWarning, tr("%1 was not closed in order").arg(what),
-      tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
-      {{tr("Restore the copy"), [this, file, path] { opener_.openCopy(file, path); }},
-       {tr("Forget it"), [path] { workcell::discardAutosave(path.toStdString()); }}});
+  offer(Severity::kWarning, tr("%1 was not closed in order").arg(what),
+        tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
+        {{tr("Restore the copy"), [this, file, path] { opener_.openCopy(file, path); }},
+         {tr("Forget it"), [path] { workcell::discardAutosave(path.toStdString()); }}});
 }
 
 void FileWork::offerLeftOver() {
@@ -192,10 +198,9 @@ void FileWork::offerReload(const QStringList& paths) {
     names << QFileInfo(path).fileName();
     files.push_back(path.toStdString());
   }
-  host_.messages().tell(
-      Severity::kInformation, tr("%1 changed on disk").arg(names.join(", ")),
-      tr("The cell shows what it held before. Placements, names and colours stay when it is read again."),
-      {{tr("Read again"), [this, files] { reload(files); }}});
+  offer(Severity::kInformation, tr("%1 changed on disk").arg(names.join(", ")),
+        tr("The cell shows what it held before. Placements, names and colours stay when it is read again."),
+        {{tr("Read again"), [this, files] { reload(files); }}});
 }
 
 void FileWork::reloadSelected() {
@@ -242,12 +247,11 @@ void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
   const qsizetype more = names.size() - kNamed;
   QString text = names.mid(0, kNamed).join(", ");
   if (more > 0) text += tr(" and %1 more").arg(more);
-  host_.messages().tell(
-      Severity::kWarning,
-      names.size() == 1 ? tr("A file of this cell is missing")
-                        : tr("%1 files of this cell are missing").arg(names.size()),
-      text + tr(". Their parts are kept without a shape; the rest is here. Show a folder that holds them."),
-      {{tr("Show folder…"), [this] { findMissing(); }}});
+  offer(Severity::kWarning,
+        names.size() == 1 ? tr("A file of this cell is missing")
+                          : tr("%1 files of this cell are missing").arg(names.size()),
+        text + tr(". Their parts are kept without a shape; the rest is here. Show a folder that holds them."),
+        {{tr("Show folder…"), [this] { findMissing(); }}});
 }
 
 void FileWork::findMissing() {

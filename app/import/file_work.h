@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <QTimer>
 
+#include "app/host/message_log.h"
 #include "app/import/autosaver.h"
 #include "app/import/background_work.h"
 #include "app/import/document_opener.h"
@@ -61,6 +62,8 @@ class FileWork : public QObject {
   void offerCopy(const QString& path);
   void offerReload(const QStringList& paths);
   void cancelOther();
+  /// Tells something with buttons, and brings the messages to the front where that is no disturbance.
+  void offer(Severity severity, const QString& title, const QString& text, std::vector<MessageAction> actions);
   void offerMissing(const std::vector<std::filesystem::path>& missing);
   void findMissing();
   void showOther();

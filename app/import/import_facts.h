@@ -11,17 +11,17 @@ namespace hapticell::app {
 
 /// What is known of a file once it was read, and how it looks.
 struct ImportFacts {
-  QString format;                    ///< "STEP AP214", "STL" ...
-  qint64 bytes = 0;                  ///< Of the file.
-  dvec3 size{0.0};                   ///< Metres along x, y and z as it would stand in the cell.
-  double metres_per_unit = 1.0;      ///< As it was read.
-  bool unit_is_stated = false;       ///< The file names it.
+  QString format;                       ///< "STEP AP214", "STL" ...
+  qint64 bytes = 0;                     ///< Of the file.
+  dvec3 size{0.0};                      ///< Metres along x, y and z as it would stand in the cell.
+  double metres_per_unit = 1.0;         ///< As it was read.
+  bool unit_is_stated = false;          ///< The file names it.
   double likely_metres_per_unit = 1.0;  ///< Guessed from the size where the file names none.
   workcell::UpAxis up_axis = workcell::UpAxis::kZ;
   std::size_t parts = 0, triangles = 0;
-  bool can_be_cut_finer = false;     ///< STEP and IGES; others hold triangles.
-  double chord = 0.0;                ///< Metres.
-  QImage picture;                    ///< Transparent ground.
+  bool can_be_cut_finer = false;  ///< STEP and IGES; others hold triangles.
+  double chord = 0.0;             ///< Metres.
+  QImage picture;                 ///< Transparent ground.
 };
 
 /// Reads size and picture off an import. `picture_size` in device pixels. Any thread; 0.1 s a million triangles.

@@ -47,7 +47,8 @@ class PreviewBox : public QWidget {
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QSize fitted = picture_.size().scaled(size(), Qt::KeepAspectRatio);
-    painter.drawImage(QRect(QPoint((width() - fitted.width()) / 2, (height() - fitted.height()) / 2), fitted), picture_);
+    painter.drawImage(QRect(QPoint((width() - fitted.width()) / 2, (height() - fitted.height()) / 2), fitted),
+                      picture_);
   }
 
  private:
@@ -64,7 +65,8 @@ QString millimetres(double metres, int decimals = 0) {
 }
 
 QString sizeLine(const FileImport& file) {
-  const double factor = file.choices.metres_per_unit.value_or(file.facts->metres_per_unit) / file.facts->metres_per_unit;
+  const double factor =
+      file.choices.metres_per_unit.value_or(file.facts->metres_per_unit) / file.facts->metres_per_unit;
   const dvec3 size = file.facts->size * factor;
   const double largest = std::max({size.x, size.y, size.z});
   const int decimals = largest < 0.1 ? 2 : largest < 1.0 ? 1 : 0;
@@ -156,9 +158,8 @@ void ImportPanel::addChoices() {
   connect(quality_, &Segmented::chosen, this, [this](int quality) {
     chooseCurrent([quality](ImportChoices& choices) { choices.quality = static_cast<MeshQuality>(quality); });
   });
-  connect(tree_, &Segmented::chosen, this, [this](int row) {
-    chooseCurrent([row](ImportChoices& choices) { choices.merge = row == 0; });
-  });
+  connect(tree_, &Segmented::chosen, this,
+          [this](int row) { chooseCurrent([row](ImportChoices& choices) { choices.merge = row == 0; }); });
 }
 
 void ImportPanel::addProgress() {
@@ -239,7 +240,8 @@ void ImportPanel::fillFiles() {
   file_->clear();
   const auto& files = session_.files();
   for (std::size_t k = 0; k < files.size(); ++k) {
-    file_->addItem(tr("%1 of %2:  %3").arg(k + 1).arg(files.size()).arg(QFileInfo(files[k].path).fileName()), files[k].id);
+    file_->addItem(tr("%1 of %2:  %3").arg(k + 1).arg(files.size()).arg(QFileInfo(files[k].path).fileName()),
+                   files[k].id);
   }
   file_->setCurrentIndex(file_->findData(current_));
   file_->setVisible(files.size() > 1);
@@ -279,9 +281,10 @@ void ImportPanel::showFile(const FileImport& file) {
   const ImportEstimate estimate = ImportSession::estimateOf(file);
   const bool same = file.choices.quality == file.examined_with.quality;
   const QString triangles = tr("%1%2 triangles").arg(same ? QString() : tr("about "), countText(estimate.triangles));
-  estimate_->setText(facts.can_be_cut_finer
-                         ? tr("%1 mm, %2, %3").arg(millimetres(estimate.chord, 2), triangles, durationText(estimate.seconds))
-                         : triangles);
+  estimate_->setText(
+      facts.can_be_cut_finer
+          ? tr("%1 mm, %2, %3").arg(millimetres(estimate.chord, 2), triangles, durationText(estimate.seconds))
+          : triangles);
   tree_->setCurrent(file.choices.merge ? 0 : 1);
   const bool several = facts.parts > 1 || file.examined_with.merge;
   tree_->button(1)->setText(several && !file.examined_with.merge
@@ -320,9 +323,13 @@ void ImportPanel::showProgress() {
     stage = file->queued ? tr("Waits for the file before it") : QString::fromStdString(file->progress.stage);
   }
   const QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
-  stage_->setText(stage_->fontMetrics().elidedText(words, Qt::ElideRight, width() - 80));
+  stage_->setText(stage_->fontMetrics().elidedText(words, Qt::ElideRight, width() - 130));
   stage_->setToolTip(words);
-  share_->setText(QStringLiteral("%1 %").arg(std::lround(100.0 * share)));
+  QString text = QStringLiteral("%1 %").arg(std::lround(100.0 * share));
+  constexpr double kKnown = 0.05, kWorthSaying = 2.0;  // Of the whole; seconds.
+  const double left = file && share > kKnown ? file->elapsed * (1.0 - share) / share : 0.0;
+  if (left > kWorthSaying) text += tr(" · %1 left").arg(durationText(left));
+  share_->setText(text);
   bar_->setValue(static_cast<int>(std::lround(1000.0 * share)));
 }
 

@@ -26,7 +26,8 @@ ImportSession::ImportSession(QObject* parent) : QObject(parent) {
   poll_.setInterval(kPollMilliseconds);
   connect(&poll_, &QTimer::timeout, this, &ImportSession::poll);
   importer_ = std::make_unique<workcell::Importer>([this](workcell::ImportId job) {
-    QMetaObject::invokeMethod(this, [this, job] { takeEnded(job); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, job] { takeEnded(job); }, Qt::QueuedConnection);
   });
 }
 
@@ -87,11 +88,13 @@ void ImportSession::start(FileImport& file) {
 void ImportSession::poll() {
   bool any = false, moved = false;
   for (FileImport& file : files_) {
-    const Work& work = *workOf(file.id);
+    Work& work = *workOf(file.id);
     if (work.job == 0) continue;
     any = true;
     const workcell::ImportStatus status = importer_->status(work.job);
     const bool queued = status.state == workcell::ImportStatus::State::kQueued;
+    if (queued) work.clock.restart();  // It has not begun.
+    file.elapsed = static_cast<double>(work.clock.elapsed()) * 1e-3;
     moved = moved || queued != file.queued || status.progress.share != file.progress.share ||
             status.progress.stage != file.progress.stage;
     file.queued = queued;
@@ -125,8 +128,8 @@ void ImportSession::paint(int id) {
   // A copy: what is painted may be handed over and changed meanwhile. Meshes are shared.
   auto shown = std::make_shared<workcell::ImportResult>(**workOf(id)->result);
   const workcell::UpAxis read = file.examined_with.up_axis.value_or(shown->report.up_axis);
-  const Pose X = workcell::turnedUp(file.choices.up_axis.value_or(shown->report.up_axis)) *
-                 workcell::turnedUp(read).inverse();
+  const Pose X =
+      workcell::turnedUp(file.choices.up_axis.value_or(shown->report.up_axis)) * workcell::turnedUp(read).inverse();
   for (workcell::Entity& entity : shown->entities) entity.X_WE = X * entity.X_WE;
   painters_.start([this, id, path = file.path, shown, size = picture_size_] {
     ImportFacts facts = factsOf(*shown, path, size);

@@ -27,10 +27,11 @@ struct FileImport {
   Stage stage = Stage::kExamining;
   ImportChoices choices;
   workcell::ImportProgress progress;
-  bool queued = false;                ///< Another file is being read before it.
-  std::optional<ImportFacts> facts;   ///< Of the examination.
+  double elapsed = 0.0;              ///< Seconds since its reading began.
+  bool queued = false;               ///< Another file is being read before it.
+  std::optional<ImportFacts> facts;  ///< Of the examination.
   ImportChoices examined_with;
-  double seconds = 0.0;               ///< That the examination took.
+  double seconds = 0.0;  ///< That the examination took.
 };
 
 /// Files that are being imported: each is read beside the window (workcell::Importer), shown, and handed over when the

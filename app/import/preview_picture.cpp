@@ -65,8 +65,8 @@ class Canvas {
         const double v = ((p[2].x - x) * (p[0].y - y) - (p[0].x - x) * (p[2].y - y)) / area;
         if (u < 0.0 || v < 0.0 || u + v > 1.0) continue;
         const auto depth = static_cast<float>(u * p[0].z + v * p[1].z + (1.0 - u - v) * p[2].z);
-        float& nearest = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) +
-                                static_cast<std::size_t>(x)];
+        float& nearest =
+            depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) + static_cast<std::size_t>(x)];
         if (depth <= nearest) continue;
         nearest = depth;
         line[x] = color;
@@ -101,7 +101,8 @@ void paint(const workcell::Entity& entity, const View& view, Canvas& canvas) {
     if (!(length > 0.0)) continue;
     dvec3 nhat_W = across / length;
     if (glm::dot(nhat_W, view.back_W) < 0.0) nhat_W = -nhat_W;  // Two-sided, as the scene is.
-    canvas.fill(p, shaded(color, 0.45 + 0.4 * std::max(0.0, glm::dot(nhat_W, light_W)) + 0.25 * glm::dot(nhat_W, view.back_W)));
+    canvas.fill(
+        p, shaded(color, 0.45 + 0.4 * std::max(0.0, glm::dot(nhat_W, light_W)) + 0.25 * glm::dot(nhat_W, view.back_W)));
   }
 }
 

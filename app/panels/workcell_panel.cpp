@@ -221,7 +221,9 @@ void WorkcellPanel::keepExpanded() {
     for (int row = 0; row < filter_model_.rowCount(parent); ++row) {
       const QModelIndex index = filter_model_.index(row, 0, parent);
       const auto kind = model_.kindOf(source(index));
-      const bool open_at_first = kind != WorkcellTreeModel::Kind::kPairSets;
+      constexpr int kManyRows = 40;  // A large assembly is opened by whom it interests.
+      const bool few = kind == WorkcellTreeModel::Kind::kCell || filter_model_.rowCount(index) <= kManyRows;
+      const bool open_at_first = few && kind != WorkcellTreeModel::Kind::kPairSets;
       const QString key = keyOf(index);
       tree_->setExpanded(index, expanded_.contains(key) || (open_at_first && !collapsed_.contains(key)));
       self(self, index);

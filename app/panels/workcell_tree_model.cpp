@@ -81,6 +81,10 @@ void WorkcellTreeModel::appendEntity(std::vector<Node>& nodes, int parent, const
   const int row =
       append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity.name), {}, entity.id, -1, 0, {}, {}});
   if (entity.robot) appendRobot(nodes, row, entity);
+  for (const workcell::Frame& frame : entity.frames) {
+    const QString name = QString::fromStdString(frame.name);
+    append(nodes, row, {Kind::kFrame, name, name, entity.id, -1, 0, {}, {}});
+  }
   const auto [first, last] = children.equal_range(entity.name);
   for (auto child = first; child != last; ++child) appendEntity(nodes, row, *child->second, children);
 }
@@ -112,6 +116,11 @@ std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build(const DocumentMode
     const int sets = append(nodes, cell, {Kind::kPairSets, tr("Pair sets"), {}, 0, -1, 0, {}, {}});
     for (const auto& set : state.pair_sets)
       append(nodes, sets, {Kind::kPairSet, QString::fromStdString(set.name), {}, 0, -1, 0, {}, {}});
+  }
+  if (!state.trajectories.empty()) {
+    const int all = append(nodes, cell, {Kind::kTrajectories, tr("Trajectories"), {}, 0, -1, 0, {}, {}});
+    for (const auto& trajectory : state.trajectories)
+      append(nodes, all, {Kind::kTrajectory, QString::fromStdString(trajectory.name), {}, 0, -1, 0, {}, {}});
   }
   return nodes;
 }
@@ -159,7 +168,8 @@ void WorkcellTreeModel::updateMarks() {
 }
 
 Mark WorkcellTreeModel::markOf(const Node& node) const {
-  if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp) return Mark::kNone;
+  if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp || node.kind == Kind::kFrame)
+    return Mark::kNone;
   Mark mark = Mark::kNone;
   for (const auto& pair : snapshot_->pairs) {
     const Mark of_pair = pair.contact ? Mark::kContact : pair.near_miss ? Mark::kNearMiss : Mark::kNone;
@@ -294,7 +304,12 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
           if (entity && entity->kind == workcell::EntityKind::kAssembly) return QStringLiteral("folder");
           return entity && entity->robot ? QStringLiteral("robot") : QStringLiteral("cube");
         case Kind::kTcp:
+        case Kind::kFrame:
           return QStringLiteral("frame");
+        case Kind::kTrajectories:
+          return QStringLiteral("folder");
+        case Kind::kTrajectory:
+          return QStringLiteral("record");
         case Kind::kLink:
           return QStringLiteral("cube");
         case Kind::kPairSets:

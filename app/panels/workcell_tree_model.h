@@ -14,7 +14,7 @@
 namespace hapticell::app {
 
 /// The workcell as a tree: the cell, its folders and entities, assemblies and solids with what stands below them,
-/// robots with tool centre point and links, pair sets.
+/// robots with tool centre point and links, frames, pair sets, trajectories.
 ///
 /// Names, places in the tree, visibility and lock are changed through the document's commands, each one step of undo.
 /// State marks come from the newest snapshot and are a role of their own, so that a screen reader can say them. GUI
@@ -34,7 +34,7 @@ class WorkcellTreeModel : public QAbstractItemModel {
     kCanHideRole,                ///< bool: the row has an eye.
     kFilterRole,                 ///< Name and state words.
   };
-  enum class Kind { kCell, kFolder, kEntity, kTcp, kLink, kPairSets, kPairSet };
+  enum class Kind { kCell, kFolder, kEntity, kTcp, kLink, kFrame, kPairSets, kPairSet, kTrajectories, kTrajectory };
 
   explicit WorkcellTreeModel(DocumentModel& document, QObject* parent = nullptr);
 

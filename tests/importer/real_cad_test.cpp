@@ -84,6 +84,54 @@ TEST(RealCad, singlePartsHaveTheirTriangles) {
   }
 }
 
+TEST(RealCad, theHeavyPartHasItsFacesAndSize) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/NIST_MBE_PMI_2.stp");
+  const auto scene = readScene(file, {}, nullptr);
+  ASSERT_TRUE(scene) << scene.error().message();
+  EXPECT_NEAR(static_cast<double>(trianglesOf(*scene)), 109868.0, 0.01 * 109868.0);
+  const dvec3 size = boundsOf(*scene).size();
+  EXPECT_NEAR(size.x, 0.860, 1e-3);
+  EXPECT_NEAR(size.y, 0.680, 1e-3);
+  EXPECT_NEAR(size.z, 0.400, 1e-3);
+}
+
+TEST(RealCad, aRelativeChordFollowsTheSizeAndIsTold) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/linkrods.step");
+  ImportOptions coarse, fine, larger;
+  coarse.relative_chord = 1e-3;
+  fine.relative_chord = larger.relative_chord = 1e-4;
+  larger.metres_per_unit = 1.0;
+  const auto a = readScene(file, coarse, nullptr), b = readScene(file, fine, nullptr),
+             c = readScene(file, larger, nullptr);
+  ASSERT_TRUE(a && b && c);
+  EXPECT_LT(trianglesOf(*a), trianglesOf(*b));
+  EXPECT_EQ(trianglesOf(*b), trianglesOf(*c)) << "the size has no influence";
+  EXPECT_NEAR(a->chord / b->chord, 10.0, 1e-9);
+  EXPECT_NEAR(c->chord / b->chord, 1000.0, 1e-6);
+  // BndLib's box is a little larger than the shape.
+  EXPECT_NEAR(b->chord, 1e-4 * glm::length(boundsOf(*b).size()), 0.1 * b->chord);
+}
+
+TEST(RealCad, meshesHaveTheTrianglesThatTheirFilesHold) {
+  const std::vector<std::pair<std::string, std::size_t>> files = {
+      {"cad/stl/odri_transmission_pulley_at3_t30_output.stl", 19054},
+      {"cad/stl/odri_hip_aa_module_shell_base.stl", 77286},
+      {"cad/obj/industreal_gear_base.obj", 4992},
+      {"cad/obj/industreal_gear_small.obj", 20532},
+      {"cad/obj/industreal_gear_medium.obj", 35212},
+      {"cad/workcell_snp/meshes/visual/end_effector.stl", 66214},
+      {"cad/workcell_snp/meshes/part_scan.ply", 7052}};
+  for (const auto& [name, triangles] : files) {
+    HAPTICELL_SHARED_DATA_OR_SKIP(file, name);
+    Diagnostics notes;
+    ImportOptions whole;
+    whole.weld = false;
+    const auto tree = EntityLoader(fs::current_path()).loadTree(file.string(), whole, notes);
+    ASSERT_TRUE(tree) << tree.error().message();
+    EXPECT_EQ(tree->report.triangles, triangles) << name;
+  }
+}
+
 TEST(RealCad, anotherUnitRescalesAndTheChordStaysInMetres) {
   HAPTICELL_SHARED_DATA_OR_SKIP(file, "cad/step/odri_transmission_pulley_at3_t10_motor.step");
   ImportOptions inches;
