@@ -47,7 +47,7 @@ Json jsonFromSource(const SourceFile& source, const fs::path& folder) {
 void SourceReader::locate(std::string& path) {
   if (!context_.options.locate || isBuiltIn(path)) return;
   const fs::path file = (context_.folder / path).lexically_normal();
-  std::context_.errorcode ignored;
+  std::error_code ignored;
   if (fs::exists(file, ignored)) return;
   if (const auto moved = moved_folders_.find(file.parent_path()); moved != moved_folders_.end()) {
     const fs::path there = moved->second / file.filename();
