@@ -189,6 +189,38 @@ ordered_json contactsJson(const SessionReport& report, const SessionOptions& opt
   return contacts;
 }
 
+const kinematics::RobotModel* modelOf(const SessionOptions& options) {
+  for (const workcell::Entity& entity : options.entities) {
+    if (entity.name == options.entity) return entity.robot.get();
+  }
+  return nullptr;
+}
+
+ordered_json limitsJson(const SessionReport& report, const kinematics::RobotModel* model) {
+  ordered_json limits = ordered_json::array();
+  for (const manipulation::LimitEvent& event : report.limits) {
+    ordered_json json = {{"kind", toString(event.kind)}, {"text", event.text}};
+    if (model && event.joint >= 0) json["joint"] = model->joints[static_cast<std::size_t>(event.joint)].name;
+    json["time_in"] = event.time_in;
+    json["time_out"] = event.time_out;
+    limits.push_back(json);
+  }
+  return limits;
+}
+
+ordered_json jointsJson(const SessionReport& report, const kinematics::RobotModel* model) {
+  ordered_json joints = ordered_json::array();
+  for (const manipulation::JointUse& use : report.joints) {
+    if (!model) break;
+    joints.push_back({{"name", model->joints[static_cast<std::size_t>(use.joint)].name},
+                      {"lowest", use.lowest},
+                      {"highest", use.highest},
+                      {"max_speed", use.max_speed},
+                      {"speed_limit", use.greatest_speed}});
+  }
+  return joints;
+}
+
 ordered_json resultOf(const SessionReport& report, const SessionOptions& options) {
   return {{"entity", options.entity},
           {"duration_s", report.duration_s},
@@ -203,12 +235,15 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
           {"penetration", {{"max_m", report.penetration_max_m}}},
           {"energy", {{"min_j", report.energy_min_j}}},
           {"contacts", contactsJson(report, options)},
+          {"limits", limitsJson(report, modelOf(options))},
+          {"joints", jointsJson(report, modelOf(options))},
           {"final_state",
            {{"held", report.held},
             {"pose", poseJson(report.final_configuration.X_WE)},
             {"joints", report.final_configuration.joints},
             {"moved_frame", poseJson(report.X_WMFinal)},
-            {"touches", report.final_contacts}}},
+            {"touches", report.final_contacts},
+            {"limits", report.final_limits}}},
           {"timing",
            {{"machine_time_s", report.machine_time_s},
             {"step_median_ms", report.step_median_ms},

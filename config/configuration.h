@@ -44,6 +44,12 @@ struct Configuration {
     double felt_mass = 0.5;               ///< kg whose inertia is felt at most, for the class dynamics.
     double load_damping = 0.5;            ///< N s/m against the motion of what is held, for the class dynamics.
   } manipulation;
+  struct Robot {
+    /// keep_position, keep_orientation, keep_joint_4: what an arm does at a wrist singularity faster than its joints
+    /// can turn; stop: singularities are walls.
+    std::string at_singularity = "keep_position";
+    bool self_collision = true;  ///< A robot's links are checked against each other.
+  } robot;
   struct Scale {  ///< Metres of the cell a metre of hand.
     double rough = 4.0;
     double medium = 1.0;

@@ -36,6 +36,9 @@ void visitSettings(AnyConfiguration& c, Visitor&& visit) {
   visit("manipulation.edge_drift", c.manipulation.edge_drift, NumberRange{0, 0.5});
   visit("manipulation.felt_mass", c.manipulation.felt_mass, NumberRange{0, 2});
   visit("manipulation.load_damping", c.manipulation.load_damping, NumberRange{0, 20});
+  visit("robot.at_singularity", c.robot.at_singularity,
+        Choices{"keep_position", "keep_orientation", "keep_joint_4", "stop"});
+  visit("robot.self_collision", c.robot.self_collision, NumberRange{0, 1});
   visit("scale.rough", c.scale.rough, NumberRange{0.001, 1000});
   visit("scale.medium", c.scale.medium, NumberRange{0.001, 1000});
   visit("scale.fine", c.scale.fine, NumberRange{0.001, 1000});

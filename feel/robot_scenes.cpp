@@ -61,7 +61,7 @@ class RobotScene : public FeelScene {
     const dvec3 other = std::abs(normal_.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
     along_ = glm::normalize(glm::cross(normal_, other));
   }
-  EntityConfiguration at(const Pose& X_DP) const { return robot_.propose(rest_, mapping_.toCell(X_DP)); }
+  EntityConfiguration at(const Pose& X_DP) const { return robot_.propose(rest_, mapping_.toCell(X_DP), 10.0); }
   virtual double inside(const Pose& X_DP, double t) const = 0;
 
   int link_;

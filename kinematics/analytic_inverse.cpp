@@ -20,7 +20,11 @@ constexpr int kCalibratedSteps = 10;
 constexpr double kSameSolution = 1e-7;  // rad or m
 constexpr double kNoJump = 0.3;         // rad or m in one call without a bound from speeds
 constexpr int kRefinements = 24;
-constexpr double kPositionFirst = 0.01;  // times the lever: the position weighs a hundred times as much
+
+// Whether the fourth joint of the arm is a wrist's first one.
+bool hasSphericalWrist(RobotClass robot_class) {
+  return robot_class == RobotClass::kOpw || robot_class == RobotClass::kSphericalWrist;
+}
 
 struct PoseError {
   double position = 0.0;
@@ -72,6 +76,9 @@ AnalyticInverse::AnalyticInverse(std::unique_ptr<NumericInverse> numeric, const 
   HAPTICELL_DEMAND(closed_ != nullptr);
   bounds_.joints = static_cast<int>(chain.size() - rails_);
   arm_ = trueArm(chain, rails_);
+  if (options.at_singularity == SingularityChoice::kKeepJoint4 && hasSphericalWrist(classification.robot_class)) {
+    numeric_->setHurried({NumericInverse::Hurried::Keep::kPosition, static_cast<int>(rails_) + 3});
+  }
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (i < rails_) continue;
     bounds_.lower[i - rails_] = chain.lower()[i];
@@ -335,25 +342,12 @@ bool AnalyticInverse::quickAnswer(const Pose& X_BT, const std::vector<double>& q
   return true;
 }
 
-NumericInverse::Yielding AnalyticInverse::yieldingThroughSingularity() const {
-  switch (options_.at_singularity) {
-    case SingularityChoice::kKeepOrientation:
-      break;
-    case SingularityChoice::kKeepPosition:
-      return {kPositionFirst * options_.lever_m, -1};
-    case SingularityChoice::kKeepJoint4:
-      return {kPositionFirst * options_.lever_m, static_cast<int>(rails_) + 3};
-  }
-  return {options_.lever_m, -1};
-}
-
 void AnalyticInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                                    InverseSolution& solution) const {
   HAPTICELL_DEMAND(duration_s > 0.0);
   bool too_fast = false;
   if (quickAnswer(X_BT, q_start, duration_s, solution, too_fast)) return;
-  const bool through = too_fast && std::isfinite(duration_s) && classification_.robot_class == RobotClass::kOpw;
-  if (through) return numeric_->descend(X_BT, q_start, duration_s, yieldingThroughSingularity(), solution);
+  if (too_fast && std::isfinite(duration_s)) return numeric_->solveHurried(X_BT, q_start, duration_s, solution);
   numeric_->solveNearest(X_BT, q_start, duration_s, solution);
 }
 

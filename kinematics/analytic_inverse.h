@@ -72,7 +72,6 @@ class AnalyticInverse final : public InverseModel {
             InverseSolution& solution) const;
   bool quickAnswer(const Pose& X_BT, const std::vector<double>& q_start, double duration_s, InverseSolution& solution,
                    bool& too_fast) const;
-  NumericInverse::Yielding yieldingThroughSingularity() const;
 };
 
 }  // namespace hapticell::kinematics

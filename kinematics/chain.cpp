@@ -20,11 +20,6 @@ dmat3 rotationAbout(const dvec3& axis, double angle) {
           v.y * axis.z + w.x, v.z * axis.x + w.y, v.z * axis.y - w.x, v.z * axis.z + c};
 }
 
-double velocityOf(const Joint& joint) {
-  if (joint.velocity > 0.0) return joint.velocity;
-  return joint.type == JointType::kPrismatic ? 1.0 : std::numbers::pi;
-}
-
 Error refusal(const RobotModel& model, int tip_link, const std::string& found, const std::string& expected) {
   const std::string& tip = model.links[static_cast<std::size_t>(tip_link)].name;
   return {"", "robot '" + model.name + "', link '" + tip + "'", found, expected, "Choose another tip link."};
@@ -61,7 +56,7 @@ Expected<Chain> Chain::create(const RobotModel& model, int tip_link, const Pose&
         model.joints[static_cast<std::size_t>(model.moving[static_cast<std::size_t>(chain.variables_[i])])];
     chain.lower_[i] = joint.lower;
     chain.upper_[i] = joint.upper;
-    chain.velocity_[i] = velocityOf(joint);
+    chain.velocity_[i] = greatestSpeed(joint);
     chain.turns_[i] = joint.type != JointType::kPrismatic;
   }
   Pose X_PJ;

@@ -84,7 +84,7 @@ ClosureInverse::ClosureInverse(const RobotModel& model, int tip_link, const Pose
     const Joint& joint = model.joints[static_cast<std::size_t>(model.moving[k])];
     variables_.push_back(static_cast<int>(k));
     slides_.push_back(joint.type == JointType::kPrismatic);
-    velocity_.push_back(joint.velocity > 0.0 ? joint.velocity : slides_.back() ? 1.0 : std::numbers::pi);
+    velocity_.push_back(greatestSpeed(joint));
     limits_.lower.push_back(joint.lower);
     limits_.upper.push_back(joint.upper);
   }

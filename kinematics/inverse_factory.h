@@ -9,12 +9,11 @@
 
 namespace hapticell::kinematics {
 
-/// What yields while an arm is dragged through its wrist singularity faster than its joints can turn.
+/// What yields while an arm is dragged where its joints are too slow to follow, through a wrist singularity above all.
 enum class SingularityChoice {
-  kKeepOrientation,  ///< Position and orientation share the error by the lever, joints 4 and 6 swing as fast as they
-                     ///< may.
+  kKeepOrientation,  ///< The orientation is kept, the position yields.
   kKeepPosition,     ///< The position is kept, the orientation yields.
-  kKeepJoint4,       ///< Joint 4 stands still near the singularity, the position is kept, the orientation yields.
+  kKeepJoint4,       ///< As kKeepPosition; of an arm with a spherical wrist joint 4 stands still meanwhile.
 };
 
 struct InverseOptions {

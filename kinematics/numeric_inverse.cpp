@@ -23,6 +23,8 @@ constexpr std::size_t kFurtherSeeds = 300;
 constexpr int kHapticIterations = 24;
 constexpr int kRestartIterations = 60;
 constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
+constexpr double kKeptFirst = 0.004;    // times the lever, or its inverse: what is kept weighs 250 times as much
+constexpr double kKept = 2e-4;          // m or rad
 constexpr double kElbowMargin = 0.01;   // rad from straight or folded
 constexpr double kSameSolution = 1e-4;  // rad or m
 constexpr std::size_t kMaxAlternatives = 64;
@@ -149,33 +151,56 @@ void NumericInverse::fill(const FitResult& fit, const std::vector<double>& q_sta
       fit.converged ? InverseStatus::kSolved : (fit.held ? InverseStatus::kLimit : InverseStatus::kUnreachable);
 }
 
-void NumericInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
-                                  InverseSolution& solution) const {
-  descend(X_BT, q_start, duration_s, Yielding{options_.lever, -1}, solution);
-}
-
-void NumericInverse::descend(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
-                             const Yielding& yielding, InverseSolution& solution) const {
-  HAPTICELL_DEMAND(duration_s > 0.0);
-  const ChainPositions x = pick(q_start);
+NumericInverse::Shot NumericInverse::shoot(const Pose& X_BT, const ChainPositions& x, double duration_s, double lever_m,
+                                           int held) const {
   FitBox box = limits();
   for (std::size_t i = 0; i < chain_.size(); ++i) {
-    const double reach = static_cast<int>(i) == yielding.held ? 0.0 : chain_.velocity()[i] * duration_s;
+    const double reach = static_cast<int>(i) == held ? 0.0 : chain_.velocity()[i] * duration_s;
     box.lower[i] = std::max(box.lower[i], x[i] - reach);
     box.upper[i] = std::min(box.upper[i], x[i] + reach);
   }
-  keepElbowSide(x, box);
+  FitBox sided = box;
+  keepElbowSide(x, sided);
   FitOptions options = options_;
-  options.lever = yielding.lever_m;
+  options.lever = lever_m;
   options.max_iterations = kHapticIterations;
-  FitResult fit = fitPose(chain_, X_BT, x, box, options, arm());
-  // Held by its speed is not held by a limit: only the latter is told.
-  bool at_limit = false;
-  for (std::size_t i = 0; i < chain_.size(); ++i) {
-    at_limit = at_limit || (fit.held && (fit.x[i] <= chain_.lower()[i] || fit.x[i] >= chain_.upper()[i]));
+  Shot shot{fitPose(chain_, X_BT, x, sided, options, arm())};
+  for (std::size_t i = 0; i < chain_.size() && shot.fit.held; ++i) {
+    const bool at_limit = shot.fit.x[i] <= chain_.lower()[i] || shot.fit.x[i] >= chain_.upper()[i];
+    const bool at_bound = shot.fit.x[i] <= box.lower[i] || shot.fit.x[i] >= box.upper[i];
+    shot.at_limit = shot.at_limit || at_limit;
+    shot.at_speed = shot.at_speed || (at_bound && !at_limit && static_cast<int>(i) != held);
   }
-  fit.held = at_limit;
-  fill(fit, q_start, solution);
+  shot.fit.held = shot.at_limit;  // Held by its speed is not held by a limit: only the latter is told.
+  return shot;
+}
+
+// True where what the user chose can be kept; `shot` is then that one.
+bool NumericInverse::keepOne(const Pose& X_BT, const ChainPositions& x, double duration_s, Shot& shot) const {
+  const bool position = hurried_.keep == Hurried::Keep::kPosition;
+  const double lever = options_.lever * (position ? kKeptFirst : 1.0 / kKeptFirst);
+  const Shot kept = shoot(X_BT, x, duration_s, lever, hurried_.held);
+  if (!((position ? kept.fit.position_error : kept.fit.orientation_error) < kKept)) return false;
+  shot = kept;
+  return true;
+}
+
+void NumericInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                                  InverseSolution& solution) const {
+  HAPTICELL_DEMAND(duration_s > 0.0);
+  const ChainPositions x = pick(q_start);
+  Shot shot = shoot(X_BT, x, duration_s, options_.lever, -1);
+  if (shot.at_speed) keepOne(X_BT, x, duration_s, shot);
+  fill(shot.fit, q_start, solution);
+}
+
+void NumericInverse::solveHurried(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                                  InverseSolution& solution) const {
+  HAPTICELL_DEMAND(duration_s > 0.0);
+  const ChainPositions x = pick(q_start);
+  Shot shot;
+  if (!keepOne(X_BT, x, duration_s, shot)) shot = shoot(X_BT, x, duration_s, options_.lever, -1);
+  fill(shot.fit, q_start, solution);
 }
 
 std::vector<std::size_t> NumericInverse::seedsNear(const Pose& X_BT) const {

@@ -31,14 +31,20 @@ class NumericInverse final : public InverseModel {
   const std::vector<int>& variables() const override { return chain_.variables(); }
   void solveNearest(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
                     InverseSolution& solution) const override;
-  /// What gives way where a pose cannot be met.
-  struct Yielding {
-    double lever_m = 0.25;  ///< 1 rad weighs like this many metres.
-    int held = -1;          ///< A variable of the chain that stands still, or -1.
+
+  /// What a shot does where only the joints' speeds are in the way (a wrist that would have to swing round).
+  struct Hurried {
+    /// What is kept, the position within 0.2 mm or the orientation within 0.2 mrad, while the other yields; where it
+    /// cannot be kept, both yield by their weights.
+    enum class Keep { kPosition, kOrientation };
+    Keep keep = Keep::kPosition;
+    int held = -1;  ///< A variable of the chain that stands still meanwhile, or -1.
   };
-  /// solveNearest() with a choice of what yields.
-  void descend(const Pose& X_BT, const std::vector<double>& q_start, double duration_s, const Yielding& yielding,
-               InverseSolution& solution) const;
+  /// For solveNearest(); to be called before the model is used.
+  void setHurried(const Hurried& hurried) { hurried_ = hurried; }
+  /// solveNearest() for a pose that is known to be kept off by speeds alone: what is kept is tried first.
+  void solveHurried(const Pose& X_BT, const std::vector<double>& q_start, double duration_s,
+                    InverseSolution& solution) const;
 
   /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
   InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
@@ -60,6 +66,7 @@ class NumericInverse final : public InverseModel {
   std::optional<kernels::TrueArm> arm_;  ///< For the fast descent, where the chain allows it.
   std::optional<Elbow> elbow_;
   FitOptions options_;
+  Hurried hurried_;
   std::size_t model_dof_ = 0;
   std::vector<Seed> seeds_;
   std::array<std::vector<float>, 7> seed_columns_;  ///< The seeds' poses, column by column.
@@ -67,6 +74,13 @@ class NumericInverse final : public InverseModel {
   NumericInverse(Chain chain, std::size_t model_dof, double lever_m);
   const kernels::TrueArm* arm() const { return arm_ ? &*arm_ : nullptr; }
   void makeSeeds();
+  struct Shot {
+    FitResult fit;
+    bool at_limit = false;  ///< Not met, and a joint stands at its end.
+    bool at_speed = false;  ///< Not met, and a joint goes as fast as it may.
+  };
+  Shot shoot(const Pose& X_BT, const ChainPositions& x, double duration_s, double lever_m, int held) const;
+  bool keepOne(const Pose& X_BT, const ChainPositions& x, double duration_s, Shot& shot) const;
   FitBox limits() const;
   FitBox withoutTurningLimits() const;
   void keepElbowSide(const ChainPositions& x, FitBox& box) const;

@@ -92,6 +92,11 @@ double jointPosition(const RobotModel& model, const std::vector<double>& q, cons
   return joint.mimic->multiplier * position + joint.mimic->offset;
 }
 
+double greatestSpeed(const Joint& joint) {
+  if (joint.velocity > 0.0) return joint.velocity;
+  return joint.type == JointType::kPrismatic ? 1.0 : std::numbers::pi;
+}
+
 std::vector<double> restPositions(const RobotModel& model) {
   if (model.home.size() == model.dof()) return model.home;
   std::vector<double> q;

@@ -96,6 +96,9 @@ struct RobotModel {
 /// The position of one joint (rad or m) at the variables `q`: its own, or what it mimics; 0 for fixed.
 double jointPosition(const RobotModel& model, const std::vector<double>& q, const Joint& joint);
 
+/// The joint's greatest speed; where its file says none, 1 m/s or pi rad/s.
+double greatestSpeed(const Joint& joint);
+
 /// Where a robot stands when nobody says otherwise: its home, else zero moved into the limits.
 std::vector<double> restPositions(const RobotModel& model);
 

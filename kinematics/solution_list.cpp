@@ -49,9 +49,8 @@ void measure(const RobotModel& model, const std::vector<int>& variables, const s
     const Joint& joint = jointOf(model, variable);
     const auto i = static_cast<std::size_t>(variable);
     const double motion = std::abs(listed.q[i] - q_now[i]);
-    const double fallback = joint.type == JointType::kPrismatic ? 1.0 : std::numbers::pi;
     listed.distance = std::max(listed.distance, motion);
-    listed.time_s = std::max(listed.time_s, motion / (joint.velocity > 0.0 ? joint.velocity : fallback));
+    listed.time_s = std::max(listed.time_s, motion / greatestSpeed(joint));
   }
   listed.is_now = listed.distance < kSameAsNow;
 }

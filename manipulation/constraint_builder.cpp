@@ -156,6 +156,42 @@ collision::ZoneContacts contactsOf(const ConstraintInputs& inputs, const std::ve
 
 }  // namespace
 
+namespace {
+
+/// Two moved parts: the distance changes by the difference of what the motion does to both.
+void appendOwn(const ConstraintInputs& inputs, const std::vector<PartDifferential>& parts, std::uint32_t first_group,
+               BuiltConstraints& built) {
+  constexpr std::size_t kRoom = 20;  // for limits and guides
+  for (const auto& [index, found] : inputs.own) {
+    const MotionPair& pair = inputs.pairs[index];
+    const PairFeel& feel = inputs.feel[index];
+    if (!feel.felt || found.colliding || built.set.count + kRoom > haptic::kMaxConstraints) continue;
+    haptic::Constraint constraint, met;
+    PointCondition condition;
+    condition.nhat_W = found.nhat_BA_W;
+    condition.p_WQ = found.p_WA;
+    applyCondition(parts[pair.part], condition, constraint);
+    condition.p_WQ = found.p_WB;
+    applyCondition(parts[static_cast<std::size_t>(pair.other_part)], condition, met);
+    constraint.gap = found.distance - feel.boundary;
+    for (std::size_t i = 0; i < 6; ++i) constraint.gradient[i] -= met.gradient[i];
+    for (std::size_t i = 0; i < 21; ++i) constraint.curvature[i] -= met.curvature[i];
+    constraint.group = first_group++;
+    constraint.id = (std::uint64_t{1} << 60) + index;
+    constraint.stiffness = feel.stiffness;
+    constraint.damping = feel.damping;
+    constraint.friction = feel.friction;
+    inputs.mapping.toDevice(constraint);
+    append(built, constraint, {static_cast<int>(index), -1});
+  }
+}
+
+std::uint32_t nextGroup(const BuiltConstraints& built) {
+  return built.set.count == 0 ? 0 : built.set.constraints[built.set.count - 1].group + 1;
+}
+
+}  // namespace
+
 BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   BuiltConstraints built;
   const double scale = inputs.mapping.scale();
@@ -167,7 +203,7 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   std::vector<std::uint8_t> mask(assembly.pair_of.size(), 0);
   collision::ZoneOptions options;
   for (std::size_t i = 0; i < inputs.pairs.size(); ++i) {
-    if (!inputs.feel[i].felt) continue;
+    if (!inputs.feel[i].felt || inputs.pairs[i].other_part >= 0) continue;
     const std::size_t at = inputs.pairs[i].part * inputs.obstacles.size() + inputs.pairs[i].obstacle;
     assembly.pair_of[at] = static_cast<int>(i);
     mask[at] = 1;
@@ -176,7 +212,8 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   options.radius = zone_W;
   options.max_rotation = inputs.turn_ahead;
   // Room for the limits, the bound of turning and one for whoever adds a row of its own.
-  options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16);
+  options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16) -
+                        std::min<std::size_t>(inputs.own.size(), 8);
   options.pair_mask = mask;
   options.hint = inputs.hint;
   options.only_complete = inputs.only_complete;
@@ -188,7 +225,8 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   built.hint = found.hint;
   built.cost = kSecondsPerWork * static_cast<double>(found.work);
   for (const collision::ZoneContact& contact : found.contacts) appendContact(assembly, contact);
-  appendLimits(inputs, found.groups, built);
+  appendOwn(inputs, assembly.differentials, std::max(found.groups, nextGroup(built)), built);
+  appendLimits(inputs, std::max(found.groups, nextGroup(built)), built);
   appendTurnBound(inputs, built);
   return built;
 }
@@ -206,6 +244,7 @@ BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span
   for (const auto& [pair, found] : near) {
     const PairFeel& feel = inputs.feel[pair];
     if (!feel.felt || found.colliding || group + 20 > haptic::kMaxConstraints) continue;
+    if (inputs.pairs[pair].other_part >= 0) continue;
     haptic::Constraint constraint;
     PointCondition condition;
     condition.p_WQ = found.p_WA;
@@ -220,7 +259,8 @@ BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span
     inputs.mapping.toDevice(constraint);
     append(built, constraint, {static_cast<int>(pair), -1});
   }
-  appendLimits(inputs, group, built);
+  appendOwn(inputs, parts, group, built);
+  appendLimits(inputs, std::max(group, nextGroup(built)), built);
   appendTurnBound(inputs, built);
   return built;
 }

@@ -41,6 +41,8 @@ struct ConstraintInputs {
   collision::SurfaceContacts* surface_contacts = nullptr;
   std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part.
   bool only_complete = false;  ///< See collision::ZoneOptions::only_complete.
+  /// Nearest points of the pairs of moved parts (MotionPair::other_part): a tangent plane each.
+  std::span<const FreeMotion::PairDistance> own{};
 };
 
 /// One entry's origin, in the order of ConstraintSet::constraints.

@@ -148,6 +148,10 @@ void ManipulationEngine::hold(workcell::EntityId entity) {
     return;
   }
   held_ = std::move(*taken);
+  hurried_joint_ = -1;
+  for (const std::string& note : held_->notes()) {
+    if (told_.insert(note).second) notice(note);
+  }
   gaps_.assign(held_->pairs().size(), std::numeric_limits<double>::infinity());
 }
 

@@ -19,9 +19,11 @@ FreeMotion::FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider
     : parts_(std::move(parts)), obstacles_(std::move(obstacles)), pairs_(std::move(pairs)) {
   states_.reserve(pairs_.size());
   for (const MotionPair& pair : pairs_) {
-    HAPTICELL_DEMAND(pair.part < parts_.size() && pair.obstacle < obstacles_.size());
-    states_.push_back(
-        {collision::ProximityQuery(parts_[pair.part], obstacles_[pair.obstacle].collider), 0.0, false, dvec3(0.0)});
+    HAPTICELL_DEMAND(pair.part < parts_.size() && pair.other_part < static_cast<int>(parts_.size()));
+    HAPTICELL_DEMAND(pair.other_part >= 0 || pair.obstacle < obstacles_.size());
+    const auto& met =
+        pair.other_part < 0 ? obstacles_[pair.obstacle].collider : parts_[static_cast<std::size_t>(pair.other_part)];
+    states_.push_back({collision::ProximityQuery(parts_[pair.part], met), 0.0, false, dvec3(0.0)});
   }
   for (const auto& part : parts_) spheres_.push_back({part->center(), part->radius()});
   X_WP_.resize(parts_.size());
@@ -31,12 +33,24 @@ FreeMotion::FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider
 }
 
 collision::DistanceResult FreeMotion::measure(std::uint32_t pair, const Pose& X_WP, double limit) {
-  return states_[pair].query.distance(X_WP, obstacles_[pairs_[pair].obstacle].X_WO, limit);
+  return states_[pair].query.distance(X_WP, standingPose(pair), limit);
+}
+
+/// Where what it is checked against stands at the accepted configuration.
+Pose FreeMotion::standingPose(std::uint32_t pair) const {
+  const int other = pairs_[pair].other_part;
+  return other < 0 ? obstacles_[pairs_[pair].obstacle].X_WO : X_WP_[static_cast<std::size_t>(other)];
+}
+
+/// How far the two may come together along the whole motion.
+double FreeMotion::boundOf(std::uint32_t pair) const {
+  const int other = pairs_[pair].other_part;
+  return bounds_[pairs_[pair].part] + (other < 0 ? 0.0 : bounds_[static_cast<std::size_t>(other)]);
 }
 
 /// Where it stands for what blocks.
 Pose FreeMotion::obstaclePose(std::uint32_t pair) const {
-  const Pose& X_WO = obstacles_[pairs_[pair].obstacle].X_WO;
+  const Pose X_WO = standingPose(pair);
   return {X_WO.p + states_[pair].stand_back_W, X_WO.q};
 }
 
@@ -77,7 +91,7 @@ const Pose& FreeMotion::partPoseAt(const Motion& motion, std::uint32_t part, dou
 
 void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer) {
   const std::uint32_t part = pairs_[pair].part;
-  const double bound = bounds_[part];
+  const double bound = boundOf(pair);
   PairState& state = states_[pair];
   reached_[pair] = 0.0;
   if (state.clearance - kStandOff > answer.s * bound) return;
@@ -90,11 +104,20 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
 
   collision::PartMotion moved;
   moved.X_WStart = X_WP_[part];
-  moved.path_bound = bound;
-  moved.bend_bound = 2.0 * motion.turned * bound;
+  moved.path_bound = bounds_[part];
+  moved.bend_bound = 2.0 * motion.turned * bounds_[part];
   moved.along = [&](double s) { return partPoseAt(motion, part, s); };
-  const collision::MotionStop stop =
-      collision::advance(state.query, moved, collision::standingStill(X_WO), {kStandOff, answer.s});
+  collision::PartMotion met = collision::standingStill(X_WO);
+  if (const int other = pairs_[pair].other_part; other >= 0) {
+    const auto second = static_cast<std::uint32_t>(other);
+    met.path_bound = bounds_[second];
+    met.bend_bound = 2.0 * motion.turned * bounds_[second];
+    met.along = [&, second](double s) {
+      const Pose& X_WP = partPoseAt(motion, second, s);
+      return Pose{X_WP.p + state.stand_back_W, X_WP.q};
+    };
+  }
+  const collision::MotionStop stop = collision::advance(state.query, moved, met, {kStandOff, answer.s});
   reached_[pair] = stop.s;
   state.clearance = stop.distance_at_least;
   if (!stop.stopped) return;
@@ -104,7 +127,7 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
   answer.contact = stop.nearest;
   // Where the check gave up its nearest points may be missing.
   if (stop.nearest.beyond_limit || stop.nearest.colliding) {
-    answer.contact = state.query.distance(partPoseAt(motion, part, stop.s), X_WO, kLeastLook);
+    answer.contact = state.query.distance(partPoseAt(motion, part, stop.s), met.at(stop.s), kLeastLook);
   }
 }
 
@@ -121,7 +144,7 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
   manipulator.partPoses(manipulator.between(from, to, answer.s), X_WP_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     PairState& state = states_[i];
-    state.clearance -= std::abs(answer.s - reached_[i]) * bounds_[pairs_[i].part];
+    state.clearance -= std::abs(answer.s - reached_[i]) * boundOf(i);
     if (!state.soft || !pairs_[i].blocks) continue;
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], kLeastLook);
     state.soft = found.distance <= collision::kLeastClearance;
@@ -132,9 +155,9 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
   return answer;
 }
 
-void FreeMotion::distances(double limit, std::vector<PairDistance>& near) {
+void FreeMotion::distances(double limit, std::uint32_t first, std::vector<PairDistance>& near) {
   near.clear();
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+  for (std::uint32_t i = first; i < pairs_.size(); ++i) {
     if (states_[i].clearance >= limit && !states_[i].guarded()) continue;
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], std::max(limit, kLeastLook));
     if (!states_[i].guarded()) states_[i].clearance = found.distance;

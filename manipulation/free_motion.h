@@ -11,11 +11,12 @@
 
 namespace hapticell::manipulation {
 
-/// A moved part against an obstacle at rest.
+/// A moved part against an obstacle at rest, or against another moved part (of the same robot).
 struct MotionPair {
   std::uint32_t part = 0;
   std::uint32_t obstacle = 0;
-  bool blocks = true;  ///< False: distances are told, motion is not stopped.
+  bool blocks = true;   ///< False: distances are told, motion is not stopped.
+  int other_part = -1;  ///< Not -1: the part that it is checked against; `obstacle` has no meaning then.
 };
 
 /// Something at rest that the moved parts must not enter.
@@ -63,7 +64,9 @@ class FreeMotion {
     std::uint32_t pair = 0;
     collision::DistanceResult result;
   };
-  void distances(double limit, std::vector<PairDistance>& near);
+  void distances(double limit, std::vector<PairDistance>& near) { distances(limit, 0, near); }
+  /// The same for the pairs from `first` on.
+  void distances(double limit, std::uint32_t first, std::vector<PairDistance>& near);
 
   const std::vector<MotionPair>& pairs() const { return pairs_; }
   bool isSoft(std::uint32_t pair) const { return states_[pair].soft; }
@@ -87,7 +90,9 @@ class FreeMotion {
   };
 
   collision::DistanceResult measure(std::uint32_t pair, const Pose& X_WP, double limit);
+  Pose standingPose(std::uint32_t pair) const;
   Pose obstaclePose(std::uint32_t pair) const;
+  double boundOf(std::uint32_t pair) const;
   void advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
   const Pose& partPoseAt(const Motion& motion, std::uint32_t part, double s);
 

@@ -57,6 +57,12 @@ Pose middleOf(const kinematics::RobotModel& model, int link) {
   return bounds.isEmpty() ? Pose::identity() : Pose::translation(bounds.center());
 }
 
+kinematics::SingularityChoice singularityChoice(const config::Configuration& configuration) {
+  using Choice = kinematics::SingularityChoice;
+  if (configuration.robot.at_singularity == "keep_orientation") return Choice::kKeepOrientation;
+  return configuration.robot.at_singularity == "keep_joint_4" ? Choice::kKeepJoint4 : Choice::kKeepPosition;
+}
+
 std::string choicesOf(const Entity& entity) {
   if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands or self_origin";
   return entity.robot ? "tcp, base or frame:NAME of one of its links"
@@ -79,7 +85,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   held->id_ = entity;
   held->accepted_.X_WE = placementOf(*found, placements, held->accepted_.joints);
   held->gatherMovedParts(*found, placements, options.moved_by);
-  if (auto made = held->makeManipulator(*found, options); !made) return makeError(made.error());
+  if (auto made = held->makeManipulator(*found, options, configuration); !made) return makeError(made.error());
   held->gatherPairs(*found, placements, options, configuration);
   held->startBoundaries();
   return held;
@@ -149,7 +155,8 @@ std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carr
   return result;
 }
 
-Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options) {
+Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options,
+                                           const config::Configuration& configuration) {
   std::vector<Pose> X_EP;
   std::vector<RobotManipulator::Part> robot_parts;
   for (const MovedPart& part : moved_parts_) {
@@ -171,10 +178,14 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
     if (tip < 0) tip = entity.robot->defaultTip();
     const Pose X_LT = named_link < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
     if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
-    auto inverse = kinematics::createInverse(*entity.robot, tip, X_LT);
+    kinematics::InverseOptions inverse_options;
+    inverse_options.at_singularity = singularityChoice(configuration);
+    auto inverse = kinematics::createInverse(*entity.robot, tip, X_LT, inverse_options);
     if (!inverse) return makeError(inverse.error());
-    manipulator_ = std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, X_LT},
-                                                      std::move(*inverse), std::move(robot_parts));
+    auto manipulator = std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, X_LT},
+                                                          std::move(*inverse), std::move(robot_parts));
+    if (configuration.robot.at_singularity == "stop") manipulator->stopAtSingularities();
+    manipulator_ = std::move(manipulator);
     return {};
   }
   Pose X_EM;
@@ -235,6 +246,7 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
     obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0, part.mesh.surfaces.get()});
     obstacles.push_back({part.mesh.collider, X_WO});
   }
+  gatherOwnPairs(entity, options, configuration);
   gaps_.resize(pairs_.size());
   if (configuration.manipulation.contacts == "surfaces") makeSurfaceContacts();
   motion_ = std::make_unique<FreeMotion>(std::move(colliders), std::move(obstacles), motion_pairs_);
@@ -311,6 +323,8 @@ BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pos
   inputs.only_complete = true;
   inputs.surface_contacts = surface_contacts_.get();
   inputs.surfaces = surfaces_;
+  motion_->distances(zone_W, first_own_, own_);
+  inputs.own = own_;
   BuiltConstraints built = buildConstraints(inputs);
   if (built.hint.radius > hint_.radius) since_larger_ = kTryLarger;  // There may be more.
   hint_ = built.hint;
@@ -325,6 +339,10 @@ BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
   motion_->distances(2.0 * kPlainZone * inputs.mapping.scale(), near_);
   std::sort(near_.begin(), near_.end(),
             [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
+  own_.clear();
+  std::copy_if(near_.begin(), near_.end(), std::back_inserter(own_),
+               [&](const auto& n) { return n.pair >= first_own_; });
+  inputs.own = own_;
   return buildPlainConstraints(inputs, near_);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -63,14 +64,19 @@ class HeldEntity {
   /// What hangs on it (a gripped part, and what hangs on that), where it stands now.
   std::vector<std::pair<workcell::EntityId, EntityConfiguration>> carried() const;
   const std::vector<HeldPair>& pairs() const { return pairs_; }
+  /// What was noticed when it was taken: links that touch each other at rest and so are not checked.
+  const std::vector<std::string>& notes() const { return notes_; }
 
   /// Goes towards what the stylus (or proxy) at X_DP means, as far as it is free, and along what stands in the way
-  /// where that pair slides. `built` is the newest set, or null.
+  /// where that pair slides. `built` is the newest set, or null. No joint goes further than its greatest speed allows
+  /// in `duration_s`, all slides taken together.
   struct FollowResult {
-    bool blocked = false;  ///< Something stood in the way of the straight motion.
-    bool stopped = false;  ///< By a pair that stops.
+    bool blocked = false;    ///< Something stood in the way of the straight motion.
+    bool stopped = false;    ///< By a pair that stops.
+    int hurried_joint = -1;  ///< One that went as fast as it may while there is way left; -1: none did.
   };
-  FollowResult follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built);
+  FollowResult follow(const Pose& X_DP, const MotionMapping& mapping, const BuiltConstraints* built,
+                      double duration_s = std::numeric_limits<double>::infinity());
 
   /// Goes straight from the accepted configuration to another one, in small steps, until something stands in the way.
   struct WayResult {
@@ -101,9 +107,14 @@ class HeldEntity {
   HeldEntity();
   bool makeMannequinManipulator(const workcell::Entity& entity, const MovedBy& moved_by);
   void gatherMovedParts(const workcell::Entity& entity, const Placements& placements, const MovedBy& moved_by);
-  Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options);
+  Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options,
+                                 const config::Configuration& configuration);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
+  void gatherOwnPairs(const workcell::Entity& entity, const HoldOptions& options,
+                      const config::Configuration& configuration);
+  std::vector<Pose> restPoses(const workcell::Entity& entity) const;
+  haptic::Constraint contactOf(const MotionPair& pair, const collision::DistanceResult& found) const;
   void makeSurfaceContacts();
   void startBoundaries();
   void raiseBoundaries();
@@ -143,6 +154,8 @@ class HeldEntity {
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;
+  std::uint32_t first_own_ = 0;  ///< Pairs from here on are of two moved parts.
+  std::vector<std::string> notes_;
   std::unique_ptr<Way> way_;
   bool crowded_ = false;         ///< The last complete set was too small to be of use.
   double crowded_radius_ = 0.0;  ///< What it was good for, m of hand.
@@ -151,7 +164,7 @@ class HeldEntity {
   double hint_zone_ = 0.0;       ///< which was wanted so wide in the cell (m).
   int since_larger_ = 0;         ///< Sets since a wider one was tried.
   std::vector<double> gaps_;
-  std::vector<FreeMotion::PairDistance> near_;
+  std::vector<FreeMotion::PairDistance> near_, own_;
 };
 
 }  // namespace hapticell::manipulation

@@ -17,9 +17,12 @@ constexpr int kSlides = 6;
 /// tells.
 constexpr double kSlideLever = 10.0 * haptic::kRotationLever;
 constexpr double kPushOut = 0.1;
-constexpr double kArrived = 1e-9;       ///< m: less is not worth another slide.
-constexpr double kStood = 1e-6;         ///< m: the hand has not moved.
-constexpr double kTangentStays = 1e-4;  ///< m of hand that a contact's tangent is good for.
+constexpr double kArrived = 1e-9;           ///< m: less is not worth another slide.
+constexpr double kStood = 1e-6;             ///< m: the hand has not moved.
+constexpr double kTangentStays = 1e-4;      ///< m of hand that a contact's tangent is good for.
+constexpr double kAllTheTime = 1.0 - 1e-6;  ///< Of a step's time: as fast as the joints can.
+constexpr double kStillMoving = 3e-4;       ///< s of a joint's greatest speed: it may have way left.
+constexpr double kNoTime = 1e-9;            ///< s: no joint gets anywhere in it.
 constexpr std::size_t kMostKept = 16;
 
 haptic::Vector6 inMetric(const Twist& t) {
@@ -119,12 +122,7 @@ void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping&
 }
 
 haptic::SolverRow HeldEntity::contactRow(const MotionAnswer& answer, const MotionMapping& mapping, double rest) const {
-  const std::vector<PartDifferential> parts = manipulator_->differentiate(accepted_);
-  PointCondition condition;
-  condition.p_WQ = answer.contact.p_WA;
-  condition.nhat_W = answer.contact.nhat_BA_W;
-  haptic::Constraint constraint;
-  applyCondition(parts[motion_pairs_[answer.pair].part], condition, constraint);
+  haptic::Constraint constraint = contactOf(motion_pairs_[answer.pair], answer.contact);
   // Out to its boundary, but by a small part of the way that is left: the way bends, a bare tangent would be blocked
   // again.
   const double outwards = std::clamp(kPushOut * rest, kSkin, std::max(kSkin, feel_[answer.pair].boundary));
@@ -171,7 +169,7 @@ HeldEntity::WayResult HeldEntity::goTo(const EntityConfiguration& target) {
 }
 
 HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,
-                                            const BuiltConstraints* built) {
+                                            const BuiltConstraints* built, double duration_s) {
   const Pose X_WWanted = mapping.toCell(X_DP);
   if (recall(mapping, X_WWanted)) return way_->result;
   FollowResult& result = way_->result = {};
@@ -189,14 +187,15 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
       if (std::sqrt(length) < kArrived) break;
       X_WTarget = displaced(X_WM, mapping.toCell(outOfMetric(solved.d)));
     }
-    const EntityConfiguration target = manipulator_->propose(accepted_, X_WTarget);
+    const EntityConfiguration target = manipulator_->propose(accepted_, X_WTarget, duration_s);
+    const MotionTime needed = manipulator_->leastTime(accepted_, target);
     // A robot whose joints swing round has way left: it goes on although the hand rests.
-    for (std::size_t i = 0; i < target.joints.size(); ++i) {
-      constexpr double kStillMoving = 1e-3;  // rad or m
-      if (std::abs(target.joints[i] - accepted_.joints[i]) > kStillMoving) way_->known = false;
-    }
+    const bool hurried = needed.seconds > kAllTheTime * duration_s;
+    result.hurried_joint = hurried ? needed.joint : -1;
+    if (hurried || needed.seconds > kStillMoving) way_->known = false;
     const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, target);
     accepted_ = answer.s >= 1.0 ? target : manipulator_->between(accepted_, target, answer.s);
+    duration_s -= answer.s * needed.seconds;
     const haptic::Vector6 moved = inMetric(mapping.toDevice(difference(movedFrame(), X_WM)));
     rows.moveBy(moved);
     way_->moveBy(moved);
@@ -207,6 +206,7 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
     const haptic::SolverRow row = contactRow(answer, mapping, glm::length(X_WWanted.p - movedFrame().p));
     rows.add(row);
     way_->found(row);
+    if (!(duration_s > kNoTime)) break;
   }
   return result;
 }

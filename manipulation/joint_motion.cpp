@@ -70,8 +70,7 @@ double timeFor(const kinematics::RobotModel& model, const std::vector<double>& f
   double time = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const kinematics::Joint& joint = model.joints[static_cast<std::size_t>(model.moving[i])];
-    const double fallback = joint.type == kinematics::JointType::kPrismatic ? 1.0 : std::numbers::pi;
-    time = std::max(time, std::abs(to[i] - from[i]) / (joint.velocity > 0.0 ? joint.velocity : fallback));
+    time = std::max(time, std::abs(to[i] - from[i]) / kinematics::greatestSpeed(joint));
   }
   return time;
 }

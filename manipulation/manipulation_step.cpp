@@ -167,6 +167,12 @@ void ManipulationEngine::updateSet() {
   link_.sendSet(built_.set);
 }
 
+/// What the joints may use of time in this step. A loop that was held up does not let them catch up at once.
+double ManipulationEngine::stepTime() const {
+  constexpr double kLongest = 0.1, kShortest = 1e-4;  // s
+  return std::clamp(seconds(now_ns_ - last_step_ns_), kShortest, kLongest);
+}
+
 void ManipulationEngine::findContacts() {
   if (!held_ || clutched_) return;
   pairGaps(built_, state_->X_DP, gaps_);
@@ -179,6 +185,7 @@ void ManipulationEngine::findContacts() {
 }
 
 void ManipulationEngine::step(std::int64_t now_ns) {
+  last_step_ns_ = step_ == 0 ? now_ns : now_ns_;
   now_ns_ = now_ns;
   if (start_ns_ < 0) start_ns_ = now_ns;
   ++step_;
@@ -187,7 +194,8 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   watchButtons();
   driftAtEdge();
   if (held_ && !clutched_) {
-    const HeldEntity::FollowResult followed = held_->follow(onGuides(state_->X_DP), mapping_, &built_);
+    const HeldEntity::FollowResult followed = held_->follow(onGuides(state_->X_DP), mapping_, &built_, stepTime());
+    hurried_joint_ = followed.hurried_joint;
     stopped_ = followed.stopped;
   }
   updateLoad();

@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,9 @@ class ManipulationEngine {
   /// Pairs of what is held that are at their boundary now: indices into held()->pairs().
   const std::vector<std::size_t>& contacts() const { return contacts_; }
 
+  /// Limits of what is held that are near, nearest first, and what else holds it back: why it does not follow.
+  std::vector<LimitState> nearLimits() const;
+
   /// The picture of the newest step, made here (distances are measured for it at most 30 times a second).
   void fillSnapshot(SceneSnapshot& snapshot);
 
@@ -79,6 +83,7 @@ class ManipulationEngine {
   Pose onGuides(const Pose& X_DP) const;
   std::vector<const workcell::Guide*> guidesOfHeld() const;
   Pose movedFrameAtRest() const;
+  double stepTime() const;
   void findContacts();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
@@ -107,11 +112,13 @@ class ManipulationEngine {
   bool clutched_ = false;
   bool clutch_command_ = false;
   bool stopped_ = false;
-  dvec3 drift_D_{0.0};  ///< m/s at which the mapping drifts at the edge of the workspace.
+  int hurried_joint_ = -1;  ///< Goes as fast as it can, and there is way left; -1: none does.
+  dvec3 drift_D_{0.0};      ///< m/s at which the mapping drifts at the edge of the workspace.
   std::int64_t drift_ns_ = 0;
   std::uint32_t last_buttons_ = 0;
 
   std::int64_t now_ns_ = 0;
+  std::int64_t last_step_ns_ = 0;
   std::int64_t start_ns_ = -1;
   std::uint64_t step_ = 0;
   std::uint64_t sequence_ = 0;
@@ -128,6 +135,7 @@ class ManipulationEngine {
   std::vector<double> gaps_;
   std::vector<std::size_t> contacts_;
   std::vector<Result> results_;
+  std::set<std::string> told_;  ///< Notes on what was taken: each is told once.
 
   std::int64_t measured_ns_ = -1;
   std::vector<FreeMotion::PairDistance> near_;

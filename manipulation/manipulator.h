@@ -23,11 +23,30 @@ struct PartSphere {
   double radius = 0.0;
 };
 
+/// What kind of limit it is that holds an entity.
+enum class LimitKind {
+  kJoint,        ///< A joint's end.
+  kReach,        ///< The edge of the workspace: the arm is stretched or folded.
+  kSingularity,  ///< A position where a direction of the tool centre point is lost, where that is a wall.
+  kLoop,         ///< A passive joint, a leg or a rod of a parallel robot or mechanism.
+  kSpeed,        ///< A joint moves as fast as it can; never a constraint, only told.
+};
+
+/// "joint", "reach", "singularity", "loop", "speed".
+const char* toString(LimitKind kind);
+
 /// A limit of the entity's own motion (a joint's end, the edge of the workspace), felt like a contact.
 struct MotionLimit {
   haptic::Constraint constraint_W;  ///< Over the moved frame's xi in the cell; gap in metres of its motion.
   std::string text;                 ///< "A5 is 1.2 deg from its upper limit"
-  int joint = -1;                   ///< Index among the robot's joints; -1 for the edge of the workspace.
+  int joint = -1;                   ///< Index among the robot's joints; -1 for what is no joint's.
+  LimitKind kind = LimitKind::kJoint;
+};
+
+/// How long a motion takes at the least, and which joint is the reason.
+struct MotionTime {
+  double seconds = 0.0;
+  int joint = -1;  ///< Index among the robot's joints; -1 where nothing has a greatest speed.
 };
 
 /// How an entity follows the hand: which frame M the hand moves, and what the entity's parts do then.
@@ -41,8 +60,14 @@ class Manipulator {
   /// Pose X_WM of the moved frame.
   virtual Pose movedFrame(const EntityConfiguration& configuration) const = 0;
 
-  /// The configuration near `from` whose moved frame is at X_WM, or as near to it as the entity's own limits allow.
-  virtual EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const = 0;
+  /// The configuration near `from` whose moved frame is at X_WM, or as near to it as the entity's own limits and speeds
+  /// allow within `duration_s` (above 0; infinite: speeds do not count).
+  virtual EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const = 0;
+
+  /// The least time that the entity's joints need from one to the other; 0 for what has no greatest speeds.
+  virtual MotionTime leastTime(const EntityConfiguration& /*from*/, const EntityConfiguration& /*to*/) const {
+    return {};
+  }
 
   /// The configuration at `s` in [0, 1] of the motion that leads from one to the other.
   virtual EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to,

@@ -90,7 +90,8 @@ Pose MannequinManipulator::movedFrame(const EntityConfiguration& configuration) 
   return mannequin::handPose(pose, driven()) * X_MH_[static_cast<std::size_t>(driven())].inverse();
 }
 
-EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& from, const Pose& X_WM) const {
+EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
+                                                  double /*duration_s*/) const {
   const mannequin::PostureTask task = taskFor(X_WM);
   Posture posture = postureOf(from);
   double before = 1e9;

@@ -26,7 +26,7 @@ class MannequinManipulator final : public Manipulator {
                        const EntityConfiguration& taken, std::vector<int> part_links);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
-  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const override;
+  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,

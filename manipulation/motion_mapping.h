@@ -56,9 +56,9 @@ class MotionMapping {
   /// The stylus pose that means X_WM; what a filter hides is taken from `X_DNear`. Inverse of toCell().
   Pose toDevice(const Pose& X_WM, const Pose& X_DNear) const;
 
-  /// A small motion of the stylus as one of the moved frame, and back (filtered parts become zero). Exact for a rotation
-  /// scale of 1; for another one where the hand is turned as at the anchor, and off by about half the turn since then
-  /// times (scale - 1) elsewhere.
+  /// A small motion of the stylus as one of the moved frame, and back (filtered parts become zero). Exact for a
+  /// rotation scale of 1; for another one where the hand is turned as at the anchor, and off by about half the turn
+  /// since then times (scale - 1) elsewhere.
   Twist toCell(const Twist& motion_D) const;
   Twist toDevice(const Twist& motion_W) const;
 

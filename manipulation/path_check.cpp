@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "kinematics/inverse_model.h"
 #include "kinematics/jacobian.h"
 
 namespace hapticell::manipulation {
@@ -285,7 +286,7 @@ class PathWalk {
  private:
   EntityConfiguration configurationAt(const Trajectory& trajectory, const std::vector<std::size_t>& columns,
                                       std::size_t i) const {
-    if (columns.empty()) return manipulator_.propose(before_, trajectory[i].X_WT);
+    if (columns.empty()) return manipulator_.propose(before_, trajectory[i].X_WT, kinematics::kUnboundedDuration);
     EntityConfiguration at = before_;
     for (std::size_t j = 0; j < columns.size(); ++j) at.joints[columns[j]] = trajectory.joints(i)[j];
     return at;

@@ -6,21 +6,21 @@
 #include <cstdio>
 
 #include "geometry/assertion.h"
+#include "kinematics/jog.h"
 #include "manipulation/robot_differential.h"
 #include "manipulation/symmetric.h"
 
 namespace hapticell::manipulation {
 
+const char* toString(LimitKind kind) {
+  constexpr const char* kWords[] = {"joint", "reach", "singularity", "loop", "speed"};
+  return kWords[static_cast<std::size_t>(kind)];
+}
+
 namespace {
 
 using kinematics::Joint;
 using kinematics::JointType;
-
-// A joint may turn at its greatest speed for as long as a calm hand would take for the way, and a little more: what
-// follows the hand is never held up, but where a wrist would have to swing round at once it takes its time.
-constexpr double kLeastDuration = 0.02;  ///< s
-constexpr double kCalmSpeed = 0.25;      ///< m/s, of the tool centre point
-constexpr double kCalmTurn = 1.0;        ///< rad/s
 
 /// Length of a gradient, rotation weighed with the lever: how fast the constraint closes for a metre of motion.
 double slopeOf(const haptic::Vector6& gradient, double lever) {
@@ -36,15 +36,6 @@ void normalise(haptic::Constraint& constraint, double slope) {
   constraint.gap /= slope;
   for (double& a : constraint.gradient) a /= slope;
   for (double& b : constraint.curvature) b /= slope;
-}
-
-std::string limitText(const Joint& joint, double left, bool upper) {
-  const bool turns = joint.type != JointType::kPrismatic;
-  char text[160];
-  std::snprintf(text, sizeof text, "%.60s is %.1f %s from its %s limit", joint.name.c_str(),
-                std::max(0.0, turns ? left * 180.0 / M_PI : left * 1000.0), turns ? "deg" : "mm",
-                upper ? "upper" : "lower");
-  return text;
 }
 
 /// A part that is fixed to a link follows it rigidly: velocities and accelerations of its own origin.
@@ -91,6 +82,12 @@ RobotManipulator::RobotManipulator(std::shared_ptr<const kinematics::RobotModel>
   HAPTICELL_DEMAND(tool_.tip_link >= 0 && static_cast<std::size_t>(tool_.tip_link) < model_->links.size());
 }
 
+void RobotManipulator::stopAtSingularities() {
+  const kinematics::Chain* chain = inverse_->chain();
+  if (chain == nullptr || model_->closure) return;
+  wall_.emplace(*model_, tool_.tip_link, tool_.X_LT, std::max(1e-3, 0.5 * chain->reach()));
+}
+
 std::vector<RobotManipulator::Part> RobotManipulator::partsOf(const std::vector<int>& links) {
   std::vector<Part> parts;
   for (const int link : links) parts.push_back({link, {}});
@@ -108,15 +105,26 @@ Pose RobotManipulator::movedFrame(const EntityConfiguration& configuration) cons
   return linkPoses(configuration)[static_cast<std::size_t>(tool_.tip_link)] * tool_.X_LT;
 }
 
-EntityConfiguration RobotManipulator::propose(const EntityConfiguration& from, const Pose& X_WM) const {
-  const Twist way = difference(X_WM, movedFrame(from));
-  const double duration =
-      kLeastDuration + std::max(glm::length(way.linear) / kCalmSpeed, glm::length(way.angular) / kCalmTurn);
+EntityConfiguration RobotManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
+                                              double duration_s) const {
   kinematics::InverseSolution solution;
-  inverse_->solveNearest(from.X_WE.inverse() * X_WM, from.joints, duration, solution);
+  inverse_->solveNearest(from.X_WE.inverse() * X_WM, from.joints, duration_s, solution);
   const bool finite = std::all_of(solution.q.begin(), solution.q.end(), [](double q) { return std::isfinite(q); });
   if (!finite || solution.q.size() != from.joints.size()) return from;
-  return {from.X_WE, std::move(solution.q)};
+  EntityConfiguration to{from.X_WE, std::move(solution.q)};
+  const double share = wall_ ? wall_->freeShare(from.joints, to.joints) : 1.0;
+  return share < 1.0 ? between(from, to, share) : to;
+}
+
+MotionTime RobotManipulator::leastTime(const EntityConfiguration& from, const EntityConfiguration& to) const {
+  MotionTime longest;
+  for (std::size_t i = 0; i < from.joints.size(); ++i) {
+    const int joint = model_->moving[i];
+    const double speed = kinematics::greatestSpeed(model_->joints[static_cast<std::size_t>(joint)]);
+    const double time = std::abs(to.joints[i] - from.joints[i]) / speed;
+    if (time > longest.seconds) longest = {time, joint};
+  }
+  return longest;
 }
 
 EntityConfiguration RobotManipulator::between(const EntityConfiguration& from, const EntityConfiguration& to,
@@ -209,6 +217,20 @@ std::vector<PartDifferential> RobotManipulator::differentiate(const EntityConfig
   return parts;
 }
 
+/// The wall about singular positions, to first order.
+MotionLimit RobotManipulator::wallAt(const EntityConfiguration& configuration, const RobotDifferential& robot) const {
+  MotionLimit limit;
+  limit.kind = LimitKind::kSingularity;
+  limit.text = "The arm is near a singularity";
+  limit.constraint_W.id = 999;
+  limit.constraint_W.gap = wall_->measure(configuration.joints) - SingularityWall::kFelt;
+  const std::vector<double> over_q = wall_->gradient(configuration.joints);
+  for (std::size_t v = 0; v < over_q.size(); ++v) {
+    for (std::size_t i = 0; i < 6; ++i) limit.constraint_W.gradient[i] += over_q[v] * robot.joint_velocity[v][i];
+  }
+  return limit;
+}
+
 std::vector<MotionLimit> RobotManipulator::limits(const EntityConfiguration& configuration, double zone,
                                                   double lever) const {
   const RobotDifferential robot =
@@ -232,16 +254,17 @@ std::vector<MotionLimit> RobotManipulator::limits(const EntityConfiguration& con
       limit.constraint_W.id = 2 * v + (upper ? 1 : 0);
       for (std::size_t i = 0; i < 6; ++i) limit.constraint_W.gradient[i] = sign * robot.joint_velocity[v][i];
       for (std::size_t i = 0; i < 21; ++i) limit.constraint_W.curvature[i] = sign * robot.joint_acceleration[v][i];
-      limit.text = limitText(joint, limit.constraint_W.gap, upper);
+      limit.text = kinematics::limitText(joint, std::max(0.0, limit.constraint_W.gap), upper);
       keep(std::move(limit));
     }
   }
   for (std::size_t m = 0; m < robot.margins.size(); ++m) {
-    MotionLimit limit{robot.margins[m].constraint, marginText(robot.margins[m].at), -1};
+    MotionLimit limit{robot.margins[m].constraint, marginText(robot.margins[m].at), -1, LimitKind::kLoop};
     limit.constraint_W.id = 2 * (model_->moving.size() + m) + 1000;
     keep(std::move(limit));
   }
-  if (robot.has_edge) keep({robot.edge, "The arm is at the edge of its reach", -1});
+  if (wall_) keep(wallAt(configuration, robot));
+  if (robot.has_edge) keep({robot.edge, "The arm is at the edge of its reach", -1, LimitKind::kReach});
   return limits;
 }
 

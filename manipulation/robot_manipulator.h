@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "kinematics/inverse_model.h"
 #include "kinematics/robot_model.h"
 #include "manipulation/manipulator.h"
+#include "manipulation/singularity_wall.h"
 
 namespace hapticell::manipulation {
+
+struct RobotDifferential;
 
 /// A robot that is dragged by its tool centre point: the inverse model nearest to the previous joints moves the arm,
 /// and its joint limits and the edge of its workspace are felt.
 ///
-/// One proposal never moves a joint further than its greatest speed allows in 20 ms and the time that a calm hand (0.25
-/// m/s, 1 rad/s) takes for the way: through a wrist singularity the arm swings round in many steps, its position kept,
-/// and never jumps. The rest of the way is proposed at the next step.
+/// One proposal never moves a joint further than its greatest speed allows in the time given: through a wrist
+/// singularity the arm swings round in many steps, its position kept (or what kinematics::SingularityChoice says), and
+/// never jumps. The rest of the way is proposed at the next step.
 class RobotManipulator final : public Manipulator {
  public:
   struct Tool {
@@ -27,11 +32,15 @@ class RobotManipulator final : public Manipulator {
   /// `inverse` is for the same tool.
   RobotManipulator(std::shared_ptr<const kinematics::RobotModel> model, const Tool& tool,
                    std::unique_ptr<const kinematics::InverseModel> inverse, std::vector<Part> parts);
+  /// Makes singular positions walls that are felt and never passed; nothing happens to robots with closed loops, whose
+  /// closure knows its own.
+  void stopAtSingularities();
   /// Parts that are links.
   static std::vector<Part> partsOf(const std::vector<int>& links);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
-  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const override;
+  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
+  MotionTime leastTime(const EntityConfiguration& from, const EntityConfiguration& to) const override;
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
@@ -41,6 +50,7 @@ class RobotManipulator final : public Manipulator {
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
  private:
+  MotionLimit wallAt(const EntityConfiguration& configuration, const RobotDifferential& robot) const;
   std::vector<Pose> linkPoses(const EntityConfiguration& configuration) const;
   void closedPathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                         std::span<const PartSphere> spheres, std::span<double> bounds) const;
@@ -49,6 +59,7 @@ class RobotManipulator final : public Manipulator {
   Tool tool_;
   std::unique_ptr<const kinematics::InverseModel> inverse_;
   std::vector<Part> parts_;
+  std::optional<SingularityWall> wall_;
 };
 
 }  // namespace hapticell::manipulation

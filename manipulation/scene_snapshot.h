@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "manipulation/manipulator.h"
 #include "workcell/entity.h"
 
 namespace hapticell::manipulation {
@@ -32,10 +33,13 @@ struct PairState {
   bool near_miss = false;
 };
 
-/// A limit that pushes back now.
+/// A limit that is near, or holds the entity: why it does not follow.
 struct LimitState {
-  std::string text;  ///< "A5 is 1.2 deg from its limit"
-  int joint = -1;
+  std::string text;  ///< "A5 is 1.2 deg from its upper limit"
+  int joint = -1;    ///< Index among the robot's joints; -1 for what is no joint's.
+  LimitKind kind = LimitKind::kJoint;
+  double gap = 0.0;    ///< m of the moved frame's motion until it holds.
+  bool holds = false;  ///< It pushes back now.
 };
 
 /// What the manipulation loop hands to the window each step: a value, newest wins, no lock between the loops.

@@ -116,6 +116,8 @@ class WatchedEngine {
     sent_.resize(engine_.sentSet(), t);
     const double force = engine_.hapticState() ? glm::length(engine_.hapticState()->force_D) : 0.0;
     contacts_.add(t, engine_, force);
+    limits_.add(t, engine_);
+    joints_.add(t, engine_);
     for (const Result& result : engine_.takeResults()) {
       if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(told->sentence);
     }
@@ -160,6 +162,11 @@ class WatchedEngine {
     report_.energy_min_j = forces_.leastEnergy();
     report_.penetration_max_m = penetration_.worst();
     report_.contacts = contacts_.events();
+    report_.limits = limits_.events();
+    report_.joints = joints_.joints();
+    for (const LimitState& limit : engine_.nearLimits()) {
+      if (limit.holds) report_.final_limits.push_back(limit.text);
+    }
     if (recorder_) report_.recording = recorder_->finish();
     report_.held = engine_.held() != nullptr;
     report_.final_configuration = engine_.placement(entity_);
@@ -208,6 +215,8 @@ class WatchedEngine {
   SessionReport report_;
   ForceMeter forces_;
   ContactLog contacts_;
+  LimitLog limits_;
+  JointMeter joints_;
   PenetrationMeter penetration_;
   SceneSnapshot snapshot_;
   std::vector<double> times_;

@@ -67,12 +67,15 @@ struct SessionReport {
   double penetration_max_m = 0.0;
   double energy_min_j = 0.0;
   std::vector<ContactEvent> contacts;
+  std::vector<LimitEvent> limits;  ///< What of the entity itself held it, in the order of their beginning.
+  std::vector<JointUse> joints;    ///< One a variable of a robot; empty for others.
   std::vector<std::string> notices;
 
   bool held = false;  ///< At the end.
   EntityConfiguration final_configuration;
   Pose X_WMFinal;
   std::vector<std::string> final_contacts;  ///< Names of what it touches.
+  std::vector<std::string> final_limits;    ///< Why it does not follow: "A5 is at its upper limit".
   trajectory::Trajectory recording;         ///< Without frames where none was asked for, or nothing was moved.
 };
 

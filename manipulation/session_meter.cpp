@@ -88,6 +88,45 @@ void ContactLog::finish(double t) {
   for (const auto& [key, event] : open_) events_[event].time_out = t;
 }
 
+void LimitLog::add(double t, const ManipulationEngine& engine) {
+  for (const LimitState& limit : engine.nearLimits()) {
+    if (!limit.holds) continue;
+    const auto key = std::pair(limit.kind, limit.joint);
+    const auto known = open_.find(key);
+    if (known == open_.end() || t - events_[known->second].time_out > kInterruption) {
+      open_[key] = events_.size();
+      events_.push_back({limit.text, limit.kind, limit.joint, t, t});
+    }
+    events_[open_[key]].time_out = t;
+  }
+}
+
+void JointMeter::add(double t, const ManipulationEngine& engine) {
+  const HeldEntity* held = engine.held();
+  const workcell::Entity* entity = held ? engine.scene()->find(held->id()) : nullptr;
+  if (!entity || !entity->robot || entity->figure) {
+    id_ = 0;
+    return;
+  }
+  const std::vector<double>& now = held->accepted().joints;
+  const bool goes_on = id_ == held->id() && before_.size() == now.size() && t > t_before_;
+  if (joints_.size() != now.size()) joints_.assign(now.size(), {});
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    JointUse& use = joints_[i];
+    const int joint = entity->robot->moving[i];
+    if (use.joint < 0) {
+      use = {joint, now[i], now[i], 0.0,
+             kinematics::greatestSpeed(entity->robot->joints[static_cast<std::size_t>(joint)])};
+    }
+    use.lowest = std::min(use.lowest, now[i]);
+    use.highest = std::max(use.highest, now[i]);
+    if (goes_on) use.max_speed = std::max(use.max_speed, std::abs(now[i] - before_[i]) / (t - t_before_));
+  }
+  before_ = now;
+  t_before_ = t;
+  id_ = held->id();
+}
+
 double PenetrationMeter::measure(const ManipulationEngine& engine) {
   const HeldEntity* held = engine.held();
   const PreparedScene* scene = engine.scene();

@@ -65,6 +65,46 @@ class ContactLog {
   std::map<std::size_t, double> last_seen_;
 };
 
+/// A limit that held the entity for a while.
+struct LimitEvent {
+  std::string text;  ///< As it was when it held first.
+  LimitKind kind = LimitKind::kJoint;
+  int joint = -1;
+  double time_in = 0.0, time_out = 0.0;
+};
+
+/// Which limits held the entity, and when. Interruptions under 50 ms do not end one.
+class LimitLog {
+ public:
+  void add(double t, const ManipulationEngine& engine);
+  const std::vector<LimitEvent>& events() const { return events_; }
+
+ private:
+  std::vector<LimitEvent> events_;
+  std::map<std::pair<LimitKind, int>, std::size_t> open_;
+};
+
+/// How far and how fast one joint moved while it was held.
+struct JointUse {
+  int joint = -1;  ///< Index among the robot's joints.
+  double lowest = 0.0, highest = 0.0;
+  double max_speed = 0.0;       ///< rad/s or m/s, from one step to the next.
+  double greatest_speed = 0.0;  ///< Allowed.
+};
+
+/// Follows the joints of what is held from step to step.
+class JointMeter {
+ public:
+  void add(double t, const ManipulationEngine& engine);
+  const std::vector<JointUse>& joints() const { return joints_; }
+
+ private:
+  std::vector<JointUse> joints_;
+  std::vector<double> before_;
+  double t_before_ = 0.0;
+  workcell::EntityId id_ = 0;
+};
+
 /// Measures how deep the shown entity is in anything, by exact distance queries of its own that share nothing with the
 /// engine but the meshes.
 class PenetrationMeter {

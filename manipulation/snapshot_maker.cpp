@@ -11,6 +11,8 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr std::int64_t kMeasurePeriod = 33'000'000;  ///< ns.
+constexpr double kLimitShown = 0.005;                ///< m of hand.
+constexpr double kLimitHolds = 5e-5;                 ///< m of hand.
 constexpr double kShownAtLeast = 0.05;               ///< m: the nearest pair is shown from here on.
 
 double edgeOf(const haptic::DeviceDescription& device, const dvec3& p_DS) {
@@ -47,6 +49,31 @@ void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
   }
 }
 
+std::vector<LimitState> ManipulationEngine::nearLimits() const {
+  std::vector<LimitState> near;
+  if (!held_ || !state_) return near;
+  const Pose X_DHere = mapping_.toDevice(held_->movedFrame(), state_->X_DP);
+  const Twist here = difference(X_DHere, built_.set.X_DR), proxy = difference(state_->X_DP, built_.set.X_DR);
+  const auto over = [](const Twist& t) {
+    return haptic::Vector6{t.linear.x, t.linear.y, t.linear.z, t.angular.x, t.angular.y, t.angular.z};
+  };
+  for (std::size_t i = 0; i < built_.set.count && i < built_.origins.size(); ++i) {
+    if (built_.origins[i].limit < 0) continue;
+    const MotionLimit& limit = built_.limits[static_cast<std::size_t>(built_.origins[i].limit)];
+    const double gap = haptic::evaluate(built_.set.constraints[i], over(here));
+    if (gap > kLimitShown) continue;
+    const double least = std::min(gap, haptic::evaluate(built_.set.constraints[i], over(proxy)));
+    near.push_back({limit.text, limit.joint, limit.kind, std::max(0.0, gap) * mapping_.scale(), least < kLimitHolds});
+  }
+  if (hurried_joint_ >= 0) {
+    const auto& joints = scene_->find(held_->id())->robot->joints;
+    const std::string& name = joints[static_cast<std::size_t>(hurried_joint_)].name;
+    near.push_back({name + " moves as fast as it can", hurried_joint_, LimitKind::kSpeed, 0.0, true});
+  }
+  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  return near;
+}
+
 void ManipulationEngine::describe(SceneSnapshot& snapshot) const {
   if (link_state_ != haptic::LinkState::kConnected) {
     snapshot.status = link_.problem();
@@ -60,7 +87,10 @@ void ManipulationEngine::describe(SceneSnapshot& snapshot) const {
   } else {
     const PairState& pair = snapshot.pairs.front();
     const workcell::Entity* other = scene_->find(pair.other);
-    if (pair.contact) {
+    if (pair.other == held_->id()) {
+      std::snprintf(text, sizeof text, pair.contact ? "%.80s touches its own %.80s" : "%.80s is near its own %.80s",
+                    pair.moved_part.c_str(), pair.other_part.c_str());
+    } else if (pair.contact) {
       std::snprintf(text, sizeof text, "%.80s touches %.80s", moved->name.c_str(), other->name.c_str());
     } else {
       std::snprintf(text, sizeof text, "%.80s is %.1f mm from %.80s", moved->name.c_str(), 1e3 * pair.distance,
@@ -68,6 +98,11 @@ void ManipulationEngine::describe(SceneSnapshot& snapshot) const {
     }
   }
   snapshot.status = text;
+  for (const LimitState& limit : snapshot.limits) {
+    if (!limit.holds) continue;
+    snapshot.status += "; " + limit.text;
+    break;
+  }
 }
 
 void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
@@ -90,9 +125,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
     }
     snapshot.entities.push_back(moved);
     for (const auto& [id, at] : carried) snapshot.entities.push_back({id, at.X_WE, at.joints, moved.in_contact, false});
-    for (const MotionLimit& limit : built_.limits) {
-      if (limit.constraint_W.gap < 0.005 * mapping_.scale()) snapshot.limits.push_back({limit.text, limit.joint});
-    }
+    snapshot.limits = nearLimits();
     snapshot.held = held_->id();
   }
   snapshot.clutched = clutched_;

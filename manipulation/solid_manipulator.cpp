@@ -12,7 +12,8 @@ Pose SolidManipulator::movedFrame(const EntityConfiguration& configuration) cons
   return configuration.X_WE * X_EM_;
 }
 
-EntityConfiguration SolidManipulator::propose(const EntityConfiguration& from, const Pose& X_WM) const {
+EntityConfiguration SolidManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
+                                              double /*duration_s*/) const {
   return {X_WM * X_EM_.inverse(), from.joints};
 }
 

@@ -12,7 +12,7 @@ class SolidManipulator final : public Manipulator {
   SolidManipulator(const Pose& X_EM, std::vector<Pose> X_EP);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
-  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM) const override;
+  EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,

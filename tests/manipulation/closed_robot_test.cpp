@@ -58,7 +58,7 @@ TEST_P(ClosedRobot, ItsPartsFollowAsTheirDifferentialSays) {
   for (const auto& xi : directions) {
     if (!turns && (xi[3] != 0.0 || xi[4] != 0.0 || xi[5] != 0.0)) continue;
     const Pose X_WM = displaced(robot.manipulator->movedFrame(robot.at), alongXi(xi));
-    const EntityConfiguration there = robot.manipulator->propose(robot.at, X_WM);
+    const EntityConfiguration there = robot.manipulator->propose(robot.at, X_WM, 1.0);
     robot.manipulator->partPoses(there, after);
     for (std::size_t k = 0; k < robot.parts; ++k) {
       dvec3 moved(0.0);

@@ -49,7 +49,7 @@ TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
     const EntityConfiguration start{entity.X_WE, entity.joints};
     Pose wanted = manipulator.movedFrame(start);
     wanted.p += dvec3(0.02, 0.01, -0.03);
-    const EntityConfiguration moved = manipulator.propose(start, wanted);
+    const EntityConfiguration moved = manipulator.propose(start, wanted, 1.0);
     EXPECT_LT(placeError(manipulator.movedFrame(moved), wanted), 1e-4);
     std::vector<Pose> before(links.size()), after(links.size());
     manipulator.partPoses(start, before);
@@ -70,7 +70,7 @@ TEST(MannequinManipulator, NoPointMovesFartherThanItsBound) {
   const EntityConfiguration start{entity.X_WE, entity.joints};
   Pose wanted = manipulator.movedFrame(start);
   wanted.p += dvec3(-0.05, 0.04, 0.06);
-  const EntityConfiguration end = manipulator.propose(start, wanted);
+  const EntityConfiguration end = manipulator.propose(start, wanted, 1.0);
   std::vector<PartSphere> spheres(links.size(), {dvec3(0.0, 0.0, -0.05), 0.05});
   std::vector<double> bounds(links.size());
   manipulator.pathBounds(start, end, spheres, bounds);
@@ -100,7 +100,7 @@ TEST(MannequinManipulator, TheEndOfTheReachIsALimitAndNamesTheMillimetres) {
   Pose wanted = manipulator.movedFrame(configuration);
   for (int i = 0; i < 200; ++i) {
     wanted.p.x += 0.004;
-    configuration = manipulator.propose(configuration, wanted);
+    configuration = manipulator.propose(configuration, wanted, 1.0);
   }
   EXPECT_GT(glm::length(manipulator.movedFrame(configuration).p - wanted.p), 0.2);
   const auto limits = manipulator.limits(configuration, 0.05, 0.05);
@@ -120,7 +120,7 @@ TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
   wanted.p.z += 2e-4;
   std::vector<Pose> before(links.size()), after(links.size());
   manipulator.partPoses(start, before);
-  manipulator.partPoses(manipulator.propose(start, wanted), after);
+  manipulator.partPoses(manipulator.propose(start, wanted, 1.0), after);
   for (std::size_t k = 0; k < links.size(); ++k) {
     const std::string& name = entity.robot->links[static_cast<std::size_t>(links[k])].name;
     if (name != "r_hand" && name != "r_index2") continue;

@@ -30,7 +30,7 @@ TEST(RobotManipulator, ArrivesWhereTheHandAsksInOneStep) {
   const RobotManipulator manipulator = manipulatorOf(model);
   const EntityConfiguration from{Pose::translation({1, 2, 0}), {0.2, -1.2, 1.4, 0.3, 0.7, 0.1}};
   const Pose X_WM = displaced(manipulator.movedFrame(from), {{0.02, -0.01, 0.015}, {0.02, 0.01, -0.03}});
-  const EntityConfiguration to = manipulator.propose(from, X_WM);
+  const EntityConfiguration to = manipulator.propose(from, X_WM, 0.1);
   EXPECT_LT(glm::length(manipulator.movedFrame(to).p - X_WM.p), 1e-9);
   EXPECT_LT(largestStep(from, to), 0.1);
 }
@@ -43,15 +43,16 @@ TEST(RobotManipulator, SwingsTheWristRoundWithoutAJump) {
   const Pose X_0 = manipulator.movedFrame(now);
   // About the lower arm's axes: axis 5 is y at these joints, a little about z keeps the path beside j5 = 0.
   double worst_position = 0.0;
-  for (int i = 0; i <= 400; ++i) {
-    const double s = std::min(1.0, i / 200.0);
+  for (int i = 0; i <= 1000; ++i) {
+    const double s = std::min(1.0, i / 500.0);
     const Pose X_WM = displaced(X_0, {dvec3(0.0), s * dvec3(0.0, -0.12, 0.0) + std::sin(M_PI * s) * dvec3(0, 0, 2e-3)});
-    const EntityConfiguration next = manipulator.propose(now, X_WM);
-    ASSERT_LE(largestStep(now, next), 3.0 * 0.2) << i;
+    const EntityConfiguration next = manipulator.propose(now, X_WM, 5e-3);
+    ASSERT_LE(largestStep(now, next), 3.0 * 5e-3 + 1e-12) << i;
+    ASSERT_LE(manipulator.leastTime(now, next).seconds, 5e-3 + 1e-12);
     worst_position = std::max(worst_position, glm::length(manipulator.movedFrame(next).p - X_WM.p));
     now = next;
   }
-  EXPECT_LT(worst_position, 1e-3);
+  EXPECT_LT(worst_position, 2e-4);
   EXPECT_LT(glm::length(manipulator.movedFrame(now).p - X_0.p), 1e-6);
 }
 
@@ -94,8 +95,8 @@ TEST(RobotManipulator, RestsOutOfReachAndSaysWhy) {
   EntityConfiguration before = now;
   for (int i = 0; i < 400; ++i) {
     before = now;
-    now = manipulator.propose(now, {X_0.p + dvec3(0.01 * i, 0.0, 0.0), X_0.q});
-    ASSERT_LT(largestStep(before, now), 0.5) << i;
+    now = manipulator.propose(now, {X_0.p + dvec3(0.01 * i, 0.0, 0.0), X_0.q}, 0.02);
+    ASSERT_LE(largestStep(before, now), 3.0 * 0.02 + 1e-12) << i;
   }
   EXPECT_LT(largestStep(before, now), 0.02);
   const std::vector<MotionLimit> limits = manipulator.limits(now, 0.05, 0.25);

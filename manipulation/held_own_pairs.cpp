@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a held robot is checked against itself.
+#include <algorithm>
+
+#include "manipulation/held_entity.h"
+#include "manipulation/own_pairs.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr double kTouching = 1e-4;  ///< m: nearer than this at rest the makers' shapes touch.
+
+}  // namespace
+
+/// Where the moved parts are while the robot is at rest, its root at the origin.
+std::vector<Pose> HeldEntity::restPoses(const workcell::Entity& entity) const {
+  std::vector<Pose> X_EL;
+  kinematics::forwardKinematics(*entity.robot, kinematics::restPositions(*entity.robot), X_EL);
+  std::vector<Pose> poses;
+  for (const MovedPart& part : moved_parts_) {
+    poses.push_back(X_EL[static_cast<std::size_t>(std::max(0, part.link))] * part.X_LP);
+  }
+  return poses;
+}
+
+void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOptions& options,
+                                const config::Configuration& configuration) {
+  first_own_ = static_cast<std::uint32_t>(pairs_.size());
+  const bool robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
+  if (!robot || !entity.checked || !configuration.robot.self_collision) return;
+  if (options.on_contact == workcell::OnContact::kPass) return;
+  std::vector<OwnPart> parts;
+  for (const MovedPart& part : moved_parts_) parts.push_back({std::max(0, part.link), part.owner != id_});
+  const std::vector<Pose> X_EP = restPoses(entity);
+  for (const OwnPair& own : ownPairs(*entity.robot, parts)) {
+    const MovedPart &first = moved_parts_[own.first], &second = moved_parts_[own.second];
+    const bool links = first.owner == id_ && second.owner == id_;
+    const auto& a = first.part->mesh.collider;
+    const auto& b = second.part->mesh.collider;
+    if (links && collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
+      notes_.push_back(first.name + " and " + second.name + " of " + entity.name +
+                       " touch at rest: they are not checked against each other");
+      continue;
+    }
+    HeldPair pair{id_, first.name,         second.name, configuration.manipulation.safety_distance,
+                  0.0, options.on_contact, {}};
+    motion_pairs_.push_back({static_cast<std::uint32_t>(own.first), 0, true, static_cast<int>(own.second)});
+    feel_.push_back(pair.feel);
+    pairs_.push_back(std::move(pair));
+  }
+}
+
+/// How the distance of a pair changes with the moved frame, at its nearest points.
+haptic::Constraint HeldEntity::contactOf(const MotionPair& pair, const collision::DistanceResult& found) const {
+  const std::vector<PartDifferential> parts = manipulator_->differentiate(accepted_);
+  PointCondition condition;
+  condition.p_WQ = found.p_WA;
+  condition.nhat_W = found.nhat_BA_W;
+  haptic::Constraint constraint;
+  applyCondition(parts[pair.part], condition, constraint);
+  if (pair.other_part < 0) return constraint;
+  haptic::Constraint met;
+  condition.p_WQ = found.p_WB;
+  applyCondition(parts[static_cast<std::size_t>(pair.other_part)], condition, met);
+  for (std::size_t i = 0; i < 6; ++i) constraint.gradient[i] -= met.gradient[i];
+  for (std::size_t i = 0; i < 21; ++i) constraint.curvature[i] -= met.curvature[i];
+  return constraint;
+}
+
+}  // namespace hapticell::manipulation
