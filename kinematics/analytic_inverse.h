@@ -54,9 +54,11 @@ class AnalyticInverse final : public InverseModel {
   std::array<dvec3, kMaxChainVariables> rail_B_;
   std::unique_ptr<const ClosedForm> closed_;
   kernels::JointBounds bounds_{};
-  kernels::TrueArm arm_{};  ///< Without the rails.
+  kernels::TrueArm arm_{};     ///< Without the rails.
+  double proven_error_ = 1.0;  ///< m and rad: the worst of the closed form on the true chain, over a sample of poses.
 
   std::size_t freeCount() const { return rails_ + static_cast<std::size_t>(closed_->redundancy()); }
+  double sampleError() const;
   ChainPositions pick(const std::vector<double>& q) const;
   Free freeAt(const Pose& X_BT, const ChainPositions& x) const;
   void freeRange(std::size_t index, double& lower, double& upper) const;

@@ -107,13 +107,25 @@ Pose RobotManipulator::movedFrame(const EntityConfiguration& configuration) cons
 
 EntityConfiguration RobotManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
                                               double duration_s) const {
+  const EntityConfiguration to = proposeFreely(from, X_WM, duration_s);
+  const double share = wall_ ? wall_->freeShare(from.joints, to.joints) : 1.0;
+  if (share >= 1.0) return to;
+  // From afar the nearest joints may lie behind the wall; part of the way there may be a way before it.
+  const Pose X_WM0 = movedFrame(from);
+  for (const double part : {0.5, 0.2, 0.05}) {
+    const EntityConfiguration nearer = proposeFreely(from, interpolate(X_WM0, X_WM, part), duration_s);
+    if (wall_->freeShare(from.joints, nearer.joints) >= 1.0) return nearer;
+  }
+  return between(from, to, share);
+}
+
+EntityConfiguration RobotManipulator::proposeFreely(const EntityConfiguration& from, const Pose& X_WM,
+                                                    double duration_s) const {
   kinematics::InverseSolution solution;
   inverse_->solveNearest(from.X_WE.inverse() * X_WM, from.joints, duration_s, solution);
   const bool finite = std::all_of(solution.q.begin(), solution.q.end(), [](double q) { return std::isfinite(q); });
   if (!finite || solution.q.size() != from.joints.size()) return from;
-  EntityConfiguration to{from.X_WE, std::move(solution.q)};
-  const double share = wall_ ? wall_->freeShare(from.joints, to.joints) : 1.0;
-  return share < 1.0 ? between(from, to, share) : to;
+  return {from.X_WE, std::move(solution.q)};
 }
 
 MotionTime RobotManipulator::leastTime(const EntityConfiguration& from, const EntityConfiguration& to) const {

@@ -50,6 +50,7 @@ class RobotManipulator final : public Manipulator {
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
  private:
+  EntityConfiguration proposeFreely(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const;
   MotionLimit wallAt(const EntityConfiguration& configuration, const RobotDifferential& robot) const;
   std::vector<Pose> linkPoses(const EntityConfiguration& configuration) const;
   void closedPathBounds(const EntityConfiguration& from, const EntityConfiguration& to,

@@ -89,11 +89,13 @@ void ContactLog::finish(double t) {
 }
 
 void LimitLog::add(double t, const ManipulationEngine& engine) {
+  const double interruption = std::max(kInterruption, 2.5 * (t - t_before_));  // a slow loop looks rarely
+  t_before_ = t;
   for (const LimitState& limit : engine.nearLimits()) {
     if (!limit.holds) continue;
     const auto key = std::pair(limit.kind, limit.joint);
     const auto known = open_.find(key);
-    if (known == open_.end() || t - events_[known->second].time_out > kInterruption) {
+    if (known == open_.end() || t - events_[known->second].time_out > interruption) {
       open_[key] = events_.size();
       events_.push_back({limit.text, limit.kind, limit.joint, t, t});
     }

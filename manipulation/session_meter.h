@@ -73,7 +73,7 @@ struct LimitEvent {
   double time_in = 0.0, time_out = 0.0;
 };
 
-/// Which limits held the entity, and when. Interruptions under 50 ms do not end one.
+/// Which limits held the entity, and when. Interruptions under 50 ms (or two steps) do not end one.
 class LimitLog {
  public:
   void add(double t, const ManipulationEngine& engine);
@@ -82,6 +82,7 @@ class LimitLog {
  private:
   std::vector<LimitEvent> events_;
   std::map<std::pair<LimitKind, int>, std::size_t> open_;
+  double t_before_ = 0.0;
 };
 
 /// How far and how fast one joint moved while it was held.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 
 #include "kinematics/inverse_factory.h"
 #include "tests/support/test_data.h"
@@ -177,22 +178,11 @@ TEST(Sdf, FaultsAreToldInOneSentence) {
 TEST(UrdfWithLoops, ADeltaTreeIsClosedByARobotToml) {
   HAPTICELL_SHARED_DATA_OR_SKIP(urdf, "robots/omnid_delta_tree/robot.urdf");
   const test::TemporaryFolder folder;
-  std::string text =
-      "format = \"hapticell-robot\"\nname = \"omnid\"\nunit = \"mm\"\n[urdf]\nfile = \"" + urdf.string() +
-      "\"\nactuated = [\"theta_1\", \"theta_2\", \"theta_3\"]\nlocked = [\"phi_1\", \"phi_2\", \"phi_3\"]\n"
-      "tip = \"platform_link\"\n[urdf.start]\nz = 300\n";
-  for (int k = 1; k <= 3; ++k) {
-    const std::string n = std::to_string(k);
-    const double angle = 2.0 * M_PI / 3.0 * (k - 1);
-    text += "theta_" + n + " = 30\nbeta_" + n + " = 60\n";
-    (void)angle;
-  }
-  for (int k = 1; k <= 3; ++k) {
-    const double angle = 2.0 * M_PI / 3.0 * (k - 1);
-    text += "[[loop]]\njoint = \"ball\"\na = { link = \"upper_leg_" + std::to_string(k) +
-            "\", position = [368, 0, 0] }\nb = { link = \"platform_link\", position = [" +
-            std::to_string(62.0 * std::cos(angle)) + ", " + std::to_string(62.0 * std::sin(angle)) + ", 0] }\n";
-  }
+  std::ifstream file(hapticell::test::sourceFile("examples/robots/omnid_delta_tree.toml"));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string beside = "file = \"robot.urdf\"";
+  ASSERT_NE(text.find(beside), std::string::npos);
+  text.replace(text.find(beside), beside.size(), "file = \"" + urdf.string() + "\"");
   Diagnostics notes;
   const auto robot = readRobot(folder.write("robot.toml", text), notes);
   ASSERT_TRUE(robot) << robot.error().message();
