@@ -26,7 +26,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPatience = 400;  // Milliseconds of work without choices before the panel shows itself.
+constexpr int kPatience = 400;   // Milliseconds of work without choices before the panel shows itself.
+constexpr int kBelowCube = 116;  // Pixels: the view cube stays in sight.
 
 /// Where in `folder` or below it a file of that name is. Looks at 100,000 files at most.
 std::optional<std::filesystem::path> findBelow(const QString& folder, const std::filesystem::path& missing) {
@@ -85,7 +86,7 @@ void FileWork::raiseDock(QDockWidget& dock, QSize size) {
   if (dock.isFloating()) {
     const QWidget& scene = host_.viewport();
     dock.resize(size);
-    dock.move(scene.mapToGlobal(QPoint(scene.width() - dock.width() - 16, 16)));
+    dock.move(scene.mapToGlobal(QPoint(scene.width() - dock.width() - 16, kBelowCube)));
   }
   dock.show();
   dock.raise();

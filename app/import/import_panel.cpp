@@ -190,7 +190,8 @@ void ImportPanel::addButtons() {
   auto* line = new QHBoxLayout;
   line->setContentsMargins(12, 8, 12, 10);
   line->setSpacing(8);
-  line->addWidget(makeLabel(tr("One undo step"), TextRole::kSecond, true));
+  undo_hint_ = makeLabel(tr("One undo step"), TextRole::kSecond, true);
+  line->addWidget(undo_hint_);
   line->addStretch(1);
   const auto make = [line](const char* name, const QString& text) {
     auto* button = new QPushButton(text);
@@ -259,6 +260,7 @@ void ImportPanel::refresh() {
   import_->setVisible(file);
   import_->setEnabled(file && file->stage != FileImport::Stage::kImporting);
   import_all_->setVisible(files.size() > 1);
+  undo_hint_->setVisible(files.size() == 1);
   import_all_->setText(tr("Import all %1").arg(files.size()));
   filling_ = false;
   showProgress();
@@ -313,6 +315,10 @@ void ImportPanel::showUnits(const FileImport& file) {
 
 void ImportPanel::showProgress() {
   const FileImport* file = session_.find(current_);
+  const FileImport* const shown = file;
+  if (file && file->stage == FileImport::Stage::kReady)  // Another one may be on its way behind it.
+    for (const FileImport& other : session_.files())
+      if (other.stage != FileImport::Stage::kReady && !other.queued) file = &other;
   const bool working = file ? file->stage != FileImport::Stage::kReady : other_.has_value();
   progress_->setVisible(working);
   if (!working) return;
@@ -322,7 +328,8 @@ void ImportPanel::showProgress() {
     share = file->progress.share;
     stage = file->queued ? tr("Waits for the file before it") : QString::fromStdString(file->progress.stage);
   }
-  const QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
+  QString words = capital(stage.isEmpty() ? tr("Reading") : stage);
+  if (file != shown) words = QFileInfo(file->path).fileName() + QStringLiteral(": ") + words;
   stage_->setText(stage_->fontMetrics().elidedText(words, Qt::ElideRight, width() - 130));
   stage_->setToolTip(words);
   QString text = QStringLiteral("%1 %").arg(std::lround(100.0 * share));

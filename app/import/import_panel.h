@@ -58,7 +58,7 @@ class ImportPanel : public QWidget {
   QComboBox *file_, *unit_;
   PreviewBox* preview_;
   QWidget *facts_, *choices_, *progress_;
-  QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_;
+  QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_, *undo_hint_;
   Segmented *up_, *quality_, *tree_;
   QProgressBar* bar_;
   QPushButton *cancel_, *import_, *import_all_;

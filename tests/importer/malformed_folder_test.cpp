@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "tests/support/test_data.h"
 #include "workcell/document_io.h"
@@ -46,12 +47,14 @@ TEST_P(MalformedFile, isOneSentence) {
   EXPECT_LT(message.size(), 600u) << message;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MalformedFile, ::testing::ValuesIn(malformedFiles()), [](const auto& info) {
-  std::string name = info.param().filename().string();
+std::string testName(const ::testing::TestParamInfo<fs::path>& tested) {
+  std::string name = tested.param.filename().string();
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MalformedFile, ::testing::ValuesIn(malformedFiles()), testName);
 
 }  // namespace
 }  // namespace hapticell::workcell
