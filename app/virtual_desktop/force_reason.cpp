@@ -23,6 +23,9 @@ ForceReason forceReason(const ForceFacts& facts) {
     const QString why = facts.problem.isEmpty() ? tr("Waiting for the haptic server") : facts.problem;
     return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
   }
+  if (facts.device_fault)
+    return {tr("Forces off"), tr("The device does not answer: check its cable and power"), Mend::kNone, {}};
+  if (facts.forceless) return {tr("No forces"), tr("This device moves things, but exerts no force"), Mend::kNone, {}};
   if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
   if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};
   const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))

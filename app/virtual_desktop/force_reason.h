@@ -11,12 +11,14 @@ namespace hapticell::app {
 
 /// What the panel knows of the forces.
 struct ForceFacts {
-  bool started = false;    ///< The loop runs.
-  bool connected = false;  ///< A haptic server answers.
-  bool wanted = false;     ///< The user has switched forces on.
-  bool on = false;         ///< They act.
-  double ramp = 0.0;       ///< 0 .. 1.
-  QString problem;         ///< Why there is no connection; may be empty.
+  bool started = false;       ///< The loop runs.
+  bool connected = false;     ///< A haptic server answers.
+  bool forceless = false;     ///< The device has no motors: a 3-D mouse.
+  bool device_fault = false;  ///< The device itself does not answer.
+  bool wanted = false;        ///< The user has switched forces on.
+  bool on = false;            ///< They act.
+  double ramp = 0.0;          ///< 0 .. 1.
+  QString problem;            ///< Why there is no connection; may be empty.
 };
 
 /// The state of the forces in two words, one line that says why, and what mends it.

@@ -57,6 +57,15 @@ void MouseStylus::turn(const dvec3& rotation_W) {
   tell();
 }
 
+void MouseStylus::drive(const Twist& motion_D) {
+  if (!state_.usable) return;
+  target_.holding = true;
+  target_.X_DH.p = glm::clamp(target_.X_DH.p + motion_D.linear, kOvershoot * state_.workspace_min,
+                              kOvershoot * state_.workspace_max);
+  target_.X_DH.q = glm::normalize(quaternionFromRotationVector(motion_D.angular) * target_.X_DH.q);
+  tell();
+}
+
 bool MouseStylus::press(const PointerEvent& event) {
   if (!state_.usable) return false;
   if (dragging_ && event.button == Qt::RightButton) {

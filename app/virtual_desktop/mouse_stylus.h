@@ -37,6 +37,8 @@ class MouseStylus final : public PointerTool {
   /// While on, the stylus follows the mouse without a button, and the left button is the stylus's.
   void setFollow(bool on) { follow_ = on; }
   bool follow() const { return follow_; }
+  /// Moves and turns the hand by so much, in its own axes D (m, rad): a 3-D mouse.
+  void drive(const Twist& motion_D);
   /// The stylus's button, from the keyboard.
   void setButton(bool pressed);
 

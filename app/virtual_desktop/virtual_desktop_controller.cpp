@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/host/document_model.h"
@@ -10,6 +11,7 @@
 #include "app/host/selection.h"
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
+#include "mannequin/figure_model.h"
 
 namespace hapticell::app {
 namespace {
@@ -19,6 +21,9 @@ namespace command = manipulation::command;
 constexpr int kServerPatience = 700;  // Milliseconds without an answer until a server is started.
 constexpr int kLeastPress = 90;       // Milliseconds that a press of the stylus's button lasts at least.
 constexpr double kPenPixels = 150.0;  // As the viewport draws it.
+constexpr int kInputPeriod = 16;      // Milliseconds between two looks at glove and 3-D mouse.
+constexpr double kGloveStep = 0.02;   // rad of a finger that count as a motion.
+constexpr int kGloveRest = 400;       // Milliseconds without one: the hand's pose goes into the document.
 
 }  // namespace
 
@@ -42,13 +47,23 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     : QObject(parent),
       host_(host),
       sound_(host.configuration().gui.sound),
-      mouse_([this](const haptic::HandTarget& target) { postHand(target); }) {
+      mouse_([this](const haptic::HandTarget& target) { postHand(target); }),
+      inputs_(host_.configuration()) {
   clock_.start();
   profile_ = QString::fromStdString(host_.configuration().haptic.device);
   host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput());
   connect(&sound_, &SoundPlayer::changed, this,
           [this] { host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput()); });
   connect(&timer_, &QTimer::timeout, this, &VirtualDesktopController::tick);
+  input_clock_.start();
+  input_timer_.setInterval(kInputPeriod);
+  connect(&input_timer_, &QTimer::timeout, this, &VirtualDesktopController::takeInputs);
+  connect(&inputs_, &InputDevices::changed, this, [this] {
+    const bool any = !inputs_.glove().isEmpty() || !inputs_.mouse().isEmpty();
+    any ? input_timer_.start() : input_timer_.stop();
+    takeInputs();
+    emit connectionChanged();
+  });
   connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopController::postDocument);
   connect(&host_.holdChoice(), &HoldChoice::changed, this, [this] {
     const HoldChoice& choice = host_.holdChoice();
@@ -227,6 +242,7 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   ForceFacts facts;
   facts.started = isStarted();
   facts.connected = isConnected();
+  facts.forceless = device_ && device_->driven_axes == 0;
   facts.wanted = forces_wanted_;
   facts.on = facts.connected && snapshot_.forces_on;
   facts.ramp = snapshot_.force_ramp;
@@ -279,6 +295,81 @@ void VirtualDesktopController::takeResults() {
   }
 }
 
+void VirtualDesktopController::takeInputs() {
+  const double seconds = 1e-9 * static_cast<double>(input_clock_.nsecsElapsed());
+  input_clock_.restart();
+  for (const std::string& sentence : inputs_.takeNews()) {
+    host_.messages().tell(Severity::kInformation, QString::fromStdString(sentence));
+    emit connectionChanged();
+  }
+  driveByMouse(seconds);
+  poseByGlove();
+}
+
+void VirtualDesktopController::driveByMouse(double seconds) {
+  const auto state = inputs_.mouseState();
+  if (!state) return;
+  const std::uint32_t pressed = state->buttons & ~input_buttons_, released = input_buttons_ & ~state->buttons;
+  input_buttons_ = state->buttons;
+  if (pressed & 2u) {  // The second button changes between the view and what is held.
+    const bool view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
+    inputs_.setMouseMoves(view ? InputDevices::MouseMoves::kEntity : InputDevices::MouseMoves::kView);
+    emit connectionChanged();
+  }
+  const bool moves_view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
+  if (!moves_view && ((pressed | released) & 1u)) mouse_.setButton((pressed & 1u) != 0);
+  if (std::all_of(state->motion, state->motion + 6, [](double m) { return m == 0.0; })) return;
+  ViewportWidget& viewport = host_.viewport();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  if (moves_view) {
+    viewport.setCamera(movedByMouse(viewport.camera(), state->motion, seconds, size), false);
+  } else {
+    mouse_.drive(handMotion(state->motion, seconds));
+  }
+}
+
+void VirtualDesktopController::poseByGlove() {
+  const auto angles = inputs_.gloveAngles();
+  if (!angles) return;
+  inputs_.vibrateGlove(
+      snapshot_.forces_on && device_ && device_->peak_force > 0.0 ? snapshot_.force_n / device_->peak_force : 0.0);
+  const workcell::Document& document = host_.documentModel().document();
+  const workcell::Entity* entity = document.find(settings_.entity);
+  if (!entity || !entity->figure) {
+    entity = nullptr;
+    for (const auto& other : document.state().entities) {
+      if (other->figure && !entity) entity = other.get();
+    }
+  }
+  if (!entity || entity->locked) return;
+  const mannequin::ModelConfiguration stands{entity->X_WE, entity->joints};
+  mannequin::Posture posture = mannequin::toPosture(*entity->figure, stands);
+  mannequin::setHandFromGlove(*angles, inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft,
+                              posture);
+  std::vector<double> joints = mannequin::toModel(*entity->figure, posture).joints;
+  const std::vector<double>& before = gloved_ == entity->id ? gloved_joints_ : entity->joints;
+  double moved = 0.0;
+  for (std::size_t i = 0; i < joints.size() && i < before.size(); ++i)
+    moved = std::max(moved, std::abs(joints[i] - before[i]));
+  if (moved > kGloveStep) {
+    gloved_ = entity->id;
+    gloved_joints_ = std::move(joints);
+    glove_rests_.start();
+  } else if (gloved_ == entity->id && glove_rests_.elapsed() > kGloveRest) {
+    // One step of undo for a grasp, not one for each twitch.
+    host_.documentModel().execute(workcell::SetConfiguration{gloved_, entity->X_WE, gloved_joints_});
+    gloved_ = 0;
+  }
+}
+
+manipulation::EntityState VirtualDesktopController::glovedState() const {
+  manipulation::EntityState state;
+  state.id = gloved_;
+  if (const workcell::Entity* entity = host_.documentModel().document().find(gloved_)) state.X_WE = entity->X_WE;
+  state.joints = gloved_joints_;
+  return state;
+}
+
 void VirtualDesktopController::updateMouse() {
   const ViewportWidget& viewport = host_.viewport();
   const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
@@ -318,6 +409,7 @@ void VirtualDesktopController::tick() {
     snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
     updateMouse();
     host_.setGuiRate(guiRate());
+    if (gloved_ && snapshot_.held != gloved_) snapshot_.entities.push_back(glovedState());
     host_.setSnapshot(snapshot_);
     if (device_)
       host_.setDeviceText(QString::fromStdString(device_->name) +

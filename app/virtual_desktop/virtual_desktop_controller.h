@@ -8,6 +8,7 @@
 
 #include "app/viewport/detail_level.h"
 #include "app/virtual_desktop/force_reason.h"
+#include "app/virtual_desktop/input_devices.h"
 #include "app/virtual_desktop/mouse_stylus.h"
 #include "app/virtual_desktop/server_process.h"
 #include "app/virtual_desktop/sound_player.h"
@@ -37,13 +38,15 @@ class VirtualDesktopController : public QObject {
 
   const VirtualDesktopSettings& settings() const { return settings_; }
   void change(const VirtualDesktopSettings& settings);
-  /// Another profile for the simulated stylus: ends the own server and starts it anew with that device.
+  /// Another stylus, simulated or a driver's: ends the own server and starts it anew with that device.
   void chooseDevice(const QString& profile);
   const QString& deviceProfile() const { return profile_; }
   /// Starts the server now instead of waiting for one.
   void startServer();
   QString serverAddress() const;
   ForceFacts forceFacts() const;
+  /// Glove and 3-D mouse.
+  InputDevices& inputs() { return inputs_; }
   SoundPlayer& sound() { return sound_; }
   void setForces(bool on);
   /// What the user asked for; whether they act is in the snapshot.
@@ -68,6 +71,10 @@ class VirtualDesktopController : public QObject {
   void postHand(const haptic::HandTarget& target);
   void helpServer();
   void updateMouse();
+  void takeInputs();
+  void driveByMouse(double seconds);
+  void poseByGlove();
+  manipulation::EntityState glovedState() const;
   void updateStrip();
   Pose cameraPose_W() const;
   dquat axes_W() const;
@@ -79,6 +86,12 @@ class VirtualDesktopController : public QObject {
   SoundPlayer sound_;
   QString profile_;
   MouseStylus mouse_;
+  InputDevices inputs_;
+  QTimer input_timer_;
+  std::uint32_t input_buttons_ = 0;
+  std::vector<double> gloved_joints_;  // Of the mannequin whose hand the glove poses, not yet in the document.
+  workcell::EntityId gloved_ = 0;
+  QElapsedTimer input_clock_, glove_rests_;
   VirtualDesktopSettings settings_;
   manipulation::SceneSnapshot snapshot_;
   std::optional<haptic::DeviceDescription> device_;

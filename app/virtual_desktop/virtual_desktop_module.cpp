@@ -23,6 +23,8 @@
 #include "app/style/icon.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/device_check_panel.h"
+#include "app/virtual_desktop/device_listing.h"
+#include "app/virtual_desktop/device_watch.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 #include "app/virtual_desktop/virtual_desktop_panel.h"
 
@@ -91,7 +93,19 @@ void VirtualDesktopModule::stop() {
 void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
   if (!check_dock_) {
     auto* checks = new DeviceCheckPanel;
-    check_dock_ = makeDock("dockDeviceCheck", tr("Device check"), checks);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(checks);
+    check_dock_ = makeDock("dockDeviceCheck", tr("Device check"), scroll);
+    const auto& server = host_->configuration().server;
+    QObject::connect(check_dock_, &QDockWidget::visibilityChanged, checks, [checks, server](bool seen) {
+      seen ? checks->watch().start(server.host, server.port) : checks->watch().stop();
+    });
+    QObject::connect(checks, &DeviceCheckPanel::stylusWanted, controller_.get(),
+                     [this](bool wanted) { wanted ? controller_->disconnectDevice() : controller_->connectDevice(); });
+    checks->lister().look();
     host_->addDock(check_dock_, Qt::RightDockWidgetArea, dock_);
     const auto show = [&panel, checks] { panel.showChecks(*checks); };
     QObject::connect(controller_.get(), &VirtualDesktopController::snapshotChanged, checks, show);

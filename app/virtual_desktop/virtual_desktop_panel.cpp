@@ -20,7 +20,9 @@
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 #include "app/style/value_field.h"
+#include "app/virtual_desktop/device_listing.h"
 #include "app/virtual_desktop/force_meter.h"
+#include "app/virtual_desktop/input_panel.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 #include "config/device_profile.h"
 
@@ -146,6 +148,11 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   row->addWidget(device_icon_);
   row->addWidget(device_state_, 1);
   addRow(*section, tr("State"), state);
+  inputs_ = new InputPanel(controller_.inputs());
+  section->addWidget(inputs_);
+  lister_ = new DeviceLister(this);
+  connect(lister_, &DeviceLister::listed, this, &VirtualDesktopPanel::listDevices);
+  lister_->look();
   connect_ = new QPushButton;
   connect_->setObjectName("buttonConnect");
   check_ = new QPushButton(tr("Check device…"));
@@ -160,6 +167,17 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
     else
       controller_.connectDevice();
   });
+}
+
+void VirtualDesktopPanel::listDevices() {
+  inputs_->setListing(lister_->listing());
+  for (const ListedDevice& device : lister_->listing().devices) {
+    if (device.simulated || device.kind == QStringLiteral("glove") || stylus_->findData(device.device) >= 0) continue;
+    const QString name = device.usable ? device.name : tr("%1 (not usable)").arg(device.name);
+    stylus_->addItem(name, device.device);
+    stylus_->setItemData(stylus_->count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
+  }
+  stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
 }
 
 void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {

@@ -17,8 +17,10 @@ class QVBoxLayout;
 namespace hapticell::app {
 
 class DeviceCheckPanel;
+class DeviceLister;
 class ForceMeter;
 class Host;
+class InputPanel;
 class Segmented;
 class ValueField;
 class VirtualDesktopController;
@@ -45,6 +47,7 @@ class VirtualDesktopPanel : public QWidget {
   void listFrames(const workcell::Entity* entity);
   void addForces(QVBoxLayout& column);
   void addDevice(QVBoxLayout& column);
+  void listDevices();
   void addHeld(QVBoxLayout& column);
   void addAxes(QVBoxLayout& column);
   void addFeel(QVBoxLayout& column);
@@ -64,6 +67,8 @@ class VirtualDesktopPanel : public QWidget {
   QLabel* mend_why_;
   QStackedWidget* meter_or_mend_;
   ForceMeter* meter_;
+  InputPanel* inputs_;
+  DeviceLister* lister_;
   WorkspaceView* workspace_;
   QPushButton *mend_, *connect_, *check_, *translates_, *rotates_;
   QComboBox *stylus_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;

@@ -19,7 +19,9 @@
 #include "app/viewport/strip_text.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/device_check_panel.h"
+#include "app/virtual_desktop/device_watch.h"
 #include "app/virtual_desktop/force_meter.h"
+#include "app/virtual_desktop/input_panel.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 #include "app/virtual_desktop/virtual_desktop_panel.h"
 
@@ -116,6 +118,9 @@ void VirtualDesktopPanel::mend() {
 }
 
 void VirtualDesktopPanel::showChecks(DeviceCheckPanel& checks) const {
+  ForceFacts facts = controller_.forceFacts();
+  facts.device_fault = checks.watch().isConnected() && checks.watch().state().device_fault;
+  checks.setReason(forceReason(facts));
   const auto& device = controller_.device();
   checks.setChecks(deviceChecks(controller_.serverAddress(), controller_.forceFacts(), device ? &*device : nullptr,
                                 controller_.snapshot()));
@@ -205,6 +210,7 @@ void VirtualDesktopPanel::showConnection() {
   device_state_->setText(controller_.deviceLine());
   const auto& device = controller_.device();
   stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
+  inputs_->refresh();
   meter_->setDevice(device ? device->continuous_force : 0.0, device ? device->peak_force : 0.0);
   connect_->setText(controller_.isStarted() ? tr("Disconnect") : tr("Connect"));
   showForces();

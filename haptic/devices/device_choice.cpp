@@ -44,6 +44,15 @@ DeviceName parseDeviceName(const std::string& name) {
 }
 
 Expected<driver::Driver*> findDriver(const std::string& name, const DriverSettings& settings) {
+  // The file of that name alone, where there is one: others may hold a vendor's library.
+  for (const std::filesystem::path& folder : driverFolders()) {
+    const std::filesystem::path file = folder / (name + ".so");
+    std::error_code ignored;
+    if (name.empty() || name.find('/') != std::string::npos || !std::filesystem::exists(file, ignored)) continue;
+    auto driver = loadDriver(file);
+    if (driver) tellSettings(**driver, settings);
+    return driver;
+  }
   const std::vector<LoadedDriver> drivers = loadDrivers(driverFolders(), settings);
   for (const LoadedDriver& loaded : drivers) {
     if (loaded.driver != nullptr && name == loaded.driver->information().name) return loaded.driver;

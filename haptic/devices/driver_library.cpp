@@ -53,6 +53,12 @@ Expected<driver::Driver*> loadDriver(const fs::path& file) {
   return driver;
 }
 
+void tellSettings(driver::Driver& driver, const DriverSettings& settings) {
+  const auto own = settings.find(driver.information().name);
+  if (own == settings.end()) return;
+  for (const auto& [key, value] : own->second) driver.configure(key.c_str(), value.c_str());
+}
+
 std::vector<fs::path> driverFolders() {
   std::vector<fs::path> folders;
   if (const char* named = std::getenv("HAPTICELL_DRIVERS")) {
@@ -86,10 +92,7 @@ std::vector<LoadedDriver> loadDrivers(const std::vector<fs::path>& folders, cons
       LoadedDriver loaded{file, nullptr, {}};
       if (const auto driver = loadDriver(file)) {
         loaded.driver = *driver;
-        const auto own = settings.find(loaded.driver->information().name);
-        if (own != settings.end()) {
-          for (const auto& [key, value] : own->second) loaded.driver->configure(key.c_str(), value.c_str());
-        }
+        tellSettings(*loaded.driver, settings);
       } else {
         loaded.problem = driver.error();
       }

@@ -30,6 +30,9 @@ Expected<driver::Driver*> loadDriver(const std::filesystem::path& file);
 /// program, `lib/hapticell/drivers` of its installation, `~/.local/lib/hapticell/drivers`.
 std::vector<std::filesystem::path> driverFolders();
 
+/// Tells a driver its own settings among all.
+void tellSettings(driver::Driver& driver, const DriverSettings& settings);
+
 /// All drivers of the folders, by file name; of two files with the same name the first folder's counts. Each is told
 /// its settings. Loading happens once for each call; a file that cannot be loaded is listed with its problem.
 std::vector<LoadedDriver> loadDrivers(const std::vector<std::filesystem::path>& folders,

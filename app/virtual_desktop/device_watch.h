@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <array>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "haptic/client/tcp_link.h"
+
+namespace hapticell::app {
+
+/// How far the stylus has been moved and which of its buttons were pressed: the range-of-motion and button test.
+class RangeTest {
+ public:
+  /// Takes where it is in its workspace D (m) and what is pressed.
+  void take(const dvec3& p_D, std::uint32_t buttons);
+  void reset() { *this = {}; }
+  /// Parts of the workspace's width, depth and height that were reached, 0 .. 1.
+  dvec3 covered(const dvec3& workspace_min, const dvec3& workspace_max) const;
+  std::uint32_t pressedOnce() const { return pressed_; }
+  std::uint32_t pressedNow() const { return now_; }
+
+ private:
+  bool any_ = false;
+  dvec3 min_{0.0}, max_{0.0};
+  std::uint32_t pressed_ = 0, now_ = 0;
+};
+
+/// The force test's push (N, downwards) at a time since it began: a ramp to one newton, a hold, a ramp down, then 0.
+double testPush(double seconds, double peak_n);
+inline constexpr double kTestSeconds = 4.0;
+inline constexpr double kTestPush = 1.0;  ///< N at most, and half of what the motors bear for ever.
+
+/// What the device check knows of the running server: watches it as a client that controls nothing, keeps rate and
+/// lateness of the last minute, and can exert the test's push (then it controls). GUI thread; never waits.
+class DeviceWatch : public QObject {
+  Q_OBJECT
+ public:
+  explicit DeviceWatch(QObject* parent = nullptr);
+  ~DeviceWatch() override;
+
+  void start(const std::string& host, int port);
+  void stop();
+  bool isConnected() const;
+  const std::optional<haptic::DeviceDescription>& device() const { return device_; }
+  const haptic::HapticState& state() const { return state_; }
+  const haptic::ServerStatistics& statistics() const { return statistics_; }
+  RangeTest& range() { return range_; }
+
+  /// Ten a second, newest last, at most a minute of them.
+  struct RateSample {
+    double rate_hz = 0.0, late_p99_ms = 0.0, late_max_ms = 0.0;
+  };
+  const std::deque<RateSample>& history() const { return history_; }
+
+  /// Takes control and pushes; nobody else may control the stylus then. forceTestEnded() follows in any case.
+  void startForceTest();
+  void stopForceTest();
+  bool forceTestRuns() const { return testing_; }
+  /// 0 .. 1 of its time, while it runs.
+  double forceTestProgress() const { return progress_; }
+
+ signals:
+  void changed();  ///< Ten times a second.
+  /// `sentence` says how it went; `pushed_n` is the greatest force that was commanded.
+  void forceTestEnded(const QString& sentence, double pushed_n);
+
+ private:
+  void connectAs(haptic::ClientKind kind);
+  void tick();
+  void stepForceTest();
+  void endForceTest(const QString& sentence);
+
+  std::string host_;
+  int port_ = 0;
+  std::unique_ptr<haptic::TcpLink> link_;
+  std::optional<haptic::DeviceDescription> device_;
+  haptic::HapticState state_;
+  haptic::ServerStatistics statistics_;
+  RangeTest range_;
+  std::deque<RateSample> history_;
+  QTimer timer_;
+  bool testing_ = false;
+  double waited_s_ = 0.0, pushing_s_ = -1.0, progress_ = 0.0, pushed_n_ = 0.0;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_desktop/input_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/panels/form.h"
+#include "app/style/segmented.h"
+#include "app/virtual_desktop/device_listing.h"
+
+namespace hapticell::app {
+namespace {
+
+QLabel* line(const char* name) {
+  QLabel* label = makeLabel({}, TextRole::kSecond, true);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setContentsMargins(kLabelColumn, 0, 0, 2);
+  label->hide();
+  return label;
+}
+
+void say(QLabel& label, const QString& text) {
+  label.setText(text);
+  label.setVisible(!text.isEmpty());
+}
+
+void fill(QComboBox& combo, const DeviceListing& listing, const QString& kind, const QString& chosen) {
+  combo.clear();
+  combo.addItem(QObject::tr("None"), QString());
+  for (const ListedDevice& device : listing.devices) {
+    if (device.kind != kind) continue;
+    combo.addItem(device.usable ? device.name : QObject::tr("%1 (not usable)").arg(device.name), device.device);
+    combo.setItemData(combo.count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
+  }
+  if (combo.findData(chosen) < 0) combo.addItem(chosen, chosen);
+  combo.setCurrentIndex(combo.findData(chosen));
+}
+
+}  // namespace
+
+InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent), inputs_(inputs) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  glove_ = new QComboBox;
+  glove_->setObjectName("comboGlove");
+  addRow(*column, tr("Glove"), glove_);
+  column->addWidget(glove_line_ = line("labelGlove"));
+  addCalibration();
+  mouse_ = new QComboBox;
+  mouse_->setObjectName("comboSpaceMouse");
+  addRow(*column, tr("3-D mouse"), mouse_);
+  column->addWidget(mouse_line_ = line("labelSpaceMouse"));
+  moves_ = new Segmented({tr("View"), tr("Entity")});
+  moves_->setObjectName("segmentsMouseMoves");
+  moves_->setToolTip(tr("What the 3-D mouse moves; its second button changes it"));
+  moves_row_ = addRow(*column, tr("It moves"), moves_);
+  setListing({});
+  connect(glove_, &QComboBox::activated, this, [this] { inputs_.chooseGlove(glove_->currentData().toString()); });
+  connect(mouse_, &QComboBox::activated, this, [this] { inputs_.chooseMouse(mouse_->currentData().toString()); });
+  connect(moves_, &Segmented::chosen, this, [this](int index) {
+    inputs_.setMouseMoves(index == 0 ? InputDevices::MouseMoves::kView : InputDevices::MouseMoves::kEntity);
+  });
+  connect(&inputs_, &InputDevices::changed, this, &InputPanel::refresh);
+  refresh();
+}
+
+void InputPanel::addCalibration() {
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  instruction_ = line("labelCalibration");
+  column->addWidget(instruction_);
+  calibrate_ = new QPushButton(tr("Calibrate glove…"));
+  next_ = new QPushButton(tr("I hold it: next"));
+  cancel_ = new QPushButton(tr("Cancel"));
+  calibrate_->setObjectName("buttonCalibrateGlove");
+  next_->setObjectName("buttonCalibrateNext");
+  next_->setProperty("main", true);
+  column->addWidget(sideBySide({calibrate_, next_, cancel_}));
+  connect(calibrate_, &QPushButton::clicked, this, [this] {
+    calibrator_.emplace();
+    showCalibration();
+  });
+  connect(next_, &QPushButton::clicked, this, &InputPanel::stepCalibration);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    calibrator_.reset();
+    showCalibration();
+  });
+}
+
+void InputPanel::stepCalibration() {
+  const auto readings = inputs_.gloveReadings();
+  if (!calibrator_ || !readings) return say(*instruction_, tr("The glove does not answer: nothing was taken."));
+  calibrator_->take(*readings);
+  if (calibrator_->next() < GloveCalibrator::kPoses) return showCalibration();
+  QString words = tr("Calibrated for you.");
+  if (!calibrator_->result()) {
+    words =
+        tr("Sensor %1 hardly moved between the poses. The calibration is as it was.").arg(calibrator_->badSensor() + 1);
+  } else if (const auto kept = inputs_.keepCalibration(*calibrator_->result()); !kept) {
+    words = QString::fromStdString(kept.error().message());
+  }
+  calibrator_.reset();
+  showCalibration();
+  say(*instruction_, words);
+}
+
+void InputPanel::showCalibration() {
+  const bool runs = calibrator_.has_value();
+  const bool any = !inputs_.glove().isEmpty();
+  calibrate_->parentWidget()->setVisible(any);
+  calibrate_->setVisible(!runs);
+  calibrate_->setEnabled(inputs_.gloveReadings().has_value());
+  next_->setVisible(runs);
+  cancel_->setVisible(runs);
+  say(*instruction_, runs ? tr("Pose %1 of %2: %3")
+                                .arg(calibrator_->next() + 1)
+                                .arg(GloveCalibrator::kPoses)
+                                .arg(GloveCalibrator::instruction(calibrator_->next()))
+                          : QString());
+}
+
+void InputPanel::setListing(const DeviceListing& listing) {
+  fill(*glove_, listing, QStringLiteral("glove"), inputs_.glove());
+  fill(*mouse_, listing, QStringLiteral("space_mouse"), inputs_.mouse());
+}
+
+void InputPanel::refresh() {
+  say(*glove_line_, inputs_.gloveLine());
+  say(*mouse_line_, inputs_.mouseLine());
+  moves_row_->setVisible(!inputs_.mouse().isEmpty());
+  moves_->setCurrent(inputs_.mouseMoves() == InputDevices::MouseMoves::kView ? 0 : 1);
+  if (!calibrator_) {
+    const QString said = instruction_->text();
+    showCalibration();
+    if (!inputs_.glove().isEmpty()) say(*instruction_, said);
+  } else {
+    calibrate_->setEnabled(inputs_.gloveReadings().has_value());
+  }
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "app/virtual_desktop/input_devices.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace hapticell::app {
+
+class Segmented;
+struct DeviceListing;
+
+/// The rows for glove and 3-D mouse: which one, what it does, and the glove's calibration, one pose after another.
+class InputPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit InputPanel(InputDevices& inputs, QWidget* parent = nullptr);
+  /// What is plugged in now.
+  void setListing(const DeviceListing& listing);
+  /// Shows what the devices say.
+  void refresh();
+
+ private:
+  void addCalibration();
+  void stepCalibration();
+  void showCalibration();
+
+  InputDevices& inputs_;
+  QComboBox *glove_, *mouse_;
+  QLabel *glove_line_, *mouse_line_, *instruction_;
+  QWidget* moves_row_;
+  Segmented* moves_;
+  QPushButton *calibrate_, *next_, *cancel_;
+  std::optional<GloveCalibrator> calibrator_;
+};
+
+}  // namespace hapticell::app

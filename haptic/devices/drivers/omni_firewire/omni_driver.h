@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "haptic/devices/drivers/omni_firewire/fire_wire_port.h"
+#include "haptic/devices/drivers/omni_firewire/omni_arm.h"
+
+namespace hapticell::driver {
+
+/// A started Omni. Homed whenever its stylus is in the inkwell. It exerts no force until the user has measured how much
+/// a command is (`newton_metres_per_unit` above 0), and at most 30 % of the range then.
+class OmniDevice final : public Device {
+ public:
+  OmniDevice(std::unique_ptr<FireWirePort> port, const std::string& serial, double newton_metres_per_unit);
+  ~OmniDevice();  ///< Motors off, stream stopped.
+  const Capabilities& capabilities() const noexcept override { return capabilities_; }
+  Status read(State& state) noexcept override;
+  Status write(const Command& command) noexcept override;
+  const Problem& problem() const noexcept override { return problem_; }
+  const char* calibrationText(std::uint32_t step) const noexcept override;
+
+  static constexpr int kPatience = 100;     ///< Reads of a millisecond without a packet until it counts as gone.
+  static constexpr double kMostUsed = 0.3;  ///< Of the commands' range.
+  static constexpr std::size_t kMean = 20;  ///< Packets that the noisy gimbal is averaged over.
+
+ private:
+  void average(OmniReading& reading);
+
+  std::unique_ptr<FireWirePort> port_;
+  double newton_metres_per_unit_;
+  Capabilities capabilities_;
+  OmniArm arm_;
+  dvec3 joints_{0.0};
+  std::array<std::array<double, 3>, kMean> gimbal_{};
+  std::size_t gimbal_count_ = 0;
+  int arming_ = 0;
+  int empty_reads_ = 0;
+  Problem problem_;
+};
+
+/// SensAble Phantom Omni over FireWire, experimental. Setting: `newtons_per_unit`, the force at the tip (N) in the
+/// middle of the workspace that a whole command exerts; measured with a spring balance.
+class OmniDriver final : public Driver {
+ public:
+  explicit OmniDriver(std::unique_ptr<FireWireBus> bus) : bus_(std::move(bus)) {}
+  const Information& information() const noexcept override { return information_; }
+  void configure(const char* key, const char* value) noexcept override;
+  std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
+  Device* open(const char* id, Problem& problem) noexcept override;
+  void close(Device* device) noexcept override;
+
+ private:
+  Information information_{
+      "omni_firewire", "SensAble Phantom Omni (FireWire)", "0.1", "libraw1394",
+      "Experimental: its layout was found by others; no force before newtons_per_unit is measured."};
+  std::unique_ptr<FireWireBus> bus_;
+  double newtons_per_unit_ = 0.0;
+};
+
+/// Checks that it is an Omni, and starts its streams; its serial number, or a problem.
+std::string startOmni(FireWirePort& port, Problem& problem);
+
+}  // namespace hapticell::driver
