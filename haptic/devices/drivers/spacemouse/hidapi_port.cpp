@@ -38,6 +38,7 @@ class Hidapi final : public HidBackend {
     std::vector<HidInfo> result;
     hid_device_info* const first = hid_enumerate(0, 0);
     for (const hid_device_info* info = first; info != nullptr; info = info->next) {
+      if (info->path == nullptr) continue;  // Gone while it was looked at.
       result.push_back({info->path, narrow(info->product_string), narrow(info->serial_number), info->vendor_id,
                         info->product_id, info->usage_page, info->usage});
     }
