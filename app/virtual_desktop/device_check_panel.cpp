@@ -2,6 +2,7 @@
 #include "app/virtual_desktop/device_check_panel.h"
 
 #include <QClipboard>
+#include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -22,6 +23,22 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kCheckRow = 72;
+
+/// Wraps, and is never lower than its lines are high: layouts within layouts do not pass that on.
+class WrappedLabel : public QLabel {
+ public:
+  WrappedLabel(const QString& text, TextRole role, bool quiet) : QLabel(text) {
+    setFont(textFont(role));
+    setWordWrap(true);
+    if (quiet) setForegroundRole(kQuietText);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QLabel::resizeEvent(event);
+    setMinimumHeight(heightForWidth(width()));
+  }
+};
 
 QLabel* quietLabel(const QString& text) {
   QLabel* label = makeLabel(text, TextRole::kSecond, true);
@@ -113,6 +130,22 @@ void DeviceCheckPanel::setChecks(std::vector<DeviceCheck> checks) {
 void DeviceCheckPanel::setReason(const ForceReason& reason) {
   state_->setText(reason.state);
   why_->setText(reason.why);
+}
+
+/// A scroll area asks for a height without telling the width: wrapped lines would be cut.
+void DeviceCheckPanel::fitHeight() {
+  if (layout()->hasHeightForWidth()) setMinimumHeight(layout()->totalHeightForWidth(width()));
+}
+
+void DeviceCheckPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitHeight();
+}
+
+bool DeviceCheckPanel::event(QEvent* event) {
+  const bool done = QWidget::event(event);
+  if (event->type() == QEvent::LayoutRequest) fitHeight();
+  return done;
 }
 
 void DeviceCheckPanel::addReason(QVBoxLayout& column) {
@@ -234,7 +267,7 @@ void DeviceCheckPanel::addDeviceRow(const QString& title, const QString& detail,
   auto* mark = new QLabel;
   mark->setPixmap(icon(good ? "check" : "warning", good ? theme.axis_z : theme.near_miss).pixmap(16, 16));
   head->addWidget(mark);
-  head->addWidget(makeLabel(title, TextRole::kText), 1);
+  head->addWidget(new WrappedLabel(title, TextRole::kText, false), 1);
   if (!fix.isEmpty()) {
     auto* copy = new QPushButton(tr("Copy"));
     copy->setToolTip(tr("Copies the command that mends it"));
@@ -243,9 +276,9 @@ void DeviceCheckPanel::addDeviceRow(const QString& title, const QString& detail,
     head->addWidget(copy);
   }
   words->addLayout(head);
-  if (!detail.isEmpty()) words->addWidget(quietLabel(detail));
+  if (!detail.isEmpty()) words->addWidget(new WrappedLabel(detail, TextRole::kSecond, true));
   if (!fix.isEmpty()) {
-    QLabel* command = quietLabel(fix);
+    auto* command = new WrappedLabel(fix, TextRole::kSecond, true);
     command->setTextInteractionFlags(Qt::TextSelectableByMouse);
     words->addWidget(command);
   }

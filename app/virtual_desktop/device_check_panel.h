@@ -47,6 +47,10 @@ class DeviceCheckPanel : public QWidget {
   DeviceWatch& watch() { return *watch_; }
   DeviceLister& lister() { return *lister_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
+
  signals:
   /// The force test needs the stylus for itself: whoever controls it lets go (true), and may take it again (false).
   void stylusWanted(bool wanted);
@@ -60,6 +64,7 @@ class DeviceCheckPanel : public QWidget {
   void showWatch();
   void showForceTest();
   void showListing();
+  void fitHeight();
   void addDeviceRow(const QString& title, const QString& detail, const QString& fix, bool good);
 
   QLabel *state_ = nullptr, *why_ = nullptr;

@@ -10,6 +10,7 @@ constexpr int kPeriod = 33;                // Milliseconds between two looks.
 constexpr std::size_t kMostSamples = 600;  // A minute.
 constexpr double kPatience = 6.0;          // Seconds until forces must have come on.
 constexpr double kRefusedPatience = 2.5;
+constexpr double kLongestStep = 0.2;  // s; the server lets a weight change by 5 N/s at most.
 constexpr double kRamp = 2.0, kHold = 1.0, kFall = 1.0;
 
 }  // namespace
@@ -97,6 +98,7 @@ void DeviceWatch::startForceTest() {
   if (testing_ || !link_) return;
   connectAs(haptic::ClientKind::kController);
   testing_ = true;
+  step_.start();
   waited_s_ = 0.0;
   pushing_s_ = -1.0;
   progress_ = pushed_n_ = 0.0;
@@ -114,7 +116,9 @@ void DeviceWatch::endForceTest(const QString& sentence) {
 }
 
 void DeviceWatch::stepForceTest() {
-  const double step = kPeriod * 1e-3;
+  // A window that stood still goes on where it was, and does not leap.
+  const double step = std::min(kLongestStep, 1e-9 * static_cast<double>(step_.nsecsElapsed()));
+  step_.restart();
   if (state_.device_fault && isConnected())
     return endForceTest(tr("The device reports a fault: no force was exerted."));
   // Who controlled it has just let go: the server may need a moment to see that.

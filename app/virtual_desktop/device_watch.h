@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <array>
@@ -83,6 +84,7 @@ class DeviceWatch : public QObject {
   RangeTest range_;
   std::deque<RateSample> history_;
   QTimer timer_;
+  QElapsedTimer step_;
   bool testing_ = false;
   double waited_s_ = 0.0, pushing_s_ = -1.0, progress_ = 0.0, pushed_n_ = 0.0;
 };
