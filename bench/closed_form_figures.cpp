@@ -100,6 +100,24 @@ void sevenJoints(const char* name, const RobotModel& model, int count) {
   const double ring = bestMean(count / 50, 5, [&](int i) {
     for (int k = 0; k < 64; ++k) given(static_cast<std::size_t>(i), (k - 31.5) * (std::numbers::pi / 32.0));
   });
+  kernels::SwivelRing swivels;
+  if (arm.closed->ring(arm.R[0], arm.poses[0].X_BT.p, 0.1, arm.poses[0].q.data(), swivels)) {
+    const double at_once = bestMean(count / 10, 9, [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      arm.closed->ring(arm.R[k], arm.poses[k].X_BT.p, 0.1, arm.poses[k].q.data(), swivels);
+      sum += swivels.theta[3][5];
+    });
+    const double all = bestMean(count / 10, 9, [&](int i) {
+      const auto k = static_cast<std::size_t>(i);
+      arm.closed->ring(arm.R[k], arm.poses[k].X_BT.p, 0.1, arm.poses[k].q.data(), swivels);
+      for (int entry = 0; entry < kernels::kRingSize; ++entry) {
+        arm.closed->ofRing(swivels, entry, solutions);
+        sum += solutions.q[3][5];
+      }
+    });
+    std::printf("%-8s %-5s ring at once: 64 solutions %9.1f ns, all 512 %9.1f ns\n", name, kernels::table().name,
+                at_once, all);
+  }
   std::printf("%-8s %-5s redundancy given %7.1f ns, ring of 64 %9.1f ns  (%g)\n", name, kernels::table().name, one,
               ring, sum > 0 ? 1.0 : 0.0);
 }

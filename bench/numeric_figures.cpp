@@ -41,6 +41,66 @@ void track(const char* robot, const char* what, const RobotModel& model, const I
   print(robot, what, ns);
 }
 
+/// The same path as a whole: the clock's own noise is out of the mean.
+void trackWhole(const char* robot, const char* what, const RobotModel& model, const InverseModel& inverse, int paths) {
+  constexpr int kSamples = 1000;
+  const int tip = model.defaultTip();
+  std::mt19937_64 random(1);
+  std::vector<double> means;
+  InverseSolution solution;
+  std::vector<Pose> wanted(kSamples);
+  for (int path = 0; path < paths; ++path) {
+    solution.q = kinematics::test::randomJoints(model, random);
+    const Pose X_0 = kinematics::test::tipPose(model, solution.q, tip);
+    for (int i = 0; i < kSamples; ++i) {
+      const double s = 1e-2 * std::sin(2e-3 * M_PI * i);
+      wanted[static_cast<std::size_t>(i)] = displaced(X_0, {s * dvec3(0.8, 0.5, 0.3), s * dvec3(1.0, 1.5, 0.8)});
+    }
+    std::vector<double> q = solution.q;
+    means.push_back(timed([&] {
+                      for (const Pose& X_BT : wanted) {
+                        inverse.solveNearest(X_BT, q, 1e-3, solution);
+                        q.swap(solution.q);
+                      }
+                    }) /
+                    kSamples);
+  }
+  std::sort(means.begin(), means.end());
+  std::printf("%-8s %-28s mean of a path of 1000: median of the paths %6.3f us, least %6.3f us\n", robot, what,
+              1e-3 * means[means.size() / 2], 1e-3 * means.front());
+}
+
+/// The tool is turned at 0.2 and 0.5 Hz so that the wrist passes its singularity a little beside it.
+void throughTheWrist(const char* robot, const RobotModel& model, std::vector<double> q_start) {
+  const auto inverse = createInverse(model, model.defaultTip()).value();
+  const Pose X_0 = kinematics::test::tipPose(model, q_start, model.defaultTip());
+  std::vector<double> ns, before;
+  InverseSolution solution;
+  solution.q = std::move(q_start);
+  double off = 0.0, tilt = 0.0, hurry = 0.0;
+  int exact = 0;
+  constexpr int kSamples = 10000;
+  for (int i = 0; i < kSamples; ++i) {
+    const double t = 1e-3 * i;
+    const Pose X_BT = displaced(
+        X_0, {dvec3(0.0),
+              {0.25 * std::sin(0.4 * M_PI * t), 0.25 * std::sin(1.0 * M_PI * t), 0.05 * std::sin(0.4 * M_PI * t)}});
+    before = solution.q;
+    ns.push_back(timed([&] { inverse->solveNearest(X_BT, before, 1e-3, solution); }));
+    off = std::max(off, solution.position_error);
+    tilt = std::max(tilt, solution.orientation_error);
+    exact += solution.status == InverseStatus::kSolved ? 1 : 0;
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(model.moving[k])];
+      hurry = std::max(hurry, std::abs(solution.q[k] - before[k]) / (1e-3 * greatestSpeed(joint)));
+    }
+  }
+  std::printf(
+      "%-8s through the wrist: largest step %.6f of v_max dt, position off by %.4f mm, tilt %.3f rad, exact %.1f %%\n",
+      robot, hurry, 1e3 * off, tilt, 100.0 * exact / kSamples);
+  print(robot, "through the wrist", ns);
+}
+
 void coldStart(const char* robot, const RobotModel& model, int count) {
   const auto numeric = NumericInverse::create(model, model.defaultTip());
   const std::vector<ReachedPose> poses = reachedPoses(model, count);
@@ -81,9 +141,12 @@ void paths(int poses) {
     const auto numeric = NumericInverse::create(model, model.defaultTip());
     const auto best = createInverse(model, model.defaultTip());
     track(name, ((*best)->name() + ", inside").c_str(), model, **best, 0.0, paths);
+    trackWhole(name, (*best)->name().c_str(), model, **best, std::max(1, paths / 2));
     track(name, "numeric, inside", model, **numeric, 0.0, paths);
     track(name, "numeric, 1 m beyond", model, **numeric, 1.0, paths);
   }
+  throughTheWrist("KR 120", kinematics::test::kr120(), {0.1, -1.3, 1.4, 0.3, 0.0, 0.2});
+  throughTheWrist("UR5e", kinematics::test::ur5e(), {0.1, -1.3, 1.4, -0.3, 0.0, 0.2});
 }
 
 }  // namespace hapticell::bench

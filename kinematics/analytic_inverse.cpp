@@ -206,6 +206,11 @@ void AnalyticInverse::collect(const Pose& X_BT, const Free& free, const ChainPos
 void AnalyticInverse::consider(const Pose& X_BT, const Free& free, const ChainPositions& x_start, Best& best) const {
   kernels::Solutions solutions;
   const kernels::Choice choice = evaluate(X_BT, free, x_start, false, solutions);
+  take(free, solutions, choice, x_start, best);
+}
+
+void AnalyticInverse::take(const Free& free, const kernels::Solutions& solutions, const kernels::Choice& choice,
+                           const ChainPositions& x_start, Best& best) const {
   best.outside = best.outside || solutions.valid != 0;
   if (choice.nearest < 0) return;
   double distance = choice.distance_squared;
@@ -218,6 +223,22 @@ void AnalyticInverse::consider(const Pose& X_BT, const Free& free, const ChainPo
 }
 
 // A grid over the free parameters, then a search by halves about the best place.
+// All swivels of an S-R-S arm at once.
+bool AnalyticInverse::considerRing(const Pose& X_BT, const ChainPositions& x_start, Best& best) const {
+  if (freeCount() != 1 || rails_ != 0) return false;
+  constexpr double kStep = kTurn / kernels::kRingSize;
+  kernels::SwivelRing ring;
+  Free place{0.5 * kStep - std::numbers::pi};
+  if (!closed_->ring(X_BT.R(), X_BT.p, place[0], x_start.data(), ring)) return false;
+  kernels::Solutions solutions;
+  for (int k = 0; k < kernels::kRingSize; ++k, place[0] += kStep) {
+    closed_->ofRing(ring, k, solutions);
+    take(place, solutions, kernels::table().choose(bounds_, x_start.data(), closed_->groups(), solutions), x_start,
+         best);
+  }
+  return true;
+}
+
 void AnalyticInverse::searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const {
   const std::size_t count = freeCount();
   const int samples = samplesFor(count);
@@ -228,7 +249,8 @@ void AnalyticInverse::searchFree(const Pose& X_BT, const ChainPositions& x_start
     total *= samples;
   }
   consider(X_BT, place, x_start, best);
-  for (int index = 0; index < total; ++index) {
+  const bool done = considerRing(X_BT, x_start, best);
+  for (int index = 0; !done && index < total; ++index) {
     int rest = index;
     for (std::size_t i = 0; i < count; ++i, rest /= samples) {
       place[i] = lower[i] + (upper[i] - lower[i]) * (rest % samples + 0.5) / samples;

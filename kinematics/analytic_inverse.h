@@ -68,6 +68,9 @@ class AnalyticInverse final : public InverseModel {
   ChainPositions assemble(const Free& free, const kernels::Solutions& solutions, int slot) const;
   void collect(const Pose& X_BT, const Free& free, const ChainPositions& x_start, std::vector<Found>& all) const;
   void consider(const Pose& X_BT, const Free& free, const ChainPositions& x_start, Best& best) const;
+  void take(const Free& free, const kernels::Solutions& solutions, const kernels::Choice& choice,
+            const ChainPositions& x_start, Best& best) const;
+  bool considerRing(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;
   void searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;
   Best searchPlain(const Pose& X_BT, const ChainPositions& x_start) const;
   void fill(const Pose& X_BT, const ChainPositions& x, const std::vector<double>& q_start,

@@ -111,6 +111,17 @@ class SevenForm final : public ClosedForm {
     const auto kernel = srs_ ? kernels::table().srs : kernels::table().panda;
     kernel(arm_, pose, redundant, previous, solutions);
   }
+  bool ring(const dmat3& R_BT, const dvec3& p_BT, double first, const double* previous,
+            kernels::SwivelRing& ring) const override {
+    if (!srs_) return false;
+    kernels::ArmPose pose;
+    frames_.map(R_BT, p_BT, pose);
+    kernels::table().srsRing(arm_, pose, first, previous, ring);
+    return true;
+  }
+  void ofRing(const kernels::SwivelRing& ring, int index, kernels::Solutions& solutions) const override {
+    kernels::table().srsOfRing(arm_, ring, index, solutions);
+  }
   double redundancyAt(const dmat3& R_BT, const dvec3& p_BT, const double* q) const override {
     if (!srs_) return q[6];
     kernels::ArmPose pose;

@@ -29,6 +29,15 @@ class ClosedForm {
   virtual void solve(const dmat3& R_BT, const dvec3& p_BT, double redundant, const double* previous,
                      kernels::Solutions& solutions) const = 0;
 
+  /// Solutions for kernels::kRingSize values of the free parameter all round, beginning with `first`, at once; false
+  /// where the form has no such way.
+  virtual bool ring(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, double /*first*/, const double* /*previous*/,
+                    kernels::SwivelRing& /*ring*/) const {
+    return false;
+  }
+  /// Those of one entry of a ring, as solve() gives them.
+  virtual void ofRing(const kernels::SwivelRing& /*ring*/, int /*index*/, kernels::Solutions& /*solutions*/) const {}
+
   /// The free parameter (rad) of joint positions `q` that bring the tip to this pose: the swivel of the elbow, or joint
   /// 7.
   virtual double redundancyAt(const dmat3& /*R_BT*/, const dvec3& /*p_BT*/, const double* /*q*/) const { return 0.0; }

@@ -40,7 +40,7 @@ struct ConstraintInputs {
   /// then have their surfaces.
   collision::SurfaceContacts* surface_contacts = nullptr;
   std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part.
-  bool only_complete = false;  ///< See collision::ZoneOptions::only_complete.
+  bool only_complete = false;                                  ///< See collision::ZoneOptions::only_complete.
   /// Nearest points of the pairs of moved parts (MotionPair::other_part): a tangent plane each.
   std::span<const FreeMotion::PairDistance> own{};
 };

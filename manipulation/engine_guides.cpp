@@ -40,6 +40,7 @@ void ManipulationEngine::updateLoad() {
     const std::optional<haptic::DeviceDescription> device = link_.device();
     load = feltLoad(*entity, force_class_.value_or(entity->force_class), configuration_.manipulation, mapping_,
                     device ? device->continuous_force : 0.0);
+    load.friction = std::max(load.friction, held_->jointFriction());
     for (const workcell::Guide* guide : guidesOfHeld()) load.friction = std::max(load.friction, guide->friction);
   }
   if (load == control_.load) return;

@@ -6,8 +6,10 @@
 
 #include "kinematics/inverse_factory.h"
 #include "manipulation/mannequin_manipulator.h"
+#include "manipulation/robot_base_manipulator.h"
 #include "manipulation/robot_manipulator.h"
 #include "manipulation/solid_manipulator.h"
+#include "workcell/mechanism.h"
 
 namespace hapticell::manipulation {
 
@@ -21,6 +23,7 @@ using workcell::OnContact;
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
 constexpr double kPlainZone = 0.020;       ///< m of hand: what a plain set is used for instead.
 constexpr double kCrowdedStays = 0.010;    ///< m of hand until a complete set is tried again.
+constexpr std::size_t kMostOwn = 8;        ///< Pairs of the entity's own parts that are felt at a time.
 constexpr int kTryLarger = 4;              ///< A wider zone is tried with each so many sets.
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
@@ -65,7 +68,7 @@ kinematics::SingularityChoice singularityChoice(const config::Configuration& con
 
 std::string choicesOf(const Entity& entity) {
   if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands or self_origin";
-  return entity.robot ? "tcp, base or frame:NAME of one of its links"
+  return entity.robot ? "tcp, base, base_keeping_tcp or frame:NAME of one of its links"
                       : "self_origin, geometric_center or frame:NAME of an entity";
 }
 
@@ -84,7 +87,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   held->scene_ = std::move(scene);
   held->id_ = entity;
   held->accepted_.X_WE = placementOf(*found, placements, held->accepted_.joints);
-  held->gatherMovedParts(*found, placements, options.moved_by);
+  held->gatherMovedParts(*found, placements);
   if (auto made = held->makeManipulator(*found, options, configuration); !made) return makeError(made.error());
   held->gatherPairs(*found, placements, options, configuration);
   held->startBoundaries();
@@ -98,23 +101,18 @@ bool HeldEntity::makeMannequinManipulator(const Entity& entity, const MovedBy& m
   const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
   if (!by_hand || !entity.figure || !entity.robot) return false;
   const Hands hands = kind == Kind::kLeftHand ? Hands::kLeft : kind == Kind::kRightHand ? Hands::kRight : Hands::kBoth;
-  std::vector<int> links;
-  for (const MovedPart& part : moved_parts_) links.push_back(part.link);
+  std::vector<MannequinManipulator::Part> parts;
+  for (const MovedPart& part : moved_parts_) parts.push_back({part.link, part.X_LP});
   manipulator_ = std::make_unique<MannequinManipulator>(
       entity.figure, entity.robot, hands, MannequinManipulator::Locks{moved_by.lock_trunk, moved_by.lock_pelvis},
-      accepted_, links);
+      accepted_, std::move(parts));
   return true;
 }
 
-void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placements, const MovedBy& moved_by) {
+void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placements) {
   // Entities hang on each other in a tree: each round finds those that hang on the ones found before.
   std::vector<std::string> names{entity.name};
   std::vector<int> links{-1};
-  using Kind = MovedBy::Kind;
-  const Kind kind = moved_by.kind;
-  // A figure's hands leave what hangs on it where it is: its manipulator knows its own parts only.
-  const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
-  if (entity.kind == EntityKind::kMannequin && by_hand) names.clear();
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const Entity& other : scene_->entities()) {
       if (other.attachment.to != names[k] || other.id == id_) continue;
@@ -155,6 +153,35 @@ std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carr
   return result;
 }
 
+Expected<void> HeldEntity::makeRobotManipulator(const Entity& entity, const RobotManipulator::Tool& tool,
+                                                std::vector<RobotManipulator::Part> parts,
+                                                const config::Configuration& configuration, bool by_base) {
+  kinematics::InverseOptions inverse_options;
+  inverse_options.at_singularity = singularityChoice(configuration);
+  auto inverse = kinematics::createInverse(*entity.robot, tool.tip_link, tool.X_LT, inverse_options);
+  if (!inverse) return makeError(inverse.error());
+  if (by_base) {
+    manipulator_ =
+        std::make_unique<RobotBaseManipulator>(entity.robot, tool, std::move(*inverse), std::move(parts), accepted_);
+    return {};
+  }
+  auto manipulator = std::make_unique<RobotManipulator>(entity.robot, tool, std::move(*inverse), std::move(parts));
+  if (configuration.robot.at_singularity == "stop") manipulator->stopAtSingularities();
+  arm_ = manipulator.get();
+  if (entity.mechanism) friction_ = workcell::frictionOf(*entity.mechanism, *entity.robot);
+  manipulator_ = std::move(manipulator);
+  updateJointFriction();
+  return {};
+}
+
+/// Rounded, so that the server is not told of every hair's breadth.
+void HeldEntity::updateJointFriction() {
+  constexpr double kStep = 0.05, kMost = 3.0;  // N
+  const bool any = std::any_of(friction_.begin(), friction_.end(), [](double friction) { return friction > 0.0; });
+  if (!any || arm_ == nullptr) return;
+  joint_friction_ = std::min(kMost, kStep * std::round(arm_->resistance(accepted_, friction_) / kStep));
+}
+
 Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options,
                                            const config::Configuration& configuration) {
   std::vector<Pose> X_EP;
@@ -173,20 +200,13 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
   if (kind == MovedBy::Kind::kWhole) kind = MovedBy::Kind::kSelfOrigin;
   if (kind == MovedBy::Kind::kDefault) kind = robot ? MovedBy::Kind::kTcp : MovedBy::Kind::kSelfOrigin;
   const int named_link = robot && kind == MovedBy::Kind::kFrame ? entity.robot->findLink(options.moved_by.frame) : -1;
-  if (robot && (kind == MovedBy::Kind::kTcp || named_link >= 0)) {
+  const bool keeps_tcp = robot && kind == MovedBy::Kind::kBase && options.moved_by.keep_tcp;
+  if (robot && (kind == MovedBy::Kind::kTcp || named_link >= 0 || keeps_tcp)) {
     int tip = named_link >= 0 ? named_link : entity.robot->findLink(entity.tip_link);
     if (tip < 0) tip = entity.robot->defaultTip();
-    const Pose X_LT = named_link < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
     if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
-    kinematics::InverseOptions inverse_options;
-    inverse_options.at_singularity = singularityChoice(configuration);
-    auto inverse = kinematics::createInverse(*entity.robot, tip, X_LT, inverse_options);
-    if (!inverse) return makeError(inverse.error());
-    auto manipulator = std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, X_LT},
-                                                          std::move(*inverse), std::move(robot_parts));
-    if (configuration.robot.at_singularity == "stop") manipulator->stopAtSingularities();
-    manipulator_ = std::move(manipulator);
-    return {};
+    const Pose X_LT = named_link < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
+    return makeRobotManipulator(entity, {tip, X_LT}, std::move(robot_parts), configuration, keeps_tcp);
   }
   Pose X_EM;
   if (kind == MovedBy::Kind::kFrame) {
@@ -309,6 +329,7 @@ void HeldEntity::raiseBoundaries() {
 
 BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish) {
   raiseBoundaries();
+  updateJointFriction();
   ConstraintInputs inputs{*manipulator_,   accepted_, mapping,    X_DProxy,      wish.zone_radius,
                           wish.turn_ahead, parts_,    obstacles_, motion_pairs_, feel_};
   const Pose X_DHere = mapping.toDevice(movedFrame(), X_DProxy);
@@ -324,6 +345,9 @@ BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pos
   inputs.surface_contacts = surface_contacts_.get();
   inputs.surfaces = surfaces_;
   motion_->distances(zone_W, first_own_, own_);
+  std::sort(own_.begin(), own_.end(),
+            [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
+  if (own_.size() > kMostOwn) own_.resize(kMostOwn);
   inputs.own = own_;
   BuiltConstraints built = buildConstraints(inputs);
   if (built.hint.radius > hint_.radius) since_larger_ = kTryLarger;  // There may be more.

@@ -16,6 +16,7 @@
 #include "manipulation/manipulation_command.h"
 #include "manipulation/manipulator.h"
 #include "manipulation/prepared_scene.h"
+#include "manipulation/robot_manipulator.h"
 
 namespace hapticell::haptic {
 struct SolverRow;
@@ -98,6 +99,9 @@ class HeldEntity {
   /// the nearest point. None where it is farther than half a metre, touches, or is not checked against this entity.
   std::optional<haptic::Constraint> surfaceConstraint(workcell::EntityId other, double offset);
 
+  /// Dry friction of a mechanism's joints as the hand feels it, N, in steps of 0.05; 0 for everything else.
+  double jointFriction() const { return joint_friction_; }
+
   /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
 
@@ -106,9 +110,12 @@ class HeldEntity {
   static constexpr double kSkin = 20e-6;
   HeldEntity();
   bool makeMannequinManipulator(const workcell::Entity& entity, const MovedBy& moved_by);
-  void gatherMovedParts(const workcell::Entity& entity, const Placements& placements, const MovedBy& moved_by);
+  void gatherMovedParts(const workcell::Entity& entity, const Placements& placements);
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options,
                                  const config::Configuration& configuration);
+  Expected<void> makeRobotManipulator(const workcell::Entity& entity, const RobotManipulator::Tool& tool,
+                                      std::vector<RobotManipulator::Part> parts,
+                                      const config::Configuration& configuration, bool by_base);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
   void gatherOwnPairs(const workcell::Entity& entity, const HoldOptions& options,
@@ -116,6 +123,7 @@ class HeldEntity {
   std::vector<Pose> restPoses(const workcell::Entity& entity) const;
   haptic::Constraint contactOf(const MotionPair& pair, const collision::DistanceResult& found) const;
   void makeSurfaceContacts();
+  void updateJointFriction();
   void startBoundaries();
   void raiseBoundaries();
   BuiltConstraints plainConstraints(ConstraintInputs inputs);
@@ -129,6 +137,9 @@ class HeldEntity {
   workcell::EntityId id_ = 0;
   EntityConfiguration accepted_;
   std::unique_ptr<Manipulator> manipulator_;
+  const RobotManipulator* arm_ = nullptr;  ///< The manipulator where a robot or mechanism is drawn by its tool.
+  std::vector<double> friction_;           ///< Of a mechanism's variables, N m or N.
+  double joint_friction_ = 0.0;
   std::unique_ptr<FreeMotion> motion_;
   /// An entity that hangs on a link of the held one (-1: on a solid), directly or by others.
   struct Carried {

@@ -31,13 +31,14 @@ struct MovedBy {
     kBothHands,  ///< Mannequins: what both hands hold, rigidly.
   };
   Kind kind = Kind::kDefault;
-  std::string frame = {};    ///< kFrame only.
+  std::string frame = {};  ///< kFrame only.
+  bool keep_tcp = false;   ///< kBase only: the tool centre point stays in the cell, the joints follow; else they stand.
   bool lock_trunk = false;   ///< Mannequins drawn by a hand: pelvis and spine do not move.
   bool lock_pelvis = false;  ///< The pelvis does not move. Feet always stand.
 };
 
-/// tcp, base, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands; anything else is an
-/// error that lists them.
+/// tcp, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands;
+/// anything else is an error that lists them.
 Expected<MovedBy> parseMovedBy(const std::string& text);
 
 /// "trunk", "feet", "pelvis", several with commas between, or "none": sets the locks of `moved_by`. Feet stand anyway.

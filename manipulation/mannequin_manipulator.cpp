@@ -32,13 +32,13 @@ double errorOf(const mannequin::PostureResult& result) {
 MannequinManipulator::MannequinManipulator(std::shared_ptr<const mannequin::Figure> figure,
                                            std::shared_ptr<const kinematics::RobotModel> model, Hands hands,
                                            const Locks& locks, const EntityConfiguration& taken,
-                                           std::vector<int> part_links)
+                                           std::vector<Part> parts)
     : figure_(std::move(figure)),
       model_(std::move(model)),
       solver_(*figure_),
       hands_(hands),
       locks_(locks),
-      part_links_(std::move(part_links)) {
+      parts_(std::move(parts)) {
   const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, postureOf(taken));
   const Pose left = mannequin::handPose(pose, Side::kLeft), right = mannequin::handPose(pose, Side::kRight);
   const std::array<Pose, 2> hand = {left, right};
@@ -50,9 +50,9 @@ MannequinManipulator::MannequinManipulator(std::shared_ptr<const mannequin::Figu
   }
   for (std::size_t i = 0; i < 2; ++i) X_MH_[i] = X_WM.inverse() * hand[i];
   X_WF_ = {mannequin::footPose(pose, Side::kLeft), mannequin::footPose(pose, Side::kRight)};
-  for (const int link : part_links_) {
+  for (const Part& part : parts_) {
     PartPlace place;
-    std::size_t body = static_cast<std::size_t>(std::max(0, mannequin::bodyOfLink(*model_, link)));
+    std::size_t body = static_cast<std::size_t>(std::max(0, mannequin::bodyOfLink(*model_, std::max(0, part.link))));
     for (; body >= mannequin::kSegmentCount; body = mannequin::parentBody(body)) ++place.phalanges;
     place.segment = static_cast<Segment>(body);
     places_.push_back(place);
@@ -111,17 +111,17 @@ EntityConfiguration MannequinManipulator::between(const EntityConfiguration& fro
 }
 
 void MannequinManipulator::partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const {
-  HAPTICELL_DEMAND(X_WP.size() == part_links_.size());
+  HAPTICELL_DEMAND(X_WP.size() == parts_.size());
   std::vector<Pose> X_EL;
   kinematics::forwardKinematics(*model_, configuration.joints, X_EL);
   for (std::size_t k = 0; k < X_WP.size(); ++k) {
-    X_WP[k] = configuration.X_WE * X_EL[static_cast<std::size_t>(part_links_[k])];
+    X_WP[k] = configuration.X_WE * X_EL[static_cast<std::size_t>(std::max(0, parts_[k].link))] * parts_[k].X_LP;
   }
 }
 
 void MannequinManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                                       std::span<const PartSphere> spheres, std::span<double> bounds) const {
-  HAPTICELL_DEMAND(spheres.size() == part_links_.size() && bounds.size() == part_links_.size());
+  HAPTICELL_DEMAND(spheres.size() == parts_.size() && bounds.size() == parts_.size());
   const Posture start = postureOf(from), end = postureOf(to);
   const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, start);
   const auto turns = mannequin::turnsBetween(start, end);
@@ -129,7 +129,7 @@ void MannequinManipulator::pathBounds(const EntityConfiguration& from, const Ent
   const double fingers = std::abs(end[mannequin::Dof::kLeftFingersCurl] - start[mannequin::Dof::kLeftFingersCurl]);
   double turned = fingers;
   for (const double turn : turns) turned += turn;
-  std::vector<Pose> X_WP(part_links_.size());
+  std::vector<Pose> X_WP(parts_.size());
   partPoses(from, X_WP);
   // A point turns about a joint with the lever it has at the start, plus what both may come apart meanwhile.
   const double loose = 2.0 * (slid + 2.0 * turned * figure_->body[mannequin::Dimension::kStature]);
@@ -153,11 +153,11 @@ double MannequinManipulator::turnBound(const EntityConfiguration& from, const En
 std::vector<PartDifferential> MannequinManipulator::differentiate(const EntityConfiguration& configuration) const {
   const Pose X_WM = movedFrame(configuration);
   const auto segments = mannequin::differentiateHand(*figure_, postureOf(configuration), taskFor(X_WM), driven(), X_WM);
-  std::vector<Pose> X_WP(part_links_.size());
+  std::vector<Pose> X_WP(parts_.size());
   partPoses(configuration, X_WP);
   const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, postureOf(configuration));
   std::vector<PartDifferential> parts;
-  for (std::size_t k = 0; k < part_links_.size(); ++k) {
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
     const Segment segment = places_[k].segment;
     const bool moved_hand = segment == mannequin::armSegment(driven(), Segment::kLeftHand) ||
                             (hands_ == Hands::kBoth && segment == Segment::kRightHand);
@@ -206,6 +206,7 @@ std::vector<MotionLimit> MannequinManipulator::limits(const EntityConfiguration&
   limit.constraint_W.gap = std::max(0.0, zone - missing);
   for (std::size_t k = 0; k < 3; ++k) limit.constraint_W.gradient[k] = -outward[static_cast<int>(k)];
   limit.constraint_W.id = 1;
+  limit.kind = LimitKind::kReach;
   char text[120];
   std::snprintf(text, sizeof text, "The %s hand is %.0f mm from the end of its reach",
                 driven() == Side::kLeft ? "left" : "right", 1000.0 * limit.constraint_W.gap);

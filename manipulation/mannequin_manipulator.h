@@ -19,11 +19,17 @@ class MannequinManipulator final : public Manipulator {
     bool pelvis = false;
   };
 
-  /// `figure` and `model` belong together; `part_links[k]` is the model's link of part k. `taken` is how the figure
-  /// stands when it is taken: that is how both hands go on holding.
+  /// A moved part: a link's own shape, or what hangs on the link (a part in the hand).
+  struct Part {
+    int link = 0;
+    Pose X_LP;
+  };
+
+  /// `figure` and `model` belong together. `taken` is how the figure stands when it is taken: that is how both hands go
+  /// on holding.
   MannequinManipulator(std::shared_ptr<const mannequin::Figure> figure,
                        std::shared_ptr<const kinematics::RobotModel> model, Hands hands, const Locks& locks,
-                       const EntityConfiguration& taken, std::vector<int> part_links);
+                       const EntityConfiguration& taken, std::vector<Part> parts);
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
   EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
@@ -54,7 +60,7 @@ class MannequinManipulator final : public Manipulator {
   Locks locks_;
   std::array<Pose, 2> X_MH_;  ///< Left and right hand in the moved frame.
   std::array<Pose, 2> X_WF_;  ///< Where the feet stand.
-  std::vector<int> part_links_;
+  std::vector<Part> parts_;
   std::vector<PartPlace> places_;
 };
 

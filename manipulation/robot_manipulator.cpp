@@ -88,6 +88,19 @@ void RobotManipulator::stopAtSingularities() {
   wall_.emplace(*model_, tool_.tip_link, tool_.X_LT, std::max(1e-3, 0.5 * chain->reach()));
 }
 
+double RobotManipulator::resistance(const EntityConfiguration& configuration, std::span<const double> friction) const {
+  HAPTICELL_DEMAND(friction.size() == model_->dof());
+  const RobotDifferential robot =
+      differentiateRobot(*model_, configuration.joints, configuration.X_WE, tool_.tip_link, tool_.X_LT);
+  // The power of all joints for a metre a second: a joint turns by its row of the inverse Jacobian.
+  double force = 0.0;
+  for (std::size_t v = 0; v < friction.size(); ++v) {
+    const auto& rate = robot.joint_velocity[v];
+    force += friction[v] * glm::length(dvec3(rate[0], rate[1], rate[2]));
+  }
+  return force;
+}
+
 std::vector<RobotManipulator::Part> RobotManipulator::partsOf(const std::vector<int>& links) {
   std::vector<Part> parts;
   for (const int link : links) parts.push_back({link, {}});

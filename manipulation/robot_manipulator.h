@@ -35,6 +35,9 @@ class RobotManipulator final : public Manipulator {
   /// Makes singular positions walls that are felt and never passed; nothing happens to robots with closed loops, whose
   /// closure knows its own.
   void stopAtSingularities();
+  /// What the joints' dry friction (N m or N, one a variable) holds against a slow motion of the tool centre point
+  /// along the direction in which it is hardest, N.
+  double resistance(const EntityConfiguration& configuration, std::span<const double> friction) const;
   /// Parts that are links.
   static std::vector<Part> partsOf(const std::vector<int>& links);
 

@@ -47,7 +47,7 @@ std::string wordOf(const MovedBy& moved_by, bool is_robot) {
     case MovedBy::Kind::kTcp:
       return "tcp";
     case MovedBy::Kind::kBase:
-      return "base";
+      return moved_by.keep_tcp ? "base_keeping_tcp" : "base";
     case MovedBy::Kind::kSelfOrigin:
       return "self_origin";
     case MovedBy::Kind::kGeometricCenter:

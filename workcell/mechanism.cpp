@@ -199,10 +199,13 @@ Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const M
 }
 
 std::vector<double> frictionOf(const MechanismDefinition& definition, const kinematics::RobotModel& model) {
-  std::vector<double> friction;
-  for (const int index : model.moving) {
-    const MechanismJoint* joint = jointNamed(definition, model.joints[static_cast<std::size_t>(index)].name);
-    friction.push_back(joint ? joint->friction : 0.0);
+  std::vector<double> friction(model.dof(), 0.0);
+  for (const kinematics::Joint& joint : model.joints) {
+    const MechanismJoint* stated = jointNamed(definition, joint.name);
+    if (stated == nullptr) continue;
+    const double share = joint.mimic ? std::abs(joint.mimic->multiplier) : 1.0;
+    const kinematics::Joint& moved = joint.mimic ? model.joints[static_cast<std::size_t>(joint.mimic->joint)] : joint;
+    if (moved.variable >= 0) friction[static_cast<std::size_t>(moved.variable)] += share * stated->friction;
   }
   return friction;
 }

@@ -64,7 +64,7 @@ Expected<kinematics::RobotModel> buildMechanism(const std::string& name, const M
 /// "fixed", "revolute", "prismatic", "screw".
 const char* wordOf(MechanismJointType type);
 
-/// The friction of each variable of the mechanism's model, N m or N.
+/// The friction of each variable of the mechanism's model, N m or N, with that of the joints that are coupled to it.
 std::vector<double> frictionOf(const MechanismDefinition& definition, const kinematics::RobotModel& model);
 
 }  // namespace hapticell::workcell

@@ -51,6 +51,14 @@ struct SevenArm {
   JointMap map;
 };
 
+inline constexpr int kRingSize = 64;
+
+/// An S-R-S arm's principal solution (see Table::srsRing) for swivels all round, canonical angles.
+struct alignas(32) SwivelRing {
+  double theta[7][kRingSize];
+  bool reached = false;
+};
+
 /// A vector that turns with an angle t: middle + cos t * cosine + sin t * sine.
 struct Circle {
   double middle[3], cosine[3], sine[3];
@@ -126,6 +134,12 @@ struct Table {
   /// Eight solutions for the swivel angle of the elbow about the line from shoulder to wrist (rad; zero: the elbow is
   /// in the plane of that line and z).
   void (*srs)(const SevenArm& arm, const ArmPose& pose, double swivel, const double* previous, Solutions& solutions);
+  /// For kRingSize swivels from `first_swivel` on, all round, the one solution from which the other seven come by half
+  /// turns.
+  void (*srsRing)(const SevenArm& arm, const ArmPose& pose, double first_swivel, const double* previous,
+                  SwivelRing& ring);
+  /// All eight solutions of a ring's entry.
+  void (*srsOfRing)(const SevenArm& arm, const SwivelRing& ring, int index, Solutions& solutions);
   /// Eight solutions for q_7 given.
   void (*panda)(const SevenArm& arm, const ArmPose& pose, double q_7, const double* previous, Solutions& solutions);
   /// Up to sixteen solutions of an arm with an offset wrist, found by a search over joint 6.

@@ -31,56 +31,121 @@ inline Lanes3 column(const ArmPose& pose, int i) {
   return {pose.R[i], pose.R[3 + i], pose.R[6 + i]};
 }
 
-// The eight solutions are one and three pairs of half turns; lanes: shoulder flip x elbow sign; groups: wrist flip.
-inline void srs(const SevenArm& arm, const ArmPose& pose, double swivel, const double* previous, Solutions& solutions) {
+/// The triangle of shoulder, elbow and wrist, and the circle that the elbow may lie on.
+struct ElbowCircle {
+  double cos_a, sin_a, cos_b, sin_b;  ///< Angles at the shoulder and at the wrist.
+  double sin_4, cos_4;
+  double w[3], up[3], side[3];  ///< The line's direction, "up" in its vertical plane, the third direction.
+  bool reached = false;
+};
+
+inline ElbowCircle elbowCircle(const SevenArm& arm, const ArmPose& pose) {
+  ElbowCircle c;
   const double* p = pose.p;
   const double flat = __builtin_sqrt(p[0] * p[0] + p[1] * p[1]);
   const double r2 = flat * flat + p[2] * p[2], r = __builtin_sqrt(r2);
   const double l1 = arm.d3, l2 = arm.d5;
-  const double cos_a = (r2 + l1 * l1 - l2 * l2) / (2.0 * r * l1);  // at the shoulder, between upper arm and line
-  const double sin_a_squared = (1.0 - cos_a) * (1.0 + cos_a);
-  solutions.valid = 0;
-  if (!(sin_a_squared >= -kStretched)) return;
-  const double sin_a = __builtin_sqrt(sin_a_squared > 0.0 ? sin_a_squared : 0.0);
-  // The line's direction w, "up" in its vertical plane, and the third direction.
-  const double wx = p[0] / r, wy = p[1] / r, wz = p[2] / r;
+  c.cos_a = (r2 + l1 * l1 - l2 * l2) / (2.0 * r * l1);  // at the shoulder, between upper arm and line
+  const double sin_a_squared = (1.0 - c.cos_a) * (1.0 + c.cos_a);
+  if (!(sin_a_squared >= -kStretched)) return c;
+  c.reached = true;
+  c.sin_a = __builtin_sqrt(sin_a_squared > 0.0 ? sin_a_squared : 0.0);
+  for (int i = 0; i < 3; ++i) c.w[i] = p[i] / r;
   const bool upright = flat < 1e-12 * r;
   const double cx = upright ? 1.0 : p[0] / flat, cy = upright ? 0.0 : p[1] / flat;
-  const double up[3] = {-wz * cx, -wz * cy, flat / r}, side[3] = {-cy, cx, 0.0};
-  const double cs = __builtin_cos(swivel), ss = __builtin_sin(swivel);
-  const double e[3] = {cs * up[0] + ss * side[0], cs * up[1] + ss * side[1], cs * up[2] + ss * side[2]};
-  const Lanes3 w{wx, wy, wz}, radial{e[0], e[1], e[2]};
-  const Lanes3 z3 = cos_a * w + Lanes(sin_a) * radial;
-  const double cos_b = (r - l1 * cos_a) / l2, sin_b = l1 * sin_a / l2;
-  const Lanes3 z5 = cos_b * w - Lanes(sin_b) * radial;
-  const Lanes3 y4 = cross(radial, w);
-  const double cos_4 = cos_a * cos_b - sin_a * sin_b, sin_4 = sin_a * cos_b + cos_a * sin_b;
-  const Lanes3 x4 = cross(y4, z5);
-  const ShoulderAngles first = shoulder(z3, y4, arm.map, previous);
+  c.up[0] = -c.w[2] * cx;
+  c.up[1] = -c.w[2] * cy;
+  c.up[2] = flat / r;
+  c.side[0] = -cy;
+  c.side[1] = cx;
+  c.side[2] = 0.0;
+  c.cos_b = (r - l1 * c.cos_a) / l2;
+  c.sin_b = l1 * c.sin_a / l2;
+  c.cos_4 = c.cos_a * c.cos_b - c.sin_a * c.sin_b;
+  c.sin_4 = c.sin_a * c.cos_b + c.cos_a * c.sin_b;
+  return c;
+}
+
+/// Of the eight solutions the one from which the others come by half turns; theta_4 is the circle's.
+struct SrsAngles {
+  ShoulderAngles shoulder;
+  ZyzAngles wrist;
+};
+
+/// For the swivel angles of these cosines and sines, one a lane.
+inline SrsAngles srsAngles(const SevenArm& arm, const ArmPose& pose, const ElbowCircle& c, const Lanes& cosine,
+                           const Lanes& sine, const double* previous) {
+  const Lanes3 w{c.w[0], c.w[1], c.w[2]};
+  const Lanes3 radial = cosine * Lanes3{c.up[0], c.up[1], c.up[2]} + sine * Lanes3{c.side[0], c.side[1], c.side[2]};
+  const Lanes3 z3 = Lanes(c.cos_a) * w + Lanes(c.sin_a) * radial;
+  const Lanes3 z5 = Lanes(c.cos_b) * w - Lanes(c.sin_b) * radial;
+  const Lanes3 y4 = cross(radial, w), x4 = cross(y4, z5);
   const Lanes3 x7 = column(pose, 0), y7 = column(pose, 1), z7 = column(pose, 2);
-  const ZyzAngles wrist =
-      zyz({dot(x4, x7), dot(x4, y7), dot(x4, z7), dot(y4, x7), dot(y4, y7), dot(y4, z7), dot(z5, z7)}, arm.map, 4,
-          previous);
-  const Lanes theta4 = arcTangent(sin_4, cos_4);
+  return {shoulder(z3, y4, arm.map, previous),
+          zyz({dot(x4, x7), dot(x4, y7), dot(x4, z7), dot(y4, x7), dot(y4, y7), dot(y4, z7), dot(z5, z7)}, arm.map, 4,
+              previous)};
+}
+
+/// All eight, lanes: shoulder flip x elbow sign; groups: wrist flip.
+inline void srsSolutions(const JointMap& map, const SrsAngles& first, const Lanes& theta4, Solutions& solutions) {
   const Mask shoulder_flips = Lanes(0.0, 1.0, 0.0, 1.0) > Lanes(0.5),
              elbow_flips = Lanes(0.0, 0.0, 1.0, 1.0) > Lanes(0.5);
-  const Lanes theta1 = select(shoulder_flips, halfTurned(first.first), first.first);
-  const Lanes theta2 = select(shoulder_flips, -first.second, first.second);
-  const Lanes theta3 = select(shoulder_flips ^ elbow_flips, halfTurned(first.third), first.third);
+  const Lanes theta1 = select(shoulder_flips, halfTurned(first.shoulder.first), first.shoulder.first);
+  const Lanes theta2 = select(shoulder_flips, -first.shoulder.second, first.shoulder.second);
+  const Lanes theta3 = select(shoulder_flips ^ elbow_flips, halfTurned(first.shoulder.third), first.shoulder.third);
+  // An elbow bent the other way turns the frame before the wrist by half a turn.
+  const Lanes flipped = halfTurned(first.wrist.first);
   for (int group = 0; group < 2; ++group) {
-    storeJoint(arm.map, 0, group, theta1, solutions);
-    storeJoint(arm.map, 1, group, theta2, solutions);
-    storeJoint(arm.map, 2, group, theta3, solutions);
-    storeJoint(arm.map, 3, group, select(elbow_flips, -theta4, theta4), solutions);
-    // An elbow bent the other way turns the frame before the wrist by half a turn.
-    const Lanes flipped = halfTurned(wrist.first);
-    storeJoint(arm.map, 4, group,
-               group == 0 ? select(elbow_flips, flipped, wrist.first) : select(elbow_flips, wrist.first, flipped),
-               solutions);
-    storeJoint(arm.map, 5, group, group == 0 ? wrist.second : -wrist.second, solutions);
-    storeJoint(arm.map, 6, group, group == 0 ? wrist.third : halfTurned(wrist.third), solutions);
+    storeJoint(map, 0, group, theta1, solutions);
+    storeJoint(map, 1, group, theta2, solutions);
+    storeJoint(map, 2, group, theta3, solutions);
+    storeJoint(map, 3, group, select(elbow_flips, -theta4, theta4), solutions);
+    storeJoint(
+        map, 4, group,
+        group == 0 ? select(elbow_flips, flipped, first.wrist.first) : select(elbow_flips, first.wrist.first, flipped),
+        solutions);
+    storeJoint(map, 5, group, group == 0 ? first.wrist.second : -first.wrist.second, solutions);
+    storeJoint(map, 6, group, group == 0 ? first.wrist.third : halfTurned(first.wrist.third), solutions);
   }
   solutions.valid = 0xffu;
+}
+
+inline void srs(const SevenArm& arm, const ArmPose& pose, double swivel, const double* previous, Solutions& solutions) {
+  const ElbowCircle circle = elbowCircle(arm, pose);
+  solutions.valid = 0;
+  if (!circle.reached) return;
+  const SrsAngles first =
+      srsAngles(arm, pose, circle, Lanes(__builtin_cos(swivel)), Lanes(__builtin_sin(swivel)), previous);
+  srsSolutions(arm.map, first, arcTangent(Lanes(circle.sin_4), Lanes(circle.cos_4)), solutions);
+}
+
+// Four swivels at a time, turned on from one four to the next.
+inline void srsRing(const SevenArm& arm, const ArmPose& pose, double first_swivel, const double* previous,
+                    SwivelRing& ring) {
+  const ElbowCircle circle = elbowCircle(arm, pose);
+  ring.reached = circle.reached;
+  if (!circle.reached) return;
+  constexpr double kStep = 2.0 * kLanePi / kRingSize;
+  Lanes cosine, sine;
+  sineCosine(Lanes(first_swivel) + Lanes(0.0, kStep, 2.0 * kStep, 3.0 * kStep), sine, cosine);
+  const double turn_cosine = __builtin_cos(4.0 * kStep), turn_sine = __builtin_sin(4.0 * kStep);
+  const Lanes theta4 = arcTangent(Lanes(circle.sin_4), Lanes(circle.cos_4));
+  for (int k = 0; k < kRingSize; k += 4) {
+    const SrsAngles angles = srsAngles(arm, pose, circle, cosine, sine, previous);
+    const Lanes thetas[] = {angles.shoulder.first, angles.shoulder.second, angles.shoulder.third, theta4,
+                            angles.wrist.first,    angles.wrist.second,    angles.wrist.third};
+    for (int joint = 0; joint < 7; ++joint) store(ring.theta[joint] + k, thetas[joint]);
+    const Lanes turned = cosine * turn_cosine - sine * turn_sine;
+    sine = sine * turn_cosine + cosine * turn_sine;
+    cosine = turned;
+  }
+}
+
+inline void srsOfRing(const SevenArm& arm, const SwivelRing& ring, int index, Solutions& solutions) {
+  solutions.valid = 0;
+  if (!ring.reached) return;
+  const auto theta = [&](int joint) { return Lanes(ring.theta[joint][index]); };
+  srsSolutions(arm.map, {{theta(0), theta(1), theta(2)}, {theta(4), theta(5), theta(6)}}, theta(3), solutions);
 }
 
 // Lanes: the elbow's bend x the two directions of axis 5; groups: shoulder flip.

@@ -92,5 +92,30 @@ TEST_P(ClosedFormOf, FindsTheJointsThatMadeThePoseAndOnlyTrueSolutions) {
 INSTANTIATE_TEST_SUITE_P(Arms, ClosedFormOf, testing::ValuesIn(arms()),
                          [](const auto& parameter) { return parameter.param.name; });
 
+TEST(ClosedFormRing, GivesWhatEachSwivelAloneGives) {
+  const RobotModel model = test::iiwa();
+  const Chain chain = Chain::create(model, model.defaultTip(), {}).value();
+  const auto form = makeClosedForm(RobotClass::kSrs, armAxes(chain));
+  ChainPositions x{0.4, -0.6, 0.3, 1.2, -0.5, 0.9, 0.2};
+  ChainState state;
+  chain.evaluate(x, state);
+  kernels::SwivelRing ring;
+  const double first = 0.37;
+  ASSERT_TRUE(form->ring(state.R_BT, state.p_BT, first, x.data(), ring));
+  for (int k = 0; k < kernels::kRingSize; ++k) {
+    const double swivel = first + k * 2.0 * std::numbers::pi / kernels::kRingSize;
+    kernels::Solutions alone, of_ring;
+    form->solve(state.R_BT, state.p_BT, swivel, x.data(), alone);
+    form->ofRing(ring, k, of_ring);
+    ASSERT_EQ(alone.valid, of_ring.valid);
+    for (int joint = 0; joint < 7; ++joint) {
+      for (int slot = 0; slot < 8; ++slot) {
+        const double apart = alone.q[joint][slot] - of_ring.q[joint][slot];
+        ASSERT_NEAR(std::remainder(apart, 2.0 * std::numbers::pi), 0.0, 1e-12) << k << " " << joint << " " << slot;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hapticell::kinematics

@@ -158,6 +158,7 @@ TEST(Carried, AMechanismIsDraggedByItsLeaf) {
   hinge.p_MJ = {0.3, 0, 0};
   hinge.lower = 0.0;
   hinge.upper = 1.5;
+  hinge.friction = 0.6;  // N m
   const auto door = document.execute(workcell::MakeMechanism{"door", {frame, leaf}, {hinge}}).value();
   const auto scene = PreparedScene::prepare(document.snapshotEntities(), {}, {});
   auto held = HeldEntity::take(scene, door, {}, {}, config::Configuration{});
@@ -171,6 +172,8 @@ TEST(Carried, AMechanismIsDraggedByItsLeaf) {
     X_DP.q = glm::angleAxis(angle, dvec3(0, 0, 1));
     (*held)->follow(X_DP, mapping, nullptr);
     EXPECT_NEAR((*held)->accepted().joints.at(0), std::min(angle, 1.5), 1e-6);
+    // The hand draws it 0.3 m from the hinge.
+    EXPECT_NEAR((*held)->jointFriction(), 2.0, 0.051);
   }
 }
 

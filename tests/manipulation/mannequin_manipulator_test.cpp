@@ -33,7 +33,9 @@ MannequinManipulator manipulatorOf(const workcell::Entity& entity, Hands hands, 
   for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
     if (!entity.robot->links[i].collisions.empty()) links.push_back(static_cast<int>(i));
   }
-  return {entity.figure, entity.robot, hands, {lock_trunk, false}, {entity.X_WE, entity.joints}, links};
+  std::vector<MannequinManipulator::Part> parts;
+  for (const int link : links) parts.push_back({link, {}});
+  return {entity.figure, entity.robot, hands, {lock_trunk, false}, {entity.X_WE, entity.joints}, parts};
 }
 
 double placeError(const Pose& a, const Pose& b) {
@@ -126,6 +128,45 @@ TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
     if (name != "r_hand" && name != "r_index2") continue;
     EXPECT_LT(glm::length(after[k].p - before[k].p - 2e-4 * parts[k].velocity[2].linear), 2e-5) << name;
   }
+}
+
+TEST(MannequinManipulator, WhatTheHandHoldsGoesWithIt) {
+  workcell::Entity worker = mannequinEntity("both_hands_forward");
+  const int hand = worker.robot->findLink("r_hand");
+  ASSERT_GE(hand, 0);
+  std::vector<Pose> X_EL;
+  kinematics::forwardKinematics(*worker.robot, worker.joints, X_EL);
+  const Pose X_WHand = worker.X_WE * X_EL[static_cast<std::size_t>(hand)];
+  const Pose X_LP = Pose::translation({0.05, -0.02, -0.1});
+  workcell::Entity bar = test::solid(3, "bar", geometry::makeBox({0.02, 0.02, 0.3}), X_WHand * X_LP);
+  bar.attachment = {"worker", "r_hand", X_LP};
+  // A plate below the bar's end that the hand itself never comes near.
+  const double lowest = (X_WHand * X_LP).p.z - 0.3;
+  const auto scene = PreparedScene::prepare({worker, bar,
+                                             test::solid(1, "plate", geometry::makeBox({1.0, 1.0, 0.02}),
+                                                         Pose::translation({X_WHand.p.x + 0.2, X_WHand.p.y, lowest}))},
+                                            {}, {});
+  HoldOptions options;
+  options.moved_by.kind = MovedBy::Kind::kRightHand;
+  auto held = HeldEntity::take(scene, worker.id, {}, options, config::Configuration{});
+  ASSERT_TRUE(held) << held.error().message();
+  const auto met = [](const HeldPair& pair) { return pair.moved_part == "bar" && pair.other == 1; };
+  EXPECT_TRUE(std::any_of((*held)->pairs().begin(), (*held)->pairs().end(), met));
+  MotionMapping mapping;
+  mapping.anchor((*held)->movedFrame(), (*held)->movedFrame());
+  Pose X_DP = (*held)->movedFrame();
+  bool blocked = false;
+  for (int i = 0; i < 60; ++i) {
+    X_DP.p.z -= 0.005;
+    blocked = (*held)->follow(X_DP, mapping, nullptr).blocked || blocked;
+    const auto carried = (*held)->carried();
+    ASSERT_EQ(carried.size(), 1u);
+    std::vector<Pose> X_EL2;
+    kinematics::forwardKinematics(*worker.robot, (*held)->accepted().joints, X_EL2);
+    const Pose there = (*held)->accepted().X_WE * X_EL2[static_cast<std::size_t>(hand)] * X_LP;
+    EXPECT_LT(placeError(carried[0].second.X_WE, there), 1e-9) << "it stays in the hand";
+  }
+  EXPECT_TRUE(blocked) << "the bar stands on the plate";
 }
 
 constexpr double kRate = 50.0;
