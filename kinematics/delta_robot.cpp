@@ -240,6 +240,12 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
   if (!closure->pose(restPositions(model), X_BL))
     return makeError({"", place, "the rods do not meet at the home position", "lengths that can be assembled", ""});
   for (int k = 1; k <= 9; ++k) model.disabled_pairs.push_back({0, k, "Adjacent"});
+  // Every rod hangs on the platform, whichever of them carries it in the tree.
+  const int platform = model.findLink("platform");
+  for (std::size_t k = 1; platform >= 0 && k < model.links.size(); ++k) {
+    if (model.links[k].name.starts_with("rod_"))
+      model.disabled_pairs.push_back({static_cast<int>(k), platform, "Adjacent"});
+  }
   return model;
 }
 

@@ -25,6 +25,7 @@ constexpr int kRestartIterations = 60;
 constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
 constexpr double kKeptFirst = 0.004;    // times the lever, or its inverse: what is kept weighs 250 times as much
 constexpr double kKept = 2e-4;          // m or rad
+constexpr double kWorthTrying = 0.02;   // m: further off it is the hand that is fast, or the reach that ends
 constexpr double kElbowMargin = 0.01;   // rad from straight or folded
 constexpr double kSameSolution = 1e-4;  // rad or m
 constexpr std::size_t kMaxAlternatives = 64;
@@ -190,7 +191,7 @@ void NumericInverse::solveNearest(const Pose& X_BT, const std::vector<double>& q
   HAPTICELL_DEMAND(duration_s > 0.0);
   const ChainPositions x = pick(q_start);
   Shot shot = shoot(X_BT, x, duration_s, options_.lever, -1);
-  if (shot.at_speed) keepOne(X_BT, x, duration_s, shot);
+  if (shot.at_speed && shot.fit.position_error < kWorthTrying) keepOne(X_BT, x, duration_s, shot);
   fill(shot.fit, q_start, solution);
 }
 

@@ -9,7 +9,15 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kTouching = 1e-4;  ///< m: nearer than this at rest the makers' shapes touch.
+constexpr double kTouching = 2e-3;  ///< m: nearer than this at rest the shapes are those of neighbours.
+constexpr std::size_t kMostNamed = 3;
+
+std::string noteOn(const std::string& robot, const std::vector<std::string>& touching) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(touching.size(), kMostNamed); ++i) names += (i == 0 ? "" : ", ") + touching[i];
+  if (touching.size() > kMostNamed) names += " and " + std::to_string(touching.size() - kMostNamed) + " more pairs";
+  return "links of " + robot + " that touch at rest are not checked against each other: " + names;
+}
 
 }  // namespace
 
@@ -33,14 +41,14 @@ void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOption
   std::vector<OwnPart> parts;
   for (const MovedPart& part : moved_parts_) parts.push_back({std::max(0, part.link), part.owner != id_});
   const std::vector<Pose> X_EP = restPoses(entity);
+  std::vector<std::string> touching;
   for (const OwnPair& own : ownPairs(*entity.robot, parts)) {
     const MovedPart &first = moved_parts_[own.first], &second = moved_parts_[own.second];
     const bool links = first.owner == id_ && second.owner == id_;
     const auto& a = first.part->mesh.collider;
     const auto& b = second.part->mesh.collider;
     if (links && collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
-      notes_.push_back(first.name + " and " + second.name + " of " + entity.name +
-                       " touch at rest: they are not checked against each other");
+      touching.push_back(first.name + " with " + second.name);
       continue;
     }
     HeldPair pair{id_, first.name,         second.name, configuration.manipulation.safety_distance,
@@ -49,6 +57,7 @@ void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOption
     feel_.push_back(pair.feel);
     pairs_.push_back(std::move(pair));
   }
+  if (!touching.empty()) notes_.push_back(noteOn(entity.name, touching));
 }
 
 /// How the distance of a pair changes with the moved frame, at its nearest points.
