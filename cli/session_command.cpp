@@ -131,7 +131,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   if (!document) return tl::unexpected(document.error());
   const workcell::Document held(workcell::withAssemblyAsSolid(document->state(), words.entity));
   options.entities = held.snapshotEntities();
-  options.pair_sets = held.state().pair_sets;
+  options.pairs = {held.state().pair_sets, held.state().pair_rules};
   options.guides = held.state().guides;
   options.entity = words.entity;
 

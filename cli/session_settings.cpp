@@ -32,7 +32,7 @@ Expected<void> setSafetyDistance(const std::string& value, SessionOptions& optio
     return makeError({"", "--set safety_distance", "'" + value + "'", "metres from 0 to 1", ""});
   }
   options.configuration.manipulation.safety_distance = metres;
-  for (workcell::PairSet& set : options.pair_sets) set.safety_distance = metres;
+  for (workcell::PairSet& set : options.pairs.sets) set.safety_distance = metres;
   return {};
 }
 

@@ -63,7 +63,8 @@ Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
   if (!document) return tl::unexpected(document.error());
   const auto path = pathOptions(options, trajectory);
   if (!path) return tl::unexpected(path.error());
-  const auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(), document->state().pair_sets, {});
+  const auto scene = manipulation::PreparedScene::prepare(
+      document->snapshotEntities(), {document->state().pair_sets, document->state().pair_rules}, {});
   const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
   if (name.empty())
     return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});

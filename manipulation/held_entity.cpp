@@ -252,7 +252,10 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
       const auto& rules = rules_of[moved_parts_[k].owner];
       const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.other == other.id; });
       if (rule == rules.end()) continue;
+      const workcell::PairRule* own = scene_->ruleFor(*moved_parts_[k].part, part);
+      if (own && !own->checked) continue;
       HeldPair pair{other.id, names[k], part.name, rule->safety_distance, rule->near_miss, rule->on_contact, {}};
+      if (own && own->on_contact) pair.on_contact = *own->on_contact;
       pair.feel.felt = pair.on_contact != OnContact::kPass;
       const Entity& owner = moved_parts_[k].owner == id_ ? entity : *scene_->find(moved_parts_[k].owner);
       if (options.force_class != ForceClass::kConstant) blend(configuration, owner, other, pair.feel);

@@ -66,10 +66,11 @@ Expected<workcell::ForceClass> parseForceClass(const std::string& text);
 /// What the window (or a session) asks of the manipulation loop. Values; queued, never waited for.
 namespace command {
 
-/// The document has changed: all entities and pair sets as they stand now. What is held goes on being held.
+/// The document has changed: all entities and what is checked against what, as they stand now. What is held goes on
+/// being held.
 struct SetDocument {
   std::vector<workcell::Entity> entities;
-  std::vector<workcell::PairSet> pair_sets;
+  workcell::PairPolicy pairs;
 };
 /// The entity that the next press of the stylus's button takes; 0: whatever the stylus's tip touches.
 struct ChooseEntity {

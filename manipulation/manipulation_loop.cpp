@@ -87,7 +87,7 @@ struct ManipulationLoop::Worker {
         document = std::move(newest_document);
         document_waits = false;
       }
-      previous = PreparedScene::prepare(std::move(document.entities), std::move(document.pair_sets), rule,
+      previous = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule,
                                         previous.get(), configuration.manipulation.contacts == "surfaces");
       const std::lock_guard lock(mutex);
       ready_scene = previous;

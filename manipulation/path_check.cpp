@@ -37,11 +37,13 @@ std::string nameOf(const Entity& entity, const ScenePart& part) {
 
 Bodies bodiesOf(const PreparedScene& scene, const Entity& moved) {
   Bodies bodies;
+  std::vector<const ScenePart*> moved_parts, obstacles;
   const auto rules = scene.pairsOf(moved.id, moved.on_contact);
   for (const ScenePart& part : scene.parts()) {
     if (part.entity == moved.id) {
       bodies.parts.push_back(part.mesh.collider);
       bodies.part_names.push_back(nameOf(moved, part));
+      moved_parts.push_back(&part);
       continue;
     }
     const bool is_checked =
@@ -51,9 +53,13 @@ Bodies bodiesOf(const PreparedScene& scene, const Entity& moved) {
     bodies.obstacles.push_back(
         {part.mesh.collider, PreparedScene::partPose(other, other.X_WE, other.joints, part.link)});
     bodies.obstacle_names.push_back(nameOf(other, part));
+    obstacles.push_back(&part);
   }
   for (std::uint32_t k = 0; k < bodies.parts.size(); ++k) {
-    for (std::uint32_t o = 0; o < bodies.obstacles.size(); ++o) bodies.pairs.push_back({k, o, true});
+    for (std::uint32_t o = 0; o < bodies.obstacles.size(); ++o) {
+      const workcell::PairRule* rule = scene.ruleFor(*moved_parts[k], *obstacles[o]);
+      if (!rule || rule->checked) bodies.pairs.push_back({k, o, true});
+    }
   }
   return bodies;
 }

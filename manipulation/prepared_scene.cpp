@@ -22,12 +22,12 @@ struct PreparedScene::Job {
 };
 
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
-                                                            std::vector<workcell::PairSet> pair_sets,
+                                                            workcell::PairPolicy pairs,
                                                             const workcell::PairDefaults& defaults,
                                                             const PreparedScene* previous, bool recognise) {
   std::shared_ptr<PreparedScene> scene(new PreparedScene);
   scene->entities_ = std::move(entities);
-  scene->pair_sets_ = std::move(pair_sets);
+  scene->pairs_ = std::move(pairs);
   scene->defaults_ = defaults;
   std::vector<Job> jobs;
   for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
@@ -121,7 +121,12 @@ std::vector<workcell::EffectivePair> PreparedScene::pairsOf(workcell::EntityId m
   for (workcell::Entity& entity : entities) {
     if (entity.id == moved) entity.on_contact = on_contact;
   }
-  return workcell::effectivePairs(entities, pair_sets_, moved, defaults_);
+  return workcell::effectivePairs(entities, pairs_.sets, moved, defaults_);
+}
+
+const workcell::PairRule* PreparedScene::ruleFor(const ScenePart& a, const ScenePart& b) const {
+  if (pairs_.rules.empty()) return nullptr;
+  return workcell::ruleFor(pairs_.rules, {find(a.entity)->name, a.name}, {find(b.entity)->name, b.name});
 }
 
 PreparedScene::FoundFrame PreparedScene::findFrame(const std::string& name) const {

@@ -39,7 +39,7 @@ class PreparedScene {
   /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
   /// taken over from it. Entities without a mesh have no parts. `recognise` finds the meshes' surfaces too.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
-                                                      std::vector<workcell::PairSet> pair_sets,
+                                                      workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
                                                       const PreparedScene* previous = nullptr, bool recognise = false);
 
@@ -53,6 +53,9 @@ class PreparedScene {
 
   /// What is checked against the entity, its own choice on contact being `on_contact`.
   std::vector<workcell::EffectivePair> pairsOf(workcell::EntityId moved, workcell::OnContact on_contact) const;
+
+  /// The user's rule for two of its parts; null where there is none.
+  const workcell::PairRule* ruleFor(const ScenePart& a, const ScenePart& b) const;
 
   /// A frame by its name: a frame of an entity, or an entity's own. Null entity when there is none.
   struct FoundFrame {
@@ -71,7 +74,7 @@ class PreparedScene {
   void run(const std::vector<Job>& jobs, const PreparedScene* previous, bool recognise);
 
   std::vector<workcell::Entity> entities_;
-  std::vector<workcell::PairSet> pair_sets_;
+  workcell::PairPolicy pairs_;
   workcell::PairDefaults defaults_;
   std::vector<ScenePart> parts_;
   std::vector<MeshKey> keys_;  ///< Of the parts' meshes.

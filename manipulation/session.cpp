@@ -90,7 +90,7 @@ class WatchedEngine {
     const auto entity = findEntity(options_);
     if (!entity) return makeError(entity.error());
     entity_ = *entity;
-    engine_.apply(command::SetDocument{options_.entities, options_.pair_sets});
+    engine_.apply(command::SetDocument{options_.entities, options_.pairs});
     engine_.apply(command::SetGuides{options_.guides});
     engine_.apply(command::ChooseEntity{entity_});
     engine_.apply(command::SetMovedBy{options_.moved_by});
@@ -192,7 +192,7 @@ class WatchedEngine {
                         .expected = "the name of an entity or of a frame of one",
                         .fix = {}});
     }
-    const auto scene = PreparedScene::prepare(options_.entities, options_.pair_sets, {}, engine_.scene(),
+    const auto scene = PreparedScene::prepare(options_.entities, options_.pairs, {}, engine_.scene(),
                                               options_.configuration.manipulation.contacts == "surfaces");
     auto taken = HeldEntity::take(scene, entity_, {},
                                   {options_.moved_by, options_.on_contact.value_or(entity->on_contact),

@@ -21,7 +21,7 @@ namespace hapticell::manipulation {
 /// A whole session: a workcell, who is moved, how the hand moves, and all choices.
 struct SessionOptions {
   std::vector<workcell::Entity> entities;
-  std::vector<workcell::PairSet> pair_sets;
+  workcell::PairPolicy pairs;
   std::vector<workcell::Guide> guides;
   std::string entity;  ///< The name of the chosen one; the first press of the button takes it.
   haptic::HandPath hand{{haptic::HandSample{}}};

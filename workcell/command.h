@@ -152,6 +152,13 @@ struct RemovePairSet {
   std::string name;
 };
 
+/// Gives single pairs their own rules, in the place of those that they had; one that is checked and has no choice on
+/// contact takes the pair's rule away. `text` names the step of undo; empty: told by the rules.
+struct SetPairRules {
+  std::vector<PairRule> rules;
+  std::string text = {};
+};
+
 struct AddGuide {
   Guide guide;
 };
@@ -170,7 +177,8 @@ struct SetView {
 using Command =
     std::variant<AddEntity, RemoveEntity, RenameEntity, ReplaceShape, SetCollisionProxy, SetPlacement, SetJoints, SetConfiguration, SetProperties,
                  SetFrames, SetTool, SetTools, SetNamedPoses, ChooseTool, Attach, Detach, MakeMechanism, EditMechanism,
-                 DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, AddGuide, EditGuide, RemoveGuide, SetView>;
+                 DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, SetPairRules,
+                 AddGuide, EditGuide, RemoveGuide, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

@@ -122,6 +122,24 @@ Expected<void> checkPairSet(const PairSet& set) {
       return makeError(refusal("pair set " + inQuotes(set.name), "a distance out of range", "0 to 1 m"));
     }
   }
+  for (const auto& color : {set.contact_color, set.near_miss_color}) {
+    const bool good = !color || std::all_of(color->begin(), color->end(), [](float c) { return c >= 0 && c <= 1; });
+    if (!good)
+      return makeError(refusal("pair set " + inQuotes(set.name), "a colour out of range", "parts from 0 to 1"));
+  }
+  return {};
+}
+
+Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state) {
+  for (const auto& [name, part] :
+       {std::pair{&rule.first, &rule.first_part}, std::pair{&rule.second, &rule.second_part}}) {
+    const Entity* entity = state.findByName(*name);
+    if (!entity) return makeError(refusal("a pair's rule", "no entity " + inQuotes(*name), "the name of one"));
+    if (part->empty() || (entity->robot && entity->robot->findLink(*part) >= 0)) continue;
+    return makeError(refusal("a pair's rule", "no link " + inQuotes(*part), "a link of " + inQuotes(*name)));
+  }
+  if (rule.first == rule.second)
+    return makeError(refusal("a pair's rule", inQuotes(rule.first) + " twice", "two entities"));
   return {};
 }
 

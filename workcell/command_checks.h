@@ -45,5 +45,6 @@ Expected<void> checkProperties(const Entity& entity);
 
 /// Refused: a name that is none, distances out of 0 to 1 m.
 Expected<void> checkPairSet(const PairSet& set);
+Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state);
 
 }  // namespace hapticell::workcell

@@ -33,6 +33,11 @@ class Describer {
   std::string operator()(const RemoveGuide& c) const { return "Remove guide " + c.name; }
   std::string operator()(const AddPairSet& c) const { return "Add pair set " + c.set.name; }
   std::string operator()(const EditPairSet& c) const { return "Change pair set " + c.name; }
+  std::string operator()(const SetPairRules& c) const {
+    if (!c.text.empty()) return c.text;
+    if (c.rules.size() != 1) return "Change " + std::to_string(c.rules.size()) + " pairs";
+    return "Change pair " + c.rules[0].first + " and " + c.rules[0].second;
+  }
   std::string operator()(const RemovePairSet& c) const { return "Remove pair set " + c.name; }
   std::string operator()(const SetView&) const { return "Change view"; }
   std::string operator()(const SetProperties& c) const {

@@ -33,6 +33,19 @@ Json jsonFromPairSet(const PairSet& set) {
   json["safety_distance"] = set.safety_distance;
   json["near_miss"] = set.near_miss;
   if (set.on_contact) json["on_contact"] = wordOf(*set.on_contact);
+  if (set.contact_color) json["contact_color"] = *set.contact_color;
+  if (set.near_miss_color) json["near_miss_color"] = *set.near_miss_color;
+  return json;
+}
+
+Json jsonFromPairRule(const PairRule& rule) {
+  Json json;
+  json["first"] = rule.first;
+  if (!rule.first_part.empty()) json["first_link"] = rule.first_part;
+  json["second"] = rule.second;
+  if (!rule.second_part.empty()) json["second_link"] = rule.second_part;
+  json["checked"] = rule.checked;
+  if (rule.on_contact) json["on_contact"] = wordOf(*rule.on_contact);
   return json;
 }
 
@@ -46,6 +59,7 @@ class StateReader {
     readHead(fields);
     const Json* entities = fields.array("entities");
     const Json* sets = fields.array("pair_sets");
+    const Json* rules = fields.array("pair_rules");
     const Json* guides = fields.array("guides");
     readView(fields);
     readTrajectories(fields);
@@ -57,6 +71,7 @@ class StateReader {
     if (!error_) refuseCancelled();
     if (!error_) hangUp();
     for (std::size_t k = 0; sets && k < sets->size() && !error_; ++k) readPairSet((*sets)[k], k);
+    for (std::size_t k = 0; rules && k < rules->size() && !error_; ++k) readPairRule((*rules)[k], k);
     for (std::size_t k = 0; guides && k < guides->size() && !error_; ++k) readGuide((*guides)[k], k);
     if (error_) return makeError(*error_);
     return std::move(state_);
@@ -191,6 +206,8 @@ class StateReader {
     fields.read("safety_distance", set.safety_distance);
     fields.read("near_miss", set.near_miss);
     fields.readWord("on_contact", kOnContactWords, on_contact);
+    readColor(fields, "contact_color", set.contact_color);
+    readColor(fields, "near_miss_color", set.near_miss_color);
     if (error_) return;
     if (on_contact >= 0) set.on_contact = static_cast<OnContact>(on_contact);
     fields.warnAboutOthers(diagnostics_);
@@ -203,6 +220,34 @@ class StateReader {
     const std::string place = "pair set '" + set.name + "'";
     const auto added = apply(AddPairSet{std::move(set)}, state_, 0);
     if (!added) context_.failIn(place, added.error());
+  }
+
+  static void readColor(FieldReader& fields, const char* key, std::optional<std::array<float, 3>>& color) {
+    std::vector<double> parts;
+    if (!fields.readNumbers(key, 3, parts)) return;
+    color.emplace();
+    for (std::size_t i = 0; i < 3; ++i) (*color)[i] = static_cast<float>(parts[i]);
+  }
+
+  void readPairRule(const Json& json, std::size_t index) {
+    PairRule rule;
+    int on_contact = -1;
+    FieldReader fields(json, "pair rule " + std::to_string(index + 1), error_);
+    fields.require("first");
+    fields.require("second");
+    fields.read("first", rule.first);
+    fields.read("first_link", rule.first_part);
+    fields.read("second", rule.second);
+    fields.read("second_link", rule.second_part);
+    fields.read("checked", rule.checked);
+    fields.readWord("on_contact", kOnContactWords, on_contact);
+    if (error_) return;
+    if (on_contact >= 0) rule.on_contact = static_cast<OnContact>(on_contact);
+    fields.warnAboutOthers(diagnostics_);
+    const std::string about = "the rule for '" + rule.first + "' and '" + rule.second + "'";
+    // As with sets: what it is about may be missing, the rest of the cell is not.
+    if (const auto added = apply(SetPairRules{{std::move(rule)}, {}}, state_, 0); !added)
+      diagnostics_.warn(about + " is left out: " + added.error().message());
   }
 
   void readGuide(const Json& json, std::size_t index) {
@@ -257,6 +302,8 @@ Json jsonFromState(const DocumentState& state, const fs::path& folder) {
   for (const auto& entity : state.entities) json["entities"].push_back(jsonFromEntity(*entity, folder));
   json["pair_sets"] = Json::array();
   for (const PairSet& set : state.pair_sets) json["pair_sets"].push_back(jsonFromPairSet(set));
+  if (!state.pair_rules.empty()) json["pair_rules"] = Json::array();
+  for (const PairRule& rule : state.pair_rules) json["pair_rules"].push_back(jsonFromPairRule(rule));
   if (!state.guides.empty()) json["guides"] = Json::array();
   for (const Guide& guide : state.guides) json["guides"].push_back(jsonFromGuide(guide));
   if (state.view) {

@@ -29,6 +29,7 @@ struct TrajectoryReference {
 struct DocumentState {
   std::vector<std::shared_ptr<const Entity>> entities;  ///< In the order of the tree; ids and names are unique.
   std::vector<PairSet> pair_sets;                       ///< Names unique.
+  std::vector<PairRule> pair_rules;                     ///< At most one for each two sides.
   std::vector<Guide> guides;                            ///< Names unique; each bound to an entity that is there.
   std::optional<SavedView> view;
   std::vector<TrajectoryReference> trajectories;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
@@ -123,6 +124,26 @@ struct PairSet {
   double safety_distance = 0.001;            ///< Metres; felt as the boundary (the paper's safety zone).
   double near_miss = 0.010;                  ///< Metres; shown and heard, not felt.
   std::optional<OnContact> on_contact = {};  ///< Goes over the entity's own choice.
+  /// How its contacts and near misses are drawn, sRGB 0 .. 1; empty: as the theme has it.
+  std::optional<std::array<float, 3>> contact_color = {}, near_miss_color = {};
+};
+
+/// What the user chose for one pair of entities, or of their links: it goes over all pair sets. Either way round.
+struct PairRule {
+  std::string first = {}, first_part = {};  ///< Entity and link by name; an empty link means all of the entity.
+  std::string second = {}, second_part = {};
+  bool checked = true;                       ///< False: left out (it touches at rest, or is not of interest).
+  std::optional<OnContact> on_contact = {};  ///< Empty: as the sets have it.
+  bool operator==(const PairRule&) const = default;
+};
+
+/// What is checked against what: sets, and rules for single pairs.
+struct PairPolicy {
+  PairPolicy() = default;
+  PairPolicy(std::vector<PairSet> pair_sets, std::vector<PairRule> pair_rules = {})
+      : sets(std::move(pair_sets)), rules(std::move(pair_rules)) {}
+  std::vector<PairSet> sets;
+  std::vector<PairRule> rules;
 };
 
 }  // namespace hapticell::workcell

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace hapticell::workcell {
 
@@ -44,7 +45,35 @@ std::optional<EffectivePair> pairOf(const Entity& moved, const Names& moved_name
   return pair;
 }
 
+/// How closely the rule names the side: 0 not at all, 1 by the entity, 2 by the link.
+int closeness(const std::string& entity, const std::string& part, const PairSide& side) {
+  if (entity != side.entity) return 0;
+  return part.empty() ? 1 : part == side.part ? 2 : 0;
+}
+
 }  // namespace
+
+const PairRule* ruleFor(std::span<const PairRule> rules, const PairSide& a, const PairSide& b) {
+  const PairRule* best = nullptr;
+  int best_close = 0;
+  for (const PairRule& rule : rules) {
+    for (const auto& [one, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+      const int first = closeness(rule.first, rule.first_part, *one);
+      const int second = closeness(rule.second, rule.second_part, *other);
+      if (first == 0 || second == 0 || first + second < best_close) continue;
+      best = &rule;
+      best_close = first + second;
+    }
+  }
+  return best;
+}
+
+bool samePair(const PairRule& a, const PairRule& b) {
+  const auto side = [](const std::string& entity, const std::string& part) { return std::pair(entity, part); };
+  const auto a1 = side(a.first, a.first_part), a2 = side(a.second, a.second_part);
+  const auto b1 = side(b.first, b.first_part), b2 = side(b.second, b.second_part);
+  return (a1 == b1 && a2 == b2) || (a1 == b2 && a2 == b1);
+}
 
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
                                           EntityId moved, const PairDefaults& defaults) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "workcell/entity.h"
@@ -31,5 +32,17 @@ struct EffectivePair {
 /// against itself (the links of one robot are the manipulation loop's matter). Empty when there is no entity `moved`.
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
                                           EntityId moved, const PairDefaults& defaults = {});
+
+/// One side of a pair: an entity and its link (empty: a solid, or a robot as a whole), by name.
+struct PairSide {
+  std::string_view entity, part;
+};
+
+/// The rule that counts for these two, either way round: one that names both links before one that names fewer, the
+/// later before the earlier. Null where none does.
+const PairRule* ruleFor(std::span<const PairRule> rules, const PairSide& a, const PairSide& b);
+
+/// Both rules are about the same two sides.
+bool samePair(const PairRule& a, const PairRule& b);
 
 }  // namespace hapticell::workcell

@@ -32,6 +32,7 @@ Expected<EntityId> perform(const DissolveMechanism& command, StateEdit& edit);
 Expected<EntityId> perform(const AddPairSet& command, StateEdit& edit);
 Expected<EntityId> perform(const EditPairSet& command, StateEdit& edit);
 Expected<EntityId> perform(const RemovePairSet& command, StateEdit& edit);
+Expected<EntityId> perform(const SetPairRules& command, StateEdit& edit);
 Expected<EntityId> perform(const AddGuide& command, StateEdit& edit);
 Expected<EntityId> perform(const EditGuide& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveGuide& command, StateEdit& edit);

@@ -75,6 +75,7 @@ Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit) {
   for (EntityId id : family) {
     const std::string name = edit.state().find(id)->name;
     edit.dropFromPairSets(name);
+    std::erase_if(edit.state().pair_rules, [&](const PairRule& r) { return r.first == name || r.second == name; });
     edit.releaseAllFrom(name);
     std::erase_if(edit.state().guides, [&](const Guide& g) { return g.entity == name || g.surface == name; });
   }
@@ -94,6 +95,10 @@ Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
     std::replace(set.second.begin(), set.second.end(), (*entity)->name, command.name);
   }
   const std::string before = (*entity)->name;
+  for (PairRule& rule : edit.state().pair_rules) {
+    if (rule.first == before) rule.first = command.name;
+    if (rule.second == before) rule.second = command.name;
+  }
   for (Guide& guide : edit.state().guides) {
     if (guide.entity == before) guide.entity = command.name;
     if (guide.surface == before) guide.surface = command.name;

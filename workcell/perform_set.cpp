@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "workcell/command_checks.h"
+#include "workcell/pair_policy.h"
 #include "workcell/perform_command.h"
 
 namespace hapticell::workcell {
@@ -59,6 +60,17 @@ Expected<EntityId> perform(const RemovePairSet& command, StateEdit& edit) {
   const auto found = findSet(edit.state(), command.name);
   if (found == edit.state().pair_sets.end()) return makeError(unknownSet(command.name));
   edit.state().pair_sets.erase(found);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const SetPairRules& command, StateEdit& edit) {
+  for (const PairRule& rule : command.rules)
+    if (auto checked = checkPairRule(rule, edit.state()); !checked) return makeError(checked.error());
+  for (const PairRule& rule : command.rules) {
+    std::vector<PairRule>& rules = edit.state().pair_rules;
+    std::erase_if(rules, [&](const PairRule& other) { return samePair(other, rule); });
+    if (!rule.checked || rule.on_contact) rules.push_back(rule);
+  }
   return EntityId{0};
 }
 

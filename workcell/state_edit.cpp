@@ -92,6 +92,7 @@ void StateEdit::takeOut(EntityId id, const std::string& into) {
       std::replace(side->begin(), side->end(), name, into);
     }
   }
+  std::erase_if(state_.pair_rules, [&](const PairRule& r) { return r.first == name || r.second == name; });
   releaseAllFrom(name);
   std::erase_if(state_.entities, [&](const auto& other) { return other->id == id; });
 }

@@ -163,7 +163,7 @@ void VirtualDesktopController::postDocument() {
   std::vector<workcell::PairSet> sets = document.state().pair_sets;
   if (document.state().findPairSet(settings_.against))
     for (workcell::PairSet& set : sets) set.enabled = set.name == settings_.against;
-  loop_->post(command::SetDocument{document.snapshotEntities(), std::move(sets)});
+  loop_->post(command::SetDocument{document.snapshotEntities(), {std::move(sets), document.state().pair_rules}});
   loop_->post(command::SetGuides{document.state().guides});
 }
 

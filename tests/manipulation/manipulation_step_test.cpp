@@ -122,6 +122,23 @@ TEST_F(EngineTest, DocumentChangeKeepsWhatIsHeld) {
   EXPECT_EQ(engine.held(), nullptr);
 }
 
+TEST_F(EngineTest, ARuleGivenWhileDraggingCountsAtOnce) {
+  click({0, 0, 0});
+  ASSERT_NE(engine.held(), nullptr);
+  const std::size_t all = engine.held()->pairs().size();
+  ASSERT_GT(all, 0u);
+  workcell::PairRule rule{.first = "table", .second = "box", .on_contact = workcell::OnContact::kPass};
+  engine.apply(command::SetDocument{test::boxOverTable(0.02), {{}, {rule}}});
+  moveTo({0, 0, 0});
+  ASSERT_EQ(engine.held()->pairs().size(), all);
+  EXPECT_EQ(engine.held()->pairs()[0].on_contact, workcell::OnContact::kPass);
+  rule.checked = false;
+  engine.apply(command::SetDocument{test::boxOverTable(0.02), {{}, {rule}}});
+  moveTo({0, 0, 0});
+  ASSERT_NE(engine.held(), nullptr) << "it is still held";
+  EXPECT_EQ(engine.held()->pairs().size(), all - 1);
+}
+
 TEST_F(EngineTest, TipTakesWhatItTouches) {
   engine.apply(command::ChooseEntity{0});
   moveTo({0.0, 0.0, 0.0});

@@ -150,5 +150,16 @@ TEST(PathCheck, NamesJointsBeyondTheirEndsAndSpeeds) {
   EXPECT_FALSE(checkPath(PreparedScene::prepare({slide()}, {}, {}), "other", trajectory, {}, {}).has_value());
 }
 
+TEST(PathCheck, APairThatTheUserLeavesOutIsPassedThrough) {
+  const std::vector<workcell::PairRule> rules{{.first = "wall", .second = "box", .checked = false}};
+  const auto scene =
+      PreparedScene::prepare({solid(1, "wall", geometry::makeBox({0.001, 1.0, 1.0})),
+                              solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({-0.3, 0, 0}))},
+                             {{}, rules}, {});
+  const auto result = checkPath(scene, "box", along({{0.0, {-0.3, 0, 0}}, {1.0, {0.3, 0, 0}}}), {}, {});
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(result->findings.empty());
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation

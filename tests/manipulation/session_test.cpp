@@ -69,7 +69,7 @@ TEST_P(SessionAtRate, DemonstrationFeelsRight) {
   const auto hand = haptic::readHandPath(hapticell::test::sourceFile("config/workcells/demo-hand.csv"));
   ASSERT_TRUE(hand) << hand.error().message();
   SessionOptions options = sessionOf(document->snapshotEntities(), "robot", *hand, GetParam().hz, GetParam().latency_s);
-  options.pair_sets = document->state().pair_sets;
+  options.pairs.sets = document->state().pair_sets;
   const auto report = runSession(options);
   ASSERT_TRUE(report) << report.error().message();
   expectFeelsRight(*report);

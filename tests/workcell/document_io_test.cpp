@@ -72,6 +72,14 @@ class DocumentFile : public ::testing::Test {
     result.execute(SetTool{4, "upper", Pose::translation({0, 0, 0.1})});
     result.execute(
         AddPairSet{{.name = "set", .first = {"part"}, .second = {"table", "arm"}, .on_contact = OnContact::kStop}});
+    result.execute(EditPairSet{"set",
+                               {.name = "set",
+                                .first = {"part"},
+                                .second = {"table", "arm"},
+                                .on_contact = OnContact::kStop,
+                                .near_miss_color = std::array<float, 3>{0.25f, 0.5f, 0.75f}}});
+    result.execute(SetPairRules{{{.first = "part", .second = "arm", .second_part = "upper", .checked = false},
+                                 {.first = "part", .second = "table", .on_contact = OnContact::kPass}}});
     result.execute(SetView{SavedView{{1, 2, 3}, {0, 0, 0.5}}});
     return result;
   }
@@ -117,6 +125,10 @@ TEST_F(DocumentFile, keepsWhatTheDocumentHeld) {
   EXPECT_EQ(second->state().pair_sets[0].on_contact, OnContact::kStop);
   EXPECT_THAT(second->state().pair_sets[0].second, ElementsAre("table", "arm"));
   EXPECT_EQ(second->state().view->p_WEye.z, 3.0);
+  EXPECT_EQ(second->state().pair_rules, first.state().pair_rules);
+  EXPECT_EQ(second->state().pair_rules.size(), 2u);
+  EXPECT_EQ(second->state().pair_sets[0].near_miss_color->at(2), 0.75f);
+  EXPECT_FALSE(second->state().pair_sets[0].contact_color.has_value());
 }
 
 TEST_F(DocumentFile, namesAreRelativeSoThatFoldersCanMove) {
@@ -193,8 +205,7 @@ TEST(DocumentText, namesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(R"({"source": {"file": "sphere:0.1"}})")), HasSubstr("entity 1: no \"name\""));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "box:1,2"}})")), HasSubstr("sizes that are none"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "library:../x"}})")), HasSubstr("library:../x"));
-  EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "mannequin:male:0"}})")),
-              HasSubstr("0.1 to 99.9"));
+  EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "mannequin:male:0"}})")), HasSubstr("0.1 to 99.9"));
   const std::string two =
       R"({"name": "a", "source": {"file": "sphere:1"}}, {"name": "a", "source": {"file": "sphere:1"}})";
   EXPECT_THAT(refused(document(two)), HasSubstr("taken"));

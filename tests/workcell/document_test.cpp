@@ -189,6 +189,29 @@ TEST(Document, pairSetsFollowNames) {
   EXPECT_THAT(document.state().pair_sets[0].first, ElementsAre("part"));
 }
 
+TEST(Document, rulesOfSinglePairsReplaceEachOtherFollowNamesAndGoWithTheirEntity) {
+  Document document;
+  const EntityId part = add(document, makeSolid("part")), table = add(document, makeSolid("table"));
+  ASSERT_TRUE(document.execute(SetPairRules{{{.first = "part", .second = "table", .checked = false}}}));
+  ASSERT_TRUE(document.execute(
+      SetPairRules{{{.first = "table", .second = "part", .checked = false, .on_contact = OnContact::kPass}}}));
+  ASSERT_EQ(document.state().pair_rules.size(), 1u) << "the same two, the other way round";
+  document.execute(RenameEntity{table, "bench"});
+  EXPECT_EQ(document.state().pair_rules[0].first, "bench");
+  ASSERT_TRUE(document.execute(SetPairRules{{{.first = "part", .second = "bench"}}, "Check the pair again"}));
+  EXPECT_TRUE(document.state().pair_rules.empty()) << "nothing of its own: no rule";
+  EXPECT_EQ(document.undoText(), "Check the pair again");
+  document.undo();
+  document.execute(RemoveEntity{part});
+  EXPECT_TRUE(document.state().pair_rules.empty());
+  document.undo();
+  EXPECT_EQ(document.state().pair_rules.size(), 1u);
+  EXPECT_FALSE(document.execute(SetPairRules{{{.first = "part", .second = "nobody"}}}));
+  EXPECT_FALSE(document.execute(SetPairRules{{{.first = "part", .first_part = "link", .second = "bench"}}}));
+  EXPECT_FALSE(document.execute(SetPairRules{{{.first = "part", .second = "part"}}}));
+  EXPECT_EQ(document.state().pair_rules.size(), 1u) << "what is refused changes nothing";
+}
+
 TEST(Document, aSnapshotSharesMeshesAndStaysAsItWas) {
   Document document;
   const EntityId part = add(document, makeSolid("part"));

@@ -71,5 +71,22 @@ TEST(PairPolicy, leavesOutWhatIsNotChecked) {
   EXPECT_TRUE(effectivePairs(entities, off, 1).empty());
 }
 
+TEST(PairPolicy, aRuleIsFoundEitherWayRoundAndTheOneThatNamesLinksCountsMore) {
+  const std::vector<PairRule> rules = {
+      {.first = "robot", .second = "table", .checked = false},
+      {.first = "table", .second = "robot", .second_part = "flange", .on_contact = OnContact::kStop}};
+  const PairRule* whole = ruleFor(rules, {"table", ""}, {"robot", "base"});
+  ASSERT_NE(whole, nullptr);
+  EXPECT_FALSE(whole->checked);
+  const PairRule* link = ruleFor(rules, {"robot", "flange"}, {"table", ""});
+  ASSERT_NE(link, nullptr);
+  EXPECT_TRUE(link->checked);
+  EXPECT_EQ(link->on_contact, OnContact::kStop);
+  EXPECT_EQ(ruleFor(rules, {"robot", "base"}, {"fence", ""}), nullptr);
+  EXPECT_TRUE(
+      samePair({.first = "a", .first_part = "x", .second = "b"}, {.first = "b", .second = "a", .second_part = "x"}));
+  EXPECT_FALSE(samePair({.first = "a", .first_part = "x", .second = "b"}, {.first = "b", .second = "a"}));
+}
+
 }  // namespace
 }  // namespace hapticell::workcell
