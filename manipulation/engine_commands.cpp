@@ -82,6 +82,7 @@ void ManipulationEngine::apply(const Command& command) {
                         [&](const command::SetFilter& c) {
                           mapping_.setFilter(c.translates, c.rotates);
                           mapping_.setAxisFilter(c.axes[0], c.axes[1], c.axes[2]);
+                          mapping_.setTurnFilter(c.turns[0], c.turns[1], c.turns[2]);
                           anchorMapping();
                         },
                         [&](const command::SetClutch& c) { clutch_command_ = c.on; },

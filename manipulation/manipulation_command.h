@@ -110,6 +110,7 @@ struct SetFilter {
   bool translates = true;
   bool rotates = true;
   std::array<bool, 3> axes{true, true, true};
+  std::array<bool, 3> turns{true, true, true};  ///< Turning about the device's x, y, z; where `rotates`.
 };
 /// While true the hand moves without the entity.
 struct SetClutch {

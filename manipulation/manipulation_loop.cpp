@@ -91,6 +91,7 @@ struct ManipulationLoop::Worker {
                                         previous.get(), configuration.manipulation.contacts == "surfaces");
       const std::lock_guard lock(mutex);
       ready_scene = previous;
+      newest_scene = previous;
     }
   }
 
@@ -154,7 +155,8 @@ struct ManipulationLoop::Worker {
   std::vector<Result> results;
   command::SetDocument newest_document;
   bool document_waits = false;
-  std::shared_ptr<const PreparedScene> ready_scene;
+  std::shared_ptr<const PreparedScene> ready_scene;   ///< Until the engine takes it.
+  std::shared_ptr<const PreparedScene> newest_scene;
   bool stopping = false;
 
   std::thread preparer, stepper;
@@ -187,6 +189,11 @@ std::vector<Result> ManipulationLoop::takeResults() {
   const std::lock_guard lock(worker_->mutex);
   taken.swap(worker_->results);
   return taken;
+}
+
+std::shared_ptr<const PreparedScene> ManipulationLoop::scene() const {
+  const std::lock_guard lock(worker_->mutex);
+  return worker_->newest_scene;
 }
 
 }  // namespace hapticell::manipulation

@@ -11,6 +11,8 @@
 
 namespace hapticell::manipulation {
 
+class PreparedScene;
+
 /// The manipulation loop in its own thread: as fast as its queries allow, from 10 up to Configuration::Manipulation's
 /// rate. It never waits for the window or for the socket.
 ///
@@ -31,6 +33,8 @@ class ManipulationLoop {
   bool latest(SceneSnapshot& snapshot);
   /// What happened since the last call, in order.
   std::vector<Result> takeResults();
+  /// The newest document as it was prepared; null before the first is. Any thread.
+  std::shared_ptr<const PreparedScene> scene() const;
 
  private:
   struct Worker;

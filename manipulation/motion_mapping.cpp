@@ -41,13 +41,13 @@ void MotionMapping::setRotationScale(double scale) {
 
 Twist MotionMapping::toCell(const Twist& motion_D) const {
   return {translates_ ? scale_ * (q_WD_ * (kept_ * motion_D.linear)) : dvec3(0.0),
-          rotates_ ? rotation_scale_ * (q_WD_ * motion_D.angular) : dvec3(0.0)};
+          rotates_ ? rotation_scale_ * (q_WD_ * (turned_ * motion_D.angular)) : dvec3(0.0)};
 }
 
 Twist MotionMapping::toDevice(const Twist& motion_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
   return {translates_ ? kept_ * (q_DW * motion_W.linear) / scale_ : dvec3(0.0),
-          rotates_ ? (q_DW * motion_W.angular) / rotation_scale_ : dvec3(0.0)};
+          rotates_ ? turned_ * (q_DW * motion_W.angular) / rotation_scale_ : dvec3(0.0)};
 }
 
 Pose MotionMapping::toCell(const Pose& X_DP) const {
@@ -57,13 +57,17 @@ Pose MotionMapping::toCell(const Pose& X_DP) const {
 Pose MotionMapping::toDevice(const Pose& X_WM, const Pose& X_DNear) const {
   const Pose X_DP = displaced(X_DA_, toDevice(difference(X_WM, X_WA_)));
   const dvec3 kept = translates_ ? kept_ : dvec3(0.0);
-  return {kept * X_DP.p + (dvec3(1.0) - kept) * X_DNear.p, rotates_ ? X_DP.q : X_DNear.q};
+  const dvec3 p = kept * X_DP.p + (dvec3(1.0) - kept) * X_DNear.p;
+  if (!rotates_ || turned_ == dvec3(1.0)) return {p, rotates_ ? X_DP.q : X_DNear.q};
+  const dvec3 hidden = (dvec3(1.0) - turned_) * difference(X_DNear, X_DA_).angular;
+  return {p, displaced(X_DA_, {dvec3(0.0), turned_ * difference(X_DP, X_DA_).angular + hidden}).q};
 }
 
 haptic::Vector6 MotionMapping::gradientToDevice(const haptic::Vector6& a_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
   const dvec3 linear = translates_ ? kept_ * (q_DW * dvec3(a_W[0], a_W[1], a_W[2])) : dvec3(0.0);
-  const dvec3 angular = rotates_ ? (rotation_scale_ / scale_) * (q_DW * dvec3(a_W[3], a_W[4], a_W[5])) : dvec3(0.0);
+  const dvec3 angular =
+      rotates_ ? (rotation_scale_ / scale_) * turned_ * (q_DW * dvec3(a_W[3], a_W[4], a_W[5])) : dvec3(0.0);
   return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
 }
 
@@ -79,9 +83,10 @@ void MotionMapping::toDevice(haptic::Constraint& constraint_W) const {
   const double linear = translates_ ? 1.0 : 0.0;
   const double angular = rotates_ ? 1.0 : 0.0;
   const dmat3 K = dmat3(dvec3(kept_.x, 0, 0), dvec3(0, kept_.y, 0), dvec3(0, 0, kept_.z));
+  const dmat3 T = dmat3(dvec3(turned_.x, 0, 0), dvec3(0, turned_.y, 0), dvec3(0, 0, turned_.z));
   blocks.linear = (linear * scale_) * (K * R_DW * blocks.linear * R_WD * K);
-  blocks.mixed = (linear * angular * rotation_scale_) * (K * R_DW * blocks.mixed * R_WD);
-  blocks.angular = (angular * rotation_scale_ * rotation_scale_ / scale_) * (R_DW * blocks.angular * R_WD);
+  blocks.mixed = (linear * angular * rotation_scale_) * (K * R_DW * blocks.mixed * R_WD * T);
+  blocks.angular = (angular * rotation_scale_ * rotation_scale_ / scale_) * (T * R_DW * blocks.angular * R_WD * T);
   constraint_W.curvature = symmetricOf(blocks);
 }
 

@@ -39,6 +39,8 @@ class MotionMapping {
   void setFilter(bool translates, bool rotates);
   /// Lets through only motions along these of the device's axes: one (a line), two (a plane), all three.
   void setAxisFilter(bool x, bool y, bool z) { kept_ = {x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0}; }
+  /// Lets through only turning about these of the device's axes (of the rotation vector since the anchor).
+  void setTurnFilter(bool x, bool y, bool z) { turned_ = {x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0}; }
   /// Radians of the entity a radian of the wrist; held within 0.01 .. 10, anything not finite is ignored.
   void setRotationScale(double scale);
   double rotationScale() const { return rotation_scale_; }
@@ -73,7 +75,8 @@ class MotionMapping {
   double scale_ = 1.0;
   bool translates_ = true;
   bool rotates_ = true;
-  dvec3 kept_{1.0};  ///< 1 for an axis that is let through, else 0.
+  dvec3 kept_{1.0};    ///< 1 for an axis that is let through, else 0.
+  dvec3 turned_{1.0};  ///< The same for turning.
   double rotation_scale_ = 1.0;
   Pose X_DA_;
   Pose X_WA_;

@@ -31,6 +31,7 @@ struct PairState {
   dvec3 p_WB{0.0};
   bool contact = false;  ///< At the safety boundary.
   bool near_miss = false;
+  double near_miss_distance = 0.010;  ///< Metres: where this pair's near miss begins.
 };
 
 /// A limit that is near, or holds the entity: why it does not follow.

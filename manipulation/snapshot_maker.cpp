@@ -13,6 +13,7 @@ namespace {
 constexpr std::int64_t kMeasurePeriod = 33'000'000;  ///< ns.
 constexpr double kLimitShown = 0.005;                ///< m of hand.
 constexpr double kLimitHolds = 5e-5;                 ///< m of hand.
+constexpr std::size_t kFreeShown = 24;  ///< Free pairs are told while there are fewer than these.
 constexpr double kShownAtLeast = 0.05;               ///< m: the nearest pair is shown from here on.
 
 double edgeOf(const haptic::DeviceDescription& device, const dvec3& p_DS) {
@@ -43,9 +44,11 @@ void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
     shown.p_WB = near.result.p_WB;
     shown.contact =
         std::find(contacts_.begin(), contacts_.end(), near.pair) != contacts_.end() || near.result.colliding;
+    shown.near_miss_distance = pair.near_miss;
     shown.near_miss = near.result.distance < pair.near_miss;
     if (snapshot.pairs.empty()) snapshot.free_gap_m = shown.distance;
-    if (snapshot.pairs.empty() || shown.contact || shown.near_miss) snapshot.pairs.push_back(shown);
+    const bool free_shown = snapshot.pairs.size() < kFreeShown;
+    if (free_shown || shown.contact || shown.near_miss) snapshot.pairs.push_back(shown);
   }
 }
 

@@ -32,6 +32,7 @@ MotionMapping anyMapping() {
 MotionMapping anyFilteredMapping() {
   MotionMapping mapping = anyMapping();
   mapping.setAxisFilter(*rc::gen::arbitrary<bool>(), true, *rc::gen::arbitrary<bool>());
+  mapping.setTurnFilter(*rc::gen::arbitrary<bool>(), true, *rc::gen::arbitrary<bool>());
   return mapping;
 }
 
@@ -152,6 +153,16 @@ TEST(MotionMapping, OneAxisOrAPlaneOnly) {
   EXPECT_NEAR(distance(mapping.toDevice(mapping.toCell(moved), moved), moved), 0.0, 1e-12);
   mapping.drift({0.0, 0.005, 0.0});
   EXPECT_NEAR(mapping.toCell(moved).p.y, 0.025, 1e-12);
+}
+
+TEST(MotionMapping, TurningAboutOneAxisOnly) {
+  MotionMapping mapping;
+  mapping.setTurnFilter(false, false, true);
+  mapping.anchor({}, Pose::translation({1, 0, 0}));
+  const Pose moved{dvec3(0.01, 0.02, 0.03), quaternionFromRotationVector({0.1, -0.2, 0.3})};
+  const Pose wanted{dvec3(1.01, 0.02, 0.03), quaternionFromRotationVector({0, 0, 0.3})};
+  EXPECT_NEAR(distance(mapping.toCell(moved), wanted), 0.0, 1e-12);
+  EXPECT_NEAR(distance(mapping.toDevice(mapping.toCell(moved), moved), moved), 0.0, 1e-12);
 }
 
 TEST(MotionMapping, FiltersHideTranslationOrRotation) {
