@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
@@ -23,9 +24,11 @@ ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(p
   setLocale(QLocale::c());
   const int room = unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 4;
   lineEdit()->setTextMargins(0, 0, room, 0);
-  connect(lineEdit(), &QLineEdit::editingFinished, this, [this] {
-    if (lineEdit()->isModified()) emit edited(value());
-    lineEdit()->setModified(false);
+  // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
+    if (!std::exchange(typed_, false)) return;
+    emit edited(value());
   });
 }
 

@@ -32,6 +32,7 @@ class ValueField : public QDoubleSpinBox {
 
  private:
   QString unit_;
+  bool typed_ = false;  ///< Since editing began.
 };
 
 }  // namespace hapticell::app

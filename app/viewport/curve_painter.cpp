@@ -65,13 +65,20 @@ void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera
   painter.setBrush(Qt::NoBrush);
   for (const QPolygonF& run : runs) {
     if (run.size() < 2) continue;
-    painter.setPen(QPen(theme.halo, curve.width + 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(run);
     QPen pen(color, curve.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
     // In widths of the pen: long, gap, dot, gap as a centre line of a drawing.
     if (curve.style == SceneCurve::Style::kDashDot)
       pen.setDashPattern({14.0 / curve.width, 4.0 / curve.width, 2.0 / curve.width, 4.0 / curve.width});
     if (curve.style == SceneCurve::Style::kDashed) pen.setDashPattern({5.0 / curve.width, 4.0 / curve.width});
+    // The halo has the same dashes, else it would be the darker line of the two.
+    QPen halo = pen;
+    halo.setColor(theme.halo);
+    halo.setWidthF(curve.width + 3.0);
+    QList<qreal> dashes = pen.dashPattern();
+    for (qreal& dash : dashes) dash *= curve.width / halo.widthF();
+    if (curve.style != SceneCurve::Style::kSolid) halo.setDashPattern(dashes);
+    painter.setPen(halo);
+    painter.drawPolyline(run);
     painter.setPen(pen);
     painter.drawPolyline(run);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "app/viewport/camera.h"
@@ -16,6 +17,11 @@ struct FrameColors {
   glm::vec4 grid{0.5f}, crease{0.0f};
   fvec3 selected{0.2f, 0.6f, 1.0f}, hovered{0.7f}, near_miss{1.0f, 0.87f, 0.4f}, contact{1.0f, 0.42f, 0.27f};
   float floor_shadow = 0.4f;
+  /// Colours of pair sets that have their own (RenderItem::state says which); the first is the theme's.
+  struct SetColors {
+    fvec3 contact{1.0f, 0.42f, 0.27f}, near_miss{1.0f, 0.87f, 0.4f};
+  };
+  std::array<SetColors, kSetColors> set_colors{};
 };
 
 /// All that one picture of the scene depends on.

@@ -21,6 +21,11 @@ enum ItemState : std::uint32_t {
   kCap = 16,  ///< Not of an item: this pixel is of the part's cut face.
 };
 
+/// Above the marks stands which pair set's colours they have: 0 the theme's, else place 1 .. 7 of
+/// FrameColors::set_colors.
+constexpr std::uint32_t kSetColorShift = 5;
+constexpr std::size_t kSetColors = 8;
+
 /// A shape that stands in the scene only to show what would be: another configuration, another size.
 enum class Ghost : std::uint8_t {
   kNone,

@@ -15,8 +15,9 @@ struct SceneCurve {
   std::vector<dvec3> points_W;  ///< One point: a disc.
   Role role = Role::kGuide;
   Style style = Style::kDashDot;
-  double width = 1.6;     ///< Pixels at 100 %.
+  double width = 2.0;     ///< Pixels at 100 %.
   std::string text = {};  ///< Beside its last point; empty: none.
+  bool operator==(const SceneCurve&) const = default;
 };
 
 }  // namespace hapticell::app

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/robot_model.h"
+#include "workcell/pair_policy.h"
 
 namespace hapticell::app {
 namespace {
@@ -57,6 +58,25 @@ void SceneModel::setEntities(std::vector<workcell::Entity> entities) {
   }
   mesh_bounds_ = std::move(bounds);
   ++revision_;
+}
+
+void SceneModel::setPairSets(std::vector<workcell::PairSet> sets) {
+  pair_sets_ = std::move(sets);
+  coloured_sets_.clear();
+  for (const workcell::PairSet& set : pair_sets_)
+    if ((set.contact_color || set.near_miss_color) && coloured_sets_.size() + 1 < kSetColors)
+      coloured_sets_.push_back(set);
+  ++revision_;
+}
+
+/// Which set's colours the pair has, as bits of the state.
+std::uint32_t SceneModel::setColorOf(const manipulation::PairState& pair) const {
+  if (coloured_sets_.empty()) return 0;
+  const workcell::PairSet* set = workcell::lastSetFor(entities_, pair_sets_, pair.moved, pair.other);
+  const auto own = std::find_if(coloured_sets_.begin(), coloured_sets_.end(),
+                                [&](const auto& coloured) { return set && coloured.name == set->name; });
+  if (own == coloured_sets_.end()) return 0;
+  return static_cast<std::uint32_t>(own - coloured_sets_.begin() + 1) << kSetColorShift;
 }
 
 void SceneModel::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
@@ -129,8 +149,11 @@ std::uint32_t SceneModel::marks(const workcell::Entity& entity, const std::strin
   if (!snapshot_) return state;
   for (const auto& pair : snapshot_->pairs) {
     if (pair.other != entity.id || (!pair.other_part.empty() && pair.other_part != part)) continue;
-    if (pair.contact) state |= kContact;
-    if (pair.near_miss && !pair.contact) state |= kNearMiss;
+    if (!pair.contact && !pair.near_miss) continue;
+    // A contact is louder than a near miss of another set.
+    if (pair.contact && !(state & kContact)) state &= (1u << kSetColorShift) - 1;
+    if (!(state >> kSetColorShift) && (pair.contact || !(state & kContact))) state |= setColorOf(pair);
+    state |= pair.contact ? kContact : kNearMiss;
   }
   return state;
 }

@@ -29,6 +29,10 @@ class SceneModel {
   void setEntities(std::vector<workcell::Entity> entities);
   /// Nothing: the cell as the document has it.
   void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
+  /// Pair sets of the document: those with colours of their own colour the marks of their pairs.
+  void setPairSets(std::vector<workcell::PairSet> sets);
+  /// The sets with colours, in the order of FrameColors::set_colors from 1 on; those beyond its end have the theme's.
+  const std::vector<workcell::PairSet>& colouredSets() const { return coloured_sets_; }
   void setSelected(std::vector<workcell::EntityId> entities);
   void setHovered(workcell::EntityId entity);
   /// Ghosts of entities, drawn beside the entities themselves.
@@ -65,6 +69,7 @@ class SceneModel {
   const GhostPose* playedOf(workcell::EntityId id) const;
   const manipulation::EntityState* stateOf(workcell::EntityId id) const;
   std::uint32_t marks(const workcell::Entity& entity, const std::string& part) const;
+  std::uint32_t setColorOf(const manipulation::PairState& pair) const;
   geometry::Bounds boundsOf_M(const std::shared_ptr<const geometry::TriangleMesh>& mesh) const;
   void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
   /// Shapes where they stand for this placement and these joints, without marks.
@@ -72,6 +77,7 @@ class SceneModel {
                     std::vector<RenderItem>& items) const;
   void appendGhost(const GhostPose& ghost, std::vector<RenderItem>& items) const;
   std::vector<workcell::Entity> entities_;
+  std::vector<workcell::PairSet> pair_sets_, coloured_sets_;
   std::optional<manipulation::SceneSnapshot> snapshot_, shown_;
   std::vector<workcell::EntityId> selected_;
   workcell::EntityId hovered_ = 0;

@@ -66,8 +66,14 @@ void prepareComposite(Gl& gl, QOpenGLShaderProgram& program, const Frame& frame,
   program.setUniformValue("silhouette_color", line.x, line.y, line.z);
   setColor(program, "selected_color", frame.colors.selected);
   setColor(program, "hovered_color", frame.colors.hovered);
-  setColor(program, "near_color", frame.colors.near_miss);
-  setColor(program, "contact_color", frame.colors.contact);
+  std::array<GLfloat, 3 * kSetColors> near{}, contact{};
+  for (std::size_t i = 0; i < kSetColors; ++i)
+    for (int c = 0; c < 3; ++c) {
+      near[3 * i + static_cast<std::size_t>(c)] = frame.colors.set_colors[i].near_miss[c];
+      contact[3 * i + static_cast<std::size_t>(c)] = frame.colors.set_colors[i].contact[c];
+    }
+  program.setUniformValueArray("near_colors", near.data(), static_cast<int>(kSetColors), 3);
+  program.setUniformValueArray("contact_colors", contact.data(), static_cast<int>(kSetColors), 3);
   const double ratio = frame.detail >= DetailLevel::kHalfSize ? 0.5 * frame.pixel_ratio : frame.pixel_ratio;
   program.setUniformValue("pixel_ratio", static_cast<float>(ratio));
   program.setUniformValue("share", 1.0f / static_cast<float>(frame.sample + 1));

@@ -68,6 +68,10 @@ void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item
   const fvec3 albedo = linear(item.color);
   program.setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
   gl_.glUniform1ui(program.uniformLocation("id"), id | item.state << 24);
+  if (item.state & kContact) {
+    const fvec3& hatch = frame.colors.set_colors[(item.state >> kSetColorShift) % kSetColors].contact;
+    program.setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
+  }
   if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
   mesh->drawFaces();
   if (item.over_scene) gl_.glDepthRange(0.0, 1.0);

@@ -129,8 +129,10 @@ void ViewportWidget::setPointerTool(PointerTool* tool) {
 }
 
 void ViewportWidget::setCurves(const std::string& owner, std::vector<SceneCurve> curves) {
+  const auto known = curves_.find(owner);
+  if (known == curves_.end() ? curves.empty() : known->second == curves) return;
   if (curves.empty())
-    curves_.erase(owner);
+    curves_.erase(known);
   else
     curves_[owner] = std::move(curves);
   update();
@@ -167,7 +169,7 @@ Frame ViewportWidget::makeFrame() const {
   frame.width = std::max(1, static_cast<int>(std::lround(width() * frame.pixel_ratio)));
   frame.height = std::max(1, static_cast<int>(std::lround(height() * frame.pixel_ratio)));
   const Theme& theme = themeOf(palette());
-  frame.colors = frameColors(theme);
+  frame.colors = frameColors(theme, scene_.colouredSets());
   SceneModel::StylusLook look;
   if (scene_.snapshot())
     look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());

@@ -7,13 +7,20 @@ uniform sampler2D color_map;
 uniform usampler2D id_map;
 uniform sampler2D openness_map;
 uniform vec3 silhouette_color;
-uniform vec3 selected_color, hovered_color, near_color, contact_color;
+uniform vec3 selected_color, hovered_color;
+uniform vec3 near_colors[8], contact_colors[8];  // By pair set; the first is the theme's.
 uniform float pixel_ratio;
 uniform float share;            // Of this sample in the mean.
 layout(location = 0) out vec4 color;
 
 const uint kSelected = 1u, kHovered = 2u, kNearMiss = 4u, kContact = 8u;
 uint stateOf(uint id) { return id >> 24; }
+/// The first of eight neighbours that has the mark; 0 where none does.
+uint marked(uint s[8], uint mark) {
+  for (int i = 0; i < 8; ++i)
+    if ((s[i] & mark) != 0u) return s[i];
+  return 0u;
+}
 uint itemOf(uint id) { return id & 0x10ffffffu; }  // A cut face and the faces about it are two.
 
 void main() {
@@ -48,14 +55,16 @@ void main() {
     uint near_by = (east | west | north | south | ne | nw | se | sw) & ~stateOf(own);
     if ((near_by & kHovered) != 0u) shown = mix(shown, hovered_color, 0.8);
     if ((near_by & kSelected) != 0u) shown = selected_color;
+    uint around[8] = uint[8](east, west, north, south, ne, nw, se, sw);
     if ((near_by & kNearMiss) != 0u) {
+      vec3 near_color = near_colors[marked(around, kNearMiss) >> 5];
       // Dashes run along the border: along y where it stands upright, else along x.
       float gx = float((east >> 2) & 1u) - float((west >> 2) & 1u);
       float gy = float((north >> 2) & 1u) - float((south >> 2) & 1u);
       float along = abs(gx) > abs(gy) ? gl_FragCoord.y : gl_FragCoord.x;
       shown = mod(along, 9.0 * pixel_ratio) < 5.5 * pixel_ratio ? near_color : mix(shown, vec3(0.06), 0.55);
     }
-    if ((near_by & kContact) != 0u) shown = contact_color;
+    if ((near_by & kContact) != 0u) shown = contact_colors[marked(around, kContact) >> 5];
   }
 #endif
   color = vec4(shown, share);
