@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "app/viewport/scene_curve.h"
+#include "workcell/guide.h"
+
+namespace hapticell::app {
+
+/// What a guide looks like in the scene: axis, circle, arc of a hinge from stop to stop with its detents, outline of a
+/// plane, path and rings of a tube, locked and free axes. Dash-dot in the guide's colour; ends that are stops are
+/// marked.
+///
+/// `p_WMoved` is where the guided entity's moved frame stands: a hinge's arc runs through it. `named`: the guide's name
+/// stands beside it.
+std::vector<SceneCurve> guideCurves(const workcell::Guide& guide, const dvec3& p_WMoved, bool named);
+
+}  // namespace hapticell::app
