@@ -20,7 +20,10 @@ ForceReason forceReason(const ForceFacts& facts) {
   using Mend = ForceReason::Mend;
   if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Mend::kConnect, tr("Connect")};
   if (!facts.connected) {
-    const QString why = facts.problem.isEmpty() ? tr("Waiting for the haptic server") : facts.problem;
+    // The first sentence; the whole of it stands beside the device's state.
+    const int end = static_cast<int>(facts.problem.indexOf(QStringLiteral(". ")));
+    const QString first = end < 0 ? facts.problem : facts.problem.left(end + 1);
+    const QString why = facts.problem.isEmpty() ? tr("Waiting for the haptic server") : first;
     return {tr("Forces off"), why, Mend::kStartServer, tr("Start the server")};
   }
   if (facts.device_fault)
@@ -30,6 +33,11 @@ ForceReason forceReason(const ForceFacts& facts) {
   if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};
   const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))
                                           : tr("Ramp done, 1 N/ms limit");
+  if (facts.ramp < 0.999) return {tr("Forces on"), ramp, Mend::kNone, {}};
+  if (!facts.held) return {tr("Forces on"), tr("Nothing is held: the stylus button takes it"), Mend::kNone, {}};
+  if (!facts.checked)
+    return {tr("Forces on"), tr("What is held is not checked for collision"), Mend::kCheck, tr("Check it")};
+  if (facts.passes) return {tr("Forces on"), tr("Contacts are only shown: it passes"), Mend::kSlide, tr("Slide")};
   return {tr("Forces on"), ramp, Mend::kNone, {}};
 }
 

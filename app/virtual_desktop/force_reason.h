@@ -19,11 +19,14 @@ struct ForceFacts {
   bool on = false;            ///< They act.
   double ramp = 0.0;          ///< 0 .. 1.
   QString problem;            ///< Why there is no connection; may be empty.
+  bool held = true;           ///< Something is held.
+  bool checked = true;        ///< It takes part in collision checks.
+  bool passes = false;        ///< On contact it passes: contacts are only shown.
 };
 
 /// The state of the forces in two words, one line that says why, and what mends it.
 struct ForceReason {
-  enum class Mend { kNone, kConnect, kStartServer };
+  enum class Mend { kNone, kConnect, kStartServer, kCheck, kSlide };
   QString state;
   QString why;
   Mend mend = Mend::kNone;

@@ -36,6 +36,15 @@ class SoundPlayer::Source : public QIODevice {
     const std::scoped_lock lock(mutex_);
     synthesis_.setCue(cue);
   }
+  /// What was struck while muted is not heard late.
+  void clear() {
+    const std::scoped_lock lock(mutex_);
+    synthesis_ = SoundSynthesis(kRate);
+  }
+  void strike(SoundEvent event) {
+    const std::scoped_lock lock(mutex_);
+    synthesis_.strike(event);
+  }
   bool isSequential() const override { return true; }
   qint64 bytesAvailable() const override { return kBufferBytes + QIODevice::bytesAvailable(); }
 
@@ -77,12 +86,17 @@ SoundPlayer::~SoundPlayer() {
 void SoundPlayer::setOn(bool on) {
   if (on == on_) return;
   on_ = on;
+  source_->clear();
   if (sink_) on_ ? sink_->start(source_.get()) : sink_->stop();
   emit changed();
 }
 
 void SoundPlayer::play(const SoundCue& cue) {
   source_->setCue(cue);
+}
+
+void SoundPlayer::strike(SoundEvent event) {
+  source_->strike(event);
 }
 
 QString SoundPlayer::state() const {

@@ -20,6 +20,7 @@ class SoundPlayer : public QObject {
   bool isOn() const { return on_; }
   bool hasOutput() const { return sink_ != nullptr; }
   void play(const SoundCue& cue);
+  void strike(SoundEvent event);
   /// "Sound on", "Sound off" or "No sound output".
   QString state() const;
 

@@ -64,7 +64,10 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     takeInputs();
     emit connectionChanged();
   });
-  connect(&host_.documentModel(), &DocumentModel::changed, this, &VirtualDesktopController::postDocument);
+  connect(&host_.documentModel(), &DocumentModel::changed, this, [this] {
+    takeEntityChoices();
+    postDocument();
+  });
   connect(&host_.holdChoice(), &HoldChoice::changed, this, [this] {
     const HoldChoice& choice = host_.holdChoice();
     if (choice.kind() == settings_.moved_by && choice.frame() == settings_.moved_frame) return;
@@ -118,6 +121,7 @@ void VirtualDesktopController::disconnectDevice() {
   device_.reset();
   forces_wanted_ = was_connected_ = false;
   mouse_.setState({});
+  host_.setPreparedScene(nullptr);
   host_.setSnapshot(std::nullopt);
   host_.setDeviceText({});
   emit snapshotChanged();
@@ -198,7 +202,8 @@ void VirtualDesktopController::postSettings() {
   loop_->post(command::SetScale{{settings_.scale, 1.0}});
   loop_->post(command::SetOnContact{settings_.on_contact});
   loop_->post(command::SetForceClass{settings_.force_class});
-  loop_->post(command::SetFilter{settings_.translates, settings_.rotates});
+  const FreeAxes& free = settings_.free;
+  loop_->post(command::SetFilter{free.translates(), free.rotates(), free.moves, free.turns});
   updateStrip();
 }
 
@@ -211,13 +216,42 @@ void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
   emit settingsChanged();
 }
 
+/// The chosen entity's own choices are the document's: changed in any panel, or undone, they count here too.
+void VirtualDesktopController::takeEntityChoices() {
+  const workcell::Entity* entity = host_.documentModel().document().find(settings_.entity);
+  if (!entity) return;
+  if (entity->on_contact == settings_.on_contact && entity->force_class == settings_.force_class) return;
+  VirtualDesktopSettings settings = settings_;
+  settings.on_contact = entity->on_contact;
+  settings.force_class = entity->force_class;
+  change(settings);
+}
+
+void VirtualDesktopController::setOnContact(workcell::OnContact on_contact) {
+  workcell::SetProperties wanted;
+  wanted.id = settings_.entity;
+  wanted.on_contact = on_contact;
+  if (settings_.entity != 0 && host_.documentModel().execute(wanted)) return;
+  VirtualDesktopSettings settings = settings_;
+  settings.on_contact = on_contact;
+  change(settings);
+}
+
+void VirtualDesktopController::setForceClass(workcell::ForceClass force_class) {
+  workcell::SetProperties wanted;
+  wanted.id = settings_.entity;
+  wanted.force_class = force_class;
+  if (settings_.entity != 0 && host_.documentModel().execute(wanted)) return;
+  VirtualDesktopSettings settings = settings_;
+  settings.force_class = force_class;
+  change(settings);
+}
+
 void VirtualDesktopController::updateStrip() {
   StripContext strip;
   strip.on_contact = settings_.on_contact;
   strip.scale_name = scaleName(settings_.scale).toStdString();
-  strip.free_axes = settings_.translates && settings_.rotates ? "X Y Z A B C"
-                    : settings_.translates                    ? "X Y Z"
-                                                              : "A B C";
+  strip.free_axes = freeAxesText(settings_.free);
   strip.near_miss_distance = host_.configuration().manipulation.near_miss;
   host_.viewport().setStrip(strip);
 }
@@ -246,6 +280,11 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   facts.wanted = forces_wanted_;
   facts.on = facts.connected && snapshot_.forces_on;
   facts.ramp = snapshot_.force_ramp;
+  facts.held = snapshot_.held != 0;
+  if (const workcell::Entity* held = host_.documentModel().document().find(snapshot_.held)) {
+    facts.checked = held->checked;
+    facts.passes = settings_.on_contact == workcell::OnContact::kPass;
+  }
   if (link_ && !facts.connected) facts.problem = QString::fromStdString(link_->problem());
   return facts;
 }
@@ -400,9 +439,12 @@ void VirtualDesktopController::tick() {
     emit connectionChanged();
   }
   takeResults();
+  host_.setPreparedScene(loop_->scene());
   manipulation::SceneSnapshot fresh;
   if (loop_->latest(fresh)) {
-    sound_.play(soundCue(fresh, snapshot_, host_.configuration().manipulation.near_miss));
+    sound_.play(soundCue(fresh, snapshot_));
+    // Off though nobody asked for it: the server's safety chain or the connection.
+    if (snapshot_.forces_on && !fresh.forces_on && forces_wanted_) sound_.strike(SoundEvent::kFault);
     snapshot_ = std::move(fresh);
     // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
     const dquat q_WD = axes_W();

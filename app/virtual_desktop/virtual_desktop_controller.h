@@ -38,6 +38,9 @@ class VirtualDesktopController : public QObject {
 
   const VirtualDesktopSettings& settings() const { return settings_; }
   void change(const VirtualDesktopSettings& settings);
+  /// The chosen entity's choice, as a command of the document; without one, of whatever is taken next.
+  void setOnContact(workcell::OnContact on_contact);
+  void setForceClass(workcell::ForceClass force_class);
   /// Another stylus, simulated or a driver's: ends the own server and starts it anew with that device.
   void chooseDevice(const QString& profile);
   const QString& deviceProfile() const { return profile_; }
@@ -76,6 +79,7 @@ class VirtualDesktopController : public QObject {
   void poseByGlove();
   manipulation::EntityState glovedState() const;
   void updateStrip();
+  void takeEntityChoices();
   Pose cameraPose_W() const;
   dquat axes_W() const;
 

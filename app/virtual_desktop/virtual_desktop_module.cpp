@@ -11,6 +11,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QScrollArea>
 
@@ -66,9 +68,15 @@ void VirtualDesktopModule::start(Host& host) {
   dock_ = makeDock("dockVirtualDesktop", tr("Virtual Desktop"), scroll);
   scroll->setMinimumWidth(332);
   host.addDock(dock_, Qt::RightDockWidgetArea, nullptr);
+  // It comes first, the panels that were there are tabs behind it.
+  for (QDockWidget* other : host.window().findChildren<QDockWidget*>())
+    if (other != dock_ && !other->isFloating() && host.window().dockWidgetArea(other) == Qt::RightDockWidgetArea)
+      host.window().tabifyDockWidget(dock_, other);
   host.window().resizeDocks({dock_}, {344}, Qt::Horizontal);
+  dock_->raise();
   addPill();
   addKeys();
+  addMenu();
   chooseFirstRobot();
   QObject::connect(&host.documentModel(), &DocumentModel::opened, controller_.get(), [this] { chooseFirstRobot(); });
   controller_->connectDevice();
@@ -78,6 +86,7 @@ void VirtualDesktopModule::start(Host& host) {
 void VirtualDesktopModule::stop() {
   if (!controller_) return;
   qApp->removeEventFilter(this);
+  delete menu_;
   for (QAction* action : actions_) delete action;
   actions_.clear();
   for (const QPointer<QDockWidget>& dock : {check_dock_, dock_}) {
@@ -123,6 +132,7 @@ void VirtualDesktopModule::chooseFirstRobot() {
     if (!entity->robot || entity->locked) continue;
     settings.entity = entity->id;
     settings.on_contact = entity->on_contact;
+    settings.force_class = entity->force_class;
     break;
   }
   settings.moved_by = manipulation::MovedBy::Kind::kDefault;
@@ -184,16 +194,30 @@ void VirtualDesktopModule::addKeys() {
   add("actionMute", tr("Sound on or off"), QKeySequence(Qt::Key_M),
       [this] { controller_->sound().setOn(!controller_->sound().isOn()); });
   add("actionOnContact", tr("Stop, slide, pass in turn"), QKeySequence(Qt::Key_C), [this] {
-    VirtualDesktopSettings settings = controller_->settings();
-    settings.on_contact = static_cast<workcell::OnContact>((static_cast<int>(settings.on_contact) + 1) % 3);
-    controller_->change(settings);
+    const int now = static_cast<int>(controller_->settings().on_contact);
+    controller_->setOnContact(static_cast<workcell::OnContact>((now + 1) % 3));
   });
+  for (int axis = 0; axis < 3; ++axis)
+    add("actionFreeAxis", tr("Free %1 only").arg(QChar('X' + axis)), QKeySequence(Qt::Key_X + axis), [this, axis] {
+      VirtualDesktopSettings settings = controller_->settings();
+      settings.free = afterKey(settings.free, static_cast<std::size_t>(axis));
+      controller_->change(settings);
+    });
   for (int level = 0; level < 4; ++level)
     add("actionScale", tr("Scale %1").arg(level + 1), QKeySequence(Qt::Key_1 + level), [this, level] {
       VirtualDesktopSettings settings = controller_->settings();
       settings.scale = static_cast<manipulation::ScaleLevel>(level);
       controller_->change(settings);
     });
+}
+
+/// The keys as a menu too, in front of Window and Help.
+void VirtualDesktopModule::addMenu() {
+  QMenuBar* bar = host_->window().menuBar();
+  menu_ = new QMenu(tr("Haptics"), bar);
+  menu_->addActions({actions_.begin(), actions_.end()});
+  const QList<QAction*> there = bar->actions();
+  bar->insertMenu(there.size() >= 2 ? there[there.size() - 2] : nullptr, menu_);
 }
 
 bool VirtualDesktopModule::handleKey(int key, bool pressed, bool repeated) {

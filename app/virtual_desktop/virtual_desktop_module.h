@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QMenu>
 #include <QObject>
 #include <QPointer>
 #include <memory>
@@ -38,6 +39,7 @@ class VirtualDesktopModule : public QObject, public Module {
 
  private:
   void addKeys();
+  void addMenu();
   void addPill();
   void showPill();
   void chooseFirstRobot();
@@ -51,6 +53,7 @@ class VirtualDesktopModule : public QObject, public Module {
   QPushButton* pill_button_ = nullptr;
   QLabel* pill_words_ = nullptr;
   std::vector<QAction*> actions_;
+  QPointer<QMenu> menu_;
   bool clutch_ = false;
 };
 

@@ -221,9 +221,8 @@ void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
   connect(against_, &QComboBox::activated, this, [this](int index) {
     change([&](auto& settings) { settings.against = against_->itemData(index).toString().toStdString(); });
   });
-  connect(on_contact_, &Segmented::chosen, this, [this](int index) {
-    change([&](auto& settings) { settings.on_contact = static_cast<workcell::OnContact>(index); });
-  });
+  connect(on_contact_, &Segmented::chosen, this,
+          [this](int index) { controller_.setOnContact(static_cast<workcell::OnContact>(index)); });
 }
 
 void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
@@ -234,9 +233,16 @@ void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
   addRow(*section, tr("Axes of"), axes_);
   axes_frame_ = new QComboBox;
   axes_frame_row_ = addRow(*section, {}, axes_frame_);
-  translates_ = makeToggle(tr("X   Y   Z"), tr("The hand moves it"));
-  rotates_ = makeToggle(tr("A   B   C"), tr("The hand turns it"));
-  addRow(*section, tr("Free to move"), sideBySide({translates_, rotates_}));
+  const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const QString axis = QString::fromLatin1(names[i % 3]);
+    free_[i] = makeToggle(QString::fromLatin1(names[i]),
+                          i < 3 ? tr("The hand moves it along %1 (%1: only that)").arg(axis)
+                                : tr("The hand turns it about %1 (%1 twice: only that)").arg(axis));
+    free_[i]->setObjectName(QStringLiteral("free") + QString::fromLatin1(names[i]));
+    free_[i]->setMinimumWidth(24);
+  }
+  addRow(*section, tr("Free to move"), sideBySide({free_[0], free_[1], free_[2], free_[3], free_[4], free_[5]}));
   scale_ = new Segmented({tr("Rough"), tr("Medium"), tr("Fine"), tr("Screen")});
   scale_->setObjectName("segmentsScale");
   addRow(*section, tr("Scale"), scale_);
@@ -254,11 +260,13 @@ void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
   connect(scale_, &Segmented::chosen, this, [this](int index) {
     change([&](auto& settings) { settings.scale = static_cast<manipulation::ScaleLevel>(index); });
   });
-  for (QPushButton* toggle : {translates_, rotates_})
+  for (QPushButton* toggle : free_)
     connect(toggle, &QPushButton::clicked, this, [this] {
       change([&](auto& settings) {
-        settings.translates = translates_->isChecked();
-        settings.rotates = rotates_->isChecked();
+        for (std::size_t i = 0; i < 3; ++i) {
+          settings.free.moves[i] = free_[i]->isChecked();
+          settings.free.turns[i] = free_[i + 3]->isChecked();
+        }
       });
     });
 }
@@ -284,9 +292,8 @@ void VirtualDesktopPanel::addFeel(QVBoxLayout& column) {
     field->setToolTip(tr("The material's, from hapticell.toml; the server lowers it to what the device bears"));
   }
   addRow(*section, tr("Stiffness"), sideBySide({stiffness_, damping_}));
-  connect(force_class_, &Segmented::chosen, this, [this](int index) {
-    change([&](auto& settings) { settings.force_class = static_cast<workcell::ForceClass>(index); });
-  });
+  connect(force_class_, &Segmented::chosen, this,
+          [this](int index) { controller_.setForceClass(static_cast<workcell::ForceClass>(index)); });
   connect(material_, &QComboBox::activated, this, [this](int index) {
     workcell::SetProperties wanted;
     wanted.id = controller_.settings().entity;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <functional>
 
 #include "app/virtual_desktop/virtual_desktop_settings.h"
@@ -70,7 +71,8 @@ class VirtualDesktopPanel : public QWidget {
   InputPanel* inputs_;
   DeviceLister* lister_;
   WorkspaceView* workspace_;
-  QPushButton *mend_, *connect_, *check_, *translates_, *rotates_;
+  QPushButton *mend_, *connect_, *check_;
+  std::array<QPushButton*, 6> free_{};
   QComboBox *stylus_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
   QWidget *moved_frame_row_, *axes_frame_row_;
   Segmented *moved_by_, *on_contact_, *axes_, *scale_, *force_class_;

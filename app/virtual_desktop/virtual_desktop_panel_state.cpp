@@ -115,6 +115,9 @@ void VirtualDesktopPanel::mend() {
   const Mend how = forceReason(controller_.forceFacts()).mend;
   if (how == Mend::kConnect) controller_.connectDevice();
   if (how == Mend::kStartServer) controller_.startServer();
+  if (how == Mend::kSlide) controller_.setOnContact(workcell::OnContact::kSlide);
+  if (how == Mend::kCheck)
+    host_.documentModel().execute(workcell::SetProperties{.id = controller_.snapshot().held, .checked = true});
 }
 
 void VirtualDesktopPanel::showChecks(DeviceCheckPanel& checks) const {
@@ -134,7 +137,7 @@ void VirtualDesktopPanel::showForces() {
   forces_->setChecked(facts.connected && facts.wanted);
   forces_state_->setText(reason.state);
   const bool broken = reason.mend != ForceReason::Mend::kNone;
-  forces_why_->setText(broken ? tr("Nothing can be felt") : reason.why);
+  forces_why_->setText(broken ? tr("Nothing is felt") : reason.why);
   mend_why_->setText(reason.why);
   mend_->setText(reason.button);
   meter_or_mend_->setCurrentIndex(broken ? 1 : 0);
@@ -184,8 +187,7 @@ void VirtualDesktopPanel::showSettings() {
   axes_->setCurrent(static_cast<int>(settings.axes));
   scale_->setCurrent(static_cast<int>(settings.scale));
   force_class_->setCurrent(static_cast<int>(settings.force_class));
-  translates_->setChecked(settings.translates);
-  rotates_->setChecked(settings.rotates);
+  for (std::size_t i = 0; i < 6; ++i) free_[i]->setChecked(i < 3 ? settings.free.moves[i] : settings.free.turns[i - 3]);
   const int index = entity_->findData(static_cast<qulonglong>(settings.entity));
   entity_->setCurrentIndex(index >= 0 ? index : 0);
   showMaterial(entity);

@@ -4,6 +4,7 @@
 #include <QString>
 #include <string>
 
+#include "app/virtual_desktop/free_axes.h"
 #include "manipulation/manipulation_command.h"
 
 namespace hapticell::app {
@@ -16,7 +17,7 @@ struct VirtualDesktopSettings {
   manipulation::ScaleLevel scale = manipulation::ScaleLevel::kMedium;
   workcell::OnContact on_contact = workcell::OnContact::kSlide;
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
-  bool translates = true, rotates = true;
+  FreeAxes free;
   std::string moved_frame;  ///< For moved_by kFrame: a frame of the entity, a link, or another entity.
   std::string axes_frame;   ///< For axes kFrame: an entity's name.
   std::string against;      ///< The one pair set that counts; empty: all that are switched on.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/virtual_desktop/force_reason.h"
+#include "app/virtual_desktop/free_axes.h"
 #include "app/virtual_desktop/sound_synthesis.h"
 
 namespace hapticell::app {
@@ -56,6 +57,43 @@ TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
   EXPECT_EQ(forceReason(facts).why, "Ramp 43 %, 1 N/ms limit");
   facts.ramp = 1.0;
   EXPECT_EQ(forceReason(facts).why, "Ramp done, 1 N/ms limit");
+}
+
+TEST(ForceReason, ForcesThatCannotBeFeltSayWhyAndOfferTheRemedy) {
+  ForceFacts facts;
+  facts.started = facts.connected = facts.wanted = facts.on = true;
+  facts.ramp = 1.0;
+  facts.passes = true;
+  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kSlide);
+  facts.checked = false;
+  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kCheck);
+  facts.held = false;
+  EXPECT_EQ(forceReason(facts).mend, ForceReason::Mend::kNone);
+  EXPECT_TRUE(forceReason(facts).why.contains("Nothing is held"));
+  facts.ramp = 0.5;
+  EXPECT_EQ(forceReason(facts).why, "Ramp 50 %, 1 N/ms limit") << "the ramp comes first";
+}
+
+TEST(ForceReason, AProblemIsCutToItsFirstSentence) {
+  ForceFacts facts;
+  facts.started = true;
+  facts.problem = "No haptic server answers at 127.0.0.1:4747. Start hapticell-haptic-server.";
+  EXPECT_EQ(forceReason(facts).why, "No haptic server answers at 127.0.0.1:4747.");
+}
+
+TEST(FreeAxes, AKeyFreesMovingThenTurningThenAll) {
+  FreeAxes axes;
+  EXPECT_EQ(freeAxesText(axes), "X Y Z A B C");
+  axes = afterKey(axes, 1);
+  EXPECT_EQ(freeAxesText(axes), "Y");
+  EXPECT_FALSE(axes.rotates());
+  axes = afterKey(axes, 1);
+  EXPECT_EQ(freeAxesText(axes), "B");
+  EXPECT_FALSE(axes.translates());
+  EXPECT_EQ(freeAxesText(afterKey(axes, 2)), "Z") << "another axis begins anew";
+  EXPECT_EQ(afterKey(axes, 1), FreeAxes{});
+  axes.turns = {false, false, false};
+  EXPECT_EQ(freeAxesText(axes), "none");
 }
 
 TEST(ForceReason, ScaleIsSaidInMillimetres) {
@@ -133,11 +171,108 @@ TEST(Sound, TheCueIsReadFromTwoSnapshots) {
   pair.distance = 0.005;
   now.pairs = {pair};
   now.time_s = 1.1;
-  const SoundCue cue = soundCue(now, before, 0.010);
+  const SoundCue cue = soundCue(now, before);
   EXPECT_TRUE(cue.near_miss);
   EXPECT_FALSE(cue.contact);
   EXPECT_NEAR(cue.nearness, 0.5, 1e-12);
   EXPECT_NEAR(cue.approach_speed, 0.03, 1e-12);
+  EXPECT_EQ(cue.sliding_speed, 0.0);
+}
+
+TEST(Sound, TicksAreOfThePairThatIsNearAndOfItsOwnDistance) {
+  manipulation::SceneSnapshot before, now;
+  now.held = before.held = 3;
+  manipulation::PairState touching, near;
+  touching.contact = touching.near_miss = true;
+  near.distance = 0.03, near.near_miss = true, near.near_miss_distance = 0.04;
+  before.pairs = now.pairs = {touching, near};
+  before.time_s = 1.0, now.time_s = 1.1;
+  now.X_WStylus.p = {0.0, 0.02, 0.0};
+  const SoundCue cue = soundCue(now, before);
+  EXPECT_TRUE(cue.contact);
+  EXPECT_TRUE(cue.near_miss);
+  EXPECT_NEAR(cue.nearness, 0.25, 1e-12);
+  EXPECT_NEAR(cue.sliding_speed, 0.2, 1e-12);
+  before.pairs = {near};
+  EXPECT_EQ(soundCue(now, before).sliding_speed, 0.0) << "contact has only begun";
+}
+
+double loudness(const std::vector<float>& samples) {
+  double sum = 0.0;
+  for (const float s : samples) sum += static_cast<double>(s) * s;
+  return std::sqrt(sum / static_cast<double>(samples.size()));
+}
+
+TEST(Sound, SlidingRustlesByItsSpeedAndEndsWithIt) {
+  SoundSynthesis synthesis(kRate);
+  SoundCue cue;
+  cue.contact = true;
+  synthesis.setCue(cue);
+  rendered(synthesis, 0.5);  // The knock.
+  cue.sliding_speed = 0.02;
+  synthesis.setCue(cue);
+  rendered(synthesis, 0.2);
+  const double slow = loudness(rendered(synthesis, 0.5));
+  cue.sliding_speed = 0.2;
+  synthesis.setCue(cue);
+  rendered(synthesis, 0.2);
+  const auto fast = rendered(synthesis, 0.5);
+  EXPECT_GT(slow, 0.0);
+  EXPECT_GT(loudness(fast), 5.0 * slow);
+  EXPECT_LT(loudest(fast), 0.1f) << "faint";
+  cue.sliding_speed = 0.0;
+  synthesis.setCue(cue);
+  rendered(synthesis, 0.5);
+  EXPECT_EQ(loudness(rendered(synthesis, 0.1)), 0.0);
+  EXPECT_TRUE(synthesis.isSilent());
+}
+
+/// Hertz of what is heard between two times, by counting how often it crosses zero upwards.
+double pitch(const std::vector<float>& samples, double from, double to) {
+  int crossings = 0;
+  for (auto i = static_cast<std::size_t>(from * kRate) + 1; i < static_cast<std::size_t>(to * kRate); ++i)
+    crossings += samples[i - 1] < 0.0f && samples[i] >= 0.0f;
+  return crossings / (to - from);
+}
+
+TEST(Sound, AFaultIsAFallingThirdOf300Milliseconds) {
+  SoundSynthesis synthesis(kRate);
+  synthesis.strike(SoundEvent::kFault);
+  const auto samples = rendered(synthesis, 0.5);
+  const double first = pitch(samples, 0.005, 0.105), second = pitch(samples, 0.185, 0.285);
+  EXPECT_NEAR(first / second, 5.0 / 4.0, 0.04);
+  EXPECT_EQ(loudness({samples.begin() + static_cast<int>(0.31 * kRate), samples.end()}), 0.0);
+}
+
+TEST(Sound, RecordingTicksHighAtItsStartAndLowAtItsEnd) {
+  const auto tick = [](SoundEvent event) {
+    SoundSynthesis synthesis(kRate);
+    synthesis.strike(event);
+    const auto samples = rendered(synthesis, 0.2);
+    EXPECT_EQ(onsets(samples), 1);
+    return pitch(samples, 0.0, 0.02);
+  };
+  EXPECT_GT(tick(SoundEvent::kRecordStart), 1.5 * tick(SoundEvent::kRecordStop));
+}
+
+TEST(Sound, AKnockIsWood) {
+  SoundSynthesis synthesis(kRate);
+  SoundCue cue;
+  cue.contact = true, cue.approach_speed = 0.1;
+  synthesis.setCue(cue);
+  const auto samples = rendered(synthesis, 0.2);
+  EXPECT_NEAR(pitch(samples, 0.0, 0.055), 180.0, 20.0);
+  EXPECT_EQ(loudness({samples.begin() + static_cast<int>(0.065 * kRate), samples.end()}), 0.0) << "60 ms";
+}
+
+TEST(Sound, ATickIsOf1200HertzAndSoft) {
+  SoundSynthesis synthesis(kRate);
+  SoundCue cue;
+  cue.near_miss = true;
+  synthesis.setCue(cue);
+  const auto samples = rendered(synthesis, 0.02);
+  EXPECT_NEAR(pitch(samples, 0.0, 0.01), 1200.0, 110.0);
+  EXPECT_LE(loudest(samples), 0.0632f) << "-24 dB";
 }
 
 }  // namespace
