@@ -2,24 +2,27 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
 
+#include "app/panels/contact_log_model.h"
 #include "app/panels/pair_rows.h"
+#include "app/panels/rest_check.h"
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
+class QPushButton;
+class QStackedWidget;
 class QTableView;
-class QVBoxLayout;
-class QComboBox;
 
 namespace hapticell::app {
 
 class Host;
-class PairSetList;
+class PairColumns;
+class PairSetEditor;
 class Segmented;
-class ValueField;
 
-/// Pair sets at the left, editable at any time, and what is near now at the right.
+/// Pair sets at the left, editable at any time; at the right what is near now, the set's two columns, or the log of
+/// contacts. Above the pairs it asks what shall become of parts that touch as the cell stands.
 class CollisionsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -27,29 +30,46 @@ class CollisionsPanel : public QWidget {
   void showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
   /// Contacts and near misses now: the number on the dock's tab.
   int alertCount() const { return alerts_; }
+  /// The log as CSV; false, and told in the messages, where the file cannot be written.
+  bool saveLog(const QString& path);
+  const ContactLog& log() const { return log_; }
 
  signals:
   void alertsChanged(int count);
 
  private:
-  QWidget* makeSets();
-  QWidget* makeTable();
-  void showSets();
-  void showSet();
-  const workcell::PairSet* currentSet() const;
-  void edit(const std::function<void(workcell::PairSet&)>& change);
+  QWidget* makeRight();
+  void addTop(QBoxLayout& column);
+  QWidget* makePairs();
+  QWidget* makeQuestion();
+  QWidget* makeLogPage();
+  void makeTable();
+  void takeLog(const std::optional<manipulation::SceneSnapshot>& snapshot);
+  void showRows(std::vector<PairRow> rows);
+  void clicked(const QModelIndex& index);
+  void zoomTo(const PairRow& row);
+  void switchPair(const PairRow& row);
+  void chooseOnContact(const PairRow& row, const QPoint& place);
+  workcell::PairRule ruleOf(const PairRow& row) const;
+  void ask(std::vector<workcell::PairRule> touching);
+  void leaveOut();
   workcell::EntityId movedEntity() const;
 
   Host& host_;
   PairTableModel model_;
-  PairSetList* sets_;
-  QLabel* set_heading_;
-  ValueField *near_miss_, *safety_;
-  QComboBox* on_contact_;
-  QWidget* set_fields_;
-  Segmented* show_;
+  ContactLog log_;
+  ContactLogModel log_model_;
+  RestCheck rest_;
+  std::vector<workcell::PairRule> question_;
+  PairSetEditor* sets_;
+  PairColumns* columns_;
+  QWidget* question_box_;
+  QLabel *question_text_, *log_line_, *empty_;
+  Segmented *pages_, *show_;
   QLineEdit* filter_;
-  QTableView* table_;
+  QPushButton* save_log_;
+  QStackedWidget* stack_;
+  QTableView *table_, *log_table_;
   int alerts_ = 0;
 };
 

@@ -46,6 +46,10 @@ QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int l
   return holder;
 }
 
+bool isSeen(const QWidget& widget) {
+  return widget.isVisible() && !widget.visibleRegion().isEmpty();
+}
+
 QWidget* sideBySide(std::initializer_list<QWidget*> fields) {
   auto* holder = new QWidget;
   auto* row = new QHBoxLayout(holder);

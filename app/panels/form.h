@@ -25,6 +25,9 @@ QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading);
 /// A row "name, field". The field gets the name for screen readers. Returns the row's widget, so that it can be hidden.
 QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int label_width = kLabelColumn);
 
+/// True while the user can see it: a dock that lies behind another tab is not, though Qt calls it visible.
+bool isSeen(const QWidget& widget);
+
 /// Fields side by side in one row, equally wide.
 QWidget* sideBySide(std::initializer_list<QWidget*> fields);
 

@@ -14,6 +14,72 @@ QString nameOf(const workcell::DocumentState& state, workcell::EntityId id, cons
   return part.empty() ? name : name + QStringLiteral(" · ") + QString::fromStdString(part);
 }
 
+bool matches(const PairRow& row, PairTableModel::Show show) {
+  if (!row.checked) return show == PairTableModel::Show::kAll;
+  return show == PairTableModel::Show::kAll || (show == PairTableModel::Show::kContact && row.mark == Mark::kContact) ||
+         (show == PairTableModel::Show::kNearMiss && row.mark == Mark::kNearMiss);
+}
+
+/// Makes the rows of one moved entity.
+class RowMaker {
+ public:
+  RowMaker(const workcell::DocumentState& state, workcell::EntityId moved) : state_(state), moved_(moved) {
+    entities_.reserve(state.entities.size());
+    for (const auto& entity : state.entities) entities_.push_back(*entity);
+  }
+  std::vector<workcell::EffectivePair> pairs(const workcell::PairDefaults& defaults) const {
+    return workcell::effectivePairs(entities_, state_.pair_sets, moved_, defaults);
+  }
+  PairRow row(const workcell::EffectivePair& pair, const std::string& moved_part, const std::string& other_part) const {
+    PairRow row;
+    row.moved = moved_;
+    row.other = pair.other;
+    row.moved_part = moved_part;
+    row.other_part = other_part;
+    row.moved_name = nameOf(state_, moved_, moved_part);
+    row.other_name = nameOf(state_, pair.other, other_part);
+    row.near_miss = pair.near_miss;
+    row.safety_distance = pair.safety_distance;
+    row.on_contact = pair.on_contact;
+    if (const workcell::PairSet* set = workcell::lastSetFor(entities_, state_.pair_sets, moved_, pair.other))
+      row.set = QString::fromStdString(set->name);
+    const workcell::Entity* moved = state_.find(moved_);
+    const workcell::Entity* other = state_.find(pair.other);
+    const workcell::PairRule* rule =
+        moved && other ? workcell::ruleFor(state_.pair_rules, {moved->name, moved_part}, {other->name, other_part})
+                       : nullptr;
+    if (!rule) return row;
+    row.checked = rule->checked;
+    row.own_on_contact = rule->on_contact.has_value();
+    if (rule->on_contact) row.on_contact = *rule->on_contact;
+    return row;
+  }
+  static void measure(PairRow& row, const manipulation::PairState& now) {
+    row.mark = now.contact ? Mark::kContact : now.near_miss ? Mark::kNearMiss : Mark::kNone;
+    row.distance = now.distance;
+    row.p_W = {now.p_WA, now.p_WB};
+  }
+  /// Pairs of links that the user leaves out, where the entities as a whole are checked.
+  void appendLeftOut(const workcell::EffectivePair& pair, std::vector<PairRow>& rows) const {
+    const workcell::Entity* moved = state_.find(moved_);
+    const workcell::Entity* other = state_.find(pair.other);
+    for (const workcell::PairRule& rule : state_.pair_rules) {
+      if (!moved || !other || rule.checked || (rule.first_part.empty() && rule.second_part.empty())) continue;
+      if (rule.first == moved->name && rule.second == other->name)
+        rows.push_back(row(pair, rule.first_part, rule.second_part));
+      else if (rule.second == moved->name && rule.first == other->name)
+        rows.push_back(row(pair, rule.second_part, rule.first_part));
+    }
+  }
+
+ private:
+  const workcell::DocumentState& state_;
+  workcell::EntityId moved_;
+  std::vector<workcell::Entity> entities_;
+};
+
+}  // namespace
+
 QString onContactName(workcell::OnContact on_contact) {
   switch (on_contact) {
     case workcell::OnContact::kStop:
@@ -26,42 +92,32 @@ QString onContactName(workcell::OnContact on_contact) {
   return {};
 }
 
-bool matches(const PairRow& row, PairTableModel::Show show) {
-  return show == PairTableModel::Show::kAll || (show == PairTableModel::Show::kContact && row.mark == Mark::kContact) ||
-         (show == PairTableModel::Show::kNearMiss && row.mark == Mark::kNearMiss);
-}
-
-}  // namespace
-
-std::vector<PairRow> pairRows(const workcell::DocumentState& state,
-                              const std::optional<manipulation::SceneSnapshot>& snapshot, workcell::EntityId moved,
-                              const workcell::PairDefaults& defaults) {
-  std::vector<workcell::Entity> entities;
-  entities.reserve(state.entities.size());
-  for (const auto& entity : state.entities) entities.push_back(*entity);
-  std::vector<PairRow> measured, far;
-  for (const auto& pair : workcell::effectivePairs(entities, state.pair_sets, moved, defaults)) {
-    PairRow row{moved,          pair.other, nameOf(state, moved, {}), nameOf(state, pair.other, {}),
-                Mark::kNone,    {},         pair.near_miss,           pair.safety_distance,
-                pair.on_contact};
+std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSources& sources,
+                              workcell::EntityId moved, const workcell::PairDefaults& defaults) {
+  const RowMaker maker(state, moved);
+  const bool held = sources.snapshot && sources.snapshot->held == moved;
+  const std::vector<manipulation::PairState>* now = held ? &sources.snapshot->pairs : sources.at_rest;
+  std::vector<PairRow> measured, far, off;
+  for (const workcell::EffectivePair& pair : maker.pairs(defaults)) {
     bool seen = false;
-    if (snapshot && snapshot->held == moved) {
-      for (const auto& now : snapshot->pairs) {
-        if (now.moved != moved || now.other != pair.other) continue;
-        PairRow part = row;
-        part.moved_name = nameOf(state, moved, now.moved_part);
-        part.other_name = nameOf(state, pair.other, now.other_part);
-        part.mark = now.contact ? Mark::kContact : now.near_miss ? Mark::kNearMiss : Mark::kNone;
-        part.distance = now.distance;
-        measured.push_back(std::move(part));
-        seen = true;
-      }
+    for (std::size_t i = 0; now && i < now->size(); ++i) {
+      const manipulation::PairState& state_now = (*now)[i];
+      if (state_now.moved != moved || state_now.other != pair.other) continue;
+      PairRow row = maker.row(pair, state_now.moved_part, state_now.other_part);
+      if (row.checked) RowMaker::measure(row, state_now);
+      (row.checked ? measured : off).push_back(std::move(row));
+      seen = true;
     }
-    if (!seen) far.push_back(std::move(row));
+    if (!seen) {
+      PairRow row = maker.row(pair, {}, {});
+      (row.checked ? far : off).push_back(std::move(row));
+    }
+    maker.appendLeftOut(pair, off);
   }
   std::stable_sort(measured.begin(), measured.end(),
                    [](const PairRow& a, const PairRow& b) { return *a.distance < *b.distance; });
   measured.insert(measured.end(), std::make_move_iterator(far.begin()), std::make_move_iterator(far.end()));
+  measured.insert(measured.end(), std::make_move_iterator(off.begin()), std::make_move_iterator(off.end()));
   return measured;
 }
 
@@ -106,34 +162,65 @@ void PairTableModel::setShow(Show show, const QString& filter) {
 }
 
 int PairTableModel::count(Show show) const {
-  return static_cast<int>(
-      std::count_if(rows_.begin(), rows_.end(), [show](const PairRow& row) { return matches(row, show); }));
+  return static_cast<int>(std::count_if(rows_.begin(), rows_.end(),
+                                        [show](const PairRow& row) { return row.checked && matches(row, show); }));
 }
 
-QVariant PairTableModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid()) return {};
-  const PairRow& at = row(index.row());
-  if (role == kMarkRole) return static_cast<int>(at.mark);
-  if (role == kShareRole) return at.distance ? QVariant(std::clamp(*at.distance / kBarEnd, 0.0, 1.0)) : QVariant();
-  if (role == kThresholdRole) return std::clamp(at.near_miss / kBarEnd, 0.0, 1.0);
-  if (role == Qt::TextAlignmentRole)
-    return static_cast<int>(
-        (index.column() == kDistance || index.column() == kNearMiss ? Qt::AlignRight : Qt::AlignLeft) |
-        Qt::AlignVCenter);
-  if (role != Qt::DisplayRole) return {};
-  switch (index.column()) {
+int PairTableModel::find(const PairRow& pair) const {
+  for (int i = 0; i < static_cast<int>(shown_.size()); ++i)
+    if (row(i).isSamePair(pair)) return i;
+  return -1;
+}
+
+QVariant PairTableModel::words(const PairRow& at, int column) const {
+  switch (column) {
     case kState:
-      return markName(at.mark);
+      return at.checked ? markName(at.mark) : tr("Off");
     case kMoved:
       return at.moved_name;
     case kAgainst:
       return at.other_name;
     case kDistance:
+      if (!at.checked) return tr("not checked");
       return at.distance ? QString::fromStdString(millimetres(*at.distance)) : tr("not near");
     case kNearMiss:
-      return QString::fromStdString(millimetres(at.near_miss));
+      return at.checked ? QString::fromStdString(millimetres(at.near_miss)) : QStringLiteral("—");
     case kOnContact:
-      return onContactName(at.on_contact);
+      return at.checked ? onContactName(at.on_contact) : QStringLiteral("—");
+    default:
+      return {};
+  }
+}
+
+QVariant PairTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const PairRow& at = row(index.row());
+  switch (role) {
+    case kMarkRole:
+      return static_cast<int>(at.mark);
+    case kShareRole:
+      return at.distance ? QVariant(std::clamp(*at.distance / kBarEnd, 0.0, 1.0)) : QVariant();
+    case kThresholdRole:
+      return std::clamp(at.near_miss / kBarEnd, 0.0, 1.0);
+    case kCheckedRole:
+      return at.checked;
+    case kOwnRole:
+      return at.own_on_contact;
+    case Qt::TextAlignmentRole:
+      return static_cast<int>(
+          (index.column() == kDistance || index.column() == kNearMiss ? Qt::AlignRight : Qt::AlignLeft) |
+          Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+      if (index.column() == kOnContact && at.checked)
+        return at.own_on_contact ? tr("This pair's own choice; click to change it")
+                                 : tr("Click to choose for this pair");
+      if (index.column() == kCheck) return at.checked ? tr("Leave this pair out") : tr("Check this pair again");
+      return at.set.isEmpty() ? tr("Everything against everything") : tr("Set: %1").arg(at.set);
+    case Qt::AccessibleTextRole:
+      if (index.column() == kCheck) return at.checked ? tr("checked") : tr("left out");
+      return words(at, index.column());
+    case Qt::DisplayRole:
+      return words(at, index.column());
     default:
       return {};
   }
@@ -145,8 +232,8 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
     return static_cast<int>((section == kDistance || section == kNearMiss ? Qt::AlignRight : Qt::AlignLeft) |
                             Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const QString names[kColumns]{tr("State"),    tr("Moved"),     tr("Against"),
-                                tr("Distance"), tr("Near miss"), tr("On contact")};
+  const QString names[kColumns]{tr("State"),     tr("Moved"),      tr("Against"), tr("Distance"),
+                                tr("Near miss"), tr("On contact"), tr("Check")};
   return names[section];
 }
 

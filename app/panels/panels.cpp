@@ -7,11 +7,13 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/guides/guides_panel.h"
 #include "app/host/host.h"
 #include "app/panels/collisions_panel.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/messages_panel.h"
 #include "app/panels/properties_panel.h"
+#include "app/panels/solid_panel.h"
 #include "app/panels/strip_chart.h"
 #include "app/panels/tabbed_docks.h"
 #include "app/panels/workcell_panel.h"
@@ -68,6 +70,21 @@ void addBottomDocks(Host& host) {
   every(kChartMilliseconds, chart, [&host, chart] { chart->take(host.snapshot()); });
 }
 
+/// Tabs of the right side, behind what a module puts there first.
+QDockWidget* addRightDocks(Host& host) {
+  auto* solid = new SolidPanel(host);
+  auto* guides = new GuidesPanel(host);
+  QDockWidget* solid_dock = makeDock("dockSolid", QObject::tr("Solid"), scrolled(solid, 332));
+  QDockWidget* guides_dock = makeDock("dockGuides", QObject::tr("Guides"), scrolled(guides, 332));
+  for (QDockWidget* dock : {solid_dock, guides_dock}) host.addDock(dock, Qt::RightDockWidgetArea);
+  solid_dock->raise();
+  every(kRefreshMilliseconds, solid, [solid, guides] {
+    solid->showNow();
+    guides->showCurves();
+  });
+  return solid_dock;
+}
+
 }  // namespace
 
 void addPanels(Host& host) {
@@ -77,9 +94,10 @@ void addPanels(Host& host) {
   QDockWidget* properties_dock = makeDock("dockProperties", QObject::tr("Properties"), scrolled(properties, 240));
   host.addDock(workcell_dock, Qt::LeftDockWidgetArea);
   host.addDock(properties_dock, Qt::LeftDockWidgetArea);
-  host.window().resizeDocks({workcell_dock}, {296}, Qt::Horizontal);
   host.window().resizeDocks({workcell_dock, properties_dock}, {556, 414}, Qt::Vertical);
   addBottomDocks(host);
+  QDockWidget* solid_dock = addRightDocks(host);
+  host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   every(kRefreshMilliseconds, workcell, [&host, workcell, properties] {
     workcell->showSnapshot(host.snapshot());
     properties->showNow();

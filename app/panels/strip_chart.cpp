@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/form.h"
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
@@ -14,13 +15,20 @@
 
 namespace hapticell::app {
 
+namespace {
+constexpr double kRateTop = 1100.0;  // Hz at the top of the rates' strip.
+constexpr int kRatesHeight = 30;
+}  // namespace
+
 /// Where values are in pixels.
 struct StripChart::Axes {
   QRect plot;
+  QRect rates;
   double end_s = 0.0, length_s = 20.0;
   double gap_top = 0.060, force_top = 5.0;
   double x(double time_s) const { return plot.right() - (end_s - time_s) / length_s * plot.width(); }
   double yGap(double metres) const { return plot.bottom() - std::clamp(metres / gap_top, 0.0, 1.0) * plot.height(); }
+  double yRate(double hertz) const { return rates.bottom() - std::clamp(hertz / kRateTop, 0.0, 1.0) * rates.height(); }
   double yForce(double newtons) const {
     return plot.bottom() - std::clamp(newtons / force_top, 0.0, 1.0) * plot.height();
   }
@@ -34,8 +42,9 @@ StripChart::StripChart(QWidget* parent) : QWidget(parent) {
 
 void StripChart::take(const std::optional<manipulation::SceneSnapshot>& snapshot) {
   if (!snapshot) return;
+  const double before = history_.now();
   history_.add(*snapshot);
-  if (isVisible()) update();
+  if (isSeen(*this) && history_.now() != before) update();
 }
 
 void StripChart::setLevels(double near_miss_m, double peak_n) {
@@ -45,7 +54,8 @@ void StripChart::setLevels(double near_miss_m, double peak_n) {
 
 StripChart::Axes StripChart::axes() const {
   Axes axes;
-  axes.plot = rect().adjusted(200, 30, -60, -14);
+  axes.plot = rect().adjusted(200, 30, -60, -20 - kRatesHeight);
+  axes.rates = QRect(axes.plot.left(), axes.plot.bottom() + 8, axes.plot.width(), kRatesHeight);
   axes.length_s = history_.length();
   axes.end_s = std::max(history_.now(), axes.length_s);
   double gap = 0.0, force = 0.0;
@@ -136,6 +146,35 @@ void StripChart::paintCurves(QPainter& painter, const Axes& axes) const {
   painter.setClipping(false);
 }
 
+void StripChart::paintRates(QPainter& painter, const Axes& axes) const {
+  const Theme& theme = themeOf(palette());
+  painter.fillRect(axes.rates, theme.field);
+  QPainterPath haptic, collision;
+  for (const StripSample& sample : history_.samples()) {
+    const QPointF at_haptic(axes.x(sample.time_s), axes.yRate(sample.haptic_hz));
+    const QPointF at_collision(axes.x(sample.time_s), axes.yRate(sample.manipulation_hz));
+    haptic.isEmpty() ? haptic.moveTo(at_haptic) : haptic.lineTo(at_haptic);
+    collision.isEmpty() ? collision.moveTo(at_collision) : collision.lineTo(at_collision);
+  }
+  painter.setClipRect(axes.rates);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.text1, 1.2));
+  painter.drawPath(haptic);
+  painter.setPen(QPen(theme.text2, 1.4, Qt::DashLine));  // Dashed: told apart without colour.
+  painter.drawPath(collision);
+  painter.setClipping(false);
+  const StripSample* now = history_.samples().empty() ? nullptr : &history_.samples().back();
+  painter.setFont(textFont(TextRole::kSecond));
+  const auto word = [&](int line, const QColor& color, const QString& text, double hertz) {
+    painter.setPen(color);
+    const QString rate = now ? tr("%1 Hz").arg(std::lround(hertz)) : QString();
+    painter.drawText(QRect(12, axes.rates.top() - 2 + 16 * line, 176, 16), Qt::AlignVCenter | Qt::AlignLeft, text);
+    painter.drawText(QRect(12, axes.rates.top() - 2 + 16 * line, 176, 16), Qt::AlignVCenter | Qt::AlignRight, rate);
+  };
+  word(0, theme.text1, tr("Haptic loop"), now ? now->haptic_hz : 0.0);
+  word(1, theme.text2, tr("Collision loop, dashed"), now ? now->manipulation_hz : 0.0);
+}
+
 void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
   const Theme& theme = themeOf(palette());
   const int top = axes.plot.top();
@@ -183,6 +222,7 @@ void StripChart::paintEvent(QPaintEvent*) {
   paintLevels(painter, at);
   paintTimes(painter, at);
   paintCurves(painter, at);
+  paintRates(painter, at);
   paintLegend(painter, at);
   paintCursor(painter, at);
 }

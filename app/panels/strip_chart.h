@@ -8,7 +8,8 @@
 
 namespace hapticell::app {
 
-/// Force on the hand and nearest free gap over the last 20 seconds; the cursor reads both at its time.
+/// Force on the hand and nearest free gap over the last 20 seconds, below them the rates of the haptic and the
+/// collision loop; the cursor reads all at its time.
 class StripChart : public QWidget {
   Q_OBJECT
  public:
@@ -31,6 +32,7 @@ class StripChart : public QWidget {
   void paintTimes(QPainter& painter, const Axes& axes) const;
   void paintLevels(QPainter& painter, const Axes& axes) const;
   void paintCurves(QPainter& painter, const Axes& axes) const;
+  void paintRates(QPainter& painter, const Axes& axes) const;
   void paintLegend(QPainter& painter, const Axes& axes) const;
   void paintCursor(QPainter& painter, const Axes& axes) const;
   StripHistory history_;

@@ -10,8 +10,13 @@ namespace hapticell::app {
 void StripHistory::add(const manipulation::SceneSnapshot& snapshot) {
   if (!samples_.empty() && snapshot.time_s < samples_.back().time_s - step_s_) samples_.clear();
   const bool known = !snapshot.pairs.empty() && std::isfinite(snapshot.free_gap_m);
-  StripSample fresh{snapshot.time_s, known ? snapshot.free_gap_m : std::numeric_limits<double>::quiet_NaN(),
-                    snapshot.force_n, false, false};
+  StripSample fresh{snapshot.time_s,
+                    known ? snapshot.free_gap_m : std::numeric_limits<double>::quiet_NaN(),
+                    snapshot.force_n,
+                    false,
+                    false,
+                    snapshot.rate_haptic_hz,
+                    snapshot.rate_manipulation_hz};
   for (const auto& pair : snapshot.pairs) {
     fresh.contact = fresh.contact || pair.contact;
     fresh.near_miss = fresh.near_miss || pair.near_miss;
@@ -24,6 +29,8 @@ void StripHistory::add(const manipulation::SceneSnapshot& snapshot) {
     last.force_n = std::max(last.force_n, fresh.force_n);
     last.contact = last.contact || fresh.contact;
     last.near_miss = last.near_miss || fresh.near_miss;
+    last.haptic_hz = std::min(last.haptic_hz, fresh.haptic_hz);
+    last.manipulation_hz = std::min(last.manipulation_hz, fresh.manipulation_hz);
   }
   while (samples_.front().time_s < now() - length_s_) samples_.pop_front();
 }

@@ -14,6 +14,7 @@ struct StripSample {
   double force_n = 0.0;
   bool contact = false;
   bool near_miss = false;
+  double haptic_hz = 0.0, manipulation_hz = 0.0;  ///< Least of the merged ones.
 };
 
 /// Gap and force over the last seconds, oldest first. Samples closer together than a pixel is wide are merged so that

@@ -372,14 +372,19 @@ QStringList WorkcellTreeModel::mimeTypes() const {
 }
 
 QMimeData* WorkcellTreeModel::mimeData(const QModelIndexList& indexes) const {
-  QStringList ids;
+  QStringList ids, names;
   for (const QModelIndex& index : indexes) {
     const Kind kind = kindOf(index);
     if (kind != Kind::kEntity && kind != Kind::kFolder) continue;
     for (const auto id : entitiesOf(index)) ids << QString::number(id);
+    // An entity's own name means all that stands below it; a folder has none.
+    const auto meant = kind == Kind::kEntity ? Entities{nodes_[index.internalId()].entity} : entitiesOf(index);
+    for (const auto id : meant)
+      if (const workcell::Entity* entity = document_.document().find(id)) names << QString::fromStdString(entity->name);
   }
   auto* data = new QMimeData;
   data->setData(QString::fromLatin1(kMimeType), ids.join(' ').toLatin1());
+  data->setData(QString::fromLatin1(kNamesFormat), names.join('\n').toUtf8());
   return data;
 }
 

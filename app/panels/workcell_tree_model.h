@@ -61,6 +61,8 @@ class WorkcellTreeModel : public QAbstractItemModel {
                     const QModelIndex& parent) override;
   Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
   Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Dragged rows carry the names of their entities too, one a line, UTF-8.
+  static constexpr const char* kNamesFormat = "application/x-hapticell-entity-names";
 
  private:
   struct Node {
