@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workcell/entity.h"
+#include "workcell/document_state.h"
 
 namespace hapticell::workcell {
 

@@ -53,6 +53,19 @@ int closeness(const std::string& entity, const std::string& part, const PairSide
 
 }  // namespace
 
+const PairSet* lastSetFor(std::span<const Entity> entities, std::span<const PairSet> sets, EntityId a, EntityId b) {
+  const auto find = [&](EntityId id) {
+    return std::find_if(entities.begin(), entities.end(), [id](const Entity& e) { return e.id == id; });
+  };
+  const auto first = find(a), second = find(b);
+  if (sets.empty() || first == entities.end() || second == entities.end()) return nullptr;
+  const Names first_names = namesOf(entities, *first), second_names = namesOf(entities, *second);
+  const PairSet* last = nullptr;
+  for (const PairSet& set : sets)
+    if (set.enabled && joins(set, first_names, second_names)) last = &set;
+  return last;
+}
+
 const PairRule* ruleFor(std::span<const PairRule> rules, const PairSide& a, const PairSide& b) {
   const PairRule* best = nullptr;
   int best_close = 0;

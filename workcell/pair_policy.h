@@ -33,6 +33,9 @@ struct EffectivePair {
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
                                           EntityId moved, const PairDefaults& defaults = {});
 
+/// The set whose choices count for these two: the last enabled one that joins them; null where none does.
+const PairSet* lastSetFor(std::span<const Entity> entities, std::span<const PairSet> sets, EntityId a, EntityId b);
+
 /// One side of a pair: an entity and its link (empty: a solid, or a robot as a whole), by name.
 struct PairSide {
   std::string_view entity, part;

@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 #include <QString>
+#include <memory>
 #include <optional>
 
 #include "config/configuration.h"
@@ -11,6 +12,10 @@
 class QAction;
 class QDockWidget;
 class QMenu;
+
+namespace hapticell::manipulation {
+class PreparedScene;
+}
 
 namespace hapticell::app {
 
@@ -43,6 +48,9 @@ class Host {
   /// frame.
   virtual void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) = 0;
   virtual const std::optional<manipulation::SceneSnapshot>& snapshot() const = 0;
+  /// The cell as a running module has prepared it for queries; null: none does. Newer than the document it never is.
+  virtual void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) = 0;
+  virtual std::shared_ptr<const manipulation::PreparedScene> preparedScene() const = 0;
   /// The device part of the status bar, e.g. "Phantom Desktop, simulated · forces off". Empty: no device.
   virtual void setDeviceText(const QString& text) = 0;
   /// The sound part of the status bar: its words; `on` chooses the icon. Empty: no part.

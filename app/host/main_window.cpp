@@ -12,6 +12,7 @@
 #include <QToolBar>
 
 #include "app/import/file_work.h"
+#include "app/host/window_keys.h"
 #include "app/panels/panels.h"
 #include "app/panels/tabbed_docks.h"
 #include "app/style/fonts.h"
@@ -55,6 +56,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
   });
   setAcceptDrops(true);
   connectFileActions();
+  addWindowKeys(*this, *viewport_);
   setTheme(configuration_.gui.theme != "light");
   documentChanged();
 }
@@ -120,6 +122,7 @@ void MainWindow::connectScene() {
 
 void MainWindow::documentChanged() {
   viewport_->scene().setEntities(document_.document().snapshotEntities());
+  viewport_->scene().setPairSets(document_.document().state().pair_sets);
   viewport_->refresh();
   if (selection_.current() && !document_.document().find(selection_.current())) selection_.set(0);
   const workcell::Document& document = document_.document();

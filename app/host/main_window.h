@@ -42,6 +42,10 @@ class MainWindow : public QMainWindow, public Host {
   void addToToolBar(QWidget* widget) override;
   void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) override;
   const std::optional<manipulation::SceneSnapshot>& snapshot() const override { return viewport_->scene().snapshot(); }
+  void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) override {
+    prepared_scene_ = std::move(scene);
+  }
+  std::shared_ptr<const manipulation::PreparedScene> preparedScene() const override { return prepared_scene_; }
   void setDeviceText(const QString& text) override;
   void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
   void setGuiRate(double hertz) override;
@@ -92,6 +96,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;
+  std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
   double gui_rate_ = 0.0;
   QElapsedTimer since_numbers_;
 };

@@ -108,7 +108,8 @@ TEST(WorkcellTree, RenamesInPlaceAndRefusesATakenName) {
 TEST(PairRows, MeasuredOnesFirstThenTheRest) {
   DocumentModel document;
   fill(document);
-  const auto rows = pairRows(document.document().state(), nearTo(2, 0.0, true), 3, {});
+  const auto now = nearTo(2, 0.0, true);
+  const auto rows = pairRows(document.document().state(), {&now, nullptr}, 3, {});
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0].other_name, "tower B");
   EXPECT_EQ(rows[0].mark, Mark::kContact);
@@ -121,7 +122,8 @@ TEST(PairRows, TheTableCountsFiltersAndFormats) {
   DocumentModel document;
   fill(document);
   PairTableModel table;
-  table.setRows(pairRows(document.document().state(), nearTo(2, 0.0064, false), 3, {}));
+  const auto now = nearTo(2, 0.0064, false);
+  table.setRows(pairRows(document.document().state(), {&now, nullptr}, 3, {}));
   EXPECT_EQ(table.count(PairTableModel::Show::kAll), 2);
   EXPECT_EQ(table.count(PairTableModel::Show::kNearMiss), 1);
   EXPECT_EQ(table.index(0, PairTableModel::kDistance).data().toString(), "6.4 mm");
@@ -132,6 +134,48 @@ TEST(PairRows, TheTableCountsFiltersAndFormats) {
   EXPECT_EQ(table.index(0, PairTableModel::kDistance).data().toString(), "not near");
   table.setShow(PairTableModel::Show::kContact, {});
   EXPECT_EQ(table.rowCount(), 0);
+}
+
+TEST(PairRows, AtRestTheMeasuredDistancesStandThere) {
+  DocumentModel document;
+  fill(document);
+  std::vector<manipulation::PairState> rest(1);
+  rest[0].moved = 3, rest[0].other = 1, rest[0].distance = 0.0742, rest[0].p_WA = {1, 2, 3};
+  const auto rows = pairRows(document.document().state(), {nullptr, &rest}, 3, {});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].other_name, "tower A");
+  EXPECT_EQ(rows[0].distance, 0.0742);
+  EXPECT_EQ(rows[0].p_W[0], dvec3(1, 2, 3)) << "what a click zooms to";
+}
+
+TEST(PairRows, APairThatIsLeftOutStandsLastAndSaysSo) {
+  DocumentModel document;
+  fill(document);
+  const std::string moved = document.document().find(3)->name;
+  ASSERT_TRUE(document.execute(workcell::SetPairRules{{{.first = "tower B", .second = moved, .checked = false}}}));
+  ASSERT_TRUE(document.execute(
+      workcell::SetPairRules{{{.first = moved, .second = "tower A", .on_contact = workcell::OnContact::kPass}}}));
+  PairTableModel table;
+  const auto now = nearTo(2, 0.0064, false);
+  table.setRows(pairRows(document.document().state(), {&now, nullptr}, 3, {}));
+  ASSERT_EQ(table.rowCount(), 2);
+  EXPECT_EQ(table.count(PairTableModel::Show::kAll), 1);
+  EXPECT_EQ(table.row(0).on_contact, workcell::OnContact::kPass);
+  EXPECT_TRUE(table.index(0, 0).data(PairTableModel::kOwnRole).toBool());
+  EXPECT_EQ(table.index(1, PairTableModel::kState).data().toString(), "Off");
+  EXPECT_EQ(table.index(1, PairTableModel::kDistance).data().toString(), "not checked");
+  EXPECT_FALSE(table.index(1, 0).data(PairTableModel::kCheckedRole).toBool());
+  EXPECT_EQ(table.index(1, PairTableModel::kCheck).data(Qt::AccessibleTextRole).toString(), "left out");
+}
+
+TEST(PairRows, TheSetThatCountsIsTheLastOneThatJoinsThem) {
+  DocumentModel document;
+  fill(document);
+  const std::string moved = document.document().find(3)->name;
+  document.execute(workcell::AddPairSet{{.name = "all"}});
+  document.execute(workcell::AddPairSet{{.name = "one", .first = {moved}, .second = {"tower A"}, .near_miss = 0.05}});
+  for (const PairRow& row : pairRows(document.document().state(), {}, 3, {}))
+    EXPECT_EQ(row.set, row.other_name == "tower A" ? "one" : "all");
 }
 
 TEST(History, GoesToAnyStepAndBack) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+class QMainWindow;
+
+namespace hapticell::app {
+
+/// One key and what it does.
+struct KeyLine {
+  QString key, does;
+};
+
+/// All keys that count now: those of the window's actions, and the held ones that are no actions (Space, Esc, the
+/// mouse).
+std::vector<KeyLine> keyLines(const QMainWindow& window);
+
+/// `?`: the keys over the scene, until any key or a click. GUI thread.
+class KeyOverlay : public QWidget {
+  Q_OBJECT
+ public:
+  /// Lies over `scene`, of which it becomes a child.
+  KeyOverlay(const QMainWindow& window, QWidget& scene);
+  void toggle();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  const QMainWindow& window_;
+  QWidget& scene_;
+  std::vector<KeyLine> lines_;
+};
+
+}  // namespace hapticell::app
