@@ -47,10 +47,7 @@ KeyOverlay::KeyOverlay(const QMainWindow& window, QWidget& scene) : QWidget(&sce
 }
 
 void KeyOverlay::toggle() {
-  if (isVisible()) {
-    hide();
-    return;
-  }
+  if (isVisible()) return close();
   lines_ = keyLines(window_);
   setGeometry(scene_.rect());
   show();
@@ -87,16 +84,23 @@ void KeyOverlay::paintEvent(QPaintEvent*) {
   }
 }
 
-void KeyOverlay::mousePressEvent(QMouseEvent*) {
+void KeyOverlay::close() {
+  qApp->removeEventFilter(this);
   hide();
 }
 
+void KeyOverlay::mousePressEvent(QMouseEvent*) {
+  close();
+}
+
 bool KeyOverlay::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-  // The key closes it and still does what it does (Escape above all).
-  qApp->removeEventFilter(this);
-  hide();
-  return static_cast<QKeyEvent*>(event)->key() == Qt::Key_Question;
+  // A key that is a shortcut comes as an override only. It closes this and still does what it does (Escape above all);
+  // `?` itself does that by its action.
+  const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (is_key && static_cast<QKeyEvent*>(event)->key() != Qt::Key_Question &&
+      static_cast<QKeyEvent*>(event)->key() != Qt::Key_Shift)
+    close();
+  return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace hapticell::app

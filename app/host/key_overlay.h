@@ -32,6 +32,7 @@ class KeyOverlay : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void close();
   const QMainWindow& window_;
   QWidget& scene_;
   std::vector<KeyLine> lines_;

@@ -39,7 +39,18 @@ std::optional<PickedPoint> ViewportWidget::pickAt(const QPointF& position) {
   if (!renderer_) return std::nullopt;
   makeCurrent();
   const double ratio = devicePixelRatioF();
-  const auto picked = renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
+  const auto ask = [&] {
+    return renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
+  };
+  auto picked = ask();
+  if (!picked && sample_ == 0 && band_ > 0) {
+    // A still picture has been begun, and this place is not drawn yet.
+    Frame frame = makeFrame();
+    frame.detail = governor_.level();
+    renderer_->draw(frame);
+    band_ = 0;
+    picked = ask();
+  }
   doneCurrent();
   return picked;
 }
