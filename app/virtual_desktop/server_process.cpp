@@ -15,18 +15,31 @@ ServerProcess::ServerProcess(QObject* parent) : QObject(parent) {
   });
   connect(&process_, &QProcess::finished, this, [this] {
     if (stopping_) return;
-    const QString last = QString::fromUtf8(process_.readAll()).trimmed().section('\n', -1);
-    emit ended(tr("The haptic server has ended. %1").arg(last));
+    readLines();
+    last_line_ += QString::fromUtf8(process_.readAll()).trimmed();
+    emit ended(tr("The haptic server has ended. %1").arg(last_line_));
   });
+  connect(&process_, &QProcess::readyRead, this, &ServerProcess::readLines);
 }
 
 ServerProcess::~ServerProcess() {
   stop();
 }
 
+void ServerProcess::readLines() {
+  const QString mark = QStringLiteral(" warning: ");
+  while (process_.canReadLine()) {
+    last_line_ = QString::fromUtf8(process_.readLine()).trimmed();
+    const qsizetype at = last_line_.indexOf(mark);
+    if (at >= 0) emit warned(last_line_.mid(at + mark.size()));
+    if (at >= 0) last_line_.clear();  // Told already.
+  }
+}
+
 void ServerProcess::start(const QString& device, int port) {
   if (isRunning()) return;
   stopping_ = false;
+  last_line_.clear();
   QStringList arguments{"--port", QString::number(port)};
   if (!device.isEmpty()) arguments << "--device" << device;
   process_.start(QDir(QCoreApplication::applicationDirPath()).filePath("hapticell-haptic-server"), arguments);

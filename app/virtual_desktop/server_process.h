@@ -21,8 +21,15 @@ class ServerProcess : public QObject {
   /// It could not be started, or ended by itself: what happened, as a sentence.
   void ended(const QString& sentence);
 
+ signals:
+  /// It warns: a sentence about the device or the force loop.
+  void warned(const QString& sentence);
+
  private:
+  void readLines();
+
   QProcess process_;
+  QString last_line_;
   bool stopping_ = false;
 };
 

@@ -77,6 +77,8 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     change(settings);
   });
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
+  connect(&server_, &ServerProcess::warned, this,
+          [this](const QString& sentence) { host_.messages().tell(Severity::kWarning, sentence); });
   connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
     host_.messages().tell(Severity::kProblem, sentence, tr("Forces are off. Connect again to start it anew."));
   });

@@ -40,6 +40,7 @@ driver::Problem DriverSession::open() {
   capabilities_ = device_->capabilities();
   answer_.status = driver::Status::kOk;
   garbled_ = 0;
+  asked_for_calibration_ = false;
   return {};
 }
 
@@ -63,6 +64,7 @@ const DriverAnswer& DriverSession::turn(const driver::Command& command) {
   if (status == driver::Status::kOk) {
     answer_.state = state;
     ++answer_.measurements;
+    askForCalibration();
   }
   driver::Command allowed = command;
   if (!command.motors || (answer_.state.flags & driver::kCalibrated) == 0) {
@@ -71,6 +73,16 @@ const DriverAnswer& DriverSession::turn(const driver::Command& command) {
   }
   keep(device_->write(allowed), false);
   return answer_;
+}
+
+void DriverSession::askForCalibration() {
+  if ((answer_.state.flags & driver::kCalibrated) != 0) {
+    if (asked_for_calibration_) report(std::string(capabilities_.name) + ": it is calibrated.");
+    asked_for_calibration_ = false;
+  } else if (const char* const text = device_->calibrationText(0); text != nullptr && !asked_for_calibration_) {
+    asked_for_calibration_ = true;
+    report(std::string(capabilities_.name) + ": it is not calibrated, and exerts no force until it is. " + text);
+  }
 }
 
 bool DriverSession::keep(driver::Status status, bool reading) {

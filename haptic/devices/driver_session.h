@@ -48,6 +48,7 @@ class DriverSession {
   bool keep(driver::Status status, bool reading);
   void lose(const driver::Problem& problem);
   void tryAgain();
+  void askForCalibration();
   void report(const std::string& sentence) const;
 
   driver::Driver& driver_;
@@ -58,6 +59,7 @@ class DriverSession {
   DriverAnswer answer_;
   std::uint32_t garbled_ = 0;
   std::uint32_t turns_without_ = 0;
+  bool asked_for_calibration_ = false;
 };
 
 }  // namespace hapticell::haptic

@@ -143,9 +143,11 @@ void OpenHapticsDevice::calibrateIfAsked(Sample& sample) {
   const unsigned calibration = hd_.hdCheckCalibration();
   if (calibration == hd::kCalibrationOk) sample.state.flags |= kCalibrated;
   const bool asked = asked_to_calibrate_.exchange(false);
-  // "Needs update": the device has found its reference by itself (its inkwell, its stops) and waits to be told so.
-  if (calibration != hd::kCalibrationUpdate && !asked) return;
   const unsigned style = calibration_style_ != 0 ? calibration_style_ : hd::kStyleInkwell;
+  const bool docked = (sample.state.flags & kDocked) != 0 && (style & hd::kStyleInkwell) != 0;
+  // "Needs update": the device has found its reference by itself (its inkwell, its stops) and waits to be told so.
+  const bool found = calibration == hd::kCalibrationUpdate || (calibration != hd::kCalibrationOk && docked);
+  if (!found && !asked) return;
   hd_.hdUpdateCalibration(style & hd::kStyleInkwell ? hd::kStyleInkwell
                           : style & hd::kStyleAuto  ? hd::kStyleAuto
                                                     : style);

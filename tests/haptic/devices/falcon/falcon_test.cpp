@@ -206,6 +206,20 @@ TEST_F(Falcon, NoForceBeforeHoming) {
   EXPECT_EQ(state.buttons, 1u);
 }
 
+TEST_F(Falcon, SaysOnceThatItWantsHomingAndThatItIsHomed) {
+  falcon.running = true;
+  std::vector<std::string> told;
+  haptic::DriverSession session(driver, "", {.report = [&](const std::string& text) { told.push_back(text); }});
+  ASSERT_EQ(session.open().status, Status::kOk);
+  for (int i = 0; i < 20; ++i) session.turn({});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0], HasSubstr("Pull the grip out"));
+  falcon.homed = true;
+  for (int i = 0; i < 20; ++i) session.turn({});
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_THAT(told[1], HasSubstr("is calibrated"));
+}
+
 TEST_F(Falcon, SomeGarbageAndShortPacketsAreBorne) {
   falcon.running = falcon.homed = true;
   haptic::DriverSession session(driver, "");

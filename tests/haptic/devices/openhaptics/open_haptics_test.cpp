@@ -245,6 +245,18 @@ TEST_F(OpenHaptics, ManualCalibrationAsksTheUser) {
   EXPECT_EQ(hd.calibrated_with, 4u);
 }
 
+TEST_F(OpenHaptics, TheInkwellIsEnoughForAManualOne) {
+  hd.calibration = 0x5002;
+  Device& device = opened();
+  EXPECT_EQ(hd.calibrated_with, 0u);
+  hd.inkwell = 1;
+  hd.tick();
+  hd.tick();
+  EXPECT_EQ(hd.calibrated_with, 4u);
+  device.read(state);
+  EXPECT_NE(state.flags & kCalibrated, 0u);
+}
+
 TEST_F(OpenHaptics, TwoDevicesShareTheScheduler) {
   hd.known_names = {"Left Device", "Right Device"};
   Problem problem;
