@@ -83,8 +83,7 @@ def test_a_robot_with_its_new_base(case):
     case.run("convert", "cell.hcell", "-o", "moved.urdf")
     (case.folder / "q.csv").write_text("j\n0.5\n")
     pose = case.run("fk", "--robot", "moved.urdf", "--joints", "q.csv", "--tip", "l")["poses"][0]
-    place = pose["position"] if isinstance(pose, dict) else pose[:3]
-    assert near(place, [1, 2, 2.5], 1e-12), pose
+    assert near([pose["x"], pose["y"], pose["z"]], [1, 2, 2.5], 1e-12), pose
     robot = case.run("inspect", "moved.urdf")["entities"][0]
     assert robot["dof"] == 1 and robot["joints"][-1]["upper"] == 2, robot
     case.run("convert", "moved.urdf", "-o", "moved.glb")
