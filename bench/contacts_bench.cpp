@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "collision/proximity_query.h"
-#include "collision/surface_contacts.h"
+#include "collision/contact_finder.h"
 #include "collision/surface_recognition.h"
 #include "geometry/shapes.h"
 #include "workcell/mesh_reader.h"
@@ -66,7 +66,7 @@ void slide(const Scene& scene) {
   const collision::ZonePart fixed{nullptr, Pose::identity(), 2, 0.0, environment.get()};
   collision::ProximityQuery query(collision::MeshCollider::build(scene.moving),
                                   collision::MeshCollider::build(scene.environment));
-  collision::SurfaceContacts contacts;
+  collision::ContactFinder contacts{collision::ContactFinder::Ways::kSurfaces};
   collision::ZoneOptions options;
   options.max_rotation = 0.1;
   std::vector<double> distance(kSteps, 1e300), warm(kSteps, 1e300), first(kSteps, 0.0);

@@ -148,13 +148,13 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
   double deepest = -1e300;
   std::uint32_t best = elements.front();
   for (const auto name : elements) {
-    const SurfaceElement& element = ball.model.elements()[name];
+    const SurfaceElement& element = ball.element(name);
     const double value = elementValue(element, ball.p_M, ball.radius);
     if (value > ball.reach) return;
     if (value > deepest) deepest = value, best = name;
   }
   for (const auto name : elements) {
-    const SurfaceElement& element = ball.model.elements()[name];
+    const SurfaceElement& element = ball.element(name);
     const double value = elementValue(element, ball.p_M, ball.radius);
     if (value < -ball.reach && !(deepest < -ball.reach && name == best)) continue;
     ContactRow row = rowOf(ball, element.shape, ball.radius);
@@ -193,7 +193,7 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
       continue;
     }
     std::vector<ContactGroup> next;
-    const SurfaceElement& element = ball.model.elements()[copies.front().rows[ends.row].element];
+    const SurfaceElement& element = ball.element(copies.front().rows[ends.row].element);
     for (ContactGroup& copy : copies) {
       if (element.shape.type == SurfaceType::kTorus) {
         // A ring's end is a surface itself: A or (f and t) is (A or f) and (A or t).
@@ -216,7 +216,7 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
       for (const std::size_t k : ends.trims) {
         next.push_back(copy);
         ContactRow& row = next.back().rows[ends.row];
-        setTrim(ball, ball.model.elements()[row.element].trims[k], row);
+        setTrim(ball, ball.element(row.element).trims[k], row);
         row.kind = static_cast<std::uint32_t>(k + 1);
         next.back().id = mixedId(copy.id, k);
       }

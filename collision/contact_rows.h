@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision/signature_groups.h"
 #include "collision/surface_model.h"
 #include "collision/zone_contacts.h"
 
@@ -39,8 +40,13 @@ struct BallQuery {
   Pose X_WM;
   dvec3 p_M;  ///< Of the centre.
   double radius = 0.0;
-  double boundary = 0.0;  ///< m: the distance that may be felt as contact.
-  double reach = 0.0;     ///< Rows deeper than that and groups freer than that are left out.
+  double boundary = 0.0;                ///< m: the distance that may be felt as contact.
+  double reach = 0.0;                   ///< Rows deeper than that and groups freer than that are left out.
+  const SignatureCell* cell = nullptr;  ///< Whose own elements the lists may name; null: none.
+
+  const SurfaceElement& element(std::uint32_t name) const {
+    return cell != nullptr ? cell->element(model, name) : model.elements()[name];
+  }
 };
 
 /// Appends the groups of one list of elements (one or, where a surface has several ends, more), `like` with rows.

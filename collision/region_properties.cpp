@@ -98,13 +98,50 @@ SurfaceShape planeTrim(const dvec3& nhat, double offset) {
   return trim;
 }
 
-/// The plane with the mean normal through the lowest vertex (convex) or the highest (concave) of the border.
+/// Whether the surface beyond a smooth border bends the other way: then nothing is left of it in front of a convex one
+/// that goes on, and this one needs no end there.
+bool bendsAway(const RecognisedSurface& surface, const BorderEdge& edge) {
+  if (edge.kind != BorderKind::kSmooth) return false;
+  const SurfaceShape& shape = surface.regions[surface.region_of[edge.other]].shape;
+  if (shape.type == SurfaceType::kFreeForm || shape.type == SurfaceType::kPlane) return false;
+  const SurfaceView view = viewFrom(shape, 0.5 * (edge.a + edge.b));
+  const dvec3 across = glm::normalize(glm::cross(view.nhat_M, edge.b - edge.a));
+  const double along_t1 = glm::dot(across, view.t1_M);
+  const double bend = view.k1 * along_t1 * along_t1 + view.k2 * (1.0 - along_t1 * along_t1);
+  return bend < -1e-3 * std::max(std::abs(view.k1), std::abs(view.k2));
+}
+
+/// Unit, across the axis: half-way between the ends of what a cylinder or cone covers of its turn.
+std::optional<dvec3> middleOfArc(const SurfaceRegion& region, const std::vector<BorderEdge>& border) {
+  const SurfaceShape& s = region.shape;
+  const dvec3 mean = region.mean_nhat_M - glm::dot(region.mean_nhat_M, s.axis_M) * s.axis_M;
+  if (glm::length(mean) < 1e-6) return std::nullopt;
+  const dvec3 e1 = glm::normalize(mean), e2 = glm::cross(s.axis_M, e1);
+  double low = 0.0, high = 0.0;
+  for (const BorderEdge& edge : border) {
+    for (const dvec3& p : {edge.a, edge.b}) {
+      const dvec3 n = viewFrom(s, p).nhat_M;
+      const double turn = std::atan2(glm::dot(n, e2), glm::dot(n, e1));
+      low = std::min(low, turn);
+      high = std::max(high, turn);
+    }
+  }
+  const double turn = 0.5 * (low + high);
+  return std::cos(turn) * e1 + std::sin(turn) * e2;
+}
+
+/// The plane with the middle normal through the lowest vertex (convex) or the highest (concave) of the border.
 std::optional<SurfaceShape> chordPlane(const SurfaceRegion& region, const std::vector<BorderEdge>& border) {
   if (region.mean_nhat_M == dvec3(0.0) || border.empty()) return std::nullopt;
   dvec3 n = region.mean_nhat_M;
   const bool along_axis = region.shape.type == SurfaceType::kCylinder || region.shape.type == SurfaceType::kCone;
-  if (region.shape.type == SurfaceType::kCylinder) n -= glm::dot(n, region.shape.axis_M) * region.shape.axis_M;
-  if (along_axis && glm::length(n) < 1e-6) return std::nullopt;
+  if (along_axis) {
+    const auto middle = middleOfArc(region, border);
+    if (!middle) return std::nullopt;
+    // A cone's chord plane leans as its rulings do.
+    const double lean = region.shape.type == SurfaceType::kCone ? glm::dot(n, region.shape.axis_M) : 0.0;
+    n = *middle * std::sqrt(std::max(0.0, 1.0 - lean * lean)) + lean * region.shape.axis_M;
+  }
   n = glm::normalize(n);
   double lowest = 1e300, highest = -1e300;
   for (const BorderEdge& edge : border) {
@@ -210,8 +247,9 @@ std::vector<SurfaceShape> borderPlanes(const RecognisedSurface& surface, const S
 }
 
 void trim(const RecognisedSurface& surface, SurfaceRegion& region, const std::vector<BorderEdge>& border) {
-  const bool smooth =
-      std::any_of(border.begin(), border.end(), [](const auto& e) { return e.kind == BorderKind::kSmooth; });
+  const bool smooth = std::any_of(border.begin(), border.end(), [&](const auto& e) {
+    return e.kind == BorderKind::kSmooth && !bendsAway(surface, e);
+  });
   const bool convex = region.shape.side > 0.0;
   std::optional<SurfaceShape> found;
   switch (region.shape.type) {
@@ -221,7 +259,7 @@ void trim(const RecognisedSurface& surface, SurfaceRegion& region, const std::ve
       found = chordPlane(region, border);
       break;
     case SurfaceType::kTorus:
-      if (border.empty()) return;
+      if (border.empty() || (convex && !smooth)) return;
       found = ringTrim(surface, region, border);
       break;
     case SurfaceType::kSphere:

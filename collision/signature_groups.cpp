@@ -2,12 +2,13 @@
 #include "collision/signature_groups.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 #include "collision/mesh_search.h"
+#include "collision/signature.h"
+#include "collision/signature_repair.h"
 #include "collision/surface_clusters.h"
 
 namespace hapticell::collision {
@@ -20,35 +21,18 @@ constexpr double kBehind = 2e-6;     // m: on a surface counts as behind it
 constexpr double kSagittaShare = 1.2;
 constexpr double kInwards = 0.2;       // share of the way to the facet's middle
 constexpr double kMostInwards = 2e-4;  // m
-constexpr std::size_t kMostElements = 384;
-constexpr double kSmall = 0.2;   // of the reach: a triangle's middle stands for it
-constexpr double kGrain = 0.05;  // of the reach
+constexpr double kSmall = 0.2;         // of the reach: a triangle's middle stands for it
+constexpr double kGrain = 0.05;        // of the reach
 constexpr std::size_t kMostTriangles = 3000;
+constexpr std::size_t kMostPairs = 150000;  // of triangles and elements: about 15 ms
 constexpr std::size_t kMostGroups = 400;
 constexpr std::size_t kMostCells = 30000;
-
-/// A set of elements, by their places in the cell's list.
-struct Signature {
-  std::array<std::uint64_t, kMostElements / 64> words{};
-  bool operator==(const Signature&) const = default;
-  bool operator<(const Signature& other) const { return words < other.words; }
-  int count() const {
-    int sum = 0;
-    for (const auto word : words) sum += std::popcount(word);
-    return sum;
-  }
-  bool contains(const Signature& other) const {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if ((other.words[i] & ~words[i]) != 0) return false;
-    }
-    return true;
-  }
-};
+constexpr std::size_t kMostSignatures = 4000;
+constexpr std::size_t kSamplingWork = 60, kSampleWork = 8;  // of a triangle and a sample, in element values
 
 /// Keeps those that contain no other.
 std::vector<Signature> minimal(std::vector<Signature> all) {
   std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.count() < b.count(); });
   std::vector<Signature> kept;
   for (Signature& one : all) {
@@ -75,15 +59,20 @@ std::size_t SignatureCache::takeWork() {
   return std::exchange(work_, 0);
 }
 
-const SignatureCell& SignatureCache::cell(const dvec3& p, double radius, double reach) {
+SignatureCache::Key SignatureCache::keyOf(const dvec3& p, double radius, double reach) {
   const int level = static_cast<int>(std::ceil(std::log(std::max(reach, 1e-5)) / std::log(kLevel) - 1e-9));
-  const double rounded = std::pow(kLevel, level), edge = kCellShare * rounded;
-  const dvec3 place = glm::floor(p / edge);
-  const Key key{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
-                static_cast<std::int32_t>(place.z), level, radius};
+  const dvec3 place = glm::floor(p / (kCellShare * std::pow(kLevel, level)));
+  return {static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y), static_cast<std::int32_t>(place.z),
+          level, radius};
+}
+
+const SignatureCell& SignatureCache::cell(const dvec3& p, double radius, double reach) {
+  const Key key = keyOf(p, radius, reach);
   if (const auto found = cells_.find(key); found != cells_.end()) return found->second;
   if (cells_.size() >= kMostCells) cells_.clear();
-  return cells_.emplace(key, made(edge * (place + 0.5), 0.5 * edge, radius, rounded)).first->second;
+  const double rounded = std::pow(kLevel, key.level), edge = kCellShare * rounded;
+  return cells_.emplace(key, made(edge * (dvec3(key.x, key.y, key.z) + 0.5), 0.5 * edge, radius, rounded))
+      .first->second;
 }
 
 void SignatureCache::addSample(std::uint32_t t, const dvec3& on_facet, double radius) {
@@ -93,7 +82,7 @@ void SignatureCache::addSample(std::uint32_t t, const dvec3& on_facet, double ra
   // A ball as large as a bore does not get in: its rim's edges stand in the way, not its wall.
   if (std::min(view.k1, view.k2) * radius <= -1.0) return;
   const auto component = surface.closed ? surface.component[t] : 0u;
-  samples_.push_back({on_facet + (radius - view.value) * view.nhat_M, component});
+  samples_.push_back({on_facet + (radius - view.value) * view.nhat_M, view.nhat_M, component});
 }
 
 void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double radius, double reach) {
@@ -144,7 +133,8 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
   SignatureCell cell;
   const geometry::Bounds box{center - dvec3(half), center + dvec3(half)};
   near_.clear();
-  trianglesWithin(model_->collider(), box, reach + radius, near_);
+  // About the middle: a little more than about the cube, and much quicker to find.
+  trianglesWithin(model_->collider(), center, reach + radius + std::sqrt(3.0) * half, near_);
   work_ += near_.size();
   if (near_.empty()) return cell;
   if (near_.size() > kMostTriangles) {
@@ -165,38 +155,46 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
   cell.facets = !surface.closed;
-  for (const auto& [component, element] : list) cell.facets = cell.facets || model_->elements()[element].facet;
-  if (list.size() > kMostElements) {
+  for (const auto& [component, element] : list) cell.free_form = cell.free_form || model_->elements()[element].facet;
+  cell.facets = cell.facets || cell.free_form;
+  if (list.size() > Signature::kMostElements || near_.size() * list.size() > kMostPairs) {
     cell.overfull = true;
     return cell;
   }
   samples_.clear();
   grains_.clear();
   for (const auto t : near_) sample(t, box, radius, reach);
-  std::vector<Signature> signatures;
-  work_ += samples_.size() * list.size();
+  std::vector<Signature> signatures;  // Few are different.
+  std::vector<SignedSample> signed_samples;
+  std::unordered_map<Signature, std::uint32_t, SignatureHash> names;
+  work_ += near_.size() * kSamplingWork + samples_.size() * (kSampleWork + list.size());
   for (const Sample& s : samples_) {
     Signature signature;
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list[i].first != s.component) continue;
       const SurfaceElement& element = model_->elements()[list[i].second];
-      if (elementValue(element, s.p_M, radius) <= kBehind + kSagittaShare * element.sagitta)
-        signature.words[i / 64] |= std::uint64_t{1} << (i % 64);
+      if (elementValue(element, s.p_M, radius) <= kBehind + kSagittaShare * element.sagitta) signature.add(i);
     }
-    if (signature.count() > 0) signatures.push_back(std::move(signature));
+    if (signature.count() == 0) continue;
+    const auto [name, is_new] = names.try_emplace(signature, static_cast<std::uint32_t>(signatures.size()));
+    if (is_new) signatures.push_back(signature);
+    signed_samples.push_back({s.p_M, s.nhat_M, name->second});
+    if (signatures.size() > kMostSignatures) break;
   }
-  const std::vector<Signature> kept = minimal(std::move(signatures));
-  if (kept.size() > kMostGroups) {
+  const bool too_many = signatures.size() > kMostSignatures;
+  const std::vector<Signature> kept = too_many ? std::vector<Signature>() : minimal(signatures);
+  if (too_many || kept.size() > kMostGroups) {
     cell.overfull = true;
     return cell;
   }
-  for (const Signature& signature : kept) {
+  for (const Signature& one : kept) {
     std::vector<std::uint32_t> group;
     for (std::size_t i = 0; i < list.size(); ++i) {
-      if ((signature.words[i / 64] >> (i % 64) & 1) != 0) group.push_back(list[i].second);
+      if (one.has(i)) group.push_back(list[i].second);
     }
     cell.groups.push_back(std::move(group));
   }
+  if (surface.closed) work_ += repairGroups({*model_, radius, signed_samples, signatures, kept}, cell);
   return cell;
 }
 

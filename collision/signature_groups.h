@@ -14,10 +14,19 @@ namespace hapticell::collision {
 
 /// What a ball whose centre is somewhere in a small cube could meet within a reach.
 struct SignatureCell {
-  /// Elements of the model; a group is free where one of its elements is (elementValue > 0), the ball where all are.
+  static constexpr std::uint32_t kOwn = 0x80000000u;
+
+  /// Elements of the model, or from kOwn on those of `own`; a group is free where one of its elements is (elementValue
+  /// > 0), the ball where all are.
   std::vector<std::vector<std::uint32_t>> groups;
-  bool overfull = false;  ///< Too many surfaces for one place: the groups are not there.
-  bool facets = false;    ///< Facets stand for a free-form surface, or the mesh is open.
+  std::vector<SurfaceElement> own;  ///< Free places that the model's elements cannot tell.
+  bool overfull = false;            ///< Too many surfaces for one place: the groups are not there.
+  bool free_form = false;
+  bool facets = false;  ///< Facets stand for a free-form surface, or the mesh is open.
+
+  const SurfaceElement& element(const SurfaceModel& model, std::uint32_t name) const {
+    return name >= kOwn ? own[name - kOwn] : model.elements()[name];
+  }
 };
 
 /// The groups of a mesh, worked out where they are asked for and kept.
@@ -35,6 +44,10 @@ class SignatureCache {
 
   /// The cell of a ball's centre p_MP for at least this reach (m). Refers to memory of the cache until the next call.
   const SignatureCell& cell(const dvec3& p_MP, double radius, double reach);
+  /// That cell is there already.
+  bool knows(const dvec3& p_MP, double radius, double reach) const {
+    return cells_.count(keyOf(p_MP, radius, reach)) != 0;
+  }
 
   /// What cells made since the last call cost, in element values (about 10 ns each): repeats exactly.
   std::size_t takeWork();
@@ -50,9 +63,10 @@ class SignatureCache {
     std::size_t operator()(const Key& key) const;
   };
   struct Sample {
-    dvec3 p_M;
+    dvec3 p_M, nhat_M;
     std::uint32_t component;
   };
+  static Key keyOf(const dvec3& p_MP, double radius, double reach);
   SignatureCell made(const dvec3& center, double half, double radius, double reach);
   void sample(std::uint32_t triangle, const geometry::Bounds& box, double radius, double reach);
   void addSample(std::uint32_t triangle, const dvec3& on_facet, double radius);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "collision/mesh_collider.h"
@@ -54,7 +56,6 @@ struct BodyRod {
   double radius = 0.0;
   dvec3 n1_M{0.0}, n2_M{0.0};  ///< Edges: unit normals of the two faces. Cylinders: n1 is the middle of the arc.
   double cosine = -1.0;        ///< Cylinders: of half their arc.
-  bool rim = false;            ///< A chord of a curved border, whose circle's points do most of the work.
 };
 
 /// A mesh as contacts see it: its recognised surfaces as obstacle, its points, circles and edges as moved body.
@@ -63,10 +64,10 @@ class SurfaceModel {
  public:
   static constexpr std::uint32_t kNone = RecognisedSurface::kNone;
 
-  /// Recognises the mesh (about 1.5 s for 100 000 triangles).
-  static std::shared_ptr<const SurfaceModel> build(const geometry::TriangleMesh& mesh);
+  /// Recognises the mesh (about 1.5 s for 100 000 triangles; what was found and the tree are kept in the cache folder).
+  static std::shared_ptr<const SurfaceModel> build(const geometry::TriangleMesh& mesh, const ColliderBuild& how = {});
   /// From what was recognised before.
-  static std::shared_ptr<const SurfaceModel> build(RecognisedSurface surface);
+  static std::shared_ptr<const SurfaceModel> build(RecognisedSurface surface, const ColliderBuild& how = {});
 
   const RecognisedSurface& surface() const { return surface_; }
   /// Of relievedMesh(surface()): what an exact check of motions may use, so that a peg goes where its bore lets it.
@@ -83,12 +84,14 @@ class SurfaceModel {
 
   const std::vector<BodyPoint>& points() const { return points_; }
   const std::vector<BodyCircle>& circles() const { return circles_; }
-  const std::vector<BodyRod>& rods() const { return rods_; }
-  /// The rods' middle lines as flat triangles, without rims and the rims alone; null where there are none. Rims stand
-  /// behind the others in rods().
-  const MeshCollider* plainRods() const { return plain_rods_.get(); }
-  const MeshCollider* rimRods() const { return rim_rods_.get(); }
-  std::size_t plainRodCount() const { return plain_rod_count_; }
+  enum class RodKind : std::uint8_t {
+    kEdge,   ///< Straight convex edges,
+    kRound,  ///< axes of convex cylinders,
+    kRim,    ///< chords of curved borders.
+  };
+  std::span<const BodyRod> rods(RodKind kind) const { return rods_[static_cast<std::size_t>(kind)]; }
+  /// The rods' middle lines as flat triangles; null where there are none.
+  const MeshCollider* rodLines(RodKind kind) const { return rod_lines_[static_cast<std::size_t>(kind)].get(); }
   double thickestRod() const { return thickest_rod_; }  ///< Radius, m.
 
  private:
@@ -102,9 +105,8 @@ class SurfaceModel {
   std::vector<std::array<std::uint32_t, 3>> edge_element_of_;
   std::vector<BodyPoint> points_;
   std::vector<BodyCircle> circles_;
-  std::vector<BodyRod> rods_;
-  std::shared_ptr<const MeshCollider> plain_rods_, rim_rods_;
-  std::size_t plain_rod_count_ = 0;
+  std::array<std::vector<BodyRod>, 3> rods_;
+  std::array<std::shared_ptr<const MeshCollider>, 3> rod_lines_;
   double thickest_rod_ = 0.0;
 };
 

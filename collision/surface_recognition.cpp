@@ -7,13 +7,16 @@
 
 #include "collision/region_grower.h"
 #include "collision/region_properties.h"
+#include "collision/surface_cache.h"
 #include "collision/surface_clusters.h"
+#include "collision/tree_cache.h"
 
 namespace hapticell::collision {
 namespace {
 
 constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kPlaneIsLarger = 5.0;  // than each of its smooth neighbours
+constexpr std::size_t kFewFailures = 60, kFailureShare = 40;
 
 class Recogniser {
  public:
@@ -63,13 +66,19 @@ void Recogniser::findCurved(double tolerance) {
   std::vector<std::uint32_t> order;  // clusters, largest first
   for (std::uint32_t c = 0; c < clusters_.triangles.size(); ++c) order.push_back(c);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return clusters_.areas[a] > clusters_.areas[b]; });
+  // Where so many seeds in a row fit nothing the rest is free form.
+  const std::size_t most_failures = kFewFailures + order.size() / kFailureShare;
+  std::size_t failures = 0;
   for (const auto cluster : order) {
+    if (failures > most_failures) break;
     const auto seed = clusters_.triangles[cluster].front();
     if (!grower_.isFree(seed)) continue;
     const auto& members = clusters_.triangles[cluster];
     const bool curved = std::any_of(members.begin(), members.end(), [&](auto t) { return grower_.isCurvedAt(t); });
     if (!curved) continue;
-    if (auto region = grower_.regionFrom(seed, tolerance)) add(region->shape, std::move(region->triangles));
+    auto region = grower_.regionFrom(seed, tolerance);
+    failures = region ? 0 : failures + 1;
+    if (region) add(region->shape, std::move(region->triangles));
   }
 }
 
@@ -185,7 +194,14 @@ RecognisedSurface recogniseSurfaces(const geometry::TriangleMesh& mesh, const Re
   if (surface.mesh.triangles.empty()) return surface;
   const double size = glm::length(surface.mesh.bounds().size());
   const double tolerance = options.tolerance > 0.0 ? options.tolerance : std::max(1e-6, 2e-6 * size);
-  Recogniser(surface, tolerance).run();
+  const SurfaceCache cache(options.tolerance > 0.0 ? std::filesystem::path() : options.cache_folder);
+  const ContentHash hash = options.cache_folder.empty() ? ContentHash{} : contentHash(mesh);
+  if (!cache.load(hash, surface)) {
+    Recogniser(surface, tolerance).run();
+    // As they are when they come from the disk, so that all that is measured is equal to the last bit.
+    for (SurfaceRegion& region : surface.regions) std::sort(region.triangles.begin(), region.triangles.end());
+    cache.store(hash, surface);
+  }
   measureRegions(surface);
   return surface;
 }

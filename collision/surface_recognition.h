@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+
 #include "collision/recognised_surface.h"
 
 namespace hapticell::collision {
 
 struct RecognitionOptions {
+  std::filesystem::path cache_folder{};  ///< What was found is kept here by the mesh's content; empty keeps nothing.
   double tolerance = 0.0;  ///< m that vertices may be off a surface; 0: 1 um, at least 2e-6 of the mesh's diagonal.
 };
 

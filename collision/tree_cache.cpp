@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/tree_cache.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +8,7 @@
 #include <span>
 #include <system_error>
 
+#include "collision/cache_file.h"
 #include "collision/collider_build.h"
 
 namespace hapticell::collision {
@@ -30,32 +29,6 @@ struct Header {
   ContentHash payload;
 };
 
-std::uint64_t mixed(std::uint64_t x) {
-  x ^= x >> 32;
-  x *= 0xE9846AF9B1A615DDull;
-  x ^= x >> 32;
-  x *= 0xE9846AF9B1A615DDull;
-  return x ^ (x >> 28);
-}
-
-/// Not against malice, only against chance: two lanes of a multiplicative hash over eight bytes at a time.
-void add(ContentHash& hash, std::span<const std::byte> bytes) {
-  std::size_t at = 0;
-  const auto next = [&](std::size_t size) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + at, size);
-    at += size;
-    hash[0] = (hash[0] ^ word) * 0x9E3779B97F4A7C15ull;
-    hash[0] ^= hash[0] >> 29;
-    hash[1] = (hash[1] + word) * 0xC2B2AE3D27D4EB4Full;
-    hash[1] ^= hash[1] >> 31;
-  };
-  while (at + 8 <= bytes.size()) next(8);
-  if (at < bytes.size()) next(bytes.size() - at);
-  hash[0] = mixed(hash[0] + bytes.size());
-  hash[1] = mixed(hash[1] ^ bytes.size());
-}
-
 template <typename Vector>
 std::span<const std::byte> bytesOf(const Vector& items) {
   return std::as_bytes(std::span(items.data(), items.size()));
@@ -63,8 +36,8 @@ std::span<const std::byte> bytesOf(const Vector& items) {
 
 ContentHash payloadHash(const AlignedVector<BoxNode>& nodes, const AlignedVector<LeafBlock>& leaves) {
   ContentHash hash{1, 2};
-  add(hash, bytesOf(nodes));
-  add(hash, bytesOf(leaves));
+  addToHash(hash, bytesOf(nodes));
+  addToHash(hash, bytesOf(leaves));
   return hash;
 }
 
@@ -108,16 +81,13 @@ std::filesystem::path userCacheFolder() {
 
 ContentHash contentHash(const geometry::TriangleMesh& mesh) {
   ContentHash hash{3, 4};
-  add(hash, bytesOf(mesh.vertices));
-  add(hash, bytesOf(mesh.triangles));
+  addToHash(hash, bytesOf(mesh.vertices));
+  addToHash(hash, bytesOf(mesh.triangles));
   return hash;
 }
 
 std::filesystem::path TreeCache::fileOf(const ContentHash& hash) const {
-  char name[48];
-  std::snprintf(name, sizeof(name), "%016llx%016llx.tree", static_cast<unsigned long long>(hash[0]),
-                static_cast<unsigned long long>(hash[1]));
-  return folder_ / name;
+  return folder_ / (nameOf(hash) + ".tree");
 }
 
 std::optional<BoxTree> TreeCache::load(const geometry::TriangleMesh& mesh, const ContentHash& hash) const {
@@ -148,9 +118,6 @@ std::optional<BoxTree> TreeCache::load(const geometry::TriangleMesh& mesh, const
 
 void TreeCache::store(const BoxTree& tree, const ContentHash& hash) const {
   if (folder_.empty() || tree.isEmpty()) return;
-  std::error_code none;
-  std::filesystem::create_directories(folder_, none);
-  if (none) return;
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof(kMagic));
   header.version = kVersion;
@@ -161,26 +128,7 @@ void TreeCache::store(const BoxTree& tree, const ContentHash& hash) const {
   header.node_size = sizeof(BoxNode);
   header.leaf_size = sizeof(LeafBlock);
   header.payload = payloadHash(tree.nodes(), tree.leaves());
-  const std::filesystem::path path = fileOf(hash);
-  // Two builds of one mesh in one process write the same bytes: at worst the later renaming finds no file.
-  const std::filesystem::path draft = path.string() + "." + std::to_string(::getpid()) + ".draft";
-  {
-    std::ofstream file(draft, std::ios::binary | std::ios::trunc);
-    const auto write = [&file](std::span<const std::byte> bytes) {
-      file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    };
-    write(std::as_bytes(std::span(&header, 1)));
-    write(bytesOf(tree.nodes()));
-    write(bytesOf(tree.leaves()));
-    file.flush();
-    if (!file) {
-      file.close();
-      std::filesystem::remove(draft, none);
-      return;
-    }
-  }
-  std::filesystem::rename(draft, path, none);
-  if (none) std::filesystem::remove(draft, none);
+  writeWhole(fileOf(hash), {std::as_bytes(std::span(&header, 1)), bytesOf(tree.nodes()), bytesOf(tree.leaves())});
 }
 
 }  // namespace hapticell::collision

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 
 #include "collision/box_tree.h"
+#include "collision/cache_file.h"
 #include "geometry/triangle_mesh.h"
 
 namespace hapticell::collision {
 
-/// Two 64-bit sums of a mesh's content; equal meshes have equal ones, others practically never.
-using ContentHash = std::array<std::uint64_t, 2>;
+/// Of its vertices and triangles.
 ContentHash contentHash(const geometry::TriangleMesh& mesh);
 
 /// Trees on disk, one file a mesh, named by its content. Files of another version or machine, damaged or cut ones are

@@ -20,7 +20,7 @@ struct ZonePart {
   std::uint64_t key = 0;                 ///< Stable from query to query; goes into the entries' ids.
   double reach = 0.0;  ///< Farthest any point of this part can move while the hand stays in the wanted
                        ///< radius, metres; 0 means the radius itself. Ignored for the environment.
-  const SurfaceModel* surfaces = nullptr;  ///< For SurfaceContacts; may be null elsewhere.
+  const SurfaceModel* surfaces = nullptr;  ///< For ContactFinder; null: facets only.
 };
 
 /// One entry of the set: gap + nhat_W . v >= 0 for a small motion v of the moving part at p_W.
@@ -47,13 +47,6 @@ struct ZoneContact {
   std::uint64_t id = 0;       ///< The same physical contact keeps it from query to query.
 };
 
-/// Where the search for the largest zone begins: what a query nearby has found.
-struct ZoneHint {
-  double radius = 0.0;      ///< Metres; 0: nothing is known.
-  bool crowded = false;     ///< See ZoneContacts::hint.
-  bool try_larger = false;  ///< Look one level above it too; without it zones only shrink.
-};
-
 struct ZoneOptions {
   double radius = 0.060;  ///< Wanted, metres.
   std::size_t max_entries = 64;
@@ -62,7 +55,6 @@ struct ZoneOptions {
   double min_radius = 0.0005;    ///< Metres: below it the fallback of zoneContacts takes over.
   /// Which pairs count, row by row: pair_mask[moving * environment.size() + environment]; empty = all.
   std::span<const std::uint8_t> pair_mask;
-  ZoneHint hint{};
   bool only_complete = false;  ///< An incomplete answer is of no use: none is made (no contacts, `complete` false).
 };
 
@@ -73,12 +65,13 @@ struct ZoneContacts {
                          ///< own reach is complete within reach * radius / wanted radius.
   bool complete = true;  ///< False: more than max_entries even at min_radius; then only the nearest
                          ///< contacts stand, each for itself (AND).
-  bool facets = false;   ///< surfaceContacts: some entries stand for facets of free-form or open surfaces.
-  ZoneHint hint;         ///< For the next query of the same bodies. `crowded`: turning was left out.
+  bool pending = false;   ///< ContactFinder: not incomplete for good, the next query goes on with the work.
+  bool facets = false;    ///< ContactFinder: some entries stand for facets, not for a recognised surface.
+  bool crowded = false;   ///< Turning was left out of what implies what among the facets.
   std::size_t work = 0;  ///< What it cost, in directions looked at (about a microsecond each): repeats exactly.
 };
 
-/// Everything that the moving parts could meet in the environment within the zone.
+/// Everything that the moving parts could meet in the environment within the zone, told by facets alone.
 ///
 /// For every pair of convex pieces near each other one group holds the directions in which they are separated or could
 /// become so: faces of either and crossed edges, that is the faces of their Minkowski difference which the zone

@@ -36,7 +36,6 @@ struct Configuration {
     bool hold_to_move = false;            ///< True: the button must stay pressed while an entity is held.
     std::string on_contact = "slide";     ///< stop, slide, pass: for entities that do not say.
     std::string force_class = "contact";  ///< constant, contact, dynamics: for entities that do not say.
-    std::string contacts = "facets";      ///< facets; surfaces: those that the meshes were made from, where recognised.
     double safety_distance = 0.001;       ///< Metres; felt as the boundary where no pair set says otherwise.
     double near_miss = 0.010;             ///< Metres; shown and heard.
     double gravity_compensation = 1.0;    ///< Part of a held part's weight that is not felt: 1 nothing of it is.

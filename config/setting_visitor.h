@@ -29,7 +29,6 @@ void visitSettings(AnyConfiguration& c, Visitor&& visit) {
   visit("manipulation.hold_to_move", c.manipulation.hold_to_move, NumberRange{0, 1});
   visit("manipulation.on_contact", c.manipulation.on_contact, Choices{"stop", "slide", "pass"});
   visit("manipulation.force_class", c.manipulation.force_class, Choices{"constant", "contact", "dynamics"});
-  visit("manipulation.contacts", c.manipulation.contacts, Choices{"facets", "surfaces"});
   visit("manipulation.safety_distance", c.manipulation.safety_distance, NumberRange{0, 1});
   visit("manipulation.near_miss", c.manipulation.near_miss, NumberRange{0, 10});
   visit("manipulation.gravity_compensation", c.manipulation.gravity_compensation, NumberRange{0, 1});

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "collision/surface_contacts.h"
+#include "collision/contact_finder.h"
 #include "collision/surface_model.h"
 #include "geometry/assertion.h"
 #include "geometry/shapes.h"
@@ -21,6 +21,7 @@ using geometry::TriangleMesh;
 using Pieces = std::shared_ptr<const collision::ConvexPieces>;
 
 constexpr double kBall = 0.005;     // m, radius of the held sphere.
+constexpr double kPeg = 0.01;       // m, radius of the held peg.
 constexpr double kChord = 1e-4;     // m between a chord and its arc, at most,
 constexpr double kTurn = 0.3;       // and rad between two of its ends.
 constexpr double kLength = 0.4;     // m of what is long.
@@ -59,13 +60,9 @@ class MeshScene final : public FeelScene {
     const manipulation::EntityConfiguration here{X_DP, {}};
     manipulation::ConstraintInputs inputs{robot_,     here,   mapping_,   X_DP,   haptic::kWantedZoneRadius,
                                           kTurnAhead, parts_, obstacles_, pairs_, feel_};
-    inputs.hint = hint_;
-    inputs.hint.try_larger = true;
-    inputs.surface_contacts = &surface_contacts_;
+    inputs.finder = &finder_;
     inputs.surfaces = surfaces_;
-    manipulation::BuiltConstraints built = manipulation::buildConstraints(inputs);
-    hint_ = built.hint;
-    return built.set;
+    return manipulation::buildConstraints(inputs).set;
   }
   double penetration(const Pose&, double) const override { return 0.0; }
   dvec3 handAt(double, double) const override { return dvec3(0.0); }
@@ -83,8 +80,7 @@ class MeshScene final : public FeelScene {
   std::vector<std::shared_ptr<const collision::SurfaceModel>> models_;
   std::vector<const collision::SurfaceModel*> surfaces_;
   // One session asks, in its own thread.
-  mutable collision::ZoneHint hint_;
-  mutable collision::SurfaceContacts surface_contacts_;
+  mutable collision::ContactFinder finder_;
 };
 
 TriangleMesh ball() {
@@ -135,7 +131,20 @@ const std::vector<Recipe>& recipes() {
          for (dvec3& vertex : box.vertices) vertex.z -= 0.01;
          return box;
        },
-       [] { return std::vector<Placed>{floorAt(0.0)}; }, boxScene}};
+       [] { return std::vector<Placed>{floorAt(0.0)}; }, boxScene},
+      {"mesh peg in hole 0.05 mm",
+       [] {
+         TriangleMesh peg = geometry::makeCylinder(kPeg, 0.04, segments(kPeg));
+         for (dvec3& vertex : peg.vertices) vertex.z -= 0.01;
+         return peg;
+       },
+       [] {
+         const double hole = kPeg + 0.05e-3;
+         return std::vector<Placed>{
+             {geometry::makePipe(3.0 * kPeg, hole, 0.03, segments(hole)), Pose::translation({0.0, 0.0, -0.025})},
+             floorAt(-0.04)};
+       },
+       pegScene}};
   return all;
 }
 

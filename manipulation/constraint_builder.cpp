@@ -12,8 +12,6 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr double kSecondsPerWork = 1e-6;
-constexpr double kWideEnough = 0.25;  // of the wanted zone
-constexpr double kMuchWider = 4.0;    // a small zone of true surfaces feels better than a wide one of facets
 
 /// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
 double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W, double turn_ahead) {
@@ -96,7 +94,7 @@ std::vector<collision::ZonePart> movingParts(const Assembly& assembly, double zo
     moving[k].pieces = in.parts[k];
     moving[k].X_W = X_WP[k];
     moving[k].key = k + 1;
-    if (in.surface_contacts != nullptr) moving[k].surfaces = in.surfaces[k];
+    if (!in.surfaces.empty()) moving[k].surfaces = in.surfaces[k];
     moving[k].reach =
         reachOf(assembly.differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W, in.turn_ahead);
   }
@@ -128,30 +126,6 @@ void appendLimits(const ConstraintInputs& inputs, std::uint32_t first_group, Bui
     inputs.mapping.toDevice(constraint);
     append(built, constraint, {-1, static_cast<int>(i)});
   }
-}
-
-}  // namespace
-
-namespace {
-
-/// Surfaces where they reach as far as is wanted or nearly as far as the facets' convex pieces do.
-collision::ZoneContacts contactsOf(const ConstraintInputs& inputs, const std::vector<collision::ZonePart>& moving,
-                                   const collision::ZoneOptions& options) {
-  if (inputs.surface_contacts == nullptr || !inputs.surface_contacts->isWorthAsking())
-    return collision::zoneContacts(moving, inputs.obstacles, options);
-  collision::ZoneOptions of_surfaces = options;
-  of_surfaces.hint = {};
-  collision::ZoneContacts surfaces = inputs.surface_contacts->find(moving, inputs.obstacles, of_surfaces);
-  surfaces.hint = options.hint;
-  if (surfaces.complete && surfaces.radius >= kWideEnough * options.radius) return surfaces;
-  collision::ZoneContacts facets = collision::zoneContacts(moving, inputs.obstacles, options);
-  facets.work += surfaces.work;
-  surfaces.work = facets.work;
-  surfaces.hint = facets.hint;
-  const bool wider = facets.complete && facets.radius > kMuchWider * surfaces.radius;
-  const bool used = surfaces.complete && !wider;
-  inputs.surface_contacts->tellUse(used);
-  return used ? surfaces : facets;
 }
 
 }  // namespace
@@ -215,14 +189,17 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
   options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16) -
                         std::min<std::size_t>(inputs.own.size(), 8);
   options.pair_mask = mask;
-  options.hint = inputs.hint;
   options.only_complete = inputs.only_complete;
-  const collision::ZoneContacts found = contactsOf(inputs, movingParts(assembly, zone_W), options);
+  const std::vector<collision::ZonePart> moving = movingParts(assembly, zone_W);
+  const collision::ZoneContacts found = inputs.finder != nullptr
+                                            ? inputs.finder->find(moving, inputs.obstacles, options)
+                                            : collision::zoneContacts(moving, inputs.obstacles, options);
 
   built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);
   built.set.zone_radius = std::max(1e-4, std::min(found.radius, zone_W) / scale);
   built.complete = found.complete;
-  built.hint = found.hint;
+  built.pending = found.pending;
+  built.facets = found.facets;
   built.cost = kSecondsPerWork * static_cast<double>(found.work);
   for (const collision::ZoneContact& contact : found.contacts) appendContact(assembly, contact);
   appendOwn(inputs, assembly.differentials, std::max(found.groups, nextGroup(built)), built);

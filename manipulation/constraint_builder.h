@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "collision/surface_contacts.h"
+#include "collision/contact_finder.h"
+#include "collision/surface_model.h"
 #include "collision/zone_contacts.h"
 #include "manipulation/free_motion.h"
 #include "manipulation/manipulator.h"
@@ -35,11 +36,9 @@ struct ConstraintInputs {
   std::span<const collision::ZonePart> obstacles;
   std::span<const MotionPair> pairs;
   std::span<const PairFeel> feel;
-  collision::ZoneHint hint{};  ///< From the set before, in the cell's metres.
-  /// Not null: recognised surfaces are asked first, facets only where those do not reach far. The parts and obstacles
-  /// then have their surfaces.
-  collision::SurfaceContacts* surface_contacts = nullptr;
-  std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part.
+  /// What the sets before have learnt; null: facets only, from scratch.
+  collision::ContactFinder* finder = nullptr;
+  std::span<const collision::SurfaceModel* const> surfaces{};  ///< One a part, or none at all: facets only.
   bool only_complete = false;                                  ///< See collision::ZoneOptions::only_complete.
   /// Nearest points of the pairs of moved parts (MotionPair::other_part): a tangent plane each.
   std::span<const FreeMotion::PairDistance> own{};
@@ -56,7 +55,8 @@ struct BuiltConstraints {
   std::vector<ConstraintOrigin> origins;
   std::vector<MotionLimit> limits;  ///< The entity's own limits within the zone.
   bool complete = true;             ///< False: see collision::ZoneContacts::complete.
-  collision::ZoneHint hint;         ///< For the next set.
+  bool pending = false;             ///< See collision::ZoneContacts::pending.
+  bool facets = false;              ///< See collision::ZoneContacts::facets.
   double cost = 0.0;                ///< s that such a set takes to make, reckoned and not measured: repeats exactly.
 };
 

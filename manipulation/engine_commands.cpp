@@ -39,8 +39,7 @@ void ManipulationEngine::apply(const Command& command) {
   std::visit(Overloaded{[&](const command::SetDocument& c) {
                           const workcell::PairDefaults rule{configuration_.manipulation.safety_distance,
                                                             configuration_.manipulation.near_miss};
-                          setScene(PreparedScene::prepare(c.entities, c.pairs, rule, scene_.get(),
-                                                          configuration_.manipulation.contacts == "surfaces"));
+                          setScene(PreparedScene::prepare(c.entities, c.pairs, rule, scene_.get()));
                         },
                         [&](const command::SetGuides& c) {
                           guides_ = c.guides;

@@ -24,7 +24,6 @@ constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks 
 constexpr double kPlainZone = 0.020;       ///< m of hand: what a plain set is used for instead.
 constexpr double kCrowdedStays = 0.010;    ///< m of hand until a complete set is tried again.
 constexpr std::size_t kMostOwn = 8;        ///< Pairs of the entity's own parts that are felt at a time.
-constexpr int kTryLarger = 4;              ///< A wider zone is tried with each so many sets.
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
   return {.file = {},
@@ -271,16 +270,8 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
   }
   gatherOwnPairs(entity, options, configuration);
   gaps_.resize(pairs_.size());
-  if (configuration.manipulation.contacts == "surfaces") makeSurfaceContacts();
   motion_ = std::make_unique<FreeMotion>(std::move(colliders), std::move(obstacles), motion_pairs_);
   motion_->reset(*manipulator_, accepted_);
-}
-
-void HeldEntity::makeSurfaceContacts() {
-  const bool known =
-      std::all_of(surfaces_.begin(), surfaces_.end(), [](const auto* s) { return s != nullptr; }) &&
-      std::all_of(obstacles_.begin(), obstacles_.end(), [](const auto& o) { return o.surfaces != nullptr; });
-  if (known) surface_contacts_ = std::make_unique<collision::SurfaceContacts>();
 }
 
 void HeldEntity::startBoundaries() {
@@ -338,23 +329,20 @@ BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pos
   const Pose X_DHere = mapping.toDevice(movedFrame(), X_DProxy);
   const bool near = glm::length(X_DHere.p - X_DCrowded_.p) < kCrowdedStays;
   if (crowded_ && near && wish.least_radius > 0.7 * crowded_radius_) return plainConstraints(inputs);
-  const double zone_W = wish.zone_radius * mapping.scale();
-  if (hint_zone_ > 0.0 && hint_.radius >= 0.999 * hint_zone_) hint_.radius = zone_W;
-  hint_zone_ = zone_W;
-  hint_.try_larger = ++since_larger_ >= kTryLarger;
-  if (hint_.try_larger) since_larger_ = 0;
-  inputs.hint = hint_;
   inputs.only_complete = true;
-  inputs.surface_contacts = surface_contacts_.get();
+  inputs.finder = &finder_;
   inputs.surfaces = surfaces_;
-  motion_->distances(zone_W, first_own_, own_);
+  motion_->distances(wish.zone_radius * mapping.scale(), first_own_, own_);
   std::sort(own_.begin(), own_.end(),
             [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
   if (own_.size() > kMostOwn) own_.resize(kMostOwn);
   inputs.own = own_;
   BuiltConstraints built = buildConstraints(inputs);
-  if (built.hint.radius > hint_.radius) since_larger_ = kTryLarger;  // There may be more.
-  hint_ = built.hint;
+  if (built.pending) {
+    built = plainConstraints(inputs);
+    built.pending = true;
+    return built;
+  }
   crowded_ = built.set.zone_radius < wish.least_radius || !built.complete;
   crowded_radius_ = built.complete ? built.set.zone_radius : 0.0;
   X_DCrowded_ = X_DHere;

@@ -122,7 +122,6 @@ class HeldEntity {
                       const config::Configuration& configuration);
   std::vector<Pose> restPoses(const workcell::Entity& entity) const;
   haptic::Constraint contactOf(const MotionPair& pair, const collision::DistanceResult& found) const;
-  void makeSurfaceContacts();
   void updateJointFriction();
   void startBoundaries();
   void raiseBoundaries();
@@ -159,8 +158,8 @@ class HeldEntity {
   };
   std::vector<MovedPart> moved_parts_;
   std::vector<const collision::ConvexPieces*> parts_;
-  std::vector<const collision::SurfaceModel*> surfaces_;          ///< Of the parts, where they were recognised.
-  std::unique_ptr<collision::SurfaceContacts> surface_contacts_;  ///< Null: facets only.
+  std::vector<const collision::SurfaceModel*> surfaces_;  ///< Of the parts.
+  collision::ContactFinder finder_;
   std::vector<collision::ZonePart> obstacles_;
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
@@ -171,9 +170,6 @@ class HeldEntity {
   bool crowded_ = false;         ///< The last complete set was too small to be of use.
   double crowded_radius_ = 0.0;  ///< What it was good for, m of hand.
   Pose X_DCrowded_;              ///< Where that was.
-  collision::ZoneHint hint_;     ///< Of the last complete set,
-  double hint_zone_ = 0.0;       ///< which was wanted so wide in the cell (m).
-  int since_larger_ = 0;         ///< Sets since a wider one was tried.
   std::vector<double> gaps_;
   std::vector<FreeMotion::PairDistance> near_, own_;
 };

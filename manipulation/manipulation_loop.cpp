@@ -87,8 +87,7 @@ struct ManipulationLoop::Worker {
         document = std::move(newest_document);
         document_waits = false;
       }
-      previous = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule,
-                                        previous.get(), configuration.manipulation.contacts == "surfaces");
+      previous = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get());
       const std::lock_guard lock(mutex);
       ready_scene = previous;
       newest_scene = previous;
@@ -155,7 +154,7 @@ struct ManipulationLoop::Worker {
   std::vector<Result> results;
   command::SetDocument newest_document;
   bool document_waits = false;
-  std::shared_ptr<const PreparedScene> ready_scene;   ///< Until the engine takes it.
+  std::shared_ptr<const PreparedScene> ready_scene;  ///< Until the engine takes it.
   std::shared_ptr<const PreparedScene> newest_scene;
   bool stopping = false;
 

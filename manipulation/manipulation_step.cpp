@@ -20,6 +20,7 @@ constexpr double kOldestSet = 100e-3;                           ///< and in any 
 constexpr double kRested = 2e-5;                                ///< m: has not moved,
 constexpr double kOldestAtRest = 400e-3;                        ///< ... then the set may be older.
 constexpr double kZoneShare = 0.3;                              ///< At once when so much of the zone is used up.
+constexpr double kHeldShare = 0.6;                              ///< Of the zone: until then an old set does.
 constexpr double kSpeedKept = 0.5;                              ///< s that a fast hand is expected to be fast again.
 constexpr double kSpeedReserve = 1.3;                           ///< It may get faster meanwhile.
 constexpr double kWidestZone = 0.5;                             ///< m of hand.
@@ -87,6 +88,12 @@ bool ManipulationEngine::needsSet() const {
   return moved > kZoneShare * built_.set.zone_radius || (moved > kRefreshMoved && age >= kRefreshAge);
 }
 
+/// The set that was sent last goes on being good while the next one is being worked out.
+bool ManipulationEngine::holdsStill() const {
+  const double moved = metric(mapping_.toDevice(held_->movedFrame(), state_->X_DP), built_.set.X_DR);
+  return built_.complete && moved < kHeldShare * built_.set.zone_radius;
+}
+
 void ManipulationEngine::addLagRow() {
   haptic::ConstraintSet& set = built_.set;
   const Twist lag = difference(state_->X_DP, set.X_DR);
@@ -136,8 +143,8 @@ double ManipulationEngine::zoneRadius() {
 
 void ManipulationEngine::updateSet() {
   if (!needsSet()) return;
-  set_wanted_ = false;
-  last_set_ns_ = std::exchange(set_ns_, now_ns_);
+  const bool changed = std::exchange(set_wanted_, false);
+  const std::int64_t before_ns = std::exchange(last_set_ns_, std::exchange(set_ns_, now_ns_));
   if (held_ && !clutched_) {
     // A wrist that turns fast needs a set that knows more of turning, at the cost of its radius.
     const Twist since = difference(state_->X_DS, X_DSeen_);
@@ -146,7 +153,12 @@ void ManipulationEngine::updateSet() {
     const double turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
     // A slow hand is content with a small zone, as long as it says everything.
     const double least = std::clamp(kLeastAhead * glm::length(since.linear), kLeastZone, kMostLeastZone);
-    built_ = held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead});
+    BuiltConstraints built = held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead});
+    if (built.pending && !changed && holdsStill()) {
+      set_ns_ = std::exchange(last_set_ns_, before_ns);
+      return;
+    }
+    built_ = std::move(built);
     // Where nothing is to be felt the set is good everywhere: its edge must not be felt instead.
     const auto passes = [](const HeldPair& pair) { return pair.on_contact == workcell::OnContact::kPass; };
     if (built_.set.count == 0 && std::all_of(held_->pairs().begin(), held_->pairs().end(), passes)) {

@@ -76,6 +76,7 @@ class ManipulationEngine {
   void updateSet();
   double zoneRadius();
   bool needsSet() const;
+  bool holdsStill() const;
   void addLagRow();
   void driftAtEdge();
   void addGuideRows();

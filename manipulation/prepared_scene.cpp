@@ -11,8 +11,8 @@ namespace hapticell::manipulation {
 
 namespace {
 
-/// Triangles of a mesh whose tree is kept on disk.
-constexpr std::size_t kWorthAFile = 50000;
+/// Triangles of a mesh whose tree is kept on disk, and of one whose surfaces are.
+constexpr std::size_t kWorthAFile = 50000, kSurfacesWorthAFile = 3000;
 
 }  // namespace
 
@@ -24,14 +24,14 @@ struct PreparedScene::Job {
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
                                                             workcell::PairPolicy pairs,
                                                             const workcell::PairDefaults& defaults,
-                                                            const PreparedScene* previous, bool recognise) {
+                                                            const PreparedScene* previous) {
   std::shared_ptr<PreparedScene> scene(new PreparedScene);
   scene->entities_ = std::move(entities);
   scene->pairs_ = std::move(pairs);
   scene->defaults_ = defaults;
   std::vector<Job> jobs;
   for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
-  scene->run(jobs, previous, recognise);
+  scene->run(jobs, previous);
   return scene;
 }
 
@@ -43,11 +43,10 @@ void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<
 }
 
 /// The largest meshes first, each by whoever is free: what comes of it does not depend on who does it.
-void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous, bool recognise) {
+void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous) {
   std::vector<const Job*> order;
   for (const Job& job : jobs) {
-    const bool known = previous != nullptr && previous->meshes_.count(job.key) != 0;
-    if (known && (!recognise || previous->meshes_.at(job.key).surfaces)) {
+    if (previous != nullptr && previous->meshes_.count(job.key) != 0) {
       meshes_[job.key] = previous->meshes_.at(job.key);
     } else {
       order.push_back(&job);
@@ -61,10 +60,12 @@ void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previ
       const geometry::TriangleMesh& mesh = *order[i]->mesh;
       collision::ColliderBuild how;
       if (mesh.triangles.size() >= kWorthAFile) how.cache_folder = collision::userCacheFolder();
+      collision::ColliderBuild of_surfaces;
+      if (mesh.triangles.size() >= kSurfacesWorthAFile) of_surfaces.cache_folder = collision::userCacheFolder();
       PreparedMesh& prepared = meshes_.find(order[i]->key)->second;
       prepared.pieces = collision::ConvexPieces::build(mesh);
-      if (recognise) prepared.surfaces = collision::SurfaceModel::build(mesh);
-      const bool relieved = recognise && collision::hasHollows(prepared.surfaces->surface());
+      prepared.surfaces = collision::SurfaceModel::build(mesh, of_surfaces);
+      const bool relieved = collision::hasHollows(prepared.surfaces->surface());
       prepared.collider = relieved ? prepared.surfaces->sharedCollider() : collision::MeshCollider::build(mesh, how);
     }
   };

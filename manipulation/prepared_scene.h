@@ -17,10 +17,10 @@ namespace hapticell::manipulation {
 
 /// A mesh made ready for both kinds of query.
 struct PreparedMesh {
-  /// Of the mesh; where surfaces were recognised its hollows are relieved (collision::relievedMesh).
+  /// Of the mesh with its hollows relieved (collision::relievedMesh).
   std::shared_ptr<const collision::MeshCollider> collider;
   std::shared_ptr<const collision::ConvexPieces> pieces;
-  std::shared_ptr<const collision::SurfaceModel> surfaces;  ///< Null where nobody asked for recognition.
+  std::shared_ptr<const collision::SurfaceModel> surfaces;
 };
 
 /// One rigid body of the scene: a solid, or a link of a robot with all its collision shapes. Its frame P is the
@@ -37,11 +37,11 @@ struct ScenePart {
 class PreparedScene {
  public:
   /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
-  /// taken over from it. Entities without a mesh have no parts. `recognise` finds the meshes' surfaces too.
+  /// taken over from it. Entities without a mesh have no parts.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
-                                                      const PreparedScene* previous = nullptr, bool recognise = false);
+                                                      const PreparedScene* previous = nullptr);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
   const workcell::Entity* find(workcell::EntityId id) const;
@@ -71,7 +71,7 @@ class PreparedScene {
   void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                std::vector<Job>& jobs);
-  void run(const std::vector<Job>& jobs, const PreparedScene* previous, bool recognise);
+  void run(const std::vector<Job>& jobs, const PreparedScene* previous);
 
   std::vector<workcell::Entity> entities_;
   workcell::PairPolicy pairs_;

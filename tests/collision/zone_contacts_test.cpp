@@ -30,7 +30,7 @@ TEST(ZoneContacts, AgreesWithExactGeometryInSimpleScenes) {
 
 TEST(SurfaceContacts, AgreeWithExactGeometryInSimpleScenes) {
   for (const ZoneScene& scene : simpleZoneScenes()) {
-    ZoneBench bench(scene, true);
+    ZoneBench bench(scene, ZoneBench::Ways::kSurfaces);
     const ZoneReport report = bench.compare(1000, 0.3);
     std::puts(line(report).c_str());
     EXPECT_TRUE(report.complete) << scene.name;

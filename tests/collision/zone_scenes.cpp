@@ -100,12 +100,13 @@ std::vector<ZoneScene> simpleZoneScenes() {
   return scenes;
 }
 
-ZoneBench::ZoneBench(ZoneScene scene, bool recognised)
+ZoneBench::ZoneBench(ZoneScene scene, Ways ways)
     : scene_(std::move(scene)),
       moving_(collision::ConvexPieces::build(scene_.moving)),
       environment_(collision::ConvexPieces::build(scene_.environment)),
-      proximity_(collision::MeshCollider::build(scene_.moving), collision::MeshCollider::build(scene_.environment)) {
-  if (!recognised) return;
+      proximity_(collision::MeshCollider::build(scene_.moving), collision::MeshCollider::build(scene_.environment)),
+      contacts_(ways) {
+  if (ways == Ways::kFacets) return;
   moving_model_ = collision::SurfaceModel::build(scene_.moving);
   environment_model_ = collision::SurfaceModel::build(scene_.environment);
   margin_ += moving_model_->surface().greatestSagitta() + environment_model_->surface().greatestSagitta();

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "collision/contact_finder.h"
 #include "collision/proximity_query.h"
-#include "collision/surface_contacts.h"
 #include "collision/zone_contacts.h"
 #include "geometry/pose.h"
 
@@ -49,8 +49,8 @@ struct ZoneReport {
 /// One scene, prepared.
 class ZoneBench {
  public:
-  /// With `recognised` the contacts are those of the recognised surfaces.
-  explicit ZoneBench(ZoneScene scene, bool recognised = false);
+  using Ways = collision::ContactFinder::Ways;
+  explicit ZoneBench(ZoneScene scene, Ways ways = Ways::kFacets);
   /// Tries `count` random translations a place, and as many with a rotation of up to `rotation` rad (scaled down with
   /// the zone), against exact intersection. Fixed seed.
   ZoneReport compare(int count, double rotation);
@@ -64,8 +64,8 @@ class ZoneBench {
   ZoneScene scene_;
   std::shared_ptr<const collision::ConvexPieces> moving_, environment_;
   collision::ProximityQuery proximity_;
-  std::shared_ptr<const collision::SurfaceModel> moving_model_, environment_model_;  ///< Null unless recognised.
-  collision::SurfaceContacts contacts_;
+  std::shared_ptr<const collision::SurfaceModel> moving_model_, environment_model_;  ///< Null for facets.
+  collision::ContactFinder contacts_;
   double margin_ = 2e-6;  ///< m: of what surfaces and facets differ by.
 };
 

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "collision/contact_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include "geometry/shapes.h"
+#include "tests/collision/zone_scenes.h"
+
+namespace hapticell::test {
+namespace {
+
+using collision::ContactFinder;
+
+/// A mesh ready for both ways.
+struct Body {
+  explicit Body(const geometry::TriangleMesh& mesh)
+      : pieces(collision::ConvexPieces::build(mesh)), surfaces(collision::SurfaceModel::build(mesh)) {}
+  collision::ZonePart at(const Pose& X_W, std::uint64_t key) const {
+    return {pieces.get(), X_W, key, 0.0, surfaces.get()};
+  }
+  std::shared_ptr<const collision::ConvexPieces> pieces;
+  std::shared_ptr<const collision::SurfaceModel> surfaces;
+};
+
+geometry::TriangleMesh bumpy() {
+  geometry::TriangleMesh mesh = geometry::makeSphere(0.02, 12);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0.97, 1.03);
+  for (dvec3& p : mesh.vertices) p *= uniform(random);
+  return mesh;
+}
+
+bool isRound(const collision::ZoneContacts& set) {
+  return std::any_of(set.contacts.begin(), set.contacts.end(), [](const auto& c) { return c.M_W != dmat3(0.0); });
+}
+
+TEST(ContactFinder, AgreesWithExactGeometryInSimpleScenes) {
+  for (const ZoneScene& scene : simpleZoneScenes()) {
+    ZoneBench bench(scene, ZoneBench::Ways::kBest);
+    const ZoneReport report = bench.compare(400, 0.3);
+    std::puts(line(report).c_str());
+    EXPECT_TRUE(report.complete) << scene.name;
+    EXPECT_LE(report.entries, 64u) << scene.name;
+    EXPECT_EQ(report.holes, 0) << scene.name;
+    EXPECT_LE(report.turned_holes, 0.01 * report.turned) << scene.name;
+    if (scene.name == "sphere on box") continue;  // A ball meets the mitre of a box's corner.
+    EXPECT_LE(report.false_walls, 0.01 * report.free) << scene.name;
+  }
+}
+
+TEST(ContactFinder, TellsAPegBySurfacesAndAFreeFormByFacets) {
+  const Body peg(geometry::makeCylinder(0.00995, 0.05, 64)), pipe(geometry::makePipe(0.03, 0.01, 0.05, 64));
+  const Body box(geometry::makeBox(dvec3(0.02))), stone(bumpy());
+  collision::ZoneOptions options;
+  options.radius = 0.02;
+  options.max_rotation = 0.05;
+  ContactFinder finder;
+  collision::ZoneContacts in_bore, on_stone;
+  for (int i = 0; i < 30; ++i) {
+    const auto held = peg.at(Pose::translation({0, 0, 0.02}), 1), fixed = pipe.at(Pose::identity(), 2);
+    in_bore = finder.find({&held, 1}, {&fixed, 1}, options);
+  }
+  EXPECT_TRUE(in_bore.complete);
+  EXPECT_FALSE(in_bore.facets);
+  EXPECT_TRUE(isRound(in_bore));
+  ContactFinder other;
+  for (int i = 0; i < 30; ++i) {
+    const auto held = box.at(Pose::translation({0, 0, 0.0325}), 1), fixed = stone.at(Pose::identity(), 2);
+    on_stone = other.find({&held, 1}, {&fixed, 1}, options);
+  }
+  EXPECT_TRUE(on_stone.complete);
+  EXPECT_TRUE(on_stone.facets);
+  EXPECT_FALSE(isRound(on_stone));
+}
+
+TEST(ContactFinder, JoinsBothWaysInOneSetWithoutGapsInTheGroups) {
+  const Body peg(geometry::makeCylinder(0.00995, 0.05, 64)), pipe(geometry::makePipe(0.03, 0.01, 0.05, 64));
+  const Body stone(bumpy());
+  const std::vector<collision::ZonePart> fixed{pipe.at(Pose::identity(), 2),
+                                               stone.at(Pose::translation({0, 0, 0.0665}), 3)};
+  collision::ZoneOptions options;
+  options.radius = 0.005;
+  options.max_rotation = 0.02;
+  ContactFinder finder;
+  collision::ZoneContacts set;
+  for (int i = 0; i < 30; ++i) {
+    const auto held = peg.at(Pose::translation({0, 0, 0.02}), 1);
+    set = finder.find({&held, 1}, fixed, options);
+  }
+  ASSERT_TRUE(set.complete);
+  EXPECT_LE(set.contacts.size(), options.max_entries);
+  std::uint32_t expected = 0;
+  bool of_pipe = false, of_stone = false;
+  for (const auto& contact : set.contacts) {
+    EXPECT_TRUE(contact.group == expected || contact.group == expected + 1);
+    expected = contact.group;
+    of_pipe = of_pipe || contact.environment_part == 0;
+    of_stone = of_stone || contact.environment_part == 1;
+  }
+  EXPECT_EQ(set.groups, expected + 1);
+  EXPECT_TRUE(of_pipe);
+  EXPECT_TRUE(of_stone);
+}
+
+TEST(ContactFinder, TheSameQueriesGiveTheSameAnswers) {
+  const Body beam(geometry::makeCylinder(0.006, 0.06, 32)), stone(bumpy());
+  collision::ZoneOptions options;
+  options.radius = 0.02;
+  options.max_rotation = 0.1;
+  ContactFinder one, two;
+  for (int i = 0; i < 40; ++i) {
+    const Pose X{dvec3(0.0005 * i - 0.01, 0.0, 0.028), quaternionFromRotationVector({1.57, 0.002 * i, 0.0})};
+    const auto held = beam.at(X, 1), fixed = stone.at(Pose::identity(), 2);
+    const auto a = one.find({&held, 1}, {&fixed, 1}, options), b = two.find({&held, 1}, {&fixed, 1}, options);
+    ASSERT_EQ(a.contacts.size(), b.contacts.size());
+    EXPECT_EQ(a.radius, b.radius);
+    EXPECT_EQ(a.work, b.work);
+    for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+      EXPECT_EQ(a.contacts[k].id, b.contacts[k].id);
+      EXPECT_EQ(a.contacts[k].gap, b.contacts[k].gap);
+    }
+  }
+}
+
+TEST(ContactFinder, AColdQueryEndsAndTheNextOnesFinishIt) {
+  // Thousands of small facets about every place: more than one query may work out.
+  const Body comb(geometry::makePipe(0.03, 0.0101, 0.05, 256)), peg(geometry::makeCylinder(0.01, 0.05, 256));
+  const auto held = peg.at(Pose::translation({0, 0, 0.01}), 1), fixed = comb.at(Pose::identity(), 2);
+  collision::ZoneOptions options;
+  options.radius = 0.02;
+  ContactFinder finder(ContactFinder::Ways::kSurfaces);
+  std::size_t most_work = 0;
+  collision::ZoneContacts set;
+  for (int i = 0; i < 60; ++i) {
+    set = finder.find({&held, 1}, {&fixed, 1}, options);
+    most_work = std::max(most_work, set.work);
+    EXPECT_FALSE(set.complete && set.pending);
+  }
+  EXPECT_TRUE(set.complete);
+  EXPECT_LT(set.work, 2000u);
+  EXPECT_LT(most_work, 40000u);  // about 20 ms, and what a last place costs beyond them
+}
+
+}  // namespace
+}  // namespace hapticell::test
