@@ -77,7 +77,10 @@ void ImportSession::start(FileImport& file) {
   workcell::ImportRequest request;
   request.what = file.path.toStdString();
   if (!workcell::isBuiltIn(request.what)) request.what = QFileInfo(file.path).absoluteFilePath().toStdString();
-  if (hasChoices(file.path)) request.options = optionsOf(file.choices);
+  if (hasChoices(file.path)) {
+    request.options = optionsOf(file.choices);
+    request.options.warn_about_unit = file.stage == FileImport::Stage::kImporting;  // Who is asked sees the size.
+  }
   file.examined_with = file.choices;
   file.progress = {};
   work.job = importer_->start(std::move(request));

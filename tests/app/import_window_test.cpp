@@ -60,6 +60,16 @@ TEST(ImportWindow, AFileWithoutUnitIsGuessedFromItsSizeAndSaysSo) {
   EXPECT_FALSE(page.window().files().dock().isVisible()) << "it goes when there is nothing more to ask";
 }
 
+TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
+  QTemporaryDir folder;
+  ImportPage page;
+  ASSERT_TRUE(page.add(writeBlock(folder.filePath("block.off"), 100, 50, 20)));
+  EXPECT_NEAR(page.entity("block")->mesh->bounds().size().x, 100.0, 1e-9);
+  const Message* told = page.told("block.off was read with remarks");
+  ASSERT_NE(told, nullptr);
+  EXPECT_TRUE(told->text.contains("millimetres")) << told->text.toStdString();
+}
+
 TEST(ImportWindow, UnitAndUpAxisAreTheUsersChoice) {
   QTemporaryDir folder;
   ImportPage page;
