@@ -61,8 +61,9 @@ Expected<std::vector<Figure>> restFigures(const NamedScene& named, bool full) {
   return figures;
 }
 
-bool isStable(const FeelScene& scene, double stiffness, Grip grip) {
-  SessionSetup setup = delayed(kRates[1], 1);
+bool isStable(const FeelScene& scene, double stiffness, Grip grip, bool classic) {
+  SessionSetup setup = delayed(classic ? kRates[0] : kRates[1], 1);
+  setup.classic = classic;
   setup.renderer.stiffness = stiffness;
   setup.renderer.damping = 4.0;
   setup.renderer.adapt = false;
@@ -70,17 +71,19 @@ bool isStable(const FeelScene& scene, double stiffness, Grip grip) {
 }
 
 /// The stiffest wall below the first one that is not stable, N/mm.
-double stiffest(Grip grip, double from) {
+double stiffest(Grip grip, double from, bool classic = false) {
   const auto scene = planeScene();
   double stiffness = from;
-  while (stiffness > kStep && !isStable(*scene, stiffness, grip)) stiffness -= kStep;
-  while (stiffness < kStiffest && isStable(*scene, stiffness + kStep, grip)) stiffness += kStep;
+  while (stiffness > kStep && !isStable(*scene, stiffness, grip, classic)) stiffness -= kStep;
+  while (stiffness < kStiffest && isStable(*scene, stiffness + kStep, grip, classic)) stiffness += kStep;
   return 1e-3 * stiffness;
 }
 
 std::vector<Figure> stiffestFigures() {
-  return {{"M10.held", "flat wall, B 4 N s/m, hand b 2", "", "N/mm", stiffest(Grip::kLoose, 3500.0), 3.5, true},
-          {"M10.released", "flat wall, B 4 N s/m", "", "N/mm", stiffest(Grip::kReleased, 2000.0), 2.0, true}};
+  return {{"M10.held", "flat wall, B 4 N s/m, hand b 2", "", "N/mm", stiffest(Grip::kLoose, 3500.0), 3.5, true,
+           stiffest(Grip::kLoose, 3500.0, true)},
+          {"M10.released", "flat wall, B 4 N s/m", "", "N/mm", stiffest(Grip::kReleased, 2000.0), 2.0, true,
+           stiffest(Grip::kReleased, 2000.0, true)}};
 }
 
 }  // namespace

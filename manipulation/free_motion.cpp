@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/assertion.h"
 
@@ -74,6 +75,18 @@ void FreeMotion::reset(const Manipulator& manipulator, const EntityConfiguration
     states_[i].clearance = found.distance;
     states_[i].soft = found.distance <= collision::kLeastClearance;
     states_[i].stand_back_W = dvec3(0.0);
+  }
+}
+
+void FreeMotion::moveObstacle(std::uint32_t obstacle, const Pose& X_WO) {
+  const collision::MeshCollider& mesh = *obstacles_[obstacle].collider;
+  const Pose before = std::exchange(obstacles_[obstacle].X_WO, X_WO);
+  const Twist way = difference(X_WO, before);
+  const double reach = glm::length(mesh.center()) + mesh.radius();
+  const double gone = glm::length(way.linear) + reach * glm::length(way.angular);
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].obstacle != obstacle) continue;
+    states_[i].clearance = std::max(0.0, states_[i].clearance - gone);
   }
 }
 

@@ -56,6 +56,9 @@ class FreeMotion {
   /// blocks from now on as if the obstacle stood back by that shift, until it has come apart.
   void guard(std::uint32_t pair, const dvec3& nhat_W);
 
+  /// An obstacle goes to X_WO; nobody else moves. What it comes to touch blocks from then on.
+  void moveObstacle(std::uint32_t obstacle, const Pose& X_WO);
+
   /// Goes along manipulator.between(from, to, .) as far as it is free; `from` must be where the last call ended.
   MotionAnswer advance(const Manipulator& manipulator, const EntityConfiguration& from, const EntityConfiguration& to);
 

@@ -267,6 +267,7 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
     if (!checked) continue;
     obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0, part.mesh.surfaces.get()});
     obstacles.push_back({part.mesh.collider, X_WO});
+    obstacle_owners_.push_back(other.id);
   }
   gatherOwnPairs(entity, options, configuration);
   gaps_.resize(pairs_.size());

@@ -102,6 +102,10 @@ class HeldEntity {
   /// Dry friction of a mechanism's joints as the hand feels it, N, in steps of 0.05; 0 for everything else.
   double jointFriction() const { return joint_friction_; }
 
+  /// Something that goes by itself is `way_W` (m) farther than before. What is held gives way where it would be hit,
+  /// as far as it can; where it cannot the obstacle waits: the share of its way that it went (a machine's own guard).
+  double moveOther(workcell::EntityId other, const dvec3& way_W);
+
   /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
 
@@ -161,6 +165,7 @@ class HeldEntity {
   std::vector<const collision::SurfaceModel*> surfaces_;  ///< Of the parts.
   collision::ContactFinder finder_;
   std::vector<collision::ZonePart> obstacles_;
+  std::vector<workcell::EntityId> obstacle_owners_;  ///< In the order of the obstacles.
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;

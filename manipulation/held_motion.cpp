@@ -168,6 +168,30 @@ HeldEntity::WayResult HeldEntity::goTo(const EntityConfiguration& target) {
   return {};
 }
 
+double HeldEntity::moveOther(workcell::EntityId other, const dvec3& way_W) {
+  const double length = glm::length(way_W);
+  double share = 1.0;
+  // Whatever is nearer than its way and the boundary might be hit: what is held goes out of its way first.
+  motion_->distances(length + kSkin, near_);
+  const bool hit = std::any_of(near_.begin(), near_.end(), [&](const FreeMotion::PairDistance& near) {
+    return pairs_[near.pair].other == other && motion_pairs_[near.pair].blocks &&
+           glm::dot(way_W, near.result.nhat_BA_W) > 1e-6 * length;
+  });
+  if (hit) {
+    const Pose X_WM = movedFrame();
+    const WayResult gone = goTo(manipulator_->propose(accepted_, {X_WM.p + way_W, X_WM.q}));
+    if (gone.blocked) share = gone.share;
+  }
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    if (obstacle_owners_[i] != other) continue;
+    obstacles_[i].X_W.p += share * way_W;
+    motion_->moveObstacle(static_cast<std::uint32_t>(i), obstacles_[i].X_W);
+  }
+  way_->known = false;
+  way_->contacts.count = 0;
+  return share;
+}
+
 HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,
                                             const BuiltConstraints* built, double duration_s) {
   const Pose X_WWanted = mapping.toCell(X_DP);

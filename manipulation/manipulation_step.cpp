@@ -136,9 +136,11 @@ double ManipulationEngine::zoneRadius() {
   const double configured = configuration_.manipulation.zone_radius;
   if (state_->adopted_set == 0) return configured;
   const double ahead = seconds(now_ns_ - adopted_ns_) + seconds(now_ns_ - last_set_ns_);
+  double coming = 0.0;
+  for (const auto& [id, on_its_way] : scripted_) coming = std::max(coming, glm::length(on_its_way.velocity_W));
   // Where the last one had to shrink, asking for more only costs time.
   const double most = std::max(configured, std::min(kWidestZone, 2.0 * built_.set.zone_radius));
-  return std::clamp(kSpeedReserve * speed_ * ahead, configured, most);
+  return std::clamp(kSpeedReserve * (speed_ + coming / mapping_.scale()) * ahead, configured, most);
 }
 
 void ManipulationEngine::updateSet() {
@@ -166,7 +168,7 @@ void ManipulationEngine::updateSet() {
     }
     addGuideRows();
     addLagRow();
-    for (std::size_t i = 0; i < built_.set.count; ++i) built_.set.constraints[i].velocity_D -= drift_D_;
+    addVelocities();
   } else {
     built_ = {};
     built_.set.X_DR = state_->X_DP;
@@ -205,6 +207,8 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   if (!state_) return;
   watchButtons();
   driftAtEdge();
+  mapping_.lookFrom(state_->X_DP);
+  moveScripted();
   if (held_ && !clutched_) {
     const HeldEntity::FollowResult followed = held_->follow(onGuides(state_->X_DP), mapping_, &built_, stepTime());
     hurried_joint_ = followed.hurried_joint;

@@ -79,6 +79,8 @@ class ManipulationEngine {
   bool holdsStill() const;
   void addLagRow();
   void driftAtEdge();
+  void moveScripted();
+  void addVelocities();
   void addGuideRows();
   void slaveSet(const Pose& X_WM0);
   Pose onGuides(const Pose& X_DP) const;
@@ -102,6 +104,13 @@ class ManipulationEngine {
   haptic::HapticControl control_;
 
   std::vector<workcell::Guide> guides_;
+  /// Where a scripted entity is on its way: it waits where what is held cannot give way.
+  struct OnItsWay {
+    double t = 0.0;         ///< s of its script.
+    dvec3 velocity_W{0.0};  ///< m/s.
+  };
+  std::map<workcell::EntityId, OnItsWay> scripted_;
+  std::int64_t scripted_ns_ = -1;
   workcell::EntityId chosen_ = 0;
   MovedBy moved_by_;
   AxesChoice axes_;

@@ -8,6 +8,19 @@
 
 namespace hapticell::manipulation {
 
+namespace {
+
+/// Of SO(3): how the turn exp(theta) changes with its rotation vector, J = I + (1 - cos t)/t^2 [theta] + (t - sin
+/// t)/t^3 [theta]^2 (T. Barfoot, "State Estimation for Robotics", 2017, 7.1.5).
+dmat3 leftJacobian(const dvec3& theta) {
+  const dmat3 cross(dvec3(0, theta.z, -theta.y), dvec3(-theta.z, 0, theta.x), dvec3(theta.y, -theta.x, 0));
+  const double t = glm::length(theta);
+  if (t < 1e-4) return dmat3(1.0) + 0.5 * cross + (1.0 / 6.0) * (cross * cross);
+  return dmat3(1.0) + ((1.0 - std::cos(t)) / (t * t)) * cross + ((t - std::sin(t)) / (t * t * t)) * (cross * cross);
+}
+
+}  // namespace
+
 dquat deviceAxes(AxesMode mode, const Pose& X_WCamera, const Pose& X_WF) {
   if (mode == AxesMode::kFrame) return X_WF.q;
   if (mode == AxesMode::kCell) return {1.0, 0.0, 0.0, 0.0};
@@ -33,6 +46,13 @@ void MotionMapping::setFilter(bool translates, bool rotates) {
 void MotionMapping::anchor(const Pose& X_DA, const Pose& X_WA) {
   X_DA_ = X_DA;
   X_WA_ = X_WA;
+  bend_ = dmat3(1.0);
+}
+
+void MotionMapping::lookFrom(const Pose& X_DP) {
+  const dvec3 theta = difference(X_DP, X_DA_).angular;
+  bend_ =
+      rotation_scale_ == 1.0 ? dmat3(1.0) : leftJacobian(rotation_scale_ * theta) * glm::inverse(leftJacobian(theta));
 }
 
 void MotionMapping::setRotationScale(double scale) {
@@ -40,22 +60,31 @@ void MotionMapping::setRotationScale(double scale) {
 }
 
 Twist MotionMapping::toCell(const Twist& motion_D) const {
+  return scaled({motion_D.linear, bend_ * motion_D.angular});
+}
+
+Twist MotionMapping::toDevice(const Twist& motion_W) const {
+  const Twist motion_D = unscaled(motion_W);
+  return {motion_D.linear, glm::inverse(bend_) * motion_D.angular};
+}
+
+Twist MotionMapping::scaled(const Twist& motion_D) const {
   return {translates_ ? scale_ * (q_WD_ * (kept_ * motion_D.linear)) : dvec3(0.0),
           rotates_ ? rotation_scale_ * (q_WD_ * (turned_ * motion_D.angular)) : dvec3(0.0)};
 }
 
-Twist MotionMapping::toDevice(const Twist& motion_W) const {
+Twist MotionMapping::unscaled(const Twist& motion_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
   return {translates_ ? kept_ * (q_DW * motion_W.linear) / scale_ : dvec3(0.0),
           rotates_ ? turned_ * (q_DW * motion_W.angular) / rotation_scale_ : dvec3(0.0)};
 }
 
 Pose MotionMapping::toCell(const Pose& X_DP) const {
-  return displaced(X_WA_, toCell(difference(X_DP, X_DA_)));
+  return displaced(X_WA_, scaled(difference(X_DP, X_DA_)));
 }
 
 Pose MotionMapping::toDevice(const Pose& X_WM, const Pose& X_DNear) const {
-  const Pose X_DP = displaced(X_DA_, toDevice(difference(X_WM, X_WA_)));
+  const Pose X_DP = displaced(X_DA_, unscaled(difference(X_WM, X_WA_)));
   const dvec3 kept = translates_ ? kept_ : dvec3(0.0);
   const dvec3 p = kept * X_DP.p + (dvec3(1.0) - kept) * X_DNear.p;
   if (!rotates_ || turned_ == dvec3(1.0)) return {p, rotates_ ? X_DP.q : X_DNear.q};
@@ -66,8 +95,8 @@ Pose MotionMapping::toDevice(const Pose& X_WM, const Pose& X_DNear) const {
 haptic::Vector6 MotionMapping::gradientToDevice(const haptic::Vector6& a_W) const {
   const dquat q_DW = glm::conjugate(q_WD_);
   const dvec3 linear = translates_ ? kept_ * (q_DW * dvec3(a_W[0], a_W[1], a_W[2])) : dvec3(0.0);
-  const dvec3 angular =
-      rotates_ ? (rotation_scale_ / scale_) * turned_ * (q_DW * dvec3(a_W[3], a_W[4], a_W[5])) : dvec3(0.0);
+  const dvec3 turn_D = glm::transpose(bend_) * (turned_ * (q_DW * dvec3(a_W[3], a_W[4], a_W[5])));
+  const dvec3 angular = rotates_ ? (rotation_scale_ / scale_) * turn_D : dvec3(0.0);
   return {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
 }
 
@@ -76,7 +105,7 @@ void MotionMapping::toDevice(haptic::Constraint& constraint_W) const {
   constraint_W.trim_gap /= scale_;
   constraint_W.gradient = gradientToDevice(constraint_W.gradient);
   constraint_W.trim_gradient = gradientToDevice(constraint_W.trim_gradient);
-  // xi_W = S xi_D with S = diag(scale R_WD K, rotation scale R_WD): B_D = S' B_W S / scale.
+  // xi_W = S xi_D with S = diag(scale R_WD K, rotation scale R_WD bend): B_D = S' B_W S / scale.
   const dmat3 R_DW = glm::mat3_cast(glm::conjugate(q_WD_));
   const dmat3 R_WD = glm::transpose(R_DW);
   Blocks blocks = blocksOf(constraint_W.curvature);
@@ -85,8 +114,9 @@ void MotionMapping::toDevice(haptic::Constraint& constraint_W) const {
   const dmat3 K = dmat3(dvec3(kept_.x, 0, 0), dvec3(0, kept_.y, 0), dvec3(0, 0, kept_.z));
   const dmat3 T = dmat3(dvec3(turned_.x, 0, 0), dvec3(0, turned_.y, 0), dvec3(0, 0, turned_.z));
   blocks.linear = (linear * scale_) * (K * R_DW * blocks.linear * R_WD * K);
-  blocks.mixed = (linear * angular * rotation_scale_) * (K * R_DW * blocks.mixed * R_WD * T);
-  blocks.angular = (angular * rotation_scale_ * rotation_scale_ / scale_) * (T * R_DW * blocks.angular * R_WD * T);
+  blocks.mixed = (linear * angular * rotation_scale_) * (K * R_DW * blocks.mixed * R_WD * T * bend_);
+  blocks.angular = (angular * rotation_scale_ * rotation_scale_ / scale_) *
+                   (glm::transpose(bend_) * T * R_DW * blocks.angular * R_WD * T * bend_);
   constraint_W.curvature = symmetricOf(blocks);
 }
 

@@ -58,9 +58,11 @@ class MotionMapping {
   /// The stylus pose that means X_WM; what a filter hides is taken from `X_DNear`. Inverse of toCell().
   Pose toDevice(const Pose& X_WM, const Pose& X_DNear) const;
 
-  /// A small motion of the stylus as one of the moved frame, and back (filtered parts become zero). Exact for a
-  /// rotation scale of 1; for another one where the hand is turned as at the anchor, and off by about half the turn
-  /// since then times (scale - 1) elsewhere.
+  /// Small motions and constraints are mapped as they are for a stylus (or proxy) turned like X_DP; anchor() says: as
+  /// there. Scaled turns do not add up as vectors, so for a rotation scale other than 1 the map depends on it.
+  void lookFrom(const Pose& X_DP);
+
+  /// A small motion of the stylus as one of the moved frame, and back (filtered parts become zero).
   Twist toCell(const Twist& motion_D) const;
   Twist toDevice(const Twist& motion_W) const;
 
@@ -70,6 +72,9 @@ class MotionMapping {
 
  private:
   haptic::Vector6 gradientToDevice(const haptic::Vector6& a_W) const;
+  /// The whole difference from the anchor, scaled, and back.
+  Twist scaled(const Twist& motion_D) const;
+  Twist unscaled(const Twist& motion_W) const;
 
   dquat q_WD_{1.0, 0.0, 0.0, 0.0};
   double scale_ = 1.0;
@@ -80,6 +85,8 @@ class MotionMapping {
   double rotation_scale_ = 1.0;
   Pose X_DA_;
   Pose X_WA_;
+  dmat3 bend_{1.0};  ///< What of a small turn is not mere scale, in D: exp(s theta)'s left Jacobian times that of theta
+                     ///< inverted.
 };
 
 }  // namespace hapticell::manipulation

@@ -13,6 +13,7 @@
 #include "kinematics/robot_model.h"
 #include "mannequin/figure.h"
 #include "workcell/import_options.h"
+#include "workcell/scripted_motion.h"
 
 namespace hapticell::workcell {
 
@@ -105,9 +106,10 @@ struct Entity {
   Attachment attachment;
   OnContact on_contact = OnContact::kSlide;
   ForceClass force_class = ForceClass::kContact;
-  std::string material = "steel";  ///< Key of the configuration's material table.
-  double mass = 1.0;               ///< kg, for the class kDynamics.
-  std::vector<Frame> frames;       ///< Names unique within the entity.
+  std::string material = "steel";        ///< Key of the configuration's material table.
+  double mass = 1.0;                     ///< kg, for the class kDynamics.
+  std::vector<Frame> frames;             ///< Names unique within the entity.
+  std::optional<ScriptedMotion> motion;  ///< How it goes by itself during a session; none: it stands.
 };
 
 /// The mesh that a solid is checked by: its proxy's where it has one, else its own.

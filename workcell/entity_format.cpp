@@ -6,6 +6,7 @@
 
 #include "workcell/mechanism_format.h"
 #include "workcell/mesh_care.h"
+#include "workcell/motion_format.h"
 #include "workcell/robot_format.h"
 #include "workcell/source_format.h"
 
@@ -91,6 +92,7 @@ Json jsonFromEntity(const Entity& entity, const fs::path& folder) {
   for (const Frame& frame : entity.frames) {
     json["frames"].push_back({{"name", frame.name}, {"placement", toJson(frame.X_EF)}});
   }
+  if (entity.motion) json["motion"] = jsonFromMotion(*entity.motion);
   addRobotFields(entity, json);
   if (!entity.attachment.to.empty()) {
     json["attached"] = {
@@ -119,6 +121,9 @@ void readEntityFields(FieldReader& fields, const std::string& place, const Forma
   entity.on_contact = static_cast<OnContact>(on_contact);
   entity.force_class = static_cast<ForceClass>(force_class);
   if (const Json* frames = fields.array("frames")) readFrames(*frames, place, context, entity);
+  if (const Json* motion = fields.object("motion")) {
+    entity.motion = motionFromJson(*motion, place, context.error, context.diagnostics);
+  }
   if (const Json* attached = fields.object("attached")) {
     FieldReader attached_fields(*attached, place + ", \"attached\"", context.error);
     attached_fields.require("to");

@@ -64,5 +64,118 @@ TEST(SessionFeel, ADeviceOfSixDrivenAxesResistsTheTurn) {
   EXPECT_GE(six->energy_min_j, -1e-3);
 }
 
+workcell::ScriptedMotion going(const dvec3& way, double duration) {
+  workcell::ScriptedMotion motion;
+  motion.points = {{0.0, dvec3(0.0)}, {duration, way}};
+  motion.repeat = workcell::MotionRepeat::kBack;
+  return motion;
+}
+
+/// A belt of 2 m runs at 0.2 m/s under the box that is pressed onto it by a hand that stays.
+TEST(SessionFeel, AConveyorUnderThePartIsFeltAsItsFrictionOnly) {
+  for (const double rate : {10.0, 60.0, 1000.0}) {
+    auto cell = boxOverTable(0.01);
+    const auto hand =
+        handThrough({{0.0, {0, 0, 0.01}}, {1.2, {0, 0, 0.01}}, {2.0, {0, 0, -0.005}}, {4.0, {0, 0, -0.005}}});
+    const auto still = runSession(sessionOf(cell, "box", hand, rate, 0.5 / rate));
+    cell[0].motion = going({0.8, 0, 0}, 4.0);
+    cell[0].mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({4.0, 1.0, 0.1}));
+    dvec3 force(0.0);
+    const auto moving =
+        runSession(sessionOf(cell, "box", hand, rate, 0.5 / rate), [&](const TraceRow& row) { force = row.force_D; });
+    ASSERT_TRUE(still && moving);
+    EXPECT_NEAR(moving->force_max_n, still->force_max_n, 0.15 * still->force_max_n) << rate;
+    EXPECT_LE(moving->penetration_max_m, 7.5e-5) << rate;
+    EXPECT_GE(moving->energy_min_j, -0.75e-3) << rate;
+    EXPECT_GT(force.z, 1.0);
+    EXPECT_GT(force.x, 0.05 * force.z) << "it drags along, steel on steel";
+    EXPECT_LT(force.x, 0.4 * force.z);
+  }
+}
+
+/// A wall comes at 0.1 m/s and takes the box along.
+TEST(SessionFeel, AWallThatComesPushesThePartAndNeverEntersIt) {
+  for (const double rate : {10.0, 1000.0}) {
+    std::vector<workcell::Entity> cell{
+        test::solid(1, "wall", geometry::makeBox({0.02, 0.5, 0.5}), Pose::translation({-0.2, 0, 0})),
+        test::solid(2, "box", geometry::makeBox(dvec3(0.06)))};
+    cell[0].motion = going({0.2, 0, 0}, 2.0);
+    const auto hand = handThrough({{0.0, dvec3(0.0)}, {3.0, dvec3(0.0)}});
+    auto options = sessionOf(cell, "box", hand, rate, 0.5 / rate);
+    options.configuration.hand.stiffness = 150.0;
+    const auto report = runSession(options);
+    ASSERT_TRUE(report) << report.error().message();
+    EXPECT_GT(report->force_max_n, 1.0) << rate;
+    EXPECT_LE(report->penetration_max_m, 7.5e-5) << rate;
+    ASSERT_EQ(report->contacts.size(), 1U) << rate;
+    // 160 mm at 0.1 m/s: it arrives after 1.6 s.
+    EXPECT_NEAR(report->contacts[0].time_in, 1.6, 0.15) << rate;
+  }
+}
+
+/// Down onto the table by 5 mm of hand and to rest, after a swing in free air.
+SessionOptions pressing(const std::string& material, workcell::ForceClass force_class) {
+  auto cell = boxOverTable(0.02);
+  cell[0].material = cell[1].material = material;
+  cell[1].mass = 3.0;
+  auto options = sessionOf(cell, "box",
+                           handThrough({{0.0, {0, 0, 0.02}},
+                                        {1.2, {0, 0, 0.02}},
+                                        {1.6, {0.03, 0, 0.02}},
+                                        {2.0, {0, 0, 0.02}},
+                                        {2.4, {0, 0, -0.005}},
+                                        {3.4, {0, 0, -0.005}}}),
+                           60.0, 0.01);
+  options.force_class = force_class;
+  return options;
+}
+
+struct Felt {
+  double in_air = 0.0, at_impact = 0.0, at_rest = 0.0;  ///< N, largest; at rest the vertical one at the end.
+};
+
+Felt feltOf(const SessionOptions& options) {
+  Felt felt;
+  const auto report = runSession(options, [&](const TraceRow& row) {
+    const double force = glm::length(row.force_D);
+    if (row.t > 1.2 && row.t < 2.0) felt.in_air = std::max(felt.in_air, force);
+    if (row.t > 2.0 && row.t < 2.6) felt.at_impact = std::max(felt.at_impact, row.force_D.z);
+    felt.at_rest = row.force_D.z;
+  });
+  EXPECT_TRUE(report.has_value());
+  if (report) EXPECT_GE(report->energy_min_j, -1e-3);
+  return felt;
+}
+
+TEST(SessionFeel, TheClassConstantFeelsEveryMaterialAlike) {
+  const Felt steel = feltOf(pressing("steel", workcell::ForceClass::kConstant));
+  const Felt foam = feltOf(pressing("foam", workcell::ForceClass::kConstant));
+  EXPECT_EQ(steel.in_air, 0.0);
+  EXPECT_GT(steel.at_rest, 0.8);
+  EXPECT_EQ(steel.at_rest, foam.at_rest);
+  EXPECT_EQ(steel.at_impact, foam.at_impact);
+}
+
+TEST(SessionFeel, TheClassContactFeelsMaterialAndWhatIsLeftOfTheWeight) {
+  const Felt steel = feltOf(pressing("steel", workcell::ForceClass::kContact));
+  const Felt foam = feltOf(pressing("foam", workcell::ForceClass::kContact));
+  EXPECT_LT(foam.at_rest, 0.8 * steel.at_rest) << "a soft thing gives way";
+  EXPECT_EQ(steel.in_air, 0.0) << "gravity is compensated as shipped";
+  auto heavy = pressing("steel", workcell::ForceClass::kContact);
+  heavy.configuration.manipulation.gravity_compensation = 0.99;
+  // 1 % of 3 kg: 0.294 N.
+  EXPECT_NEAR(feltOf(heavy).in_air, 0.01 * 3.0 * 9.80665, 0.01);
+  heavy.configuration.manipulation.gravity_compensation = 0.0;
+  EXPECT_NEAR(feltOf(heavy).in_air, 0.5 * heavy.device.continuous_force, 0.01) << "no more than that";
+}
+
+TEST(SessionFeel, TheClassDynamicsFeelsInertiaAndStrikesHarder) {
+  const Felt light = feltOf(pressing("steel", workcell::ForceClass::kContact));
+  const Felt heavy = feltOf(pressing("steel", workcell::ForceClass::kDynamics));
+  EXPECT_GT(heavy.in_air, 0.1) << "it must be accelerated";
+  EXPECT_GT(heavy.at_impact, light.at_impact);
+  EXPECT_NEAR(heavy.at_rest, light.at_rest, 0.15) << "at rest inertia is nothing";
+}
+
 }  // namespace
 }  // namespace hapticell::manipulation
