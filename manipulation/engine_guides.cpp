@@ -2,6 +2,7 @@
 // What the hand feels besides contacts: guides, the load it carries, and the drift at the edge of its workspace.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "haptic/rendering/active_set_solver.h"
 #include "haptic/rendering/proxy_metric.h"
@@ -13,8 +14,9 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kEdgeBegins = 0.85;  ///< Of the workspace's half width.
-constexpr double kLongestStep = 0.1;  ///< s that one step of the drift can stand for.
+constexpr double kEdgeBegins = 0.85;   ///< Of the workspace's half width.
+constexpr double kLeastZone = 0.8e-3;  ///< m of hand: what a set is good for at least.
+constexpr double kLongestStep = 0.1;   ///< s that one step of the drift can stand for.
 
 /// As half-spaces of the proxy's metric, for the projection.
 void appendSolverRows(const std::vector<haptic::Constraint>& constraints, std::vector<haptic::SolverRow>& rows) {
@@ -76,6 +78,29 @@ void ManipulationEngine::slaveSet(const Pose& X_WM0) {
   }
 }
 
+/// Guides go before contacts that are far away: those are left out of the set, which then is good for a smaller zone.
+void ManipulationEngine::makeRoom(std::size_t rows) {
+  haptic::ConstraintSet& set = built_.set;
+  while (set.count + rows > haptic::kMaxConstraints && set.count > 0) {
+    std::map<std::uint32_t, double> gap_of;
+    for (const haptic::Constraint& c : set.active()) {
+      auto [group, is_new] = gap_of.try_emplace(c.group, c.gap);
+      if (!is_new) group->second = std::max(group->second, c.gap);
+    }
+    const auto farthest = std::max_element(gap_of.begin(), gap_of.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+    set.zone_radius = std::clamp(farthest->second, kLeastZone, set.zone_radius);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < set.count; ++i) {
+      if (set.constraints[i].group == farthest->first) continue;
+      set.constraints[kept] = set.constraints[i];
+      built_.origins[kept++] = built_.origins[i];
+    }
+    set.count = kept;
+    built_.origins.resize(kept);
+  }
+}
+
 void ManipulationEngine::addGuideRows() {
   const std::vector<const workcell::Guide*> guides = guidesOfHeld();
   if (guides.empty()) return;
@@ -91,6 +116,7 @@ void ManipulationEngine::addGuideRows() {
       if (row) rows.push_back(*row);
       if (row) rows.back().group = group;
     }
+    makeRoom(rows.size());
     for (haptic::Constraint& row : rows) {
       if (set.count >= haptic::kMaxConstraints) return;
       mapping_.toDevice(row);

@@ -2,6 +2,7 @@
 // How the held entity follows the hand: as far as it is free, and along what stands in the way.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "haptic/rendering/active_set_solver.h"
 #include "manipulation/held_entity.h"
@@ -179,7 +180,8 @@ double HeldEntity::moveOther(workcell::EntityId other, const dvec3& way_W) {
   });
   if (hit) {
     const Pose X_WM = movedFrame();
-    const WayResult gone = goTo(manipulator_->propose(accepted_, {X_WM.p + way_W, X_WM.q}));
+    const Pose X_WPushed{X_WM.p + way_W, X_WM.q};
+    const WayResult gone = goTo(manipulator_->propose(accepted_, X_WPushed, std::numeric_limits<double>::infinity()));
     if (gone.blocked) share = gone.share;
   }
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {

@@ -82,6 +82,7 @@ class ManipulationEngine {
   void moveScripted();
   void addVelocities();
   void addGuideRows();
+  void makeRoom(std::size_t rows);
   void slaveSet(const Pose& X_WM0);
   Pose onGuides(const Pose& X_DP) const;
   std::vector<const workcell::Guide*> guidesOfHeld() const;

@@ -110,8 +110,8 @@ TEST(GuideKinds, eachHoldsWhatIsShownAndIsFelt) {
         travel = std::max(travel, glm::length(row.X_WM.p));
       });
       ASSERT_TRUE(report.has_value()) << report.error().message();
-      // The surface is followed by one tangent at the nearest points a step.
-      EXPECT_LT(off, c.guide.kind == GuideKind::kSurface ? 0.5e-3 : 0.06e-3);
+      // The surface is followed by one tangent at the nearest points a step, while the wrist turns.
+      EXPECT_LT(off, c.guide.kind == GuideKind::kSurface ? 1.5e-3 : 0.06e-3);
       EXPECT_GE(travel, c.least_travel);
       EXPECT_GT(report->force_max_n, 0.3);
       EXPECT_GE(report->energy_min_j, -1e-3);
