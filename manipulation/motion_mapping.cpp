@@ -51,8 +51,9 @@ void MotionMapping::anchor(const Pose& X_DA, const Pose& X_WA) {
 
 void MotionMapping::lookFrom(const Pose& X_DP) {
   const dvec3 theta = difference(X_DP, X_DA_).angular;
-  bend_ =
-      rotation_scale_ == 1.0 ? dmat3(1.0) : leftJacobian(rotation_scale_ * theta) * glm::inverse(leftJacobian(theta));
+  // Where turning about some axis is hidden, what is left of it is mapped as at the anchor.
+  const bool plain = rotation_scale_ == 1.0 || turned_ != dvec3(1.0);
+  bend_ = plain ? dmat3(1.0) : leftJacobian(rotation_scale_ * theta) * glm::inverse(leftJacobian(theta));
 }
 
 void MotionMapping::setRotationScale(double scale) {
