@@ -129,7 +129,7 @@ TEST(GuideKinds, theCarDoorOpensToItsStopAndSnapsShut) {
   ASSERT_TRUE(hand) << hand.error().message();
   for (const auto& [rate, latency] : {std::pair{10.0, 0.05}, {100.0, 0.01}}) {
     SessionOptions options = test::sessionOf(document->snapshotEntities(), "door", *hand, rate, latency);
-    options.pair_sets = document->state().pair_sets;
+    options.pairs.sets = document->state().pair_sets;
     options.guides = document->state().guides;
     options.moved_by = *parseMovedBy("frame:handle");
     options.scale = *parseScale("8");
