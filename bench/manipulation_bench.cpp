@@ -13,30 +13,12 @@
 
 #include "bench/collision_scenes.h"
 #include "manipulation/manipulation_step.h"
+#include "tests/manipulation/hand_link.h"
 
 namespace hapticell::bench {
 namespace {
 
-/// A stylus that stands where the bench puts it; the proxy is the stylus.
-class HandLink final : public haptic::HapticLink {
- public:
-  haptic::LinkState linkState() const override { return haptic::LinkState::kConnected; }
-  std::string problem() const override { return {}; }
-  std::optional<haptic::DeviceDescription> device() const override {
-    haptic::DeviceDescription description;
-    description.workspace_min = dvec3(-0.08);
-    description.workspace_max = dvec3(0.08);
-    return description;
-  }
-  std::optional<haptic::HapticState> latestState() override { return state; }
-  std::optional<haptic::ServerStatistics> latestStatistics() override { return std::nullopt; }
-  void sendSet(const haptic::ConstraintSet&) override { ++sets; }
-  void sendControl(const haptic::HapticControl&) override {}
-  void sendHandTarget(const haptic::HandTarget&) override {}
-
-  haptic::HapticState state;
-  int sets = 0;
-};
+using manipulation::test::HandLink;
 
 /// Of this thread alone, so that other programs' time slices are out.
 double cpuMilliseconds() {

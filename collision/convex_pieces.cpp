@@ -50,6 +50,11 @@ std::shared_ptr<const ConvexPieces> ConvexPieces::build(const geometry::Triangle
   auto result = std::make_shared<ConvexPieces>();
   const double size = glm::length(mesh.bounds().size());
   result->tolerance_ = tolerance > 0.0 ? tolerance : std::max(1e-6, 1e-5 * size);
+  if (mesh.triangles.size() > kMostTriangles) {
+    result->crowded_ = true;
+    result->bounds_ = mesh.bounds();
+    return result;
+  }
   const SurfaceGraph graph(mesh, result->tolerance_);
   result->surface_ = MeshCollider::build(graph.mesh());
   result->piece_of_.assign(graph.mesh().triangles.size(), 0);

@@ -39,11 +39,15 @@ class ConvexPieces {
   /// Cuts the surface of a soup (indices in range, coordinates finite). A convex mesh (box, cylinder, sphere) becomes
   /// one piece; elsewhere triangles are joined while their hull stays free of other surface by more than
   /// `tolerance` (m; 0 chooses 1e-5 of the size, at least a micrometre). Degenerate triangles are dropped.
+  /// Meshes of more than kMostTriangles are not cut (it would take minutes and kilobytes a triangle): isCrowded().
+  static constexpr std::size_t kMostTriangles = 200000;
   static std::shared_ptr<const ConvexPieces> build(const geometry::TriangleMesh& mesh, double tolerance = 0.0);
 
   const std::vector<ConvexPiece>& pieces() const { return pieces_; }
   const geometry::Bounds& bounds() const { return bounds_; }
-  /// The welded surface that the pieces were cut from; null for an empty mesh.
+  /// Too large to be cut: there are bounds, but no pieces and no surface. A query in whose zone it comes is incomplete.
+  bool isCrowded() const { return crowded_; }
+  /// The welded surface that the pieces were cut from; null for an empty mesh and a crowded one.
   const MeshCollider* surface() const { return surface_.get(); }
   /// The piece that holds a triangle of the surface.
   std::uint32_t pieceOf(std::uint32_t surface_triangle) const { return piece_of_[surface_triangle]; }
@@ -56,6 +60,7 @@ class ConvexPieces {
   std::shared_ptr<const MeshCollider> surface_;
   std::vector<std::uint32_t> piece_of_;
   double tolerance_ = 0.0;
+  bool crowded_ = false;
 };
 
 }  // namespace hapticell::collision

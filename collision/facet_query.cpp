@@ -85,6 +85,8 @@ bool FacetQuery::counts(std::size_t moving_part, std::size_t environment_part) c
 }
 
 bool FacetQuery::candidates(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found) {
+  found.clear();
+  if (a.part().pieces->isCrowded() || b.part().pieces->isCrowded()) return false;
   if (a.isLarge() || b.isLarge()) {
     SearchBudget budget{kMostCandidates, kMostTests};
     const bool all =
@@ -92,7 +94,6 @@ bool FacetQuery::candidates(PlacedPart& a, PlacedPart& b, double reach, std::vec
     work_ += (kMostTests - budget.tests) / 2;
     return all;
   }
-  found.clear();
   const auto pieces_a = a.near(grown(b.bounds(), reach));
   const auto pieces_b = b.near(grown(a.bounds(), reach));
   for (const auto i : pieces_a) {

@@ -125,7 +125,7 @@ class ListedSweep {
       least_at_end_ = std::min(least_at_end_, bound);
       return;
     }
-    if (staysApartOnListedAxis(k)) return;
+    if (staysApartOnKnownAxis(k)) return;
     double s = stretch_.from;
     NearestPair here = distanceAt(k, s);
     double distance = std::sqrt(here.squared);
@@ -158,17 +158,27 @@ class ListedSweep {
     endAt(s);
   }
 
-  /// On the line of the nearest points when the pair was listed: a cheap proof that most pairs pass.
-  bool staysApartOnListedAxis(std::size_t k) {
+  /// On the line of the nearest points when the pair was listed, or on a face's normal: a cheap proof that most pairs
+  /// pass, those of faces that slide over each other too.
+  bool staysApartOnKnownAxis(std::size_t k) {
     const TrianglePair& pair = near_.pairs()[k];
-    if (!(pair.distance > 0.0)) return false;
-    const dvec3 axis = (pair.p_AP - pair.p_AQ) / pair.distance;
-    const double begin = gapOf(k, axis, stretch_.from), end = gapOf(k, axis, until_);
-    if (begin < stretch_.clearance || end < stretch_.clearance) return false;
-    const double length = until_ - stretch_.from;
-    if (keptShare(begin, end, bend_ * length * length / 8.0, 0.5 * stretch_.clearance) < 1.0) return false;
-    least_at_end_ = std::min(least_at_end_, end);
-    return true;
+    const Corners a = cornersOf(mesh_a_, pair.triangle_a), b = cornersOf(mesh_b_, pair.triangle_b);
+    const Corners a0 = begin_.a * a, b0 = begin_.b * b, a1 = end_.a * a, b1 = end_.b * b;
+    const double length = until_ - stretch_.from, bend = bend_ * length * length / 8.0;
+    const auto proves = [&](const dvec3& axis) {
+      const double begin = gapAlong(axis, a0, b0), end = gapAlong(axis, a1, b1);
+      if (begin < stretch_.clearance || end < stretch_.clearance) return false;
+      if (keptShare(begin, end, bend, 0.5 * stretch_.clearance) < 1.0) return false;
+      least_at_end_ = std::min(least_at_end_, end);
+      return true;
+    };
+    if (pair.distance > 0.0 && proves((pair.p_AP - pair.p_AQ) / pair.distance)) return true;
+    for (const Corners* face : {&b0, &a0}) {
+      const dvec3 normal = glm::cross((*face)[1] - (*face)[0], (*face)[2] - (*face)[0]);
+      const double size = glm::length(normal);
+      if (size > 0.0 && (proves(normal / size) || proves(-normal / size))) return true;
+    }
+    return false;
   }
 
   void endAt(double s) {

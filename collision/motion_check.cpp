@@ -63,13 +63,15 @@ class Advancement {
     while (good.s < until_ && good.distance < clearance_ + rate_ * (until_ - good.s)) {
       if (queries_ >= kMostQueries) return stoppedAt(good.s, at(good.s));
       const double plain = (good.distance - 0.5 * clearance_) / rate_;
-      if (const double stretch = listedStretch(good, plain); stretch > 0.0) {
+      proven_ = 0.0;
+      if (double stretch = 0.0; followList(good, plain, stretch)) {
         const ListedStop stop = sweep(good.s, good.s + stretch);
         if (stop.stopped) return stoppedBy(stop, result.began_colliding);
         good = {stop.s, stop.distance_at_least};
         continue;
       }
-      const double s = std::min(until_, good.s + safeStep(good, plain));
+      if (proven_ == 0.0) stride_ = std::max(stride_, plain) * kStrideRecovery;
+      const double s = std::min(until_, good.s + std::max(plain, proven_));
       here = at(s);
       if (violates(here)) return stopBetween(good, s, here);
       good = {s, here.distance};
@@ -93,42 +95,51 @@ class Advancement {
     return stop;
   }
 
-  /// How much of the rest the list of near pairs is good for, made anew where it is worn; 0: it must go without.
-  double listedStretch(const Sample& good, double plain) {
-    const double rest = until_ - good.s;
-    if (plain >= rest) return 0.0;
-    const Pose X_AB = a_.at(good.s).inverse() * b_.at(good.s);
+  /// How far the list of near pairs is good for from here, where it is made anew if it does not reach `enough`; 0 where
+  /// there are too many for one that would be worth having.
+  double listedStretch(double from, double enough, double worth) {
+    const double rest = until_ - from;
+    const Pose X_AB = a_.at(from).inverse() * b_.at(from);
     NearPairs& near = query_.near();
     const double known = (near.reachAt(X_AB) - clearance_) / rate_;
-    if (known >= std::min(rest, kLeastStride * plain)) return std::min(rest, known);
-    // Over a plane much longer steps can be proven than any list is good for.
-    if (stride_ * rate_ > near.likelyRadius() && near.likelyRadius() < rate_ * rest) return 0.0;
-    double radius = clearance_ + std::max(kListReserve * rate_ * rest, kListLeast);
+    if (known >= enough) return std::min(rest, known);
+    double radius = clearance_ + std::max(kListReserve * rate_ * enough, kListLeast);
     for (int tries = 0; tries < kListTries; ++tries) {
       radius = std::min(radius, near.likelyRadius());
       const double stretch = std::min(rest, (radius - clearance_ - kRounding) / rate_);
-      if (stretch < std::min(rest, kLeastStride * plain)) break;
+      if (stretch < std::min(enough, worth)) break;
       ++queries_;
       if (near.fill(query_.a(), query_.b(), X_AB, radius)) return stretch;
     }
+    near.forgive();
     return 0.0;
   }
 
-  /// What distance and speed allow in any direction; along a surface, where that is little, as far as can be proven.
-  double safeStep(const Sample& good, double plain) {
-    const double rest = until_ - good.s;
-    if (plain >= rest || stride_ < kLeastStride * plain) {
-      stride_ = std::max(stride_, plain) * kStrideRecovery;
-      return plain;
+  /// What distance and speed allow in any direction is little along a surface. There as far as the list reaches, if it
+  /// does to the end; else as far as can be proven of whole boxes (over a plane that is far); else as far as it
+  /// reaches.
+  bool followList(const Sample& good, double plain, double& stretch) {
+    const double rest = until_ - good.s, worth = kLeastStride * plain;
+    if (plain >= rest) return false;
+    const bool short_enough = clearance_ + rate_ * rest < query_.near().likelyRadius();
+    if (short_enough || stride_ < worth || !provenStride(good)) {
+      stretch = listedStretch(good.s, rest, worth);
+      return stretch > 0.0;
     }
-    const double longer = std::min(rest, stride_);
+    return false;
+  }
+
+  /// Tries the stride; what it proves is left in proven_.
+  bool provenStride(const Sample& good) {
+    const double longer = std::min(until_ - good.s, stride_);
     ++queries_;
     const SweptPair sweep{a_.at(good.s),  a_.at(good.s + longer),
                           b_.at(good.s),  b_.at(good.s + longer),
                           rate_ * longer, (a_.bend_bound + b_.bend_bound) * longer * longer / 8.0};
-    const bool proven = staysApart(query_.a(), query_.b(), sweep, 0.5 * clearance_);
-    stride_ = proven ? longer * kStrideFactor : longer / kStrideFactor;
-    return proven ? longer : plain;
+    const bool is_proven = staysApart(query_.a(), query_.b(), sweep, 0.5 * clearance_);
+    stride_ = is_proven ? longer * kStrideFactor : longer / kStrideFactor;
+    proven_ = is_proven ? longer : 0.0;
+    return is_proven;
   }
 
   bool violates(const DistanceResult& here) const { return here.colliding || here.distance < clearance_ - kRounding; }
@@ -158,8 +169,13 @@ class Advancement {
     return result;
   }
 
-  /// The whole stretch is free; finds how far along it the clearance still holds (regula falsi with halving).
+  /// The whole stretch is free; finds how far along it the clearance still holds: with the list, or by searches (regula
+  /// falsi with halving).
   MotionStop stopBetween(Sample good, double bad, DistanceResult nearest) {
+    if (listedStretch(good.s, bad - good.s, bad - good.s) >= bad - good.s) {
+      const ListedStop stop = sweep(good.s, bad);
+      if (stop.stopped) return stoppedBy(stop, false);
+    }
     for (int i = 0; i < 40 && (bad - good.s) * rate_ > kStopAccuracy; ++i) {
       const double above = good.distance - clearance_, below = clearance_ - nearest.distance;
       const double share = i % 3 == 2 || above <= 0.0 ? 0.5 : std::clamp(above / (above + below), 0.05, 0.95);
@@ -181,6 +197,7 @@ class Advancement {
   double until_;
   double clearance_;  ///< What is kept: what was asked or, if less, what it began with.
   double rate_;
+  double proven_ = 0.0;
   double stride_;  ///< Of s: the longer step that is tried next.
   int queries_ = 0;
 };

@@ -23,6 +23,8 @@ class NearPairs {
 
   /// A radius (m) that is likely to be short enough, as the lists before were.
   double likelyRadius() const { return likely_; }
+  /// Lists had to be too short to be of use: longer ones are tried again, by and by.
+  void forgive() { likely_ *= 1.05; }
 
   /// With B at X_AB every pair that is not listed is at least this far apart (m); negative: nothing is known.
   double reachAt(const Pose& X_AB) const;

@@ -77,8 +77,8 @@ bool reachesInside(const ConvexHull& hull, const std::array<dvec3, 3>& corners, 
 
 class PatchMerger {
  public:
-  PatchMerger(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider);
-  std::vector<Patch> run();
+  PatchMerger(const SurfaceGraph& graph, const MeshCollider& collider);
+  std::vector<Patch> run(const Patch& component);
 
  private:
   std::uint32_t root(std::uint32_t i) {
@@ -90,25 +90,36 @@ class PatchMerger {
   bool isHollow(const ConvexHull& hull, std::uint32_t a, std::uint32_t b);
   bool merge(std::uint32_t a, std::uint32_t b);
 
+  Growing& growing(std::uint32_t triangle) { return growing_[place_[triangle]]; }
+  void start(const Patch& component);
+
   const SurfaceGraph& graph_;
   const MeshCollider& collider_;
   std::vector<std::uint32_t> component_;
   std::vector<std::uint32_t> parent_;  // by triangle of the graph
-  std::vector<Growing> growing_;
+  std::vector<std::uint32_t> place_;   // of a triangle in the component, by triangle of the graph
+  std::vector<Growing> growing_;       // by place
   std::vector<std::uint32_t> near_;
 };
 
-PatchMerger::PatchMerger(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider)
-    : graph_(graph), collider_(collider), component_(component.triangles) {
+PatchMerger::PatchMerger(const SurfaceGraph& graph, const MeshCollider& collider) : graph_(graph), collider_(collider) {
   parent_.resize(graph.mesh().triangles.size());
   std::iota(parent_.begin(), parent_.end(), 0u);
-  growing_.resize(parent_.size());
-  for (const auto triangle : component_) {
-    Growing& growing = growing_[triangle];
-    growing.patch = graph.patchOf({triangle});
-    growing.faces = {{graph.normal(triangle), glm::dot(graph.normal(triangle), graph.mesh().corner(triangle, 0))}};
-    growing.area = graph.area(triangle);
-    for (int k = 0; k < 3; ++k) growing.bounds.add(graph.mesh().corner(triangle, k));
+  place_.resize(parent_.size());
+}
+
+void PatchMerger::start(const Patch& component) {
+  component_ = component.triangles;
+  growing_.clear();
+  growing_.resize(component_.size());
+  for (std::uint32_t i = 0; i < component_.size(); ++i) {
+    const std::uint32_t triangle = component_[i];
+    place_[triangle] = i;
+    Growing& growing = growing_[i];
+    growing.patch = graph_.patchOf({triangle});
+    growing.faces = {{graph_.normal(triangle), glm::dot(graph_.normal(triangle), graph_.mesh().corner(triangle, 0))}};
+    growing.area = graph_.area(triangle);
+    for (int k = 0; k < 3; ++k) growing.bounds.add(graph_.mesh().corner(triangle, k));
   }
 }
 
@@ -153,8 +164,8 @@ bool PatchMerger::isHollow(const ConvexHull& hull, std::uint32_t a, std::uint32_
 }
 
 bool PatchMerger::merge(std::uint32_t a, std::uint32_t b) {
-  Growing& first = growing_[a];
-  Growing& second = growing_[b];
+  Growing& first = growing(a);
+  Growing& second = growing(b);
   if (first.patch.vertices.size() + second.patch.vertices.size() > kMostVertices) return false;
   if (!isBehind(first, second) || !isBehind(second, first)) return false;
   Patch both;
@@ -182,7 +193,8 @@ bool PatchMerger::merge(std::uint32_t a, std::uint32_t b) {
   return true;
 }
 
-std::vector<Patch> PatchMerger::run() {
+std::vector<Patch> PatchMerger::run(const Patch& component) {
+  start(component);
   const std::vector<MergeEdge> all = edges();
   std::set<std::array<std::size_t, 4>> failed;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -191,9 +203,9 @@ std::vector<Patch> PatchMerger::run() {
       auto a = root(edge.triangle_a);
       auto b = root(edge.triangle_b);
       if (a == b) continue;
-      if (growing_[a].patch.triangles.size() < growing_[b].patch.triangles.size()) std::swap(a, b);
-      const std::array<std::size_t, 4> attempt{a, growing_[a].patch.triangles.size(), b,
-                                               growing_[b].patch.triangles.size()};
+      if (growing(a).patch.triangles.size() < growing(b).patch.triangles.size()) std::swap(a, b);
+      const std::array<std::size_t, 4> attempt{a, growing(a).patch.triangles.size(), b,
+                                               growing(b).patch.triangles.size()};
       if (failed.count(attempt) != 0) continue;
       if (merge(a, b)) {
         changed = true;
@@ -205,7 +217,7 @@ std::vector<Patch> PatchMerger::run() {
   }
   std::vector<Patch> patches;
   for (const auto triangle : component_) {
-    if (root(triangle) == triangle) patches.push_back(std::move(growing_[triangle].patch));
+    if (root(triangle) == triangle) patches.push_back(std::move(growing(triangle).patch));
   }
   return patches;
 }
@@ -285,8 +297,14 @@ std::optional<ConvexHull> hullOfConvexSurface(const SurfaceGraph& graph, const P
   return hull.planes.size() < 4 ? std::nullopt : std::optional(std::move(hull));
 }
 
-std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider) {
-  return PatchMerger(graph, component, collider).run();
+std::vector<Patch> mergedPatches(const SurfaceGraph& graph, std::span<const Patch> components,
+                                 const MeshCollider& collider) {
+  PatchMerger merger(graph, collider);
+  std::vector<Patch> patches;
+  for (const Patch& component : components) {
+    for (Patch& patch : merger.run(component)) patches.push_back(std::move(patch));
+  }
+  return patches;
 }
 
 }  // namespace hapticell::collision

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "collision/convex_hull.h"
@@ -21,10 +22,11 @@ std::optional<ConvexHull> hullOfPatch(const SurfaceGraph& graph, const Patch& pa
 /// slow or not robust enough for. Nothing where the patch has a border.
 std::optional<ConvexHull> hullOfConvexSurface(const SurfaceGraph& graph, const Patch& patch);
 
-/// Cuts one connected component that is not convex: starts from single triangles and joins neighbours across edges that
+/// Cuts connected components that are not convex: starts from single triangles and joins neighbours across edges that
 /// are not concave (flat ones first, then the sharpest, then the longest) as long as all joined triangles stay on the
 /// hull of the union and that hull holds no other surface deeper than the tolerance. `collider` is that of
 /// graph.mesh().
-std::vector<Patch> mergedPatches(const SurfaceGraph& graph, const Patch& component, const MeshCollider& collider);
+std::vector<Patch> mergedPatches(const SurfaceGraph& graph, std::span<const Patch> components,
+                                 const MeshCollider& collider);
 
 }  // namespace hapticell::collision

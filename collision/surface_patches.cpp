@@ -156,15 +156,12 @@ std::vector<std::vector<std::uint32_t>> SurfaceGraph::components() const {
 }
 
 std::vector<Patch> convexPatches(const SurfaceGraph& graph, const MeshCollider& collider) {
-  std::vector<Patch> patches;
+  std::vector<Patch> patches, hollow;
   for (auto& component : graph.components()) {
     Patch whole = graph.patchOf(std::move(component));
-    if (isConvexSurface(graph, whole)) {
-      patches.push_back(std::move(whole));
-      continue;
-    }
-    for (Patch& patch : mergedPatches(graph, whole, collider)) patches.push_back(std::move(patch));
+    (isConvexSurface(graph, whole) ? patches : hollow).push_back(std::move(whole));
   }
+  for (Patch& patch : mergedPatches(graph, hollow, collider)) patches.push_back(std::move(patch));
   return patches;
 }
 

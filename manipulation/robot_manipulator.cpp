@@ -175,22 +175,37 @@ void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityC
   std::vector<double> steps(model_->joints.size(), 0.0);
   for (std::size_t j = 0; j < model_->joints.size(); ++j) {
     const Joint& joint = model_->joints[j];
-    steps[j] = std::abs(kinematics::jointPosition(*model_, to.joints, joint) -
-                        kinematics::jointPosition(*model_, from.joints, joint));
+    steps[j] =
+        kinematics::jointPosition(*model_, to.joints, joint) - kinematics::jointPosition(*model_, from.joints, joint);
   }
   // From the link inwards: a point moves, seen from a joint, as far as the joints beyond it take it, so its distance
   // from that joint's axis grows by no more than that.
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     const dvec3 center = X_WL[static_cast<std::size_t>(parts_[k].link)] * (parts_[k].X_LP * spheres[k].p_PS);
     bounds[k] = 0.0;
+    double turned = 0.0;
+    Twist begin;
     for (int at = model_->links[static_cast<std::size_t>(parts_[k].link)].parent_joint; at >= 0;) {
       const Joint& joint = model_->joints[static_cast<std::size_t>(at)];
       const Pose& X_WJ = X_WL[static_cast<std::size_t>(joint.child_link)];
       const dvec3 axis = X_WJ.rotate(joint.axis_J);
       const double lever = glm::length(glm::cross(axis, center - X_WJ.p)) + spheres[k].radius + bounds[k];
-      bounds[k] += steps[static_cast<std::size_t>(at)] * (joint.type == JointType::kPrismatic ? 1.0 : lever);
+      const double step = steps[static_cast<std::size_t>(at)];
+      if (joint.type == JointType::kPrismatic) {
+        bounds[k] += std::abs(step);
+        begin.linear += step * axis;
+      } else {
+        bounds[k] += std::abs(step) * lever;
+        turned += std::abs(step);
+        begin.linear += step * glm::cross(axis, center - X_WJ.p);
+        begin.angular += step * axis;
+      }
       at = model_->links[static_cast<std::size_t>(joint.parent_link)].parent_joint;
     }
+    // Joints mostly turn against each other: the speed at the start, and by how much it can change (no point's
+    // acceleration is more than twice the turning times its bound), say more than the sum.
+    const double speed = glm::length(begin.linear) + spheres[k].radius * glm::length(begin.angular);
+    bounds[k] = std::min(bounds[k], speed + 2.0 * turned * bounds[k]);
   }
 }
 

@@ -5,32 +5,13 @@
 
 #include <algorithm>
 
+#include "tests/manipulation/hand_link.h"
 #include "tests/manipulation/test_cells.h"
 
 namespace hapticell::manipulation {
 namespace {
 
-/// A link whose stylus stands where the test puts it; the proxy is the stylus.
-class HandLink final : public haptic::HapticLink {
- public:
-  haptic::LinkState linkState() const override { return haptic::LinkState::kConnected; }
-  std::string problem() const override { return {}; }
-  std::optional<haptic::DeviceDescription> device() const override {
-    haptic::DeviceDescription description;
-    description.workspace_min = dvec3(-0.08);
-    description.workspace_max = dvec3(0.08);
-    return description;
-  }
-  std::optional<haptic::HapticState> latestState() override { return state; }
-  std::optional<haptic::ServerStatistics> latestStatistics() override { return std::nullopt; }
-  void sendSet(const haptic::ConstraintSet& sent) override { set = sent; }
-  void sendControl(const haptic::HapticControl& sent) override { control = sent; }
-  void sendHandTarget(const haptic::HandTarget&) override {}
-
-  haptic::HapticState state;
-  haptic::ConstraintSet set;
-  haptic::HapticControl control;
-};
+using test::HandLink;
 
 class EngineTest : public testing::Test {
  protected:

@@ -62,6 +62,31 @@ TEST_P(SessionAtRate, BoxPressedOnTableSlidesAndLeaves) {
   EXPECT_NEAR(report->X_WMFinal.p.z, 0.06, 0.003);
 }
 
+TEST_P(SessionAtRate, WhatStartsInsideComesFreeWithoutAJump) {
+  // The box stands 5 mm deep in the table; the hand pushes it down and aside, then lifts it.
+  const auto hand = handThrough({{0.0, {0, 0, 0.0}},
+                                 {0.5, {0, 0, 0.0}},
+                                 {1.0, {0.005, 0, -0.004}},
+                                 {1.5, {0, 0, 0.0}},
+                                 {3.0, {0, 0, 0.03}},
+                                 {3.5, {0, 0, 0.03}}});
+  double before = 0.025, longest = 0.0, lowest = before;
+  const TraceSink trace = [&](const TraceRow& row) {
+    if (row.t < 0.3) return;  // Not held yet.
+    longest = std::max(longest, std::abs(row.X_WM.p.z - before));
+    lowest = std::min(lowest, row.X_WM.p.z);
+    before = row.X_WM.p.z;
+  };
+  const auto report =
+      runSession(sessionOf(boxOverTable(-0.005), "box", hand, GetParam().hz, GetParam().latency_s), trace);
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_GT(lowest, 0.025 - 1e-3) << "it gets no deeper";
+  // A hand of 31 mm/s moves 3.1 mm between two steps at 10 Hz.
+  EXPECT_LT(longest, 1.5 * 0.0315 / std::min(GetParam().hz, 1000.0) + 5e-4);
+  EXPECT_NEAR(before, 0.055, 0.002) << "it is where the hand lifted it";
+  EXPECT_TRUE(report->final_contacts.empty());
+}
+
 TEST_P(SessionAtRate, DemonstrationFeelsRight) {
   Diagnostics diagnostics;
   const auto document = workcell::loadDocument(hapticell::test::sourceFile("config/workcells/demo.hcell"), diagnostics);
