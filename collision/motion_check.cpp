@@ -27,6 +27,7 @@ constexpr double kStrideRecovery = 1.2;
 constexpr double kListReserve = 4.0;   ///< The list is made for so many times the motion that is asked for.
 constexpr double kListLeast = 0.3e-3;  ///< m: at least so wide.
 constexpr int kListTries = 3;
+constexpr double kListWorn = 0.25;  ///< Of a new list's reach.
 
 struct Sample {
   double s = 0.0;
@@ -95,14 +96,22 @@ class Advancement {
     return stop;
   }
 
+  /// How far the list is good for as it is; 0 where that is less than `worth`, or little of what a new one would be.
+  double knownStretch(double from, double worth) const {
+    const double rest = until_ - from;
+    const NearPairs& near = query_.near();
+    const double known = (near.reachAt(a_.at(from).inverse() * b_.at(from)) - clearance_) / rate_;
+    const double anew = (near.likelyRadius() - clearance_) / rate_;
+    return known >= rest || known >= std::max(worth, kListWorn * anew) ? std::min(rest, known) : 0.0;
+  }
+
   /// How far the list of near pairs is good for from here, where it is made anew if it does not reach `enough`; 0 where
   /// there are too many for one that would be worth having.
   double listedStretch(double from, double enough, double worth) {
     const double rest = until_ - from;
     const Pose X_AB = a_.at(from).inverse() * b_.at(from);
     NearPairs& near = query_.near();
-    const double known = (near.reachAt(X_AB) - clearance_) / rate_;
-    if (known >= enough) return std::min(rest, known);
+    if (const double known = knownStretch(from, std::min(enough, worth)); known > 0.0) return known;
     double radius = clearance_ + std::max(kListReserve * rate_ * enough, kListLeast);
     for (int tries = 0; tries < kListTries; ++tries) {
       radius = std::min(radius, near.likelyRadius());
@@ -121,6 +130,8 @@ class Advancement {
   bool followList(const Sample& good, double plain, double& stretch) {
     const double rest = until_ - good.s, worth = kLeastStride * plain;
     if (plain >= rest) return false;
+    stretch = knownStretch(good.s, worth);
+    if (stretch > 0.0) return true;
     const bool short_enough = clearance_ + rate_ * rest < query_.near().likelyRadius();
     if (short_enough || stride_ < worth || !provenStride(good)) {
       stretch = listedStretch(good.s, rest, worth);

@@ -19,11 +19,11 @@ bool NearPairs::fill(const MeshCollider& a, const MeshCollider& b, const Pose& X
   sphere_ = b.radius();
   radius_ = -1.0;
   pairs_.clear();
-  if (!trianglePairsWithin(a, b, X_AB, radius, pairs_, 1024)) {
+  if (!trianglePairsWithin(a, b, X_AB, radius, pairs_, kMost)) {
     likely_ = kAfterCrowded * radius;
     return false;
   }
-  if (pairs_.size() < 256) likely_ = std::min(kWidest, std::max(likely_, kAfterRoomy * radius));
+  if (pairs_.size() < kMost / 4) likely_ = std::min(kWidest, std::max(likely_, kAfterRoomy * radius));
   X_AB_ = X_AB;
   radius_ = radius;
   return true;
