@@ -17,6 +17,7 @@
 #include "app/panels/strip_chart.h"
 #include "app/panels/tabbed_docks.h"
 #include "app/panels/workcell_panel.h"
+#include "app/robot/robot_docks.h"
 #include "app/style/dock_title_bar.h"
 
 namespace hapticell::app {
@@ -96,6 +97,7 @@ void addPanels(Host& host) {
   host.addDock(properties_dock, Qt::LeftDockWidgetArea);
   host.window().resizeDocks({workcell_dock, properties_dock}, {556, 414}, Qt::Vertical);
   addBottomDocks(host);
+  addRobotDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   every(kRefreshMilliseconds, workcell, [&host, workcell, properties] {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/robot/cartesian_jog.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/panels/form.h"
+#include "app/panels/pose_text.h"
+#include "app/robot/hold_button.h"
+#include "app/robot/joint_mover.h"
+#include "app/robot/robot_context.h"
+#include "app/style/segmented.h"
+#include "app/style/value_field.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr const char* kAxes[6]{"X", "Y", "Z", "A", "B", "C"};
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+/// A turns about z, B about y, C about x, as the angles of a pose do.
+constexpr int kTurnAxis[3]{2, 1, 0};
+
+}  // namespace
+
+CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* parent)
+    : QWidget(parent), context_(context), mover_(mover) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  frame_ = new Segmented({tr("Base"), tr("Tool"), tr("World")});
+  frame_->setObjectName("segmentsJogFrame");
+  app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Axes of"), frame_);
+  frame_->setCurrent(0);
+  column->addSpacing(2);
+  for (int axis = 0; axis < 6; ++axis) addRow(axis);
+  connect(frame_, &Segmented::chosen, this, &CartesianJog::showNow);
+}
+
+void CartesianJog::addRow(int axis) {
+  const QString name = QString::fromLatin1(kAxes[axis]);
+  const bool turns = axis >= 3;
+  const auto i = static_cast<std::size_t>(axis);
+  auto* holder = new QWidget;
+  auto* line = new QHBoxLayout(holder);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(4);
+  auto* label = makeLabel(name, TextRole::kText);
+  label->setFixedWidth(24);
+  line->addWidget(label);
+  const QString meaning = turns ? tr("turns about %1").arg(QChar('X' + kTurnAxis[axis - 3])) : tr("along %1").arg(name);
+  line->addWidget(makeLabel(meaning, TextRole::kText, true), 1);
+  fields_[i] = new ValueField({turns ? QStringLiteral("°") : QStringLiteral("mm"), 1, -1e6, 1e6, 1.0});
+  fields_[i]->setObjectName(QStringLiteral("jogPose%1").arg(name));
+  fields_[i]->setAccessibleName(name);
+  fields_[i]->setFixedWidth(100);
+  line->addWidget(fields_[i]);
+  connect(fields_[i], &ValueField::edited, this, [this, axis](double value) { typed(axis, value); });
+  for (const bool up : {false, true}) {
+    auto* button =
+        new HoldButton(up ? "plus" : "minus", up ? tr("%1 a step up").arg(name) : tr("%1 a step down").arg(name));
+    button->setObjectName(QStringLiteral("jog%1%2").arg(name, up ? QStringLiteral("More") : QStringLiteral("Less")));
+    connect(button, &HoldButton::began, this, [this, name] {
+      if (context_.robot())
+        mover_.begin(tr("Jog %1 of the TCP of %2").arg(name, QString::fromStdString(context_.robot()->name)));
+    });
+    connect(button, &HoldButton::stepped, this, [this, axis, up] {
+      const double step = axis < 3 ? step_millimetres_ : step_degrees_;
+      jog(axis, up ? step : -step);
+    });
+    connect(button, &HoldButton::ended, this, [this] { mover_.end(); });
+    buttons_[i][up ? 1 : 0] = button;
+    line->addWidget(button);
+  }
+  layout()->addWidget(holder);
+}
+
+void CartesianJog::setStep(double degrees, double millimetres) {
+  step_degrees_ = degrees;
+  step_millimetres_ = millimetres;
+}
+
+kinematics::JogFrame CartesianJog::frame() const {
+  constexpr kinematics::JogFrame kFrames[]{kinematics::JogFrame::kBase, kinematics::JogFrame::kTool,
+                                           kinematics::JogFrame::kWorld};
+  return kFrames[std::max(0, frame_->current())];
+}
+
+void CartesianJog::jog(int axis, double amount) {
+  const workcell::Entity* robot = context_.robot();
+  const kinematics::InverseModel* inverse = context_.inverse();
+  if (!robot || !inverse) return;
+  kinematics::JogStep step;
+  step.frame = frame();
+  if (axis < 3)
+    step.along[axis] = amount * 0.001;
+  else
+    step.turn[kTurnAxis[axis - 3]] = amount * kDegree;
+  const kinematics::JogRobot jogged{*robot->robot, *inverse, robot->robot->findLink(robot->tip_link), robot->X_LT,
+                                    robot->X_WE};
+  const kinematics::JogResult result = kinematics::jogTool(jogged, mover_.target(), step);
+  mover_.moveTo(result.q);
+  emit held(QString::fromStdString(result.reason));
+}
+
+std::array<double, 6> CartesianJog::numbersNow() const {
+  switch (frame()) {
+    case kinematics::JogFrame::kTool:
+      return {};
+    case kinematics::JogFrame::kWorld:
+      return poseNumbers(context_.tool_W());
+    default:
+      return poseNumbers(context_.base_W().inverse() * context_.tool_W());
+  }
+}
+
+void CartesianJog::typed(int axis, double value) {
+  const workcell::Entity* robot = context_.robot();
+  const kinematics::InverseModel* inverse = context_.inverse();
+  if (!robot || !inverse) return;
+  std::array<double, 6> numbers = numbersNow();
+  numbers[static_cast<std::size_t>(axis)] = value;
+  const Pose X_FT = poseFromNumbers(numbers);
+  const Pose X_WF = frame() == kinematics::JogFrame::kWorld  ? Pose::identity()
+                    : frame() == kinematics::JogFrame::kTool ? context_.tool_W()
+                                                             : context_.base_W();
+  const auto solution = inverse->solve(context_.base_W().inverse() * X_WF * X_FT, robot->joints);
+  if (solution.status == kinematics::InverseStatus::kSolved) {
+    mover_.step(tr("Move the TCP of %1").arg(QString::fromStdString(robot->name)), solution.q);
+    emit held({});
+  } else {
+    emit held(solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit is in the way of this pose")
+                                                                   : tr("This pose is out of reach"));
+  }
+  showNow();
+}
+
+void CartesianJog::showNow() {
+  const bool free = context_.isFree() && context_.inverse();
+  const auto numbers = numbersNow();
+  for (std::size_t i = 0; i < 6; ++i) {
+    fields_[i]->setEnabled(free);
+    for (HoldButton* button : buttons_[i]) button->setEnabled(free);
+    if (!fields_[i]->hasFocus()) fields_[i]->setValue(numbers[i]);
+  }
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "kinematics/jog.h"
+
+namespace hapticell::app {
+
+class HoldButton;
+class JointMover;
+class RobotContext;
+class Segmented;
+class ValueField;
+
+/// Jogs the tool centre point along and about the axes of the base, of the tool or of the world, straight and in the
+/// configuration that the robot stands in.
+class CartesianJog : public QWidget {
+  Q_OBJECT
+ public:
+  CartesianJog(RobotContext& context, JointMover& mover, QWidget* parent = nullptr);
+  void setStep(double degrees, double millimetres);
+  /// Takes the newest pose; called a few times a second.
+  void showNow();
+  kinematics::JogFrame frame() const;
+
+ signals:
+  /// What held a step back; empty: nothing did.
+  void held(const QString& why);
+
+ private:
+  void addRow(int axis);
+  /// One step along (0 .. 2) or about (3 .. 5) an axis by so many mm or degrees.
+  void jog(int axis, double amount);
+  void typed(int axis, double value);
+  std::array<double, 6> numbersNow() const;
+  RobotContext& context_;
+  JointMover& mover_;
+  Segmented* frame_;
+  std::array<ValueField*, 6> fields_{};
+  std::array<std::array<HoldButton*, 2>, 6> buttons_{};
+  double step_degrees_ = 1.0, step_millimetres_ = 1.0;
+};
+
+}  // namespace hapticell::app

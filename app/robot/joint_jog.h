@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class HoldButton;
+class JointMover;
+class JointRow;
+class RobotContext;
+class ValueField;
+
+/// The joints of a robot or mechanism, a row each: scale between the limits, number, step buttons.
+class JointJog : public QWidget {
+  Q_OBJECT
+ public:
+  JointJog(RobotContext& context, JointMover& mover, QWidget* parent = nullptr);
+  /// The step of the buttons: degrees, and millimetres for slides.
+  void setStep(double degrees, double millimetres);
+  /// Takes the newest positions; called a few times a second.
+  void showNow();
+  std::size_t rows() const { return rows_.size(); }
+
+ private:
+  struct Row {
+    JointRow* scale = nullptr;
+    ValueField* field = nullptr;
+    HoldButton *less = nullptr, *more = nullptr;
+    double unit = 1.0;
+    bool slides = false;
+  };
+  void rebuild();
+  void addRow(std::size_t variable);
+  void connectRow(std::size_t variable);
+  void moveTo(std::size_t variable, double shown);
+  void stepBy(std::size_t variable, int direction);
+  QString stepText(std::size_t variable) const;
+  RobotContext& context_;
+  JointMover& mover_;
+  QVBoxLayout* column_;
+  std::vector<Row> rows_;
+  double step_degrees_ = 1.0, step_millimetres_ = 1.0;
+};
+
+}  // namespace hapticell::app

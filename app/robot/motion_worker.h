@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "kinematics/solution_list.h"
+#include "manipulation/joint_motion.h"
+#include "manipulation/prepared_scene.h"
+
+namespace hapticell::app {
+
+class Host;
+
+/// Checks motions of robots in a thread of its own, so that the window never waits for the collision engine.
+///
+/// Each question is about the document as it stands when it is asked; its meshes are prepared once and kept. Answers
+/// come in the GUI thread, in the order of the questions.
+class MotionWorker : public QObject {
+  Q_OBJECT
+ public:
+  explicit MotionWorker(Host& host, QObject* parent = nullptr);
+  ~MotionWorker() override;
+
+  using MotionAnswer = std::function<void(const Expected<manipulation::JointMotion>&)>;
+  /// How far the robot can go straight to these joints.
+  void checkMotion(workcell::EntityId robot, const std::vector<double>& joints, MotionAnswer answer);
+
+  /// The ways to all of `targets`, one answer each; a new call drops what is left of the one before.
+  using WayAnswer = std::function<void(std::size_t index, const Expected<manipulation::JointMotion>&)>;
+  void checkWays(workcell::EntityId robot, std::vector<std::vector<double>> targets, WayAnswer answer);
+  /// Drops the ways that are still to be checked.
+  void dropWays() { ++*ways_; }
+
+  using ListAnswer = std::function<void(std::vector<kinematics::ListedSolution>)>;
+  /// All solutions for the tool centre point where it stands at `joints`; a new call drops the one before.
+  void listSolutions(const workcell::Entity& robot, std::vector<double> joints, ListAnswer answer);
+
+  /// Makes the scene ready in advance.
+  void warmUp();
+
+ private:
+  struct Scene;
+  struct Snapshot;
+  std::shared_ptr<Snapshot> snapshot();
+  void run(std::function<void()> work);
+
+  Host& host_;
+  std::shared_ptr<Scene> scene_;
+  std::shared_ptr<Snapshot> last_snapshot_;
+  std::shared_ptr<std::atomic<std::uint64_t>> ways_, lists_;
+  QThreadPool pool_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/robot/robot_panel.h"
+
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/panels/form.h"
+#include "app/robot/cartesian_jog.h"
+#include "app/robot/configuration_view.h"
+#include "app/robot/joint_jog.h"
+#include "app/robot/joint_mover.h"
+#include "app/robot/robot_context.h"
+#include "app/robot/stop_line.h"
+#include "app/style/icon.h"
+#include "app/style/segmented.h"
+#include "kinematics/jog.h"
+#include "workcell/named_poses.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kNearLimit = 0.0349065850398866;  // 2 degrees.
+
+struct StepChoice {
+  double degrees, millimetres;
+};
+constexpr StepChoice kSteps[]{{0.1, 0.1}, {1.0, 1.0}, {5.0, 10.0}, {15.0, 50.0}};
+
+QWidget* section(QVBoxLayout& column, const QString& heading, QVBoxLayout*& inside) {
+  auto* holder = new QWidget;
+  auto* rows = new QVBoxLayout(holder);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  inside = addSection(*rows, heading);
+  column.addWidget(holder);
+  return holder;
+}
+
+}  // namespace
+
+RobotPanel::RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& mover, QWidget* parent)
+    : QWidget(parent), context_(context), mover_(mover) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  addEmptyState(*column);
+  content_ = new QWidget;
+  column->addWidget(content_);
+  column->addStretch(1);
+  auto* inside = new QVBoxLayout(content_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(0);
+  addHeading(*inside);
+  addHolding(*inside);
+  QVBoxLayout* list = nullptr;
+  choosing_ = section(*inside, {}, list);
+  configurations_ = new ConfigurationView(context, worker, mover);
+  list->addWidget(configurations_);
+  addJog(*inside);
+  addMechanism(*inside);
+  connect(&context_, &RobotContext::robotChanged, this, &RobotPanel::showRobot);
+  connect(&context_, &RobotContext::documentChanged, this, &RobotPanel::showNow);
+  connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &RobotPanel::showHolding);
+  connect(&mover_, &JointMover::stopped, this, [this](const QString& why, const QString& obstacle) {
+    stopped_ = why;
+    obstacle_ = obstacle;
+    showNow();
+  });
+  connect(cartesian_, &CartesianJog::held, this, [this](const QString& why) {
+    held_back_ = why;
+    showStop();
+  });
+  showRobot();
+}
+
+void RobotPanel::addEmptyState(QVBoxLayout& column) {
+  empty_ = new QWidget;
+  auto* rows = new QVBoxLayout(empty_);
+  rows->setContentsMargins(24, 48, 24, 24);
+  rows->setSpacing(8);
+  auto* picture = new QLabel;
+  picture->setPixmap(icon("robot").pixmap(48, 48));
+  picture->setAlignment(Qt::AlignCenter);
+  rows->addWidget(picture);
+  auto* title = makeLabel(tr("No robot is chosen"), TextRole::kPanelState);
+  title->setAlignment(Qt::AlignCenter);
+  rows->addWidget(title);
+  auto* how = makeLabel(tr("Click a robot or a mechanism in the scene or in the tree, or add one with Ctrl+Shift+I."),
+                        TextRole::kText, true);
+  how->setWordWrap(true);
+  how->setAlignment(Qt::AlignCenter);
+  rows->addWidget(how);
+  auto* add = new QPushButton(tr("Add robot…"));
+  add->setObjectName("buttonAddRobot");
+  add->setProperty("main", true);
+  auto* join = new QPushButton(tr("Join parts to a mechanism…"));
+  connect(add, &QPushButton::clicked, this, &RobotPanel::libraryWanted);
+  connect(join, &QPushButton::clicked, this, &RobotPanel::mechanismWanted);
+  rows->addSpacing(8);
+  rows->addWidget(add, 0, Qt::AlignHCenter);
+  rows->addWidget(join, 0, Qt::AlignHCenter);
+  column.addWidget(empty_);
+}
+
+void RobotPanel::addHeading(QVBoxLayout& column) {
+  QVBoxLayout* rows = nullptr;
+  section(column, {}, rows);
+  rows->setSpacing(2);
+  name_ = makeLabel({}, TextRole::kPanelState);
+  name_->setObjectName("labelRobot");
+  kind_ = makeLabel({}, TextRole::kSecond, true);
+  kind_->setWordWrap(true);
+  rows->addWidget(name_);
+  rows->addWidget(kind_);
+}
+
+void RobotPanel::addHolding(QVBoxLayout& column) {
+  QVBoxLayout* rows = nullptr;
+  holding_ = section(column, {}, rows);
+  held_by_ = new Segmented({tr("TCP"), tr("Base")});
+  held_by_->setObjectName("segmentsHeldBy");
+  addRow(*rows, tr("Held by"), held_by_);
+  tool_ = new QComboBox;
+  tool_->setObjectName("comboTool");
+  auto* edit = new QPushButton(tr("Edit…"));
+  edit->setObjectName("buttonTools");
+  auto* pair = new QWidget;
+  auto* line = new QHBoxLayout(pair);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(6);
+  line->addWidget(tool_, 1);
+  line->addWidget(edit);
+  addRow(*rows, tr("TCP"), pair);
+  tool_->setAccessibleName(tr("Tool centre point"));
+  connect(edit, &QPushButton::clicked, this, &RobotPanel::toolsWanted);
+  connect(held_by_, &Segmented::chosen, this, [this](int i) {
+    context_.host().holdChoice().set(i == 1 ? HoldChoice::Kind::kBase : HoldChoice::Kind::kTcp);
+  });
+  connect(tool_, &QComboBox::activated, this, [this](int i) {
+    const workcell::Entity* robot = context_.robot();
+    const QString name = tool_->itemData(i).toString();
+    if (robot && !name.isEmpty() && name.toStdString() != robot->tool)
+      context_.host().documentModel().execute(workcell::ChooseTool{robot->id, name.toStdString()});
+    showHolding();
+  });
+}
+
+void RobotPanel::addJog(QVBoxLayout& column) {
+  QVBoxLayout* rows = nullptr;
+  section(column, {}, rows);
+  auto* top = new QHBoxLayout;
+  top->setSpacing(6);
+  tabs_ = new Segmented({tr("Joints"), tr("Cartesian")});
+  tabs_->setObjectName("segmentsJog");
+  tabs_->setCurrent(0);
+  step_ = new QComboBox;
+  step_->setObjectName("comboStep");
+  step_->setAccessibleName(tr("Step"));
+  for (const StepChoice& step : kSteps) {
+    const auto number = [](double value) { return QString::number(value, 'f', value < 1.0 ? 1 : 0); };
+    step_->addItem(step.degrees == step.millimetres
+                       ? tr("%1 ° mm").arg(number(step.degrees))
+                       : tr("%1° · %2 mm").arg(number(step.degrees), number(step.millimetres)));
+  }
+  step_->setCurrentIndex(1);
+  home_ = new QToolButton;
+  home_->setObjectName("buttonHome");
+  home_->setIcon(icon("home"));
+  home_->setText(tr("Home"));
+  home_->setToolTip(tr("Go home, or to another named pose"));
+  home_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  home_->setPopupMode(QToolButton::MenuButtonPopup);
+  home_->setFixedHeight(26);
+  home_->setMenu(new QMenu(home_));
+  top->addWidget(tabs_, 1);
+  top->addWidget(step_);
+  top->addWidget(home_);
+  rows->addLayout(top);
+  jogs_ = new QStackedWidget;
+  joints_ = new JointJog(context_, mover_);
+  cartesian_ = new CartesianJog(context_, mover_);
+  for (QWidget* tab : {static_cast<QWidget*>(joints_), static_cast<QWidget*>(cartesian_)}) {
+    auto* holder = new QWidget;
+    auto* inside = new QVBoxLayout(holder);
+    inside->setContentsMargins(0, 2, 0, 0);
+    inside->addWidget(tab);
+    inside->addStretch(1);
+    jogs_->addWidget(holder);
+  }
+  rows->addWidget(jogs_);
+  stop_ = new StopLine;
+  rows->addWidget(stop_);
+  connect(tabs_, &Segmented::chosen, this, [this](int tab) {
+    jogs_->setCurrentIndex(tab);
+    showNow();
+  });
+  connect(step_, &QComboBox::activated, this, &RobotPanel::showStep);
+  connect(home_, &QToolButton::clicked, this, [this] { choosePose("home"); });
+  connect(home_->menu(), &QMenu::aboutToShow, this, &RobotPanel::fillPoses);
+  showStep();
+}
+
+void RobotPanel::addMechanism(QVBoxLayout& column) {
+  QVBoxLayout* rows = nullptr;
+  mechanism_ = section(column, {}, rows);
+  auto* edit = new QPushButton(tr("Edit joints…"));
+  edit->setObjectName("buttonEditMechanism");
+  auto* apart = new QPushButton(tr("Take apart"));
+  apart->setObjectName("buttonTakeApart");
+  apart->setToolTip(tr("The parts become solids again, where they stand now"));
+  rows->addWidget(sideBySide({edit, apart}));
+  connect(edit, &QPushButton::clicked, this, &RobotPanel::mechanismWanted);
+  connect(apart, &QPushButton::clicked, this, [this] {
+    if (context_.robot()) context_.host().documentModel().execute(workcell::DissolveMechanism{context_.robot()->id});
+  });
+}
+
+void RobotPanel::showStep() {
+  const StepChoice& step = kSteps[std::max(0, step_->currentIndex())];
+  joints_->setStep(step.degrees, step.millimetres);
+  cartesian_->setStep(step.degrees, step.millimetres);
+}
+
+void RobotPanel::showRobot() {
+  const workcell::Entity* robot = context_.robot();
+  empty_->setVisible(!robot);
+  content_->setVisible(robot);
+  stopped_.clear();
+  obstacle_.clear();
+  held_back_.clear();
+  if (!robot) return;
+  const bool mechanism = context_.isMechanism();
+  name_->setText(QString::fromStdString(robot->name));
+  const int joints = static_cast<int>(robot->robot->dof());
+  QString kind = tr("%1 · %2").arg(QString::fromStdString(robot->robot->name), tr("%n joints", nullptr, joints));
+  if (joints == 1) kind.replace(tr("1 joints"), tr("1 joint"));
+  if (const auto* inverse = context_.inverse())
+    kind += QStringLiteral(" · ") + tr("inverse: %1").arg(QString::fromStdString(inverse->name()));
+  if (robot->locked) kind += QStringLiteral(" · ") + tr("locked in place");
+  kind_->setText(kind);
+  holding_->setVisible(!mechanism);
+  choosing_->setVisible(!mechanism && context_.inverse());
+  mechanism_->setVisible(mechanism);
+  tabs_->button(1)->setVisible(!mechanism && context_.inverse());
+  if (mechanism || !context_.inverse()) {
+    tabs_->setCurrent(0);
+    jogs_->setCurrentIndex(0);
+  }
+  showHolding();
+  showNow();
+}
+
+void RobotPanel::showHolding() {
+  const workcell::Entity* robot = context_.robot();
+  if (!robot) return;
+  const HoldChoice::Kind kind = context_.host().holdChoice().kind();
+  held_by_->setCurrent(kind == HoldChoice::Kind::kBase                                        ? 1
+                       : kind == HoldChoice::Kind::kTcp || kind == HoldChoice::Kind::kDefault ? 0
+                                                                                              : -1);
+  tool_->clear();
+  for (const auto& tool : robot->tools) {
+    const QString name = QString::fromStdString(tool.name);
+    const long reach = std::lround(1000.0 * glm::length(tool.X_LT.p));
+    tool_->addItem(icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(name).arg(reach) : name, name);
+  }
+  if (robot->tool.empty()) {
+    const QString link = QString::fromStdString(robot->tip_link);
+    const long reach = std::lround(1000.0 * glm::length(robot->X_LT.p));
+    tool_->insertItem(0, icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(link).arg(reach) : link, QString());
+    tool_->setCurrentIndex(0);
+  } else {
+    tool_->setCurrentIndex(tool_->findData(QString::fromStdString(robot->tool)));
+  }
+  tool_->setEnabled(context_.isFree());
+}
+
+void RobotPanel::showNow() {
+  if (!isVisible() || !context_.robot()) return;
+  (jogs_->currentIndex() == 0) ? joints_->showNow() : cartesian_->showNow();
+  home_->setEnabled(context_.isFree());
+  showStop();
+}
+
+void RobotPanel::showStop() {
+  const workcell::Entity* robot = context_.robot();
+  if (!robot) return;
+  const auto& snapshot = context_.host().snapshot();
+  if (context_.isHeld() && snapshot && !snapshot->limits.empty()) {
+    const QString felt = snapshot->forces_on ? tr(" and pushes back on the stylus.") : QStringLiteral(".");
+    return stop_->show(Mark::kLimit, shownLimit(snapshot->limits.front().text) + felt);
+  }
+  if (context_.isHeld() && snapshot && !snapshot->pairs.empty() && snapshot->pairs.front().contact)
+    return stop_->show(Mark::kContact, shownLimit(snapshot->status));
+  if (!context_.isHeld() && !stopped_.isEmpty())
+    return stop_->show(obstacle_.isEmpty() ? Mark::kLimit : Mark::kContact, shownLimit(stopped_.toStdString()));
+  if (!context_.isHeld() && !held_back_.isEmpty())
+    return stop_->show(Mark::kLimit, shownLimit(held_back_.toStdString()) + QLatin1Char('.'));
+  const std::string near = kinematics::nearestLimitText(*robot->robot, context_.joints(), kNearLimit);
+  stop_->show(near.empty() ? Mark::kNone : Mark::kLimit,
+              near.empty() ? QString() : shownLimit(near) + QLatin1Char('.'));
+}
+
+void RobotPanel::choosePose(const QString& name) {
+  const workcell::Entity* robot = context_.robot();
+  if (!robot) return;
+  held_back_.clear();
+  const std::vector<double> pose = workcell::findNamedPose(*robot, name.toStdString());
+  if (!pose.empty()) mover_.travel(tr("%1 goes to %2").arg(QString::fromStdString(robot->name), name), pose);
+}
+
+void RobotPanel::fillPoses() {
+  QMenu* menu = home_->menu();
+  menu->clear();
+  const workcell::Entity* robot = context_.robot();
+  if (!robot) return;
+  for (const auto& pose : workcell::namedPosesOf(*robot)) {
+    const QString name = QString::fromStdString(pose.name);
+    menu->addAction(name, this, [this, name] { choosePose(name); });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("Keep this pose…"), this, &RobotPanel::keepPose);
+  if (robot->named_poses.empty()) return;
+  QMenu* drop = menu->addMenu(tr("Forget"));
+  for (const auto& pose : robot->named_poses) {
+    const std::string name = pose.name;
+    drop->addAction(QString::fromStdString(name), this, [this, name] {
+      if (!context_.robot()) return;
+      workcell::SetNamedPoses poses{context_.robot()->id, context_.robot()->named_poses};
+      std::erase_if(poses.poses, [&](const auto& known) { return known.name == name; });
+      context_.host().documentModel().execute(poses);
+    });
+  }
+}
+
+void RobotPanel::keepPose() {
+  auto* ask = new QInputDialog(this);
+  ask->setObjectName("dialogPoseName");
+  ask->setAttribute(Qt::WA_DeleteOnClose);
+  ask->setModal(false);
+  ask->setWindowTitle(tr("Keep this pose"));
+  ask->setLabelText(tr("Name of the pose (home replaces home)"));
+  connect(ask, &QInputDialog::textValueSelected, this, [this](const QString& name) {
+    const workcell::Entity* robot = context_.robot();
+    if (!robot || name.trimmed().isEmpty()) return;
+    workcell::SetNamedPoses poses{robot->id, robot->named_poses};
+    const std::string wanted = name.trimmed().toStdString();
+    std::erase_if(poses.poses, [&](const auto& known) { return known.name == wanted; });
+    poses.poses.push_back({wanted, robot->joints});
+    context_.host().documentModel().execute(poses);
+  });
+  ask->show();
+}
+
+}  // namespace hapticell::app

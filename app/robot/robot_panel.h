@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "app/viewport/strip_text.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class CartesianJog;
+class ConfigurationView;
+class JointJog;
+class JointMover;
+class MotionWorker;
+class RobotContext;
+class Segmented;
+class StopLine;
+
+/// The robot's dock: what the hand holds of it, its tool, its configurations, its joints, and why it stops. For a
+/// mechanism the joints alone.
+class RobotPanel : public QWidget {
+  Q_OBJECT
+ public:
+  RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& mover, QWidget* parent = nullptr);
+  /// Takes the newest numbers; called ten times a second.
+  void showNow();
+  ConfigurationView& configurations() { return *configurations_; }
+
+ signals:
+  void toolsWanted();
+  void libraryWanted();
+  void mechanismWanted();
+
+ private:
+  void addEmptyState(QVBoxLayout& column);
+  void addHeading(QVBoxLayout& column);
+  void addHolding(QVBoxLayout& column);
+  void addJog(QVBoxLayout& column);
+  void addMechanism(QVBoxLayout& column);
+  void showRobot();
+  void showHolding();
+  void showStop();
+  void showStep();
+  void choosePose(const QString& name);
+  void fillPoses();
+  void keepPose();
+  RobotContext& context_;
+  JointMover& mover_;
+  QWidget *empty_, *content_, *holding_, *choosing_, *mechanism_;
+  QLabel *name_, *kind_;
+  Segmented *held_by_, *tabs_;
+  QComboBox *tool_, *step_;
+  QStackedWidget* jogs_;
+  QToolButton* home_;
+  JointJog* joints_;
+  CartesianJog* cartesian_;
+  ConfigurationView* configurations_;
+  StopLine* stop_;
+  QString stopped_, obstacle_, held_back_;  ///< Why the last jog ended early.
+};
+
+}  // namespace hapticell::app

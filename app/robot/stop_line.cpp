@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/robot/stop_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+
+#include "app/panels/form.h"
+#include "app/style/theme.h"
+#include "app/viewport/overlay_painter.h"
+
+namespace hapticell::app {
+
+StopLine::StopLine(QWidget* parent) : QWidget(parent), words_(makeLabel({}, TextRole::kSecond)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(20, 0, 0, 0);
+  words_->setObjectName("labelStop");
+  words_->setWordWrap(true);
+  words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  row->addWidget(words_);
+  setMinimumHeight(34);
+}
+
+QString StopLine::sentence() const {
+  return words_->text();
+}
+
+void StopLine::show(Mark mark, const QString& sentence) {
+  if (mark == mark_ && sentence == words_->text()) return;
+  mark_ = mark;
+  words_->setText(sentence);
+  const Theme& theme = themeOf(this->palette());
+  QPalette colors = words_->palette();
+  colors.setColor(QPalette::WindowText, mark == Mark::kLimit     ? theme.limit_text
+                                        : mark == Mark::kContact ? theme.contact_text
+                                                                 : theme.text2);
+  words_->setPalette(colors);
+  update();
+}
+
+void StopLine::paintEvent(QPaintEvent*) {
+  if (mark_ == Mark::kNone || words_->text().isEmpty()) return;
+  QPainter painter(this);
+  paintMark(painter, mark_, QPointF(7, 9), 11, themeOf(palette()));
+}
+
+QString shownLimit(const std::string& sentence) {
+  return QString::fromStdString(sentence).replace(QStringLiteral(" deg"), QStringLiteral("°"));
+}
+
+}  // namespace hapticell::app

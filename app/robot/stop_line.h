@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "app/viewport/strip_text.h"
+
+class QLabel;
+
+namespace hapticell::app {
+
+/// One line that says why a robot stops or is about to: mark and sentence. It keeps its room when it has nothing to
+/// say.
+class StopLine : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StopLine(QWidget* parent = nullptr);
+  void show(Mark mark, const QString& sentence);
+  QString sentence() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Mark mark_ = Mark::kNone;
+  QLabel* words_;
+};
+
+/// "A5 is 1.2° from its limit": the sentence of the engine as it is shown.
+QString shownLimit(const std::string& sentence);
+
+}  // namespace hapticell::app
