@@ -60,6 +60,7 @@ Actions::Actions(QMainWindow& window) {
   duplicate = make({"actionDuplicate", tr("Duplicate"), {}, QKeySequence(Qt::CTRL | Qt::Key_D), {}});
   isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
   show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
+  add_robot_file = make({"actionAddRobotFile", tr("Add robot from a file…"), {}, {}, {}});
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
@@ -87,7 +88,7 @@ Actions::Actions(QMainWindow& window) {
   QMenu* file = bar->addMenu(tr("File"));
   file->addActions({new_cell, open, save, save_as});
   file->addSeparator();
-  file->addActions({import_mesh, add_robot, reload});
+  file->addActions({import_mesh, add_robot, add_robot_file, reload});
   file->addSeparator();
   file->addActions({export_cell, export_selection, pack});
   file->addMenu(tr("Report changes"))->addActions({report_saved, report_import, report_other});

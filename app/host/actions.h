@@ -28,7 +28,7 @@ QAction* makeAction(QObject* parent, const ActionFace& face);
 /// them.
 struct Actions {
   explicit Actions(QMainWindow& window);
-  QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *quit;
+  QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *add_robot_file, *quit;
   QAction *export_cell, *export_selection, *reload, *pack, *mesh_care, *report_saved, *report_import, *report_other;
   QAction *undo, *redo, *remove, *duplicate, *isolate, *show_all;
   QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks;

@@ -62,7 +62,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, QWidget* pare
 }
 
 MainWindow::~MainWindow() {
-  // Modules use the host; they end while it is whole.
+  // Panels and modules use the host; they end while it is whole.
+  hide();
   modules_.reset();
   files_.reset();
 }

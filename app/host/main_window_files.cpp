@@ -23,7 +23,7 @@ void MainWindow::connectFileActions() {
   connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
   connect(actions_->save_as, &QAction::triggered, this, [this] { saveDocument(true); });
   connect(actions_->import_mesh, &QAction::triggered, this, &MainWindow::importFromDialog);
-  connect(actions_->add_robot, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
+  connect(actions_->add_robot_file, &QAction::triggered, this, &MainWindow::addRobotFromDialog);
   ExportWork& exports = files_->exports();
   const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_->export_cell, [&exports] { exports.askExport(false); });

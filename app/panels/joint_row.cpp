@@ -52,7 +52,7 @@ void JointRow::paintEnds(QPainter& painter) const {
 }
 
 QRect JointRow::track() const {
-  if (scale_.ends) return {70, height() / 2, std::max(20, width() - 70 - 46), 1};
+  if (scale_.ends) return {66, height() / 2, std::max(20, width() - 66 - 44), 1};
   return {40, height() / 2, std::max(20, width() - 40 - 74), 1};
 }
 

@@ -35,7 +35,10 @@ CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* pa
   frame_->setCurrent(0);
   column->addSpacing(2);
   for (int axis = 0; axis < 6; ++axis) addRow(axis);
-  connect(frame_, &Segmented::chosen, this, &CartesianJog::showNow);
+  connect(frame_, &Segmented::chosen, this, [this] {
+    showNow();
+    emit frameChosen();
+  });
 }
 
 void CartesianJog::addRow(int axis) {

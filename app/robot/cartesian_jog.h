@@ -28,6 +28,7 @@ class CartesianJog : public QWidget {
  signals:
   /// What held a step back; empty: nothing did.
   void held(const QString& why);
+  void frameChosen();
 
  private:
   void addRow(int axis);

@@ -11,19 +11,19 @@ constexpr int kAgainMilliseconds = 80;
 
 }  // namespace
 
-HoldButton::HoldButton(const QString& icon_name, const QString& purpose, QWidget* parent) : QToolButton(parent) {
-  setIcon(icon(icon_name));
+HoldButton::HoldButton(const QString& icon_name, const QString& purpose, QWidget* parent) : QPushButton(parent) {
+  setIcon(app::icon(icon_name));
   setIconSize(QSize(12, 12));
   setFixedSize(26, 26);
   setToolTip(purpose);
   setAccessibleName(purpose);
   setFocusPolicy(Qt::TabFocus);
-  connect(this, &QToolButton::pressed, this, [this] {
+  connect(this, &QPushButton::pressed, this, [this] {
     emit began();
     emit stepped();
     repeat_.start(kFirstMilliseconds);
   });
-  connect(this, &QToolButton::released, this, [this] {
+  connect(this, &QPushButton::released, this, [this] {
     repeat_.stop();
     emit ended();
   });

@@ -51,7 +51,7 @@ void JointJog::addRow(std::size_t variable) {
   row.field = new ValueField({scale.unit, 1, scale.lower, scale.upper, 1.0});
   row.field->setObjectName(QStringLiteral("jogField%1").arg(variable + 1));
   row.field->setAccessibleName(scale.name);
-  row.field->setFixedWidth(74);
+  row.field->setFixedWidth(66);
   row.less = new HoldButton("minus", tr("%1 a step down").arg(scale.name));
   row.less->setObjectName(QStringLiteral("jogLess%1").arg(variable + 1));
   row.more = new HoldButton("plus", tr("%1 a step up").arg(scale.name));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/robot/robot_docks.h"
 
+#include <QAction>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QTimer>
@@ -9,10 +11,15 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/robot/joint_mover.h"
+#include "app/robot/library_panel.h"
+#include "app/robot/mechanism_panel.h"
 #include "app/robot/motion_worker.h"
 #include "app/robot/robot_context.h"
 #include "app/robot/robot_panel.h"
+#include "app/robot/tcp_gizmo.h"
+#include "app/robot/tools_panel.h"
 #include "app/style/dock_title_bar.h"
+#include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {
@@ -34,7 +41,12 @@ QScrollArea* scrolled(QWidget* content) {
 class RobotDocks : public QObject {
  public:
   explicit RobotDocks(Host& host)
-      : QObject(&host.window()), host_(host), context_(host), worker_(host), mover_(context_, worker_) {
+      : QObject(&host.window()),
+        host_(host),
+        context_(host),
+        worker_(host),
+        mover_(context_, worker_),
+        gizmo_(context_, mover_) {
     panel_ = new RobotPanel(context_, worker_, mover_);
     dock_ = addDock("dockRobot", tr("Robot"), panel_);
     connect(&context_, &RobotContext::robotChanged, this, [this] {
@@ -45,17 +57,65 @@ class RobotDocks : public QObject {
     connect(&host.selection(), &Selection::changed, this, [this](workcell::EntityId entity) {
       if (context_.robot() && context_.robot()->id == entity) bringToFront(dock_);
     });
+    if (auto* add = host.window().findChild<QAction*>("actionAddRobot"))
+      connect(add, &QAction::triggered, this, [this] { openLibrary(); });
+    connect(panel_, &RobotPanel::toolsWanted, this, [this] {
+      if (!tools_dock_) tools_dock_ = addDock("dockTools", tr("Tools"), new ToolsPanel(context_));
+      bringToFront(tools_dock_);
+    });
+    connect(panel_, &RobotPanel::mechanismWanted, this, [this] { openMechanism(); });
+    connect(panel_, &RobotPanel::libraryWanted, this, [this] { openLibrary(); });
+    addGizmo();
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, panel_, &RobotPanel::showNow);
     timer->start(kRefreshMilliseconds);
   }
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool escape =
+        event->type() == QEvent::KeyPress && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    return (escape && gizmo_.cancel()) || QObject::eventFilter(watched, event);
+  }
+
  private:
+  void addGizmo() {
+    host_.viewport().setPointerTool(&gizmo_, ToolChain::kHandles);
+    host_.viewport().installEventFilter(this);
+    connect(panel_, &RobotPanel::cartesianShown, &gizmo_, &TcpGizmo::setOn);
+    connect(panel_, &RobotPanel::jogFrameChosen, &gizmo_, &TcpGizmo::setFrame);
+    connect(&gizmo_, &TcpGizmo::held, panel_, &RobotPanel::showHeldBack);
+    connect(&context_, &RobotContext::documentChanged, &gizmo_, &TcpGizmo::showNow);
+    connect(&context_, &RobotContext::robotChanged, &gizmo_, &TcpGizmo::showNow);
+  }
+
   QDockWidget* addDock(const char* name, const QString& title, QWidget* content) {
     QDockWidget* dock = makeDock(QLatin1String(name), title, scrolled(content));
     host_.addDock(dock, Qt::RightDockWidgetArea);
     dock->hide();
     return dock;
+  }
+
+  void openMechanism() {
+    if (!mechanism_) {
+      mechanism_ = new MechanismPanel(context_);
+      mechanism_dock_ = addDock("dockMechanism", tr("Mechanism joints"), mechanism_);
+      connect(mechanism_, &MechanismPanel::made, this, [this] { bringToFront(dock_); });
+    }
+    mechanism_->begin();
+    bringToFront(mechanism_dock_);
+  }
+
+  void openLibrary() {
+    if (!library_dock_) {
+      auto* library = new LibraryPanel(host_);
+      library_dock_ = addDock("dockAddRobot", tr("Add robot"), library);
+      connect(library, &LibraryPanel::added, this, [this] { library_dock_->close(); });
+      connect(library, &LibraryPanel::fileWanted, this, [this] {
+        if (auto* file = host_.window().findChild<QAction*>("actionAddRobotFile")) file->trigger();
+      });
+    }
+    bringToFront(library_dock_);
   }
 
   void bringToFront(QDockWidget* dock) {
@@ -69,8 +129,11 @@ class RobotDocks : public QObject {
   RobotContext context_;
   MotionWorker worker_;
   JointMover mover_;
+  TcpGizmo gizmo_;
   RobotPanel* panel_;
   QDockWidget* dock_;
+  QDockWidget *library_dock_ = nullptr, *tools_dock_ = nullptr, *mechanism_dock_ = nullptr;
+  MechanismPanel* mechanism_ = nullptr;
 };
 
 }  // namespace

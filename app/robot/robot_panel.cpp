@@ -7,7 +7,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -76,10 +75,8 @@ RobotPanel::RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& 
     obstacle_ = obstacle;
     showNow();
   });
-  connect(cartesian_, &CartesianJog::held, this, [this](const QString& why) {
-    held_back_ = why;
-    showStop();
-  });
+  connect(cartesian_, &CartesianJog::held, this, &RobotPanel::showHeldBack);
+  connect(cartesian_, &CartesianJog::frameChosen, this, [this] { emit jogFrameChosen(cartesian_->frame()); });
   showRobot();
 }
 
@@ -168,23 +165,24 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   step_->setAccessibleName(tr("Step"));
   for (const StepChoice& step : kSteps) {
     const auto number = [](double value) { return QString::number(value, 'f', value < 1.0 ? 1 : 0); };
-    step_->addItem(step.degrees == step.millimetres
-                       ? tr("%1 ° mm").arg(number(step.degrees))
-                       : tr("%1° · %2 mm").arg(number(step.degrees), number(step.millimetres)));
+    step_->addItem(tr("%1° · %2 mm").arg(number(step.degrees), number(step.millimetres)));
   }
   step_->setCurrentIndex(1);
-  home_ = new QToolButton;
+  home_ = new QPushButton(icon("home"), tr("Home"));
   home_->setObjectName("buttonHome");
-  home_->setIcon(icon("home"));
-  home_->setText(tr("Home"));
-  home_->setToolTip(tr("Go home, or to another named pose"));
-  home_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  home_->setPopupMode(QToolButton::MenuButtonPopup);
-  home_->setFixedHeight(26);
-  home_->setMenu(new QMenu(home_));
+  home_->setToolTip(tr("Go home"));
+  poses_ = new QPushButton(icon("down"), {});
+  poses_->setObjectName("buttonPoses");
+  poses_->setFixedWidth(24);
+  poses_->setToolTip(tr("Named poses: go to one, keep this one"));
+  poses_->setAccessibleName(tr("Named poses"));
   top->addWidget(tabs_, 1);
   top->addWidget(step_);
-  top->addWidget(home_);
+  auto* pair = new QHBoxLayout;
+  pair->setSpacing(2);
+  pair->addWidget(home_);
+  pair->addWidget(poses_);
+  top->addLayout(pair);
   rows->addLayout(top);
   jogs_ = new QStackedWidget;
   joints_ = new JointJog(context_, mover_);
@@ -202,11 +200,12 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   rows->addWidget(stop_);
   connect(tabs_, &Segmented::chosen, this, [this](int tab) {
     jogs_->setCurrentIndex(tab);
+    tellTab();
     showNow();
   });
   connect(step_, &QComboBox::activated, this, &RobotPanel::showStep);
-  connect(home_, &QToolButton::clicked, this, [this] { choosePose("home"); });
-  connect(home_->menu(), &QMenu::aboutToShow, this, &RobotPanel::fillPoses);
+  connect(home_, &QPushButton::clicked, this, [this] { choosePose("home"); });
+  connect(poses_, &QPushButton::clicked, this, &RobotPanel::fillPoses);
   showStep();
 }
 
@@ -223,6 +222,26 @@ void RobotPanel::addMechanism(QVBoxLayout& column) {
   connect(apart, &QPushButton::clicked, this, [this] {
     if (context_.robot()) context_.host().documentModel().execute(workcell::DissolveMechanism{context_.robot()->id});
   });
+}
+
+void RobotPanel::showHeldBack(const QString& why) {
+  held_back_ = why;
+  showStop();
+}
+
+void RobotPanel::tellTab() {
+  emit cartesianShown(isVisible() && context_.robot() && jogs_->currentIndex() == 1);
+}
+
+void RobotPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  tellTab();
+  showNow();
+}
+
+void RobotPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  tellTab();
 }
 
 void RobotPanel::showStep() {
@@ -256,6 +275,7 @@ void RobotPanel::showRobot() {
     tabs_->setCurrent(0);
     jogs_->setCurrentIndex(0);
   }
+  tellTab();
   showHolding();
   showNow();
 }
@@ -288,6 +308,7 @@ void RobotPanel::showNow() {
   if (!isVisible() || !context_.robot()) return;
   (jogs_->currentIndex() == 0) ? joints_->showNow() : cartesian_->showNow();
   home_->setEnabled(context_.isFree());
+  poses_->setEnabled(context_.isFree());
   showStop();
 }
 
@@ -319,18 +340,18 @@ void RobotPanel::choosePose(const QString& name) {
 }
 
 void RobotPanel::fillPoses() {
-  QMenu* menu = home_->menu();
-  menu->clear();
   const workcell::Entity* robot = context_.robot();
   if (!robot) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const auto& pose : workcell::namedPosesOf(*robot)) {
     const QString name = QString::fromStdString(pose.name);
     menu->addAction(name, this, [this, name] { choosePose(name); });
   }
   menu->addSeparator();
   menu->addAction(tr("Keep this pose…"), this, &RobotPanel::keepPose);
-  if (robot->named_poses.empty()) return;
   QMenu* drop = menu->addMenu(tr("Forget"));
+  drop->setEnabled(!robot->named_poses.empty());
   for (const auto& pose : robot->named_poses) {
     const std::string name = pose.name;
     drop->addAction(QString::fromStdString(name), this, [this, name] {
@@ -340,6 +361,8 @@ void RobotPanel::fillPoses() {
       context_.host().documentModel().execute(poses);
     });
   }
+  // popup() returns at once: the scene goes on under the menu.
+  menu->popup(poses_->mapToGlobal(QPoint(0, poses_->height() + 2)));
 }
 
 void RobotPanel::keepPose() {

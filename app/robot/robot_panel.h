@@ -3,13 +3,12 @@
 
 #include <QWidget>
 
-#include "app/viewport/strip_text.h"
+#include "kinematics/jog.h"
 
 class QComboBox;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QToolButton;
 class QVBoxLayout;
 
 namespace hapticell::app {
@@ -31,14 +30,22 @@ class RobotPanel : public QWidget {
   RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& mover, QWidget* parent = nullptr);
   /// Takes the newest numbers; called ten times a second.
   void showNow();
+  /// Shows why an arm that is dragged does not follow; empty: it does.
+  void showHeldBack(const QString& why);
   ConfigurationView& configurations() { return *configurations_; }
 
  signals:
   void toolsWanted();
   void libraryWanted();
   void mechanismWanted();
+  /// The Cartesian tab is seen, or not any more: the gizmo belongs to it.
+  void cartesianShown(bool shown);
+  void jogFrameChosen(kinematics::JogFrame frame);
 
  private:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void tellTab();
   void addEmptyState(QVBoxLayout& column);
   void addHeading(QVBoxLayout& column);
   void addHolding(QVBoxLayout& column);
@@ -58,7 +65,7 @@ class RobotPanel : public QWidget {
   Segmented *held_by_, *tabs_;
   QComboBox *tool_, *step_;
   QStackedWidget* jogs_;
-  QToolButton* home_;
+  QPushButton *home_, *poses_;
   JointJog* joints_;
   CartesianJog* cartesian_;
   ConfigurationView* configurations_;

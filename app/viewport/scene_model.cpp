@@ -10,8 +10,9 @@
 namespace hapticell::app {
 namespace {
 
+constexpr double kSeen = 1.5e-4;  // Metres and radians: a stylus that is held still trembles by its encoder's steps.
+
 bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSnapshot& b) {
-  constexpr double kSeen = 1.5e-4;  // Metres and radians: a stylus that is held still trembles by its encoder's steps.
   const auto samePose = [](const Pose& x, const Pose& y) {
     return glm::length(x.p - y.p) < kSeen && std::abs(glm::dot(x.q, y.q)) > 1.0 - 1e-7;
   };
@@ -202,12 +203,17 @@ void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderI
 void SceneModel::appendGhost(const GhostPose& ghost, std::vector<RenderItem>& items) const {
   const workcell::Entity* entity = find(ghost.entity);
   if (!entity) return;
-  const std::size_t first = items.size();
-  appendShapes(*entity, ghost.X_WE, ghost.joints, items);
-  for (std::size_t i = first; i < items.size(); ++i) {
-    items[i].entity = 0;
-    items[i].ghost = ghost.touches ? Ghost::kTouches : Ghost::kFree;
-    items[i].casts_shadow = false;
+  std::vector<RenderItem> real, ghostly;
+  appendShapes(*entity, placement_W(*entity), joints(*entity), real);
+  appendShapes(*entity, ghost.X_WE, ghost.joints, ghostly);
+  for (std::size_t i = 0; i < ghostly.size(); ++i) {
+    // Two shapes in the same place would flicker; the one that is there is enough.
+    const Pose X_RG = real[i].X_WM.inverse() * ghostly[i].X_WM;
+    if (glm::length(X_RG.p) < kSeen && std::abs(X_RG.q.w) > 1.0 - 1e-8) continue;
+    ghostly[i].entity = 0;
+    ghostly[i].ghost = ghost.touches ? Ghost::kTouches : Ghost::kFree;
+    ghostly[i].casts_shadow = false;
+    items.push_back(std::move(ghostly[i]));
   }
 }
 

@@ -86,7 +86,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   if (pressViewStrip(*event)) return;
   const bool over_cube = viewCube().pick(vec(event->position()), camera_).has_value();
   if (!over_cube && pressWhilePicking(*event)) return;
-  if (!over_cube && tool_ && tool_->press(eventFrom(*event))) {
+  if (!over_cube && tools_.press(eventFrom(*event))) {
     tool_active_ = true;
     update();
     return;
@@ -108,7 +108,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF step = event->position() - last_place_;
   last_place_ = event->position();
-  if (!pick_ && tool_ && (tool_active_ || event->buttons() == Qt::NoButton) && tool_->move(eventFrom(*event))) {
+  if (!pick_ && (tool_active_ || event->buttons() == Qt::NoButton) && tools_.move(eventFrom(*event))) {
     update();
     return;
   }
@@ -143,7 +143,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (tool_active_) {
     tool_active_ = event->buttons() != Qt::NoButton;  // The tool keeps the pointer until the last button is up.
-    if (tool_) tool_->release(eventFrom(*event));
+    tools_.release(eventFrom(*event));
     update();
     return;
   }
@@ -175,7 +175,7 @@ void ViewportWidget::wheelEvent(QWheelEvent* event) {
   pointer.wheel_steps = steps;
   pointer.camera = camera_;
   pointer.size = viewSize();
-  if (pick_ || !(tool_ && tool_->wheel(pointer))) {
+  if (pick_ || !tools_.wheel(pointer)) {
     turn_.active = false;
     camera_.zoom(std::pow(kZoomPerStep, steps), pointUnder(event->position()));
     emit cameraChanged();

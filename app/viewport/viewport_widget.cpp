@@ -122,8 +122,8 @@ void ViewportWidget::setViewStrip(std::vector<ViewStripCell> cells) {
   update();
 }
 
-void ViewportWidget::setPointerTool(PointerTool* tool) {
-  tool_ = tool;
+void ViewportWidget::setPointerTool(PointerTool* tool, ToolChain::Place place) {
+  tools_.set(place, tool);
   tool_active_ = false;
   update();
 }
@@ -276,7 +276,7 @@ Overlay ViewportWidget::makeOverlay() {
   overlay.labels = overlayLabels(scene_);
   overlay.places = placeLabels(overlay.labels);
   if (scene_.snapshot() && scene_.snapshot()->connected) overlay.strip = stripCells(*scene_.snapshot(), strip_);
-  if (tool_) overlay.hint = tool_->hint();
+  overlay.hint = tools_.hint();
   if (pick_) {
     overlay.hint = pick_->prompt;
     if (pick_hover_) overlay.hint += QStringLiteral(" · ") + QString::fromStdString(featureText(*pick_hover_));

@@ -13,9 +13,9 @@
 #include "app/viewport/feature_picker.h"
 #include "app/viewport/overlay_painter.h"
 #include "app/viewport/pick_request.h"
-#include "app/viewport/pointer_tool.h"
 #include "app/viewport/scene_model.h"
 #include "app/viewport/scene_renderer.h"
+#include "app/viewport/tool_chain.h"
 
 namespace hapticell::app {
 
@@ -42,7 +42,7 @@ class ViewportWidget : public QOpenGLWidget {
   bool edges() const { return edges_; }
   void setMotion(bool on) { motion_ = on; }
   /// Null: no tool. The tool must outlive its being set.
-  void setPointerTool(PointerTool* tool);
+  void setPointerTool(PointerTool* tool, ToolChain::Place place = ToolChain::kModule);
   /// The next click picks a face, an edge or a corner; see PickRequest. A pick that is still open is answered with
   /// nothing first.
   void startPick(PickRequest request);
@@ -133,7 +133,7 @@ class ViewportWidget : public QOpenGLWidget {
   int sample_ = 0;
   double last_motion_s_ = 0.0, slowest_band_s_ = 0.0;
   QTimer refine_;
-  PointerTool* tool_ = nullptr;
+  ToolChain tools_;
   bool tool_active_ = false;
   StripContext strip_;
   FeaturePicker picker_;

@@ -15,6 +15,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTimer>
 
 #include "app/host/actions.h"
 #include "app/host/document_model.h"
@@ -79,6 +80,8 @@ void VirtualDesktopModule::start(Host& host) {
   addMenu();
   chooseFirstRobot();
   QObject::connect(&host.documentModel(), &DocumentModel::opened, controller_.get(), [this] { chooseFirstRobot(); });
+  QObject::connect(&host.selection(), &Selection::changed, controller_.get(),
+                   [this](workcell::EntityId entity) { followSelection(entity); });
   controller_->connectDevice();
   qApp->installEventFilter(this);
 }
@@ -138,6 +141,23 @@ void VirtualDesktopModule::chooseFirstRobot() {
   settings.moved_by = manipulation::MovedBy::Kind::kDefault;
   controller_->change(settings);
   host_->selection().set(settings.entity);
+  // Nobody chose it, so this panel stays in front.
+  QTimer::singleShot(0, dock_, [this] {
+    if (dock_) dock_->raise();
+  });
+}
+
+/// What is chosen in the scene or in the tree is what the stylus takes next.
+void VirtualDesktopModule::followSelection(workcell::EntityId entity) {
+  const workcell::Entity* chosen = host_->documentModel().document().find(entity);
+  if (!chosen || chosen->locked || controller_->snapshot().held != 0) return;
+  VirtualDesktopSettings settings = controller_->settings();
+  if (settings.entity == entity) return;
+  settings.entity = entity;
+  settings.on_contact = chosen->on_contact;
+  settings.force_class = chosen->force_class;
+  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
+  controller_->change(settings);
 }
 
 void VirtualDesktopModule::addPill() {

@@ -43,6 +43,7 @@ class VirtualDesktopModule : public QObject, public Module {
   void addPill();
   void showPill();
   void chooseFirstRobot();
+  void followSelection(workcell::EntityId entity);
   void openCheck(VirtualDesktopPanel& panel);
   bool handleKey(int key, bool pressed, bool repeated);
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QSortFilterProxyModel>
+#include <QThreadPool>
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <set>
+
+#include "app/robot/library_model.h"
+#include "app/robot/robot_picture.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QPushButton;
+
+namespace hapticell::app {
+
+class Host;
+class ValueField;
+
+/// Shows those whose words match the search and whose maker is the chosen one.
+class LibraryFilter : public QSortFilterProxyModel {
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+  void set(const QString& search, const QString& maker);
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  QString search_, maker_;
+};
+
+/// "Add robot": the built-in robots with pictures, search and maker, where the chosen one shall stand, and the button
+/// that adds it as one step of undo.
+class LibraryPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LibraryPanel(Host& host, QWidget* parent = nullptr);
+  ~LibraryPanel() override;
+  LibraryModel& model() { return *model_; }
+  /// Chooses a robot by its library name ("kuka_kr16_2").
+  void choose(const std::string& name);
+  void add();
+
+ signals:
+  void fileWanted();
+  void added();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* makeSheet();
+  QWidget* makePlace();
+  int chosenRow() const;
+  void showChosen();
+  void load(int row);
+  void drawNext();
+  void pickPlace();
+  Host& host_;
+  LibraryModel* model_;
+  LibraryFilter filter_;
+  RobotPicture picture_;
+  QLineEdit* search_;
+  QComboBox* maker_;
+  QListView* list_;
+  QLabel *big_picture_, *name_, *sheet_;
+  std::array<ValueField*, 4> place_{};  ///< X, Y, Z in mm; turn about Z in degrees.
+  QPushButton *add_, *pick_;
+  std::set<int> asked_;
+  QTimer draw_;
+  QThreadPool pool_;
+};
+
+}  // namespace hapticell::app

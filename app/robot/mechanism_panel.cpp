@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/robot/mechanism_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/panels/form.h"
+#include "app/robot/robot_context.h"
+#include "app/style/icon.h"
+#include "app/style/segmented.h"
+#include "app/style/value_field.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+using workcell::MechanismJoint;
+using workcell::MechanismJointType;
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr int kLabel = 72;
+constexpr MechanismJointType kKinds[]{MechanismJointType::kRevolute, MechanismJointType::kPrismatic,
+                                      MechanismJointType::kScrew, MechanismJointType::kFixed};
+
+bool slides(const MechanismJoint& joint) {
+  return joint.type == MechanismJointType::kPrismatic;
+}
+double unitOf(const MechanismJoint& joint) {
+  return slides(joint) ? 0.001 : kDegree;
+}
+
+QString axisText(const MechanismJoint& joint) {
+  const dvec3 p = 1000.0 * joint.p_MJ;
+  const dvec3 z = joint.axis_M;
+  const char* const names[3]{"X", "Y", "Z"};
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(std::abs(z[i]) - glm::length(z)) < 1e-6)
+      return QObject::tr("%1%2 through %3, %4, %5")
+          .arg(z[i] < 0 ? QStringLiteral("−") : QString(), QLatin1String(names[i]))
+          .arg(p.x, 0, 'f', 0)
+          .arg(p.y, 0, 'f', 0)
+          .arg(p.z, 0, 'f', 0);
+  return QObject::tr("%1, %2, %3 through %4, %5, %6")
+      .arg(z.x, 0, 'f', 2)
+      .arg(z.y, 0, 'f', 2)
+      .arg(z.z, 0, 'f', 2)
+      .arg(p.x, 0, 'f', 0)
+      .arg(p.y, 0, 'f', 0)
+      .arg(p.z, 0, 'f', 0);
+}
+
+ValueField* makeField(const char* name, const ValueField::Format& format) {
+  auto* field = new ValueField(format);
+  field->setObjectName(QLatin1String(name));
+  return field;
+}
+
+}  // namespace
+
+MechanismPanel::MechanismPanel(RobotContext& context, QWidget* parent) : QWidget(parent), context_(context) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  addHeading(*column);
+  details_ = new QWidget;
+  auto* inside = new QVBoxLayout(details_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(0);
+  addJoint(*inside);
+  addLimits(*inside);
+  column->addWidget(details_);
+  addFoot(*column);
+  column->addStretch(1);
+  connect(&context_, &RobotContext::documentChanged, this, [this] {
+    if (isVisible()) show();
+  });
+  begin();
+}
+
+void MechanismPanel::addHeading(QVBoxLayout& column) {
+  QVBoxLayout* rows = addSection(column, {});
+  name_ = new QLineEdit;
+  name_->setObjectName("editMechanismName");
+  addRow(*rows, tr("Name"), name_, kLabel);
+  joints_ = new QListWidget;
+  joints_->setObjectName("listJoints");
+  joints_->setAccessibleName(tr("Joints"));
+  joints_->setFixedHeight(4 * 24 + 4);
+  rows->addWidget(joints_);
+  auto* add = new QPushButton(tr("New joint"));
+  add->setObjectName("buttonNewJoint");
+  remove_ = new QPushButton(tr("Remove"));
+  remove_->setObjectName("buttonRemoveJoint");
+  rows->addWidget(sideBySide({add, remove_}));
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    draft_.name = name_->text().trimmed().toStdString();
+    showFault();
+  });
+  connect(joints_, &QListWidget::currentRowChanged, this, &MechanismPanel::showJoint);
+  connect(add, &QPushButton::clicked, this, [this] {
+    draft_.joints.push_back(newJoint(draft_, MechanismJointType::kRevolute));
+    show();
+    joints_->setCurrentRow(joints_->count() - 1);
+  });
+  connect(remove_, &QPushButton::clicked, this, [this] {
+    if (!current()) return;
+    draft_.joints.erase(draft_.joints.begin() + joints_->currentRow());
+    show();
+  });
+}
+
+QWidget* MechanismPanel::partRow(QVBoxLayout& rows, const QString& name, const char* object, QComboBox*& box,
+                                 const QString& prompt) {
+  box = new QComboBox;
+  box->setObjectName(QLatin1String(object));
+  auto* pick = new QPushButton(tr("Pick"));
+  pick->setObjectName(QStringLiteral("%1Pick").arg(QLatin1String(object)));
+  pick->setFixedWidth(60);
+  auto* holder = new QWidget;
+  auto* line = new QHBoxLayout(holder);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(6);
+  line->addWidget(box, 1);
+  line->addWidget(pick);
+  QWidget* row = addRow(rows, name, holder, kLabel);
+  box->setAccessibleName(name);
+  connect(pick, &QPushButton::clicked, this, [this, box, prompt] { pickPart(box, prompt); });
+  connect(box, &QComboBox::activated, this, [this, box](int i) {
+    edit([&](MechanismJoint& joint) {
+      (box == child_ ? joint.child : joint.parent) = box->itemData(i).toString().toStdString();
+    });
+  });
+  return row;
+}
+
+void MechanismPanel::addJoint(QVBoxLayout& column) {
+  QVBoxLayout* rows = addSection(column, tr("Joint"));
+  joint_name_ = new QLineEdit;
+  joint_name_->setObjectName("editJointName");
+  addRow(*rows, tr("Name"), joint_name_, kLabel);
+  kind_ = new Segmented({tr("Hinge"), tr("Slide"), tr("Screw"), tr("Fixed")});
+  kind_->setObjectName("segmentsJointKind");
+  addRow(*rows, tr("Kind"), kind_, kLabel);
+  partRow(*rows, tr("Moves"), "comboChild", child_, tr("Click the part that moves"));
+  partRow(*rows, tr("Carried by"), "comboParent", parent_, tr("Click the part that it moves on"));
+  axis_ = makeLabel({}, TextRole::kText);
+  axis_->setObjectName("labelAxis");
+  axis_->setWordWrap(true);
+  addRow(*rows, tr("Axis"), axis_, kLabel);
+  auto* pick = new QPushButton(tr("Pick axis"));
+  pick->setObjectName("buttonPickAxis");
+  pick->setToolTip(tr("A bore, a shaft, a straight or round edge, or the normal of a face"));
+  auto* flip = new QPushButton(tr("Other way"));
+  flip->setObjectName("buttonFlipAxis");
+  auto* empty = new QWidget;
+  empty->setFixedWidth(kLabel - 6);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(6);
+  line->addWidget(empty);
+  line->addWidget(pick, 1);
+  line->addWidget(flip, 1);
+  rows->addLayout(line);
+  connect(joint_name_, &QLineEdit::editingFinished, this, [this] {
+    const std::string name = joint_name_->text().trimmed().toStdString();
+    if (current() && !name.empty() && name != current()->name)
+      edit([&](MechanismJoint& joint) {
+        for (MechanismJoint& other : draft_.joints)
+          if (other.coupling && other.coupling->joint == joint.name) other.coupling->joint = name;
+        joint.name = name;
+      });
+  });
+  connect(kind_, &Segmented::chosen, this, [this](int i) {
+    edit([&](MechanismJoint& joint) {
+      joint.type = kKinds[i];
+      suitLimits(joint);
+    });
+  });
+  connect(pick, &QPushButton::clicked, this, &MechanismPanel::pickAxis);
+  connect(flip, &QPushButton::clicked, this, [this] { edit(flipAxis); });
+}
+
+void MechanismPanel::addLimits(QVBoxLayout& column) {
+  limits_ = new QWidget;
+  auto* outside = new QVBoxLayout(limits_);
+  outside->setContentsMargins(0, 0, 0, 0);
+  outside->setSpacing(0);
+  QVBoxLayout* rows = addSection(*outside, tr("Stops and feel"));
+  limited_ = new QCheckBox(tr("End stops, from where it stands now"));
+  limited_->setObjectName("checkLimited");
+  limited_->setProperty("switch", true);
+  rows->addWidget(limited_);
+  const char* const names[2]{"", "Slide"};
+  for (int i = 0; i < 2; ++i) {
+    const QString unit = i == 0 ? QStringLiteral("°") : QStringLiteral("mm");
+    const auto name = [&](const char* field) {
+      return QStringLiteral("%1%2").arg(QLatin1String(field), QLatin1String(names[i]));
+    };
+    const auto make = [&](const char* field, const QString& of, double low) {
+      auto* made = makeField("", {of, 1, low, 1e5, 1.0});
+      made->setObjectName(name(field));
+      return made;
+    };
+    lower_[i] = make("fieldLower", unit, -1e5);
+    upper_[i] = make("fieldUpper", unit, -1e5);
+    limit_row_[i] = addRow(*rows, tr("From, to"), sideBySide({lower_[i], upper_[i]}), kLabel);
+    velocity_[i] = make("fieldVelocity", unit + tr("/s"), 0.0);
+    friction_[i] = make("fieldFriction", i == 0 ? tr("N m") : tr("N"), 0.0);
+    effort_row_[i] = addRow(*rows, tr("Speed, drag"), sideBySide({velocity_[i], friction_[i]}), kLabel);
+    connect(lower_[i], &ValueField::edited, this,
+            [this](double value) { edit([&](MechanismJoint& joint) { joint.lower = value * unitOf(joint); }); });
+    connect(upper_[i], &ValueField::edited, this,
+            [this](double value) { edit([&](MechanismJoint& joint) { joint.upper = value * unitOf(joint); }); });
+    connect(velocity_[i], &ValueField::edited, this,
+            [this](double value) { edit([&](MechanismJoint& joint) { joint.velocity = value * unitOf(joint); }); });
+    connect(friction_[i], &ValueField::edited, this,
+            [this](double value) { edit([&](MechanismJoint& joint) { joint.friction = value; }); });
+  }
+  pitch_ = makeField("fieldPitch", {tr("mm a turn"), 1, -1e4, 1e4, 1.0});
+  pitch_row_ = addRow(*rows, tr("Pitch"), pitch_, kLabel);
+  coupled_ = new QComboBox;
+  coupled_->setObjectName("comboCoupled");
+  addRow(*rows, tr("Follows"), coupled_, kLabel);
+  ratio_ = makeField("fieldRatio", {{}, 3, -1e4, 1e4, 0.1});
+  ratio_row_ = addRow(*rows, tr("Ratio"), ratio_, kLabel);
+  column.addWidget(limits_);
+  connect(limited_, &QCheckBox::clicked, this, [this](bool on) {
+    edit([&](MechanismJoint& joint) {
+      if (on) return suitLimits(joint);
+      joint.lower = -kInfinite;
+      joint.upper = kInfinite;
+    });
+  });
+  connect(pitch_, &ValueField::edited, this,
+          [this](double value) { edit([&](MechanismJoint& joint) { joint.pitch = 0.001 * value; }); });
+  connect(ratio_, &ValueField::edited, this, [this](double value) {
+    edit([&](MechanismJoint& joint) {
+      if (joint.coupling) joint.coupling->ratio = value;
+    });
+  });
+  connect(coupled_, &QComboBox::activated, this, [this](int i) {
+    const std::string name = coupled_->itemData(i).toString().toStdString();
+    edit([&](MechanismJoint& joint) {
+      if (name.empty())
+        joint.coupling.reset();
+      else
+        joint.coupling = workcell::JointCoupling{name, joint.coupling ? joint.coupling->ratio : 1.0, 0.0};
+    });
+  });
+}
+
+void MechanismPanel::addFoot(QVBoxLayout& column) {
+  QVBoxLayout* rows = addSection(column, {});
+  fault_ = makeLabel({}, TextRole::kSecond, true);
+  fault_->setObjectName("labelMechanismFault");
+  fault_->setWordWrap(true);
+  rows->addWidget(fault_);
+  make_ = new QPushButton;
+  make_->setObjectName("buttonMakeMechanism");
+  make_->setProperty("main", true);
+  rows->addWidget(make_);
+  connect(make_, &QPushButton::clicked, this, &MechanismPanel::finish);
+  QVBoxLayout* samples = addSection(column, tr("Samples"));
+  auto* line = new QHBoxLayout;
+  line->setSpacing(6);
+  for (const MechanismSample sample :
+       {MechanismSample::kDoor, MechanismSample::kGripper, MechanismSample::kTurntable}) {
+    auto* button = new QPushButton(tr(nameOf(sample)));
+    button->setObjectName(QStringLiteral("buttonSample%1").arg(QLatin1String(nameOf(sample))));
+    connect(button, &QPushButton::clicked, this, [this, sample] { addSample(sample); });
+    line->addWidget(button, 1);
+  }
+  samples->addLayout(line);
+}
+
+void MechanismPanel::begin() {
+  const workcell::Entity* robot = context_.robot();
+  if (context_.isMechanism()) {
+    draft_ = draftOf(*robot);
+  } else {
+    draft_ = {};
+    draft_.name = context_.host().documentModel().document().uniqueName(tr("Mechanism").toStdString());
+  }
+  show();
+}
+
+MechanismJoint* MechanismPanel::current() {
+  const int row = joints_->currentRow();
+  return row >= 0 && row < static_cast<int>(draft_.joints.size()) ? &draft_.joints[static_cast<std::size_t>(row)]
+                                                                  : nullptr;
+}
+
+void MechanismPanel::edit(const std::function<void(MechanismJoint&)>& change) {
+  if (showing_ || !current()) return;
+  change(*current());
+  show();
+}
+
+void MechanismPanel::show() {
+  showing_ = true;
+  const int row = joints_->currentRow();
+  const workcell::DocumentState& state = context_.host().documentModel().document().state();
+  const workcell::Entity* edited = draft_.edited ? state.find(draft_.edited) : nullptr;
+  if (draft_.edited && (!edited || !edited->mechanism)) draft_ = {0, "Mechanism", {}}, edited = nullptr;
+  name_->setText(QString::fromStdString(draft_.name));
+  name_->setEnabled(!edited);
+  joints_->clear();
+  for (const MechanismJoint& joint : draft_.joints)
+    joints_->addItem(tr("%1: %2 on %3")
+                         .arg(QString::fromStdString(joint.name),
+                              joint.child.empty() ? tr("?") : QString::fromStdString(joint.child),
+                              joint.parent.empty() ? tr("?") : QString::fromStdString(joint.parent)));
+  for (QComboBox* box : {child_, parent_}) {
+    box->clear();
+    box->addItem(tr("Not chosen yet"), QString());
+    const auto add = [&](const std::string& name) {
+      box->addItem(icon("cube"), QString::fromStdString(name), QString::fromStdString(name));
+    };
+    if (edited)
+      for (const auto& part : edited->mechanism->parts) add(part.name);
+    else
+      for (const auto& entity : state.entities)
+        if (entity->mesh && entity->kind == workcell::EntityKind::kSolid) add(entity->name);
+  }
+  joints_->setCurrentRow(std::min(std::max(row, 0), joints_->count() - 1));
+  showing_ = false;
+  showJoint();
+  showFault();
+}
+
+void MechanismPanel::showJoint() {
+  if (showing_) return;
+  MechanismJoint* joint = current();
+  details_->setVisible(joint);
+  remove_->setEnabled(joint);
+  drawAxes();
+  if (!joint) return;
+  joint_name_->setText(QString::fromStdString(joint->name));
+  kind_->setCurrent(static_cast<int>(std::find(kKinds, kKinds + 4, joint->type) - kKinds));
+  child_->setCurrentIndex(std::max(0, child_->findData(QString::fromStdString(joint->child))));
+  parent_->setCurrentIndex(std::max(0, parent_->findData(QString::fromStdString(joint->parent))));
+  const bool fixed = joint->type == MechanismJointType::kFixed;
+  axis_->setText(fixed ? tr("needs none") : axisText(*joint));
+  limits_->setVisible(!fixed);
+  const int i = slides(*joint) ? 1 : 0;
+  const bool limited = std::isfinite(joint->lower);
+  limited_->setChecked(limited);
+  for (int k = 0; k < 2; ++k) {
+    limit_row_[k]->setVisible(k == i && limited);
+    effort_row_[k]->setVisible(k == i);
+  }
+  if (limited) {
+    lower_[i]->setValue(joint->lower / unitOf(*joint));
+    upper_[i]->setValue(joint->upper / unitOf(*joint));
+  }
+  velocity_[i]->setValue(joint->velocity / unitOf(*joint));
+  friction_[i]->setValue(joint->friction);
+  pitch_row_->setVisible(joint->type == MechanismJointType::kScrew);
+  pitch_->setValue(1000.0 * joint->pitch);
+  coupled_->clear();
+  coupled_->addItem(tr("No other joint"), QString());
+  for (const MechanismJoint& other : draft_.joints)
+    if (&other != joint && other.type != MechanismJointType::kFixed)
+      coupled_->addItem(QString::fromStdString(other.name), QString::fromStdString(other.name));
+  coupled_->setCurrentIndex(
+      joint->coupling ? std::max(0, coupled_->findData(QString::fromStdString(joint->coupling->joint))) : 0);
+  ratio_row_->setVisible(joint->coupling.has_value());
+  if (joint->coupling) ratio_->setValue(joint->coupling->ratio);
+}
+
+void MechanismPanel::showFault() {
+  const std::string fault = faultOf(draft_, context_.host().documentModel().document().state());
+  make_->setText(draft_.edited ? tr("Change the mechanism") : tr("Make the mechanism"));
+  make_->setEnabled(fault.empty());
+  if (draft_.joints.empty())
+    fault_->setText(tr("A joint lets one part move on another. Begin with New joint, or take a sample below."));
+  else
+    fault_->setText(fault.empty() ? tr("Ready. One step of undo.") : QString::fromStdString(fault));
+}
+
+void MechanismPanel::drawAxes() {
+  std::vector<SceneCurve> curves;
+  if (const MechanismJoint* joint = current(); joint && isVisible()) {
+    double length = 0.4;
+    const SceneModel& scene = context_.host().viewport().scene();
+    if (const workcell::Entity* part = context_.host().documentModel().document().findByName(joint->child))
+      length = std::max(0.2, 1.3 * scene.boundsOf_W(part->id).radius());
+    else if (draft_.edited)
+      length = std::max(0.2, 0.9 * scene.boundsOf_W(draft_.edited).radius());
+    curves = axisCurves(*joint, length);
+  }
+  context_.host().viewport().setCurves("mechanism", std::move(curves));
+  context_.host().viewport().refresh();
+}
+
+void MechanismPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  show();
+}
+
+void MechanismPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  drawAxes();
+}
+
+void MechanismPanel::pickPart(QComboBox* box, const QString& prompt) {
+  const auto take = [this, box](const std::optional<PickedFeature>& feature) {
+    const workcell::Entity* picked =
+        feature ? context_.host().documentModel().document().find(feature->entity) : nullptr;
+    if (!picked || !current()) return;
+    std::string name = picked->name;
+    if (picked->id == draft_.edited && feature->link >= 0)
+      name = picked->robot->links[static_cast<std::size_t>(feature->link)].name;
+    if (box->findData(QString::fromStdString(name)) < 0)
+      return context_.host().messages().tell(Severity::kWarning,
+                                             tr("%1 cannot be a part of it").arg(QString::fromStdString(name)),
+                                             tr("Parts of a mechanism are solids of the cell."));
+    edit([&](MechanismJoint& joint) { (box == child_ ? joint.child : joint.parent) = name; });
+  };
+  context_.host().viewport().startPick({{.faces = true, .edges = false, .vertices = false}, prompt, take});
+}
+
+void MechanismPanel::pickAxis() {
+  context_.host().viewport().startPick({{.faces = true, .edges = true, .vertices = false},
+                                        tr("Click a bore, a shaft, an edge or a face: its axis becomes the joint's"),
+                                        [this](const std::optional<PickedFeature>& feature) {
+                                          if (feature) edit([&](MechanismJoint& joint) { layAxis(joint, *feature); });
+                                        }});
+}
+
+void MechanismPanel::finish() {
+  const auto command = commandOf(draft_, context_.host().documentModel().document().state());
+  if (!command) return showFault();
+  const std::string name = draft_.name;
+  if (!context_.host().documentModel().execute(*command)) return;
+  if (const workcell::Entity* done = context_.host().documentModel().document().findByName(name))
+    context_.host().selection().set(done->id);
+  begin();
+  emit made();
+}
+
+void MechanismPanel::addSample(MechanismSample sample) {
+  DocumentModel& document = context_.host().documentModel();
+  const geometry::Bounds bounds = context_.host().viewport().scene().bounds_W();
+  // Beside what stands there.
+  const Pose X_WB = bounds.isEmpty() ? Pose::identity() : Pose::translation({bounds.max.x + 1.0, bounds.center().y, 0});
+  auto parts = sampleParts(sample, X_WB, document.document());
+  if (!parts)
+    return context_.host().messages().tell(Severity::kProblem, tr("The sample was not added"),
+                                           QString::fromStdString(parts.error().message()));
+  document.beginStep(tr("Add sample %1").arg(tr(nameOf(sample))));
+  workcell::MakeMechanism make{parts->name, {}, parts->joints};
+  bool done = true;
+  for (workcell::Entity& part : parts->parts) {
+    const std::string name = part.name;
+    done = done && document.execute(workcell::AddEntity{std::move(part)});
+    const workcell::Entity* added = document.document().findByName(name);
+    if (added) make.parts.push_back(added->id);
+  }
+  done = done && document.execute(make);
+  done ? document.endStep() : document.cancelStep();
+  const workcell::Entity* mechanism = document.document().findByName(make.name);
+  if (!mechanism) return;
+  context_.host().selection().set(mechanism->id);
+  context_.host().viewport().fit(context_.host().viewport().scene().boundsOf_W(mechanism->id));
+  begin();
+  emit made();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/robot/gizmo.h"
+#include "app/viewport/pointer_tool.h"
+#include "kinematics/jog.h"
+
+namespace hapticell::app {
+
+class JointMover;
+class RobotContext;
+
+/// Drags the robot's tool centre point with the mouse, along or about the axes of base, tool or world. The arm follows
+/// in its configuration, stops where something stands in the way, and says which limit holds it. One drag is one step
+/// of undo; Escape takes it back.
+class TcpGizmo final : public QObject, public PointerTool {
+  Q_OBJECT
+ public:
+  TcpGizmo(RobotContext& context, JointMover& mover, QObject* parent = nullptr);
+  ~TcpGizmo() override;
+
+  /// Seen and grabbable only while on.
+  void setOn(bool on);
+  void setFrame(kinematics::JogFrame frame);
+  /// Draws it where the tool stands now.
+  void showNow();
+  /// Takes a drag back; false where none is.
+  bool cancel();
+
+  bool press(const PointerEvent& event) override;
+  bool move(const PointerEvent& event) override;
+  bool release(const PointerEvent& event) override;
+  bool wheel(const PointerEvent&) override { return false; }
+  QString hint() const override;
+
+ signals:
+  /// What holds the arm back while it is dragged; empty: nothing.
+  void held(const QString& why);
+
+ private:
+  Gizmo gizmoNow(const Camera& camera, const ViewSize& view) const;
+  void follow(const Pose& X_WT);
+  RobotContext& context_;
+  JointMover& mover_;
+  bool on_ = false;
+  kinematics::JogFrame frame_ = kinematics::JogFrame::kBase;
+  std::optional<Gizmo::Handle> over_;
+  struct Drag {
+    Gizmo gizmo;
+    Gizmo::Handle handle;
+    double from = 0.0;
+    Pose X_WT;
+    std::vector<double> joints;
+  };
+  std::optional<Drag> drag_;
+  QString why_;
+};
+
+}  // namespace hapticell::app

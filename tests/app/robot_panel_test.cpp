@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// The robot's panel in the whole window under a virtual display: real clicks, through RobotPage.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QMenu>
+#include <QToolButton>
+#include <cmath>
+
+#include "app/host/hold_choice.h"
+#include "app/panels/pose_text.h"
+#include "app/robot/configuration_model.h"
+#include "app/style/proxy_style.h"
+#include "app/style/segmented.h"
+#include "geometry/shapes.h"
+#include "tests/app/robot_page.h"
+#include "workcell/named_poses.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+/// Waits for the list of configurations and the check of every way.
+ConfigurationModel* checkedList(RobotPage& page, int rows) {
+  auto* table = page.find<QTableView>("tableConfigurations");
+  auto* model = dynamic_cast<ConfigurationModel*>(table->model());
+  const auto done = [&] {
+    if (model->rowCount() < rows) return false;
+    for (int i = 0; i < model->rowCount(); ++i)
+      if (model->way(i) == ConfigurationModel::Way::kUnknown) return false;
+    return true;
+  };
+  EXPECT_TRUE(RobotPage::until(done, RobotPage::kPatience));
+  return model;
+}
+
+TEST(RobotPanel, ComesByItselfWhenARobotIsChosen) {
+  RobotPage page;
+  EXPECT_FALSE(page.isShown("dockRobot"));
+  page.addRobot("kuka_kr16_2");
+  EXPECT_TRUE(page.isShown("dockRobot"));
+  EXPECT_EQ(page.words("labelRobot").toStdString(), page.selected()->name);
+}
+
+TEST(RobotPanel, AJointIsSteppedTypedAndStopsAtItsLimit) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  const double before = page.joints()[0];
+  ASSERT_TRUE(page.clickForStep("jogMore1"));
+  EXPECT_NEAR(page.joints()[0], before + kDegree, 1e-12) << "a step of a degree";
+  ASSERT_TRUE(page.typeForStep("jogField5", "31.5"));
+  EXPECT_NEAR(page.joints()[4], 31.5 * kDegree, 1e-12);
+  ASSERT_TRUE(page.typeForStep("jogField1", "185"));
+  EXPECT_NEAR(page.joints()[0], 185 * kDegree, 1e-12);
+  EXPECT_TRUE(page.words("labelStop").contains("A1")) << page.words("labelStop").toStdString();
+  page.trigger("actionUndo");
+  page.trigger("actionUndo");
+  page.trigger("actionUndo");
+  EXPECT_NEAR(page.joints()[0], before, 1e-12) << "each was one step of undo";
+}
+
+TEST(RobotPanel, ATcpStepGoesStraightInTheChosenAxes) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  const auto tool = [&] { return tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints()); };
+  ASSERT_TRUE(page.typeForStep("jogField5", "60"));
+  page.find<Segmented>("segmentsJog")->button(1)->click();
+  page.settle();
+  page.find<Segmented>("segmentsJogFrame")->button(1)->click();
+  const Pose before = tool();
+  ASSERT_TRUE(page.clickForStep("jogZMore"));
+  const Pose after = tool();
+  EXPECT_LT(glm::length(after.p - before.p - 0.001 * before.rotate(dvec3(0, 0, 1))), 2e-6)
+      << "a millimetre along its z";
+  page.find<Segmented>("segmentsJogFrame")->button(2)->click();
+  ASSERT_TRUE(page.clickForStep("jogALess"));
+  const Pose turned = tool();
+  EXPECT_LT(glm::length(turned.p - after.p), 3e-6);
+  const dquat expected = glm::normalize(quaternionFromRotationVector(dvec3(0, 0, -kDegree)) * after.q);
+  EXPECT_GT(std::abs(glm::dot(turned.q, expected)), 1.0 - 1e-9);
+}
+
+TEST(RobotPanel, AConfigurationIsShownAsAGhostAndTakenAsOneStep) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  ASSERT_TRUE(page.typeForStep("jogField5", "40"));
+  ConfigurationModel* model = checkedList(page, 4);
+  ASSERT_GE(model->rowCount(), 4);
+  EXPECT_EQ(model->headerData(ConfigurationModel::kFlags, Qt::Horizontal, Qt::DisplayRole).toString(), "KUKA");
+  auto* table = page.find<QTableView>("tableConfigurations");
+  int row = -1;
+  for (int i = 0; i < model->rowCount() && row < 0; ++i)
+    if (model->way(i) == ConfigurationModel::Way::kFree) row = i;
+  ASSERT_GE(row, 0);
+  const std::vector<double> wanted = model->solution(row).q;
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(model->index(row, 0)).center());
+  page.settle();
+  const auto& ghosts = page.window().viewport().scene().ghosts();
+  ASSERT_EQ(ghosts.size(), 1u);
+  EXPECT_EQ(ghosts[0].joints, wanted);
+  EXPECT_FALSE(ghosts[0].touches);
+  const Pose before = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
+  ASSERT_TRUE(page.clickForStep("buttonTake"));
+  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(page.joints()[i], wanted[i], 1e-12);
+  const Pose after = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
+  EXPECT_LT(glm::length(after.p - before.p), 1e-9) << "the tool stays where it is";
+  page.trigger("actionUndo");
+  EXPECT_NEAR(page.joints()[4], 40 * kDegree, 1e-12);
+}
+
+TEST(RobotPanel, WhatStandsInTheWayIsNamedAndNotEntered) {
+  RobotPage page;
+  const workcell::EntityId robot = page.addRobot("kuka_kr16_2");
+  const Pose X_WT = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
+  workcell::Entity wall;
+  wall.name = "Wall";
+  wall.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(2.0, 0.1, 2.0)));
+  wall.X_WE = Pose::translation({X_WT.p.x, -0.9, X_WT.p.z});
+  page.add(wall);
+  page.window().selection().set(robot);
+  page.settle();
+  ASSERT_TRUE(page.typeForStep("jogField1", "90"));
+  const double reached = std::abs(page.joints()[0]);
+  EXPECT_GT(reached, 1 * kDegree);
+  EXPECT_LT(reached, 89 * kDegree);
+  EXPECT_TRUE(page.words("labelStop").contains("Wall")) << page.words("labelStop").toStdString();
+}
+
+TEST(RobotPanel, NamedPosesAndHome) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  const std::vector<double> home = workcell::findNamedPose(*page.selected(), "home");
+  ASSERT_TRUE(page.typeForStep("jogField2", "-60"));
+  ASSERT_TRUE(page.clickForStep("buttonHome"));
+  EXPECT_EQ(page.joints(), home);
+}
+
+TEST(RobotPanel, HeldByIsOneChoiceForAllPanels) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  page.find<Segmented>("segmentsHeldBy")->button(1)->click();
+  EXPECT_EQ(page.window().holdChoice().kind(), HoldChoice::Kind::kBase);
+  page.window().holdChoice().set(HoldChoice::Kind::kTcp);
+  page.settle();
+  EXPECT_EQ(page.find<Segmented>("segmentsHeldBy")->current(), 0);
+}
+
+TEST(RobotLibrary, IsSearchedAndAddsOneStepAtThePlace) {
+  RobotPage page;
+  page.trigger("actionAddRobot");
+  ASSERT_TRUE(page.isShown("dockAddRobot"));
+  auto* list = page.find<QAbstractItemView>("listLibrary");
+  EXPECT_GE(list->model()->rowCount(), 40);
+  auto* search = page.find<QLineEdit>("searchLibrary");
+  search->setFocus();
+  QTest::keyClicks(search, "kr16");
+  page.settle();
+  ASSERT_EQ(list->model()->rowCount(), 1);
+  list->setCurrentIndex(list->model()->index(0, 0));
+  page.type("placeLibraryX", "1500");
+  page.type("placeLibraryA", "90");
+  ASSERT_TRUE(page.clickForStep("buttonAddFromLibrary"));
+  ASSERT_TRUE(page.selected());
+  EXPECT_EQ(page.selected()->name, "KUKA KR16-2");
+  EXPECT_NEAR(page.selected()->X_WE.p.x, 1.5, 1e-12);
+  EXPECT_LT(glm::length(page.selected()->X_WE.rotate(dvec3(1, 0, 0)) - dvec3(0, 1, 0)), 1e-9);
+  EXPECT_FALSE(page.isShown("dockAddRobot"));
+  EXPECT_TRUE(page.isShown("dockRobot"));
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.entities(), 0u);
+}
+
+}  // namespace
+}  // namespace hapticell::app
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setStyle(new hapticell::app::ProxyStyle);
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
