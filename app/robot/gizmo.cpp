@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/robot/gizmo.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hapticell::app {

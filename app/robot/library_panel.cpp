@@ -248,7 +248,7 @@ void LibraryPanel::drawNext() {
       load(row);
       continue;
     }
-    const QImage picture = picture_.draw({*entity}, {}, kBig, themeOf(palette()));
+    const QImage picture = picture_.draw({*entity}, kBig, themeOf(palette()));
     if (picture.isNull()) return draw_.stop();
     return model_->setPicture(row, picture);
   }

@@ -5,9 +5,12 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/host/actions.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/robot/joint_mover.h"
@@ -59,12 +62,10 @@ class RobotDocks : public QObject {
     });
     if (auto* add = host.window().findChild<QAction*>("actionAddRobot"))
       connect(add, &QAction::triggered, this, [this] { openLibrary(); });
-    connect(panel_, &RobotPanel::toolsWanted, this, [this] {
-      if (!tools_dock_) tools_dock_ = addDock("dockTools", tr("Tools"), new ToolsPanel(context_));
-      bringToFront(tools_dock_);
-    });
+    connect(panel_, &RobotPanel::toolsWanted, this, [this] { openTools(); });
     connect(panel_, &RobotPanel::mechanismWanted, this, [this] { openMechanism(); });
     connect(panel_, &RobotPanel::libraryWanted, this, [this] { openLibrary(); });
+    addMenu();
     addGizmo();
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, panel_, &RobotPanel::showNow);
@@ -79,6 +80,31 @@ class RobotDocks : public QObject {
   }
 
  private:
+  /// The Robot menu, before that of the applications.
+  void addMenu() {
+    QMenuBar* bar = host_.window().menuBar();
+    auto* menu = new QMenu(tr("Robot"), bar);
+    QAction* before = nullptr;
+    for (QAction* action : bar->actions())
+      if (action->text() == QObject::tr("Applications")) before = action;
+    bar->insertMenu(before, menu);
+    if (auto* add = host_.window().findChild<QAction*>("actionAddRobot")) menu->addAction(add);
+    const auto entry = [&](const char* name, const QString& text, auto&& slot) {
+      QAction* action = makeAction(&host_.window(), {name, text, {}, {}, {}});
+      menu->addAction(action);
+      connect(action, &QAction::triggered, this, slot);
+    };
+    entry("actionRobotPanel", tr("Configurations and jogging"), [this] { bringToFront(dock_); });
+    entry("actionTools", tr("Tools and carried parts…"), [this] { openTools(); });
+    menu->addSeparator();
+    entry("actionMechanism", tr("Join parts to a mechanism…"), [this] { openMechanism(); });
+  }
+
+  void openTools() {
+    if (!tools_dock_) tools_dock_ = addDock("dockTools", tr("Tools"), new ToolsPanel(context_));
+    bringToFront(tools_dock_);
+  }
+
   void addGizmo() {
     host_.viewport().setPointerTool(&gizmo_, ToolChain::kHandles);
     host_.viewport().installEventFilter(this);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/robot/tcp_gizmo.h"
 
+#include <limits>
+
 #include "app/host/host.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/robot_context.h"
@@ -10,6 +12,8 @@
 namespace hapticell::app {
 namespace {
 
+constexpr int kMostShots = 60;                     // Of the inverse model for one place of the mouse.
+constexpr double kLever = 0.25;                    // m that a radian counts like.
 constexpr double kPixels = 96.0;                   // Of an arrow.
 constexpr double kNearLimit = 0.0349065850398866;  // 2 degrees.
 
@@ -91,10 +95,18 @@ void TcpGizmo::follow(const Pose& X_WT) {
   const workcell::Entity* robot = context_.robot();
   const kinematics::InverseModel* inverse = context_.inverse();
   if (!robot || !inverse) return;
+  // The mouse comes in leaps; the model's bounded shots follow each other until they rest.
   kinematics::InverseSolution solution;
-  inverse->solveNearest(robot->X_WE.inverse() * X_WT, drag_->joints, kinematics::kUnboundedDuration, solution);
-  if (solution.q.size() != robot->joints.size()) return;
-  drag_->joints = solution.q;
+  const Pose X_BT = robot->X_WE.inverse() * X_WT;
+  double before = std::numeric_limits<double>::infinity();
+  for (int shot = 0; shot < kMostShots; ++shot) {
+    inverse->solveNearest(X_BT, drag_->joints, kinematics::kUnboundedDuration, solution);
+    if (solution.q.size() != robot->joints.size()) return;
+    drag_->joints = solution.q;
+    const double left = solution.position_error + kLever * solution.orientation_error;
+    if (solution.status == kinematics::InverseStatus::kSolved || left > 0.999 * before) break;
+    before = left;
+  }
   why_.clear();
   if (solution.status != kinematics::InverseStatus::kSolved) {
     const std::string limit = kinematics::nearestLimitText(*robot->robot, solution.q, kNearLimit);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/host/module.h"
+#include "workcell/entity.h"
 
 class QAction;
 class QDockWidget;

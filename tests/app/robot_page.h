@@ -17,7 +17,7 @@ namespace hapticell::app {
 /// What a user does with robots in the window: real clicks and keys on the widgets of the docks.
 class RobotPage : public WindowPage {
  public:
-  static constexpr int kPatience = 60000;  // ms; checks run in a thread of their own.
+  static constexpr int kPatience = 20000;  // ms; checks run in a thread of their own.
 
   explicit RobotPage(const config::Configuration& configuration = withoutMotion()) : WindowPage(configuration) {
     window().resize(1600, 1000);
