@@ -317,8 +317,10 @@ void RobotPanel::showStop() {
   if (!robot) return;
   const auto& snapshot = context_.host().snapshot();
   if (context_.isHeld() && snapshot && !snapshot->limits.empty()) {
-    const QString felt = snapshot->forces_on ? tr(" and pushes back on the stylus.") : QStringLiteral(".");
-    return stop_->show(Mark::kLimit, shownLimit(snapshot->limits.front().text) + felt);
+    const manipulation::LimitState& limit = snapshot->limits.front();
+    const bool pushes = limit.holds && snapshot->forces_on;
+    return stop_->show(Mark::kLimit,
+                       shownLimit(limit.text) + (pushes ? tr(" and pushes back on the stylus.") : tr(".")));
   }
   if (context_.isHeld() && snapshot && !snapshot->pairs.empty() && snapshot->pairs.front().contact)
     return stop_->show(Mark::kContact, shownLimit(snapshot->status));

@@ -12,6 +12,14 @@ std::string pairNames(const SceneModel& scene, const manipulation::PairState& pa
   return scene.nameOf(pair.moved, pair.moved_part) + " – " + scene.nameOf(pair.other, pair.other_part);
 }
 
+/// "A5 is 1.2° from its upper limit and pushes back".
+std::string limitWords(const manipulation::SceneSnapshot& snapshot) {
+  const manipulation::LimitState& limit = snapshot.limits.front();
+  std::string words = limit.text;
+  if (const auto unit = words.find(" deg"); unit != std::string::npos) words.replace(unit, 4, "\u00b0");
+  return limit.holds && snapshot.forces_on ? words + " and pushes back" : words;
+}
+
 }  // namespace
 
 std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
@@ -29,7 +37,7 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
     labels.push_back({kNearMissKey, near->near_miss ? Mark::kNearMiss : Mark::kNone, millimetres(near->distance),
                       pairNames(scene, *near), 0.5 * (near->p_WA + near->p_WB)});
   if (!snapshot.limits.empty())
-    labels.push_back({kLimitKey, Mark::kLimit, "Limit", snapshot.limits.front().text, snapshot.X_WStylus.p});
+    labels.push_back({kLimitKey, Mark::kLimit, "Limit", limitWords(snapshot), snapshot.X_WStylus.p});
   return labels;
 }
 
