@@ -16,6 +16,13 @@ QString shortConfiguration(const std::string& configuration) {
   return text.replace(QStringLiteral(", "), QStringLiteral(" · "));
 }
 
+QString shortFlags(const std::string& flags) {
+  QString text = QString::fromStdString(flags);
+  if (!text.startsWith(QStringLiteral("cf1 "))) return text;
+  for (const char* name : {"cf1 ", "cf4 ", "cf6 ", "cfx "}) text.remove(QLatin1String(name));
+  return QLatin1Char('[') + text.remove(QLatin1Char(' ')) + QLatin1Char(']');
+}
+
 QString travelText(const kinematics::RobotModel& model, const std::vector<double>& from,
                    const std::vector<double>& to) {
   double degrees = 0.0, millimetres = 0.0;
@@ -112,7 +119,7 @@ QVariant ConfigurationModel::data(const QModelIndex& index, int role) const {
     case kArm:
       return row.arm;
     case kFlags:
-      return QString::fromStdString(row.solution.maker_flags);
+      return shortFlags(row.solution.maker_flags);
     default:
       return row.way_text;
   }

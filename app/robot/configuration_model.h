@@ -51,6 +51,8 @@ class ConfigurationModel : public QAbstractTableModel {
 
 /// "front · up · no flip" from "front, elbow up, wrist not flipped".
 QString shortConfiguration(const std::string& configuration);
+/// "[0,-1,0,1]", as ABB writes it, from "cf1 0, cf4 -1, cf6 0, cfx 1"; others as they are.
+QString shortFlags(const std::string& flags);
 /// All joints' ways together: "186° in all", "186° and 12 mm in all".
 QString travelText(const kinematics::RobotModel& model, const std::vector<double>& from, const std::vector<double>& to);
 /// "A2 over by 11.4°" for a solution outside the limits.

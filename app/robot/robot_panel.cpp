@@ -155,8 +155,6 @@ void RobotPanel::addHolding(QVBoxLayout& column) {
 void RobotPanel::addJog(QVBoxLayout& column) {
   QVBoxLayout* rows = nullptr;
   section(column, {}, rows);
-  auto* top = new QHBoxLayout;
-  top->setSpacing(6);
   tabs_ = new Segmented({tr("Joints"), tr("Cartesian")});
   tabs_->setObjectName("segmentsJog");
   tabs_->setCurrent(0);
@@ -176,14 +174,17 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   poses_->setFixedWidth(24);
   poses_->setToolTip(tr("Named poses: go to one, keep this one"));
   poses_->setAccessibleName(tr("Named poses"));
-  top->addWidget(tabs_, 1);
-  top->addWidget(step_);
+  rows->addWidget(tabs_);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(6);
+  line->addWidget(makeLabel(tr("Step"), TextRole::kText, true));
+  line->addWidget(step_, 1);
   auto* pair = new QHBoxLayout;
   pair->setSpacing(2);
   pair->addWidget(home_);
   pair->addWidget(poses_);
-  top->addLayout(pair);
-  rows->addLayout(top);
+  line->addLayout(pair);
+  rows->addLayout(line);
   jogs_ = new QStackedWidget;
   joints_ = new JointJog(context_, mover_);
   cartesian_ = new CartesianJog(context_, mover_);

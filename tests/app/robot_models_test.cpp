@@ -69,6 +69,12 @@ TEST(RobotGhosts, HalfWayIsHalfOfEachJoint) {
   EXPECT_EQ(jointsBetween({0, 1}, {2, 3}, 1.0), (std::vector<double>{2, 3}));
 }
 
+TEST(ConfigurationModel, WritesAbbsFlagsShort) {
+  EXPECT_EQ(shortFlags("cf1 0, cf4 -1, cf6 0, cfx 1"), "[0,-1,0,1]");
+  EXPECT_EQ(shortFlags("S 2, T 35"), "S 2, T 35");
+  EXPECT_EQ(shortFlags(""), "");
+}
+
 TEST(ConfigurationModel, SaysHowTheArmStandsAndWhyARowIsOut) {
   const workcell::Entity robot = libraryRobot("kuka_kr16_2");
   const std::vector<double> now = robot.joints;
