@@ -75,6 +75,8 @@ void VirtualDesktopModule::start(Host& host) {
       host.window().tabifyDockWidget(dock_, other);
   host.window().resizeDocks({dock_}, {344}, Qt::Horizontal);
   dock_->raise();
+  // Once more when the window stands: before that Qt forgets which tab was raised.
+  QTimer::singleShot(0, dock_, &QWidget::raise);
   addPill();
   addKeys();
   addMenu();
