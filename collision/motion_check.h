@@ -53,7 +53,7 @@ inline constexpr double kLeastClearance = 1e-6;
 /// one can slide along and leave. Parts that begin colliding may move freely until they are apart (looked at every 2 mm
 /// of motion), then as above. After 400 distance queries the motion ends where it is proven so far. Parts that touch
 /// nothing on the way cost one query. Thread: that of `query`; no allocation
-/// but what `along` does and the list's where it is longer than ever before.
+/// but what `along` does and the list's own, once.
 MotionStop advance(ProximityQuery& query, const PartMotion& a, const PartMotion& b, const MotionDemand& demand);
 
 }  // namespace hapticell::collision

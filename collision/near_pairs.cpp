@@ -19,6 +19,7 @@ bool NearPairs::fill(const MeshCollider& a, const MeshCollider& b, const Pose& X
   sphere_ = b.radius();
   radius_ = -1.0;
   pairs_.clear();
+  pairs_.reserve(kMost);
   if (!trianglePairsWithin(a, b, X_AB, radius, pairs_, kMost)) {
     likely_ = kAfterCrowded * radius;
     return false;

@@ -12,7 +12,7 @@ namespace hapticell::collision {
 /// The pairs of triangles of two meshes A and B that were near each other at one relative pose. While B has moved
 /// less than the radius they were listed for, whatever comes near is among them, and no tree is searched.
 ///
-/// One thread. Allocates only when a list grows longer than any before.
+/// One thread. Allocates for its first list only.
 class NearPairs {
  public:
   static constexpr std::size_t kMost = 512;  ///< Longer lists cost more than the search that they save.

@@ -53,7 +53,7 @@ TEST(Allocation, warmQueriesDoNotAllocate) {
     const MovedPart motion[] = {{moved, straightMotion(X_WM, X_WNext, *ball)}};
     scene.advance(motion, 0.001);
   };
-  once();
+  for (int i = 0; i < 100; ++i) once();  // The lists of near pairs get their memory when parts first come near.
   const long before = allocations;
   EXPECT_GT(before, 0) << "the counter counts";
   for (int i = 0; i < 200; ++i) once();
