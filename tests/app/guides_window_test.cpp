@@ -92,9 +92,15 @@ TEST(GuidesPanel, EveryKindIsMadeOnPickedGeometry) {
     ASSERT_EQ(page.state().guides.size(), 1u) << name;
     EXPECT_EQ(page.guide().name, name);
     EXPECT_EQ(page.guide().entity, "door");
-    if (name == "Tube") EXPECT_EQ(page.guide().path.size(), 2u);
-    if (name == "Surface") EXPECT_EQ(page.guide().surface, "door");
-    if (name == "Plane") EXPECT_NEAR(std::abs(page.guide().X_WG.rotate({0, 0, 1}).y), 1.0, 1e-9);
+    if (name == "Tube") {
+      EXPECT_EQ(page.guide().path.size(), 2u);
+    }
+    if (name == "Surface") {
+      EXPECT_EQ(page.guide().surface, "door");
+    }
+    if (name == "Plane") {
+      EXPECT_NEAR(std::abs(page.guide().X_WG.rotate({0, 0, 1}).y), 1.0, 1e-9);
+    }
     page.press("buttonRemoveGuide");
     ASSERT_TRUE(page.state().guides.empty());
   }
