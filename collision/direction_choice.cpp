@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hapticell::collision {
 namespace {
@@ -48,6 +49,18 @@ void addFacetSamples(const SeparatingDirection& direction, double reach, bool ma
   }
 }
 
+/// By length, equal ones in their order.
+std::vector<dvec3> nearestFirst(const std::vector<dvec3>& samples) {
+  std::vector<std::pair<double, std::uint32_t>> order;
+  order.reserve(samples.size());
+  for (std::uint32_t i = 0; i < samples.size(); ++i) order.emplace_back(glm::dot(samples[i], samples[i]), i);
+  std::sort(order.begin(), order.end());
+  std::vector<dvec3> sorted;
+  sorted.reserve(samples.size());
+  for (const auto& [length2, i] : order) sorted.push_back(samples[i]);
+  return sorted;
+}
+
 std::vector<dvec3> samplesFor(const std::vector<PieceGroup>& groups, double reach) {
   static const std::vector<dvec3> kBall = ballSamples(400);
   std::vector<dvec3> samples;
@@ -60,9 +73,7 @@ std::vector<dvec3> samplesFor(const std::vector<PieceGroup>& groups, double reac
       if (samples.size() < kMostSamples) addFacetSamples(direction, reach, many, samples);
     }
   }
-  std::stable_sort(samples.begin(), samples.end(),
-                   [](const dvec3& a, const dvec3& b) { return glm::dot(a, a) < glm::dot(b, b); });
-  return samples;
+  return nearestFirst(samples);
 }
 
 /// The planes of a group side by side, largest gap first, so that a place is judged by few of them.

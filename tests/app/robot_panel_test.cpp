@@ -27,6 +27,7 @@ ConfigurationModel* checkedList(RobotPage& page, int rows) {
   auto* model = dynamic_cast<ConfigurationModel*>(table->model());
   const auto done = [&] {
     if (model->rowCount() < rows) return false;
+    if (model->rowOf(page.joints()) < 0) return false;  // Still the list of where the robot was.
     for (int i = 0; i < model->rowCount(); ++i)
       if (model->way(i) == ConfigurationModel::Way::kUnknown) return false;
     return true;
