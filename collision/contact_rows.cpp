@@ -247,7 +247,7 @@ void keepSupports(std::vector<ContactGroup>& groups, double rotation) {
     const dvec3 n = groups[members.front()].rows.front().nhat_W;
     const dvec3 e1 = glm::normalize(glm::cross(n, std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
     const dvec3 e2 = glm::cross(n, e1);
-    const auto keepLowest = [&](const dvec3& way) {
+    const auto keepLowest = [&, &members = members](const dvec3& way) {
       double least = 1e300;
       for (const auto i : members) least = std::min(least, glm::dot(way, groups[i].rows.front().p_W));
       for (const auto i : members) {

@@ -226,7 +226,7 @@ std::vector<SurfaceShape> borderPlanes(const RecognisedSurface& surface, const S
   for (const auto& [neighbour, points] : by_neighbour) {
     dvec3 normal(0.0);
     double widest = 0.0;  // of all triangles with the first vertex and the one farthest from it
-    const auto far = std::max_element(points.begin(), points.end(), [&](const dvec3& a, const dvec3& b) {
+    const auto far = std::max_element(points.begin(), points.end(), [&points = points](const dvec3& a, const dvec3& b) {
       return glm::length(a - points.front()) < glm::length(b - points.front());
     });
     for (const dvec3& p : points) {
