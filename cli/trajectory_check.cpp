@@ -23,6 +23,10 @@ ordered_json toJson(const PathFinding& finding) {
     json["point"] = cli::toJson(finding.p_W);
     return json;
   }
+  if (finding.kind == PathFinding::Kind::kConfiguration) {
+    json["change"] = finding.first;
+    return json;
+  }
   if (!finding.first.empty()) json["joint"] = finding.first;
   if (finding.kind != PathFinding::Kind::kSingularity) json["beyond"] = finding.worst;
   return json;
@@ -78,7 +82,9 @@ Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
   for (const PathFinding& finding : result->findings) {
     const bool is_contact = finding.kind == PathFinding::Kind::kCollision;
     has_contact = has_contact || is_contact;
-    has_limit = has_limit || (!is_contact && finding.kind != PathFinding::Kind::kSingularity);
+    const bool is_told_only =
+        finding.kind == PathFinding::Kind::kSingularity || finding.kind == PathFinding::Kind::kConfiguration;
+    has_limit = has_limit || (!is_contact && !is_told_only);
   }
   ordered_json json{{"frames", trajectory.size()},
                     {"free", !has_contact},

@@ -86,7 +86,10 @@ void ManipulationEngine::apply(const Command& command) {
                         },
                         [&](const command::SetClutch& c) { clutch_command_ = c.on; },
                         [&](const command::SetHandTarget& c) { link_.sendHandTarget(c.target); },
-                        [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); }},
+                        [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); },
+                        [&](const command::StartRecording& c) { startRecording(c); },
+                        [&](const command::MarkFrame&) { mark_wanted_ = true; },
+                        [&](const command::StopRecording&) { stopRecording(); }},
              command);
 }
 
@@ -223,7 +226,9 @@ void ManipulationEngine::watchButtons() {
   last_buttons_ = state_->buttons;
   if ((pressed & kGrabButton) != 0) held_ ? release() : grab(0);
   if ((let_go & kGrabButton) != 0 && configuration_.manipulation.hold_to_move) release();
-  setClutched(clutch_command_ || (state_->buttons & kClutchButton) != 0);
+  const bool marks = recorder_ && mark_by_button_;
+  if (marks && (pressed & kClutchButton) != 0) mark_wanted_ = true;
+  setClutched(clutch_command_ || (!marks && (state_->buttons & kClutchButton) != 0));
 }
 
 void ManipulationEngine::setClutched(bool clutched) {

@@ -40,6 +40,8 @@ class Rows {
   void slide();
   void screw();
   void tube();
+  dvec3 ahead(std::size_t piece, dvec3 p_W) const;
+  void leadTo(const dvec3& p_WT);
   void lock();
   void stopsAlong(const dvec3& from);
   void detent(const dvec3& p_W, const dvec3& direction);
@@ -140,17 +142,41 @@ void Rows::screw() {
   stopsAlong(X_WM0_.p);
 }
 
+/// The point of the path `lead` ahead of a point on one of its pieces.
+dvec3 Rows::ahead(std::size_t piece, dvec3 p_W) const {
+  double left = guide_.lead;
+  for (std::size_t i = piece; i + 1 < guide_.path.size(); ++i) {
+    const dvec3 next = guide_.path[i + 1];
+    const double way = glm::distance(p_W, next);
+    if (way > left) return p_W + left / way * (next - p_W);
+    left -= way;
+    p_W = next;
+  }
+  return p_W;
+}
+
+/// A spring to a point, that lets go of a hand that is far away.
+void Rows::leadTo(const dvec3& p_WT) {
+  for (const dvec3& direction : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)}) {
+    Constraint& pull = add(ConstraintKind::kPull, glm::dot(direction, X_WM_.p - p_WT), direction);
+    pull.stiffness = guide_.help;
+    pull.reach = 2.0 * (guide_.radius + guide_.lead);
+  }
+}
+
 /// Inside the tube about the nearest piece of the path, and inside the balls about its ends: pieces are OR.
 void Rows::tube() {
   const std::uint32_t group = group_;
   double nearest = std::numeric_limits<double>::infinity();
   dvec3 middle(0.0), along(0.0);
+  std::size_t piece = 0;
   for (std::size_t i = 0; i + 1 < guide_.path.size(); ++i) {
     const dvec3 a = guide_.path[i], way = guide_.path[i + 1] - a;
     const double s = std::clamp(glm::dot(X_WM_.p - a, way) / std::max(glm::dot(way, way), 1e-18), 0.0, 1.0);
     const double away = glm::distance(X_WM_.p, a + s * way);
     if (away >= nearest) continue;
     nearest = away;
+    piece = i;
     middle = a + s * way;
     // At an end of the path and at its corners the middle is a point, else a line.
     along = s > 0.0 && s < 1.0 ? glm::normalize(way) : dvec3(0.0);
@@ -165,6 +191,7 @@ void Rows::tube() {
   blocks.linear = across / -radius;
   row.curvature = symmetricOf(blocks);
   if (guide_.help <= 0.0) return;
+  if (guide_.lead > 0.0) return leadTo(ahead(piece, middle));
   const dvec3 side = std::abs(along.x) < 0.7 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
   const dvec3 u = glm::normalize(side - along * glm::dot(along, side)), v = glm::cross(along, u);
   for (const dvec3& direction : {u, v}) {

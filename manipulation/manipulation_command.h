@@ -11,6 +11,7 @@
 #include "geometry/pose.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/motion_mapping.h"
+#include "trajectory/recorder.h"
 #include "workcell/entity.h"
 #include "workcell/guide.h"
 
@@ -126,16 +127,29 @@ struct Grab {
 };
 struct Release {};
 
+/// From now on what moves is recorded, a step of the loop at a time: what is held, what goes by itself; each by itself,
+/// all on one clock. A recording that goes on is finished first.
+struct StartRecording {
+  trajectory::RecordingOptions options;
+  std::string take;             ///< Its name, and that of what is recorded together.
+  bool mark_by_button = false;  ///< The stylus's second button adds a frame (else it is the clutch).
+};
+/// Adds a frame by hand of what is held, or of the chosen entity where it stands.
+struct MarkFrame {};
+/// Ends it; result::Recorded tells.
+struct StopRecording {};
+
 }  // namespace command
 
 /// "all", "translation", "rotation", or what of x, y, z is let through: "x", "xz" ... (the hand's axes; rotation is
 /// not).
 Expected<command::SetFilter> parseFilter(const std::string& text);
 
-using Command = std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy,
-                             command::SetAxes, command::SetScale, command::SetCamera, command::SetOnContact,
-                             command::SetForceClass, command::SetForces, command::SetFilter, command::SetClutch,
-                             command::SetHandTarget, command::Grab, command::Release>;
+using Command =
+    std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy, command::SetAxes,
+                 command::SetScale, command::SetCamera, command::SetOnContact, command::SetForceClass,
+                 command::SetForces, command::SetFilter, command::SetClutch, command::SetHandTarget, command::Grab,
+                 command::Release, command::StartRecording, command::MarkFrame, command::StopRecording>;
 
 /// What the loop tells back, in order; each is told once.
 namespace result {
@@ -155,8 +169,13 @@ struct Notice {
   std::string sentence;
 };
 
+/// A recording ended: one trajectory for each entity that moved, those that moved first first. None moved: empty.
+struct Recorded {
+  std::vector<trajectory::Trajectory> trajectories;
+};
+
 }  // namespace result
 
-using Result = std::variant<result::Grabbed, result::Moved, result::Notice>;
+using Result = std::variant<result::Grabbed, result::Moved, result::Notice, result::Recorded>;
 
 }  // namespace hapticell::manipulation

@@ -140,6 +140,7 @@ struct ManipulationLoop::Worker {
       if (stopping) break;
     }
     engine.apply(command::Release{});
+    engine.apply(command::StopRecording{});
     engine.apply(command::SetForces{false});
     engine.step(nanoseconds(Clock::now()));
   }

@@ -220,6 +220,7 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   for (const std::size_t i : contacts_) {
     stopped_ = stopped_ || held_->pairs()[i].on_contact == workcell::OnContact::kStop;
   }
+  recordStep();
 }
 
 }  // namespace hapticell::manipulation

@@ -17,6 +17,7 @@
 #include "manipulation/motion_mapping.h"
 #include "manipulation/prepared_scene.h"
 #include "manipulation/scene_snapshot.h"
+#include "manipulation/take_recorder.h"
 
 namespace hapticell::manipulation {
 
@@ -61,6 +62,11 @@ class ManipulationEngine {
   void fillSnapshot(SceneSnapshot& snapshot);
 
  private:
+  void startRecording(const command::StartRecording& wanted);
+  void stopRecording();
+  void recordStep();
+  void recordHeld(bool by_hand);
+  void fillRecording(SceneSnapshot& snapshot) const;
   void takeState();
   void watchButtons();
   void grab(workcell::EntityId wanted);
@@ -147,6 +153,9 @@ class ManipulationEngine {
   std::vector<std::size_t> contacts_;
   std::vector<Result> results_;
   std::set<std::string> told_;  ///< Notes on what was taken: each is told once.
+
+  std::unique_ptr<TakeRecorder> recorder_;
+  bool mark_by_button_ = false, mark_wanted_ = false;
 
   std::int64_t measured_ns_ = -1;
   std::vector<FreeMotion::PairDistance> near_;

@@ -10,6 +10,8 @@
 
 #include "kinematics/inverse_model.h"
 #include "kinematics/jacobian.h"
+#include "manipulation/motion_replay.h"
+#include "manipulation/take_recorder.h"
 
 namespace hapticell::manipulation {
 
@@ -21,6 +23,7 @@ using workcell::EntityKind;
 
 constexpr double kLever = 0.25;  ///< m, for the distance to singular positions.
 constexpr double kJointTolerance = 1e-6;
+constexpr std::size_t kFramesBetweenTold = 20;
 
 /// Everything that could meet: the moved parts, what stands, and which of them are checked.
 struct Bodies {
@@ -203,7 +206,7 @@ class FindingList {
 /// Of a robot: joints against their ends and speeds, and how near the arm is to losing a direction.
 class JointTrack {
  public:
-  explicit JointTrack(const Entity& entity) : model_(*entity.robot) {
+  explicit JointTrack(const Entity& entity) : model_(*entity.robot), arm_(sixAxisChain(entity)) {
     tip_ = model_.findLink(entity.tip_link);
     if (tip_ < 0) tip_ = model_.defaultTip();
     variables_ = tip_ >= 0 ? kinematics::variablesOfChain(model_, tip_) : std::vector<int>{};
@@ -221,6 +224,7 @@ class JointTrack {
         list.add(PathFinding::Kind::kJointSpeed, joint.name, t, speed - joint.velocity);
       }
     }
+    lookAtConfiguration(at, t, list);
     if (tip_ < 0) return;
     kinematics::forwardKinematics(model_, at.joints, X_BL_);
     kinematics::geometricJacobian(model_, X_BL_, tip_, X_BL_[static_cast<std::size_t>(tip_)].p, jacobian_);
@@ -231,31 +235,31 @@ class JointTrack {
   }
 
  private:
+  void lookAtConfiguration(const EntityConfiguration& at, double t, FindingList& list) {
+    if (!arm_) return;
+    const auto now = configurationNumber(*arm_, at.joints);
+    if (now && configuration_ && *now != *configuration_) {
+      list.add(PathFinding::Kind::kConfiguration, namesOfChange(*configuration_ ^ *now), t, 0.0);
+    }
+    if (now) configuration_ = now;
+  }
+
+  static std::string namesOfChange(int bits) {
+    std::string names;
+    for (const auto& [bit, name] : {std::pair(1, "front or back"), std::pair(2, "elbow"), std::pair(4, "wrist")}) {
+      if ((bits & bit) != 0) names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    return names;
+  }
+
   const kinematics::RobotModel& model_;
+  std::optional<kinematics::Chain> arm_;
+  std::optional<int> configuration_;
   int tip_ = -1;
   std::vector<int> variables_;
   std::vector<Pose> X_BL_;
   kinematics::Jacobian jacobian_;
 };
-
-/// Index of the robot's variable for each joint column of the trajectory.
-Expected<std::vector<std::size_t>> columnsFor(const Entity& entity, const Trajectory& trajectory) {
-  std::vector<std::size_t> columns;
-  if (entity.robot == nullptr) return columns;
-  for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
-    const std::string& name = trajectory.joint_names[j];
-    const int joint = entity.robot->findJoint(name);
-    const int variable = joint < 0 ? -1 : entity.robot->joints[static_cast<std::size_t>(joint)].variable;
-    // CSV twins name their columns q1, q2, ... from base to tip.
-    const bool is_counted = joint < 0 && name == "q" + std::to_string(j + 1) && j < entity.robot->dof();
-    if (variable < 0 && !is_counted) {
-      return makeError({"", "joint '" + name + "'", "the robot '" + entity.name + "' has no such joint",
-                        "names of its joints, or q1, q2, ...", ""});
-    }
-    columns.push_back(is_counted ? j : static_cast<std::size_t>(variable));
-  }
-  return columns;
-}
 
 Expected<void> checkArguments(const Entity* entity, const std::string& name, const Trajectory& trajectory) {
   if (entity == nullptr) return makeError({"", "", "there is no entity '" + name + "'", "one of the workcell", ""});
@@ -278,6 +282,11 @@ class PathWalk {
   PathCheckResult run(const Trajectory& trajectory, const std::vector<std::size_t>& columns) {
     result_.least_clearance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < trajectory.size(); ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(trajectory.size());
+      if (options_.progress && i % kFramesBetweenTold == 0 && !options_.progress(share)) {
+        result_.cancelled = true;
+        break;
+      }
       EntityConfiguration at = configurationAt(trajectory, columns, i);
       look(trajectory, i, at);
       before_ = std::move(at);
@@ -326,7 +335,8 @@ class PathWalk {
 }  // namespace
 
 const char* toString(PathFinding::Kind kind) {
-  constexpr std::array<const char*, 5> kNames{"collision", "joint_limit", "joint_speed", "singularity", "off_pose"};
+  constexpr std::array<const char*, 6> kNames{"collision",   "joint_limit", "joint_speed",
+                                              "singularity", "off_pose",    "configuration"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -335,7 +345,7 @@ Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, 
                                     const config::Configuration& configuration) {
   const Entity* entity = scene->find(name);
   if (auto checked = checkArguments(entity, name, trajectory); !checked) return tl::unexpected(checked.error());
-  const auto columns = columnsFor(*entity, trajectory);
+  const auto columns = jointColumns(*entity, trajectory);
   if (!columns) return tl::unexpected(columns.error());
   const auto held = HeldEntity::take(scene, entity->id, {}, options.hold, configuration);
   if (!held) return tl::unexpected(held.error());

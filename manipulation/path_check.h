@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,11 +16,12 @@ namespace hapticell::manipulation {
 /// What a check of a whole motion found somewhere on it.
 struct PathFinding {
   enum class Kind {
-    kCollision,    ///< Two parts meet; checked continuously between the frames.
-    kJointLimit,   ///< A joint beyond its end.
-    kJointSpeed,   ///< A joint faster than it can move.
-    kSingularity,  ///< A direction of the tool centre point is (nearly) lost.
-    kOffPose,      ///< The joints do not bring the tool centre point to the frame's pose.
+    kCollision,      ///< Two parts meet; checked continuously between the frames.
+    kJointLimit,     ///< A joint beyond its end.
+    kJointSpeed,     ///< A joint faster than it can move.
+    kSingularity,    ///< A direction of the tool centre point is (nearly) lost.
+    kOffPose,        ///< The joints do not bring the tool centre point to the frame's pose.
+    kConfiguration,  ///< A six-axis arm changes to another branch (through a singular position).
   };
   Kind kind = Kind::kCollision;
   double t_in = 0.0, t_out = 0.0;  ///< s
@@ -28,7 +30,7 @@ struct PathFinding {
   dvec3 p_W{0.0};                  ///< Collision: where it begins.
 };
 
-/// "collision", "joint_limit", "joint_speed", "singularity", "off_pose".
+/// "collision", "joint_limit", "joint_speed", "singularity", "off_pose", "configuration".
 const char* toString(PathFinding::Kind kind);
 
 struct PathCheckResult {
@@ -38,12 +40,15 @@ struct PathCheckResult {
   double least_clearance = 0.0;  ///< m, at the frames, of pairs that are apart; infinite when nothing came near.
   std::string nearest_first, nearest_second;
   double t_nearest = 0.0;
+  bool cancelled = false;  ///< The progress told it to end: what is here is of the way so far.
 };
 
 struct PathCheckOptions {
   HoldOptions hold{};
   double look = 0.05;            ///< m: clearances beyond this are not told apart.
   double pose_tolerance = 1e-4;  ///< m and rad, for kOffPose.
+  /// Told how far the check is (0 .. 1); false ends it. Called from the checking thread; may be empty.
+  std::function<bool(double)> progress = {};
 };
 
 /// Moves the entity through the frames as the manipulation loop would: by its joints where the trajectory has them (by

@@ -67,6 +67,12 @@ struct SceneSnapshot {
   double rate_haptic_hz = 0.0, late_p99_ms = 0.0;
   double rate_manipulation_hz = 0.0, step_p99_ms = 0.0;
   double round_trip_ms = 0.0;
+  struct Recording {
+    bool on = false;
+    double seconds = 0.0;     ///< Since it began.
+    std::size_t frames = 0;   ///< Kept so far, of all entities.
+    std::size_t by_hand = 0;  ///< Of these, added by the user.
+  } recording;
   std::string status;  ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
 };
 

@@ -39,46 +39,6 @@ Expected<workcell::EntityId> findEntity(const SessionOptions& options) {
                     .fix = {}});
 }
 
-/// As files say it (trajectory, INTERFACES: moved_by).
-std::string wordOf(const MovedBy& moved_by, bool is_robot) {
-  switch (moved_by.kind) {
-    case MovedBy::Kind::kDefault:
-      return is_robot ? "tcp" : "self_origin";
-    case MovedBy::Kind::kTcp:
-      return "tcp";
-    case MovedBy::Kind::kBase:
-      return moved_by.keep_tcp ? "base_keeping_tcp" : "base";
-    case MovedBy::Kind::kSelfOrigin:
-      return "self_origin";
-    case MovedBy::Kind::kGeometricCenter:
-      return "geometric_center";
-    case MovedBy::Kind::kFrame:
-      return "frame:" + moved_by.frame;
-    case MovedBy::Kind::kWhole:
-      return "whole";
-    case MovedBy::Kind::kLeftHand:
-      return "left_hand";
-    case MovedBy::Kind::kRightHand:
-      return "right_hand";
-    case MovedBy::Kind::kBothHands:
-      return "both_hands";
-  }
-  return {};
-}
-
-trajectory::Trajectory emptyRecording(const workcell::Entity& entity, const MovedBy& moved_by) {
-  const bool is_robot = entity.robot != nullptr;
-  trajectory::Trajectory recording;
-  recording.name = entity.name;
-  recording.entity = entity.name;
-  recording.moved = wordOf(moved_by, is_robot);
-  if (!is_robot) return recording;
-  for (const int joint : entity.robot->moving) {
-    recording.joint_names.push_back(entity.robot->joints[static_cast<std::size_t>(joint)].name);
-  }
-  return recording;
-}
-
 /// The engine with everything that a session watches about it; both kinds of session drive one.
 class WatchedEngine {
  public:
@@ -103,7 +63,7 @@ class WatchedEngine {
     if (!tried) return makeError(tried.error());
     start_ = *tried;
     if (options_.recording) {
-      recorder_.emplace(emptyRecording(*engine_.scene()->find(entity_), options_.moved_by), *options_.recording);
+      engine_.apply(command::StartRecording{*options_.recording, {}, false});
     }
     engine_.apply(command::SetForces{options_.forces});
     return {};
@@ -122,11 +82,6 @@ class WatchedEngine {
       if (const auto* told = std::get_if<result::Notice>(&result)) report_.notices.push_back(told->sentence);
     }
     if (t - measured_ >= kLeastPenetrationPeriod) measurePenetration(t);
-    if (recorder_ && engine_.held()) {
-      const EntityConfiguration& at = engine_.held()->accepted();
-      const bool is_robot = engine_.scene()->find(entity_)->robot != nullptr;
-      recorder_->add(t, movedFrame(), is_robot ? std::span<const double>(at.joints) : std::span<const double>());
-    }
   }
 
   void showPicture(double t) {
@@ -167,7 +122,7 @@ class WatchedEngine {
     for (const LimitState& limit : engine_.nearLimits()) {
       if (limit.holds) report_.final_limits.push_back(limit.text);
     }
-    if (recorder_) report_.recording = recorder_->finish();
+    takeRecordings();
     report_.held = engine_.held() != nullptr;
     report_.final_configuration = engine_.placement(entity_);
     report_.X_WMFinal = start_->manipulator().movedFrame(report_.final_configuration);
@@ -201,6 +156,18 @@ class WatchedEngine {
     return std::shared_ptr<HeldEntity>(std::move(*taken));
   }
 
+  void takeRecordings() {
+    if (!options_.recording) return;
+    engine_.apply(command::StopRecording{});
+    for (Result& result : engine_.takeResults()) {
+      auto* recorded = std::get_if<result::Recorded>(&result);
+      if (!recorded) continue;
+      for (trajectory::Trajectory& one : recorded->trajectories) {
+        (one.entity == options_.entity ? report_.recording : report_.other_recordings.emplace_back()) = std::move(one);
+      }
+    }
+  }
+
   void measurePenetration(double t) {
     measured_ = t;
     penetration_.measure(engine_);
@@ -210,7 +177,6 @@ class WatchedEngine {
   ManipulationEngine engine_;
   workcell::EntityId entity_ = 0;
   std::shared_ptr<HeldEntity> start_;
-  std::optional<trajectory::Recorder> recorder_;
   SessionReport report_;
   ForceMeter forces_;
   ContactLog contacts_;

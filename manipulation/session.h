@@ -77,6 +77,7 @@ struct SessionReport {
   std::vector<std::string> final_contacts;  ///< Names of what it touches.
   std::vector<std::string> final_limits;    ///< Why it does not follow: "A5 is at its upper limit".
   trajectory::Trajectory recording;         ///< Without frames where none was asked for, or nothing was moved.
+  std::vector<trajectory::Trajectory> other_recordings;  ///< Of what moved beside the chosen entity, on its clock.
 };
 
 /// Runs a session in virtual time, in the caller's thread: force loop and simulated device at 1 ms, the manipulation

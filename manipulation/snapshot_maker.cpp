@@ -144,6 +144,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
     snapshot.force_n = glm::length(state_->force_D);
     if (const auto device = link_.device()) snapshot.device_edge_m = edgeOf(*device, state_->X_DS.p);
   }
+  fillRecording(snapshot);
   snapshot.rate_haptic_hz = statistics_.rate_hz;
   snapshot.late_p99_ms = statistics_.late_p99_ms;
   snapshot.round_trip_ms = statistics_.round_trip_ms;

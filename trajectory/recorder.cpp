@@ -37,28 +37,28 @@ bool Recorder::isWanted(const Step& step) const {
 }
 
 void Recorder::keep(const Step& step, bool by_hand) {
-  if (trajectory_.empty()) t_start_ = step.t;
-  trajectory_.addFrame({step.t - t_start_, step.X_WT, by_hand, 0.0}, step.joints);
+  if (trajectory_.empty()) t_start_ = options_.clock_start.value_or(step.t);
+  trajectory_.addFrame({step.t - t_start_, step.X_WT, by_hand, 0.0}, step.joints, step.channels);
 }
 
-void Recorder::add(double t, const Pose& X_WT, std::span<const double> joints) {
+void Recorder::add(double t, const Pose& X_WT, std::span<const double> joints, std::span<const double> channels) {
   if (last_ && !(t > last_->t)) return;
-  Step step{t, X_WT, {joints.begin(), joints.end()}};
+  Step step{t, X_WT, {joints.begin(), joints.end()}, {channels.begin(), channels.end()}};
   if (hasStarted(step) && isWanted(step)) keep(step, false);
   last_ = std::move(step);
 }
 
-void Recorder::mark(double t, const Pose& X_WT, std::span<const double> joints) {
+void Recorder::mark(double t, const Pose& X_WT, std::span<const double> joints, std::span<const double> channels) {
   if (last_ && !(t > last_->t)) return;
   started_ = true;
-  last_ = Step{t, X_WT, {joints.begin(), joints.end()}};
+  last_ = Step{t, X_WT, {joints.begin(), joints.end()}, {channels.begin(), channels.end()}};
   keep(*last_, true);
 }
 
 Trajectory Recorder::finish() {
   if (started_ && last_ && options_.mode != RecordingMode::kByHand) keep(*last_, false);
   Trajectory done = std::move(trajectory_);
-  trajectory_ = done.emptyCopy();
+  trajectory_ = done.emptyRecording();
   first_.reset();
   last_.reset();
   started_ = false;

@@ -21,19 +21,22 @@ struct RecordingOptions {
   PathTolerance spacing{0.005, 0.08726646259971647};  ///< kByDistance: 5 mm, 5 deg.
   /// Nothing is recorded before the entity moves by this: the pause between pressing and moving is no part of it.
   PathTolerance soft_start{0.0005, 0.008726646259971648};
+  /// Where times count from; nothing: from the first frame kept. Several recorders with the same one share a clock.
+  std::optional<double> clock_start = {};
 };
 
 /// Takes the steps of a motion as they come and keeps the frames that the mode asks for. Times count from the first
-/// frame kept. The last step is kept when recording ends, so that the motion is whole. One thread.
+/// frame kept, or from the clock that is given. The last step is kept when recording ends, so that the motion is whole.
+/// One thread.
 class Recorder {
  public:
   /// `empty`: name, entity and joint names of what is recorded, without frames.
   Recorder(Trajectory empty, const RecordingOptions& options);
 
   /// Offers a step; times must increase, a step that does not is dropped.
-  void add(double t, const Pose& X_WT, std::span<const double> joints = {});
+  void add(double t, const Pose& X_WT, std::span<const double> joints = {}, std::span<const double> channels = {});
   /// The user marks this step: it is kept in every mode, as set by hand.
-  void mark(double t, const Pose& X_WT, std::span<const double> joints = {});
+  void mark(double t, const Pose& X_WT, std::span<const double> joints = {}, std::span<const double> channels = {});
 
   const Trajectory& soFar() const { return trajectory_; }
   /// The recording; the recorder is empty then.
@@ -43,7 +46,7 @@ class Recorder {
   struct Step {
     double t;
     Pose X_WT;
-    std::vector<double> joints;
+    std::vector<double> joints, channels;
   };
   bool hasStarted(const Step& step);
   bool isWanted(const Step& step) const;

@@ -2,6 +2,7 @@
 #include "trajectory/trajectory.h"
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/assertion.h"
 
@@ -11,17 +12,36 @@ std::span<const double> Trajectory::joints(std::size_t i) const {
   return std::span(joints_).subspan(i * joint_names.size(), joint_names.size());
 }
 
-bool Trajectory::addFrame(const Frame& frame, std::span<const double> joints) {
+std::span<const double> Trajectory::channels(std::size_t i) const {
+  return std::span(channels_).subspan(i * channel_names.size(), channel_names.size());
+}
+
+std::optional<std::size_t> Trajectory::findChannel(std::string_view channel) const {
+  const auto found = std::find(channel_names.begin(), channel_names.end(), channel);
+  if (found == channel_names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - channel_names.begin());
+}
+
+bool isChannel(std::string_view name) {
+  constexpr std::array<std::string_view, 5> kNames{"force_x", "force_y", "force_z", "contact", "configuration"};
+  return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
+}
+
+bool Trajectory::addFrame(const Frame& frame, std::span<const double> joints, std::span<const double> channels) {
   HAPTICELL_DEMAND(joints.size() == joint_names.size());
+  HAPTICELL_DEMAND(channels.empty() || channels.size() == channel_names.size());
   if (!frames_.empty() && !(frame.t > frames_.back().t)) return false;
   frames_.push_back(frame);
   joints_.insert(joints_.end(), joints.begin(), joints.end());
+  channels_.insert(channels_.end(), channels.begin(), channels.end());
+  channels_.resize(frames_.size() * channel_names.size());
   return true;
 }
 
 void Trajectory::reserve(std::size_t frames) {
   frames_.reserve(frames);
   joints_.reserve(frames * joint_names.size());
+  channels_.reserve(frames * channel_names.size());
 }
 
 Trajectory Trajectory::emptyCopy() const {
@@ -29,7 +49,14 @@ Trajectory Trajectory::emptyCopy() const {
   copy.name = name;
   copy.entity = entity;
   copy.moved = moved;
+  copy.take = take;
   copy.joint_names = joint_names;
+  return copy;
+}
+
+Trajectory Trajectory::emptyRecording() const {
+  Trajectory copy = emptyCopy();
+  copy.channel_names = channel_names;
   return copy;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/pose.h"
@@ -17,9 +19,22 @@ namespace hapticell::trajectory {
 class Trajectory {
  public:
   std::string name;
-  std::string entity;                    ///< Whose motion it is; may be empty.
-  std::string moved;                     ///< "tcp", "base", "self_origin", ... as it was recorded; may be empty.
+  std::string entity;  ///< Whose motion it is; may be empty.
+  std::string moved;   ///< "tcp", "base", "self_origin", ... as it was recorded; may be empty.
+  /// What was recorded together with it, on the same clock, has the same take; empty: by itself.
+  std::string take;
   std::vector<std::string> joint_names;  ///< Empty for a solid. Fixed before the first frame.
+  /// Further numbers of each frame, of isChannel()'s names: forces, contacts, the configuration. Fixed before the first
+  /// frame. They belong to a recording; copies whose frames are others have none.
+  std::vector<std::string> channel_names;
+  /// What was touched meanwhile, by time of coming; like the channels of recordings only.
+  struct Touch {
+    double t_in = 0.0, t_out = 0.0;  ///< s
+    std::string first, second;       ///< "robot/link_3", "fixture"
+    double max_force = 0.0;          ///< N on the hand.
+    bool operator==(const Touch&) const = default;
+  };
+  std::vector<Touch> touches;
 
   struct Frame {
     double t = 0.0;  ///< Seconds.
@@ -34,17 +49,22 @@ class Trajectory {
   const Frame& operator[](std::size_t i) const { return frames_[i]; }
   std::span<const Frame> frames() const { return frames_; }
   std::span<const double> joints(std::size_t i) const;
+  std::span<const double> channels(std::size_t i) const;
+  /// Index of a channel by name; nothing where there is none.
+  std::optional<std::size_t> findChannel(std::string_view channel) const;
   bool hasJoints() const { return !joint_names.empty(); }
   /// From the first frame to the last, seconds.
   double duration() const { return empty() ? 0.0 : frames_.back().t - frames_.front().t; }
 
   /// Adds a frame at the end. Returns false, and adds nothing, when its time is not after the last one's.
-  /// @pre joints.size() == joint_names.size()
-  bool addFrame(const Frame& frame, std::span<const double> joints = {});
+  /// @pre joints.size() == joint_names.size(); channels likewise, none at all mean zeros.
+  bool addFrame(const Frame& frame, std::span<const double> joints = {}, std::span<const double> channels = {});
   void reserve(std::size_t frames);
 
-  /// A trajectory of the same entity and joints without frames.
+  /// A trajectory of the same entity, take and joints without frames, channels and touches.
   Trajectory emptyCopy() const;
+  /// The same with the channels, for copies that keep frames as they are.
+  Trajectory emptyRecording() const;
 
   /// Pose and joints at time t (clamped to the ends): positions straight, rotations about a fixed axis, joints straight
   /// between frames.
@@ -60,7 +80,12 @@ class Trajectory {
 
   std::vector<Frame> frames_;
   std::vector<double> joints_;
+  std::vector<double> channels_;
 };
+
+/// Names that channels may have: force_x, force_y, force_z (N on the hand, in the cell's axes), contact (0 or 1),
+/// configuration (which branch of a six-axis arm: 1 back, 2 elbow down, 4 wrist flipped, added).
+bool isChannel(std::string_view name);
 
 /// How far two poses are apart.
 struct PoseDistance {

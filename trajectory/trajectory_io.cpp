@@ -40,8 +40,9 @@ Expected<Pose> poseOf(const double* v) {
 Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers, bool by_hand, double dwell) {
   const auto pose = poseOf(numbers.data() + 1);
   if (!pose) return tl::unexpected(pose.error());
-  const std::span<const double> joints = std::span(numbers).subspan(8);
-  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell}, joints)) {
+  const std::span<const double> joints = std::span(numbers).subspan(8, trajectory.joint_names.size());
+  const std::span<const double> channels = std::span(numbers).subspan(8 + joints.size());
+  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell}, joints, channels)) {
     return makeError({"", "t", shortestText(numbers[0]) + " s",
                       "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s", ""});
   }
@@ -85,13 +86,16 @@ Expected<std::vector<std::string>> jointColumns(const fs::path& file) {
 Expected<Trajectory> readCsv(const fs::path& file) {
   auto joints = jointColumns(file);
   if (!joints) return tl::unexpected(joints.error());
+  // Channels stand behind the joints in a row, whatever the order in the file.
+  std::stable_partition(joints->begin(), joints->end(), [](const std::string& name) { return !isChannel(name); });
   std::vector<std::string> wanted = poseColumns();
   wanted.insert(wanted.end(), joints->begin(), joints->end());
   const auto table = readCsvTable(file, wanted, {"by_hand", "dwell"});
   if (!table) return tl::unexpected(table.error());
   Trajectory trajectory;
   trajectory.name = file.stem().string();
-  trajectory.joint_names = *joints;
+  for (const std::string& name : *joints)
+    (isChannel(name) ? trajectory.channel_names : trajectory.joint_names).push_back(name);
   trajectory.reserve(table->rows.size());
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     std::vector<double> row = table->rows[i];
@@ -111,7 +115,7 @@ Expected<std::vector<double>> numbersOf(const json& list, std::size_t count) {
                         std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_number(); });
   if (!is_right) {
     return makeError({"", "", list.is_array() ? std::to_string(list.size()) + " entries" : "no list of numbers",
-                      std::to_string(count) + " numbers: t,x,y,z,qw,qx,qy,qz and the joints", ""});
+                      std::to_string(count) + " numbers: t,x,y,z,qw,qx,qy,qz, the joints and the channels", ""});
   }
   auto numbers = list.get<std::vector<double>>();
   if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) {
@@ -166,16 +170,37 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
   return marks;
 }
 
+/// Channels and touches.
+Expected<void> readRecorded(const json& document, Trajectory& trajectory) {
+  for (const json& channel : document.value("channels", json::array())) {
+    if (!channel.is_string() || !isChannel(channel.get<std::string>())) {
+      return makeError(
+          {"", "field 'channels'", channel.dump(), "force_x, force_y, force_z, contact or configuration", ""});
+    }
+    trajectory.channel_names.push_back(channel.get<std::string>());
+  }
+  for (const json& touch : document.value("touches", json::array())) {
+    const bool is_right = touch.is_array() && touch.size() == 5 && touch[0].is_number() && touch[1].is_number() &&
+                          touch[2].is_string() && touch[3].is_string() && touch[4].is_number();
+    if (!is_right)
+      return makeError({"", "field 'touches'", touch.dump(), "[in, out, \"first\", \"second\", force]", ""});
+    trajectory.touches.push_back({touch[0].get<double>(), touch[1].get<double>(), touch[2].get<std::string>(),
+                                  touch[3].get<std::string>(), touch[4].get<double>()});
+  }
+  return {};
+}
+
 Expected<Trajectory> fromJson(const json& document) {
   Trajectory trajectory;
   for (auto [field, text] : {std::pair("name", &trajectory.name), std::pair("entity", &trajectory.entity),
-                             std::pair("moved", &trajectory.moved)}) {
+                             std::pair("moved", &trajectory.moved), std::pair("take", &trajectory.take)}) {
     if (auto read = readText(document, field, *text); !read) return tl::unexpected(read.error());
   }
   for (const json& joint : document.value("joints", json::array())) {
     if (!joint.is_string()) return makeError({"", "field 'joints'", joint.dump(), "names of joints", ""});
     trajectory.joint_names.push_back(joint.get<std::string>());
   }
+  if (auto read = readRecorded(document, trajectory); !read) return tl::unexpected(read.error());
   const json frames = document.value("frames", json());
   if (!frames.is_array()) return makeError({"", "field 'frames'", "none", "a list of frames", ""});
   const auto marks = readMarks(document, frames.size());
@@ -183,7 +208,7 @@ Expected<Trajectory> fromJson(const json& document) {
   trajectory.reserve(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const std::string place = "frame " + std::to_string(i);
-    const auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size());
+    const auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size() + trajectory.channel_names.size());
     if (!numbers) return tl::unexpected(placed(numbers.error(), {}, place));
     if (auto added = append(trajectory, *numbers, marks->by_hand[i], marks->dwell[i]); !added) {
       return tl::unexpected(placed(added.error(), {}, place));
@@ -210,9 +235,11 @@ void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i)
     text += shortestText(value);
     text += ',';
   }
-  for (const double joint : trajectory.joints(i)) {
-    text += shortestText(joint);
-    text += ',';
+  for (const std::span<const double> more : {trajectory.joints(i), trajectory.channels(i)}) {
+    for (const double value : more) {
+      text += shortestText(value);
+      text += ',';
+    }
   }
   text.pop_back();
 }
@@ -242,6 +269,11 @@ std::string toJsonText(const Trajectory& trajectory) {
     if (trajectory[i].by_hand) by_hand.push_back(i);
     if (trajectory[i].dwell > 0.0) dwells.push_back({i, trajectory[i].dwell});
   }
+  if (!trajectory.take.empty()) head["take"] = trajectory.take;
+  if (!trajectory.channel_names.empty()) head["channels"] = trajectory.channel_names;
+  for (const auto& touch : trajectory.touches) {
+    head["touches"].push_back({touch.t_in, touch.t_out, touch.first, touch.second, touch.max_force});
+  }
   head["by_hand"] = by_hand;
   head["dwells"] = std::move(dwells);
   std::string text = head.dump(1);
@@ -259,9 +291,17 @@ std::string toJsonText(const Trajectory& trajectory) {
 std::string toCsvText(const Trajectory& trajectory) {
   std::string text = "t,x,y,z,qw,qx,qy,qz";
   for (const std::string& joint : trajectory.joint_names) text += "," + joint;
+  for (const std::string& channel : trajectory.channel_names) text += "," + channel;
+  const auto any = [&](auto what) { return std::any_of(trajectory.frames().begin(), trajectory.frames().end(), what); };
+  const bool by_hand = any([](const auto& frame) { return frame.by_hand; });
+  const bool dwells = any([](const auto& frame) { return frame.dwell > 0.0; });
+  if (by_hand) text += ",by_hand";
+  if (dwells) text += ",dwell";
   text += '\n';
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     appendFrame(text, trajectory, i);
+    if (by_hand) text += trajectory[i].by_hand ? ",1" : ",0";
+    if (dwells) text += "," + shortestText(trajectory[i].dwell);
     text += '\n';
   }
   return text;

@@ -170,15 +170,28 @@ struct RemoveGuide {
   std::string name;
 };
 
+/// Adds a recording, or a copy that was made of one. Its file is written by who adds it.
+struct AddTrajectory {
+  TrajectoryReference trajectory;
+};
+/// Renames it; its file stays.
+struct RenameTrajectory {
+  std::string name, new_name;
+};
+/// Takes it out of the cell; its file stays.
+struct RemoveTrajectory {
+  std::string name;
+};
+
 struct SetView {
   std::optional<SavedView> view;
 };
 
-using Command =
-    std::variant<AddEntity, RemoveEntity, RenameEntity, ReplaceShape, SetCollisionProxy, SetPlacement, SetJoints, SetConfiguration, SetProperties,
-                 SetFrames, SetTool, SetTools, SetNamedPoses, ChooseTool, Attach, Detach, MakeMechanism, EditMechanism,
-                 DissolveMechanism, AddPairSet, EditPairSet, RemovePairSet, SetPairRules,
-                 AddGuide, EditGuide, RemoveGuide, SetView>;
+using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, ReplaceShape, SetCollisionProxy, SetPlacement,
+                             SetJoints, SetConfiguration, SetProperties, SetFrames, SetTool, SetTools, SetNamedPoses,
+                             ChooseTool, Attach, Detach, MakeMechanism, EditMechanism, DissolveMechanism, AddPairSet,
+                             EditPairSet, RemovePairSet, SetPairRules, AddGuide, EditGuide, RemoveGuide, AddTrajectory,
+                             RenameTrajectory, RemoveTrajectory, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

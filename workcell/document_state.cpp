@@ -50,6 +50,13 @@ const Guide* DocumentState::findGuide(std::string_view name) const {
   return nullptr;
 }
 
+const TrajectoryReference* DocumentState::findTrajectory(std::string_view name) const {
+  for (const TrajectoryReference& trajectory : trajectories) {
+    if (trajectory.name == name) return &trajectory;
+  }
+  return nullptr;
+}
+
 const PairSet* DocumentState::findPairSet(std::string_view name) const {
   for (const PairSet& set : pair_sets) {
     if (set.name == name) return &set;

@@ -10,6 +10,10 @@
 #include "workcell/entity.h"
 #include "workcell/guide.h"
 
+namespace hapticell::trajectory {
+class Trajectory;
+}
+
 namespace hapticell::workcell {
 
 /// How the user last looked at the cell.
@@ -20,8 +24,10 @@ struct SavedView {
 
 /// A trajectory that belongs to the cell, in a file of its own (*.htraj).
 struct TrajectoryReference {
-  std::string name;
+  std::string name;  ///< Unique among them.
   std::string path;  ///< Absolute while in memory; written relative to the document.
+  /// Its content where it was made or read already; shared, never changed. The document does not read it itself.
+  std::shared_ptr<const trajectory::Trajectory> motion = {};
 };
 
 /// All that a document holds, as a value. Entities are shared between copies and never changed in place, so a copy
@@ -39,6 +45,7 @@ struct DocumentState {
   const Entity* findByName(std::string_view name) const;
   const PairSet* findPairSet(std::string_view name) const;
   const Guide* findGuide(std::string_view name) const;
+  const TrajectoryReference* findTrajectory(std::string_view name) const;
 };
 
 /// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.

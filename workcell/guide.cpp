@@ -59,7 +59,8 @@ Expected<void> checkGuide(const Guide& guide) {
        {Range{"radius", guide.radius, 1e-6, kFarthest}, Range{"pitch", guide.pitch, -kFarthest, kFarthest},
         Range{"offset", guide.offset, 0.0, kFarthest}, Range{"friction", guide.friction, 0.0, 3.0},
         Range{"detent_width", guide.detent_width, 1e-4, kFarthest},
-        Range{"detent_stiffness", guide.detent_stiffness, 0.0, 500.0}, Range{"help", guide.help, 0.0, 500.0}}) {
+        Range{"detent_stiffness", guide.detent_stiffness, 0.0, 500.0}, Range{"help", guide.help, 0.0, 500.0},
+        Range{"lead", guide.lead, 0.0, 1.0}}) {
     if (!within(range.value, range.low, range.high)) {
       return makeError(refusal(guide, std::string(range.what) + " " + std::to_string(range.value),
                                std::to_string(range.low) + " to " + std::to_string(range.high)));

@@ -45,7 +45,9 @@ struct Guide {
   double detent_stiffness = 200.0;               ///< N/m, 0 to 500.
   std::vector<dvec3> path;                       ///< Tube: at least two points in the cell.
   double help = 0.0;                             ///< N/m towards the path's middle: tube; 0 to 500.
-  std::array<bool, 6> locked{};                  ///< Lock: x y z, then turning about them.
+  /// Tube: m, 0 to 1, that the help pulls ahead along the path: the hand is led. 0: only to the middle.
+  double lead = 0.0;
+  std::array<bool, 6> locked{};  ///< Lock: x y z, then turning about them.
 };
 
 /// Refuses values that are not finite or out of range, with what was found.

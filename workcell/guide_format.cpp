@@ -35,6 +35,7 @@ Json jsonFromGuide(const Guide& guide) {
     for (const dvec3& p : guide.path) json["path"].push_back({p.x, p.y, p.z});
   }
   json["help"] = guide.help;
+  if (guide.lead > 0.0) json["lead"] = guide.lead;
   json["locked"] = guide.locked;
   return json;
 }
@@ -65,6 +66,7 @@ Guide guideFromJson(const Json& json, std::size_t index, std::optional<Error>& e
   fields.read("detent_width", guide.detent_width);
   fields.read("detent_stiffness", guide.detent_stiffness);
   fields.read("help", guide.help);
+  fields.read("lead", guide.lead);
   if (const Json* detents = fields.array("detents")) {
     fields.readNumbers("detents", detents->size(), guide.detents);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands on pair sets, guides and the view.
+// Commands on pair sets, guides, trajectories and the view.
 #include <algorithm>
 
 #include "workcell/command_checks.h"
@@ -25,6 +25,15 @@ std::vector<PairSet>::iterator findSet(DocumentState& state, const std::string& 
 
 std::vector<Guide>::iterator findGuide(DocumentState& state, const std::string& name) {
   return std::find_if(state.guides.begin(), state.guides.end(), [&](const Guide& guide) { return guide.name == name; });
+}
+
+Error unknownTrajectory(const std::string& name) {
+  return refusal("", "no trajectory " + inQuotes(name), "the name of one");
+}
+
+std::vector<TrajectoryReference>::iterator findTrajectory(DocumentState& state, const std::string& name) {
+  return std::find_if(state.trajectories.begin(), state.trajectories.end(),
+                      [&](const TrajectoryReference& one) { return one.name == name; });
 }
 
 Expected<void> checkBound(const Guide& guide, const DocumentState& state) {
@@ -95,6 +104,32 @@ Expected<EntityId> perform(const RemoveGuide& command, StateEdit& edit) {
   const auto found = findGuide(edit.state(), command.name);
   if (found == edit.state().guides.end()) return makeError(unknownGuide(command.name));
   edit.state().guides.erase(found);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const AddTrajectory& command, StateEdit& edit) {
+  if (auto checked = checkName("the trajectory's name", command.trajectory.name); !checked) {
+    return makeError(checked.error());
+  }
+  if (edit.state().findTrajectory(command.trajectory.name)) return makeError(taken(command.trajectory.name));
+  edit.state().trajectories.push_back(command.trajectory);
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const RenameTrajectory& command, StateEdit& edit) {
+  const auto found = findTrajectory(edit.state(), command.name);
+  if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
+  if (auto checked = checkName("the trajectory's name", command.new_name); !checked) return makeError(checked.error());
+  const TrajectoryReference* other = edit.state().findTrajectory(command.new_name);
+  if (other && other != &*found) return makeError(taken(command.new_name));
+  found->name = command.new_name;
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit) {
+  const auto found = findTrajectory(edit.state(), command.name);
+  if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
+  edit.state().trajectories.erase(found);
   return EntityId{0};
 }
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves, recorded a step of the loop at a time: the part of ManipulationEngine that feeds the TakeRecorder.
+#include <utility>
+
+#include "manipulation/manipulation_step.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+std::string nameOf(const std::string& entity, const std::string& part) {
+  return part.empty() ? entity : entity + "/" + part;
+}
+
+}  // namespace
+
+void ManipulationEngine::startRecording(const command::StartRecording& wanted) {
+  stopRecording();
+  recorder_ = std::make_unique<TakeRecorder>(wanted.options, wanted.take);
+  mark_by_button_ = wanted.mark_by_button;
+  mark_wanted_ = false;
+}
+
+void ManipulationEngine::stopRecording() {
+  if (!recorder_) return;
+  results_.push_back(result::Recorded{recorder_->finish()});
+  recorder_.reset();
+}
+
+void ManipulationEngine::recordHeld(bool by_hand) {
+  TakeRecorder::Sample sample;
+  sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  sample.moved_by = moved_by_;
+  const workcell::EntityId id = held_ ? held_->id() : chosen_;
+  sample.entity = scene_->find(id);
+  if (sample.entity == nullptr) return;
+  const EntityConfiguration at = placement(id);
+  sample.at = &at;
+  if (held_) {
+    sample.X_WM = held_->movedFrame();
+    sample.force_W = mapping_.axes() * state_->force_D;
+    for (const std::size_t i : contacts_) {
+      const HeldPair& pair = held_->pairs()[i];
+      sample.touching.emplace_back(nameOf(sample.entity->name, pair.moved_part),
+                                   nameOf(scene_->find(pair.other)->name, pair.other_part));
+    }
+  } else {
+    const auto taken = HeldEntity::take(scene_, id, placements_, {moved_by_}, configuration_);
+    if (!taken) return notice(taken.error().message());
+    sample.X_WM = (*taken)->movedFrame();
+  }
+  by_hand ? recorder_->mark(sample) : recorder_->add(sample);
+}
+
+void ManipulationEngine::recordStep() {
+  const bool by_hand = std::exchange(mark_wanted_, false);
+  if (!recorder_ || !scene_) return;
+  if (held_ || by_hand) recordHeld(by_hand);
+  for (const auto& [id, on_its_way] : scripted_) {
+    const workcell::Entity* entity = scene_->find(id);
+    if (entity == nullptr || (held_ && held_->id() == id)) continue;
+    const EntityConfiguration at = placement(id);
+    TakeRecorder::Sample sample;
+    sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+    sample.entity = entity;
+    sample.at = &at;
+    sample.X_WM = at.X_WE;
+    sample.moved_by.kind = entity->robot ? MovedBy::Kind::kBase : MovedBy::Kind::kSelfOrigin;
+    recorder_->add(sample);
+  }
+}
+
+void ManipulationEngine::fillRecording(SceneSnapshot& snapshot) const {
+  if (!recorder_) return;
+  const double now = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  snapshot.recording = {true, recorder_->seconds(now), recorder_->frames(), recorder_->framesByHand()};
+}
+
+}  // namespace hapticell::manipulation

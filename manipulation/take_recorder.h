@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics/chain.h"
+#include "manipulation/manipulation_command.h"
+#include "manipulation/manipulator.h"
+#include "manipulation/prepared_scene.h"
+#include "trajectory/recorder.h"
+
+namespace hapticell::manipulation {
+
+/// "tcp", "frame:NAME", ...: what of an entity is moved, as files and INTERFACES say it. Robots: by default tcp, solids
+/// self_origin.
+std::string wordOf(const MovedBy& moved_by, bool is_robot);
+
+/// A trajectory of the entity without frames: names of its joints, and of the channels. A mannequin is recorded by its
+/// root (moved "whole") with all its joints, whatever the hand drew, so that the posture is whole.
+trajectory::Trajectory emptyRecording(const workcell::Entity& entity, const MovedBy& moved_by);
+
+/// Everything that moves while a take is recorded, each entity as a trajectory of its own, all on one clock.
+///
+/// Beside pose and joints: the force on the hand, whether it touches, a six-axis arm's configuration; contacts as
+/// touches by time. One thread (the manipulation loop's).
+class TakeRecorder {
+ public:
+  explicit TakeRecorder(trajectory::RecordingOptions options, std::string take = {});
+
+  /// Where an entity is in one step, and what was felt.
+  struct Sample {
+    double t = 0.0;  ///< s, any clock; the first sample's time is the take's zero.
+    const workcell::Entity* entity = nullptr;
+    const EntityConfiguration* at = nullptr;
+    Pose X_WM;  ///< The moved frame.
+    MovedBy moved_by;
+    dvec3 force_W{0.0};
+    /// What it touches: its part and the other ("robot/link_3", "fixture").
+    std::vector<std::pair<std::string, std::string>> touching = {};
+  };
+  void add(const Sample& sample) { take(sample, false); }
+  /// The user adds a frame here; kept in every mode.
+  void mark(const Sample& sample) { take(sample, true); }
+  std::size_t frames() const;
+  std::size_t framesByHand() const { return by_hand_; }
+  double seconds(double now) const { return start_ ? now - *start_ : 0.0; }
+
+  /// One trajectory for each entity that moved, in the order in which they were seen first. Time 0 is where the first
+  /// of them began to move.
+  std::vector<trajectory::Trajectory> finish();
+
+ private:
+  struct Track {
+    trajectory::Recorder recorder;
+    std::optional<kinematics::Chain> arm;                ///< A six-axis one whose configuration is told.
+    std::vector<trajectory::Trajectory::Touch> touches;  ///< In the take's time.
+  };
+  static void follow(Track& track, const Sample& sample, double t);
+  void take(const Sample& sample, bool by_hand);
+  Track& trackOf(const Sample& sample);
+
+  trajectory::RecordingOptions options_;
+  std::string take_;
+  std::optional<double> start_;
+  std::size_t by_hand_ = 0;
+  std::vector<workcell::EntityId> order_;
+  std::map<workcell::EntityId, std::unique_ptr<Track>> tracks_;
+};
+
+/// Which branch a six-axis arm stands on: 1 back, 2 elbow down, 4 wrist flipped, added. Nothing for chains without.
+std::optional<int> configurationNumber(const kinematics::Chain& chain, std::span<const double> joints);
+/// The chain of a robot's six joints to its tip; nothing where there are others.
+std::optional<kinematics::Chain> sixAxisChain(const workcell::Entity& entity);
+
+}  // namespace hapticell::manipulation

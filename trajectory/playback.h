@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace hapticell::trajectory {
+
+/// Where a play of one or more motions on one clock stands: time, direction of steps, speed, loop. No clock of its own:
+/// who plays tells how much time has gone by. A value.
+class Playback {
+ public:
+  /// Times (s, increasing) at which the motions have frames, all in one list; the play runs from the first to the last.
+  /// The time is kept where it is still inside.
+  void setFrames(std::vector<double> times);
+
+  double time() const { return time_; }
+  double begin() const { return frames_.empty() ? 0.0 : frames_.front(); }
+  double end() const { return frames_.empty() ? 0.0 : frames_.back(); }
+  bool isPlaying() const { return playing_; }
+  bool loops() const { return loops_; }
+  double speed() const { return speed_; }
+
+  /// Begins; at the end it begins anew. Nothing where there are no frames.
+  void play();
+  void pause() { playing_ = false; }
+  /// Goes there (clamped), playing on if it played.
+  void seek(double time);
+  /// To the next frame (of any motion) after the time, or the one before; stops the play.
+  void step(int direction);
+  /// Factor of the recorded time, above 0 (smaller ones are taken as 0.01).
+  void setSpeed(double speed);
+  void setLoop(bool on) { loops_ = on; }
+  /// `seconds` of the user's time went by. True while something changed; at the end it stops, or begins anew.
+  bool advance(double seconds);
+
+ private:
+  std::vector<double> frames_;
+  double time_ = 0.0, speed_ = 1.0;
+  bool playing_ = false, loops_ = false;
+};
+
+}  // namespace hapticell::trajectory
