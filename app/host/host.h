@@ -22,6 +22,7 @@ namespace hapticell::app {
 class DocumentModel;
 class HoldChoice;
 class MessageLog;
+class RecordingHub;
 class Selection;
 class ViewportWidget;
 
@@ -36,6 +37,8 @@ class Host {
   /// What of an entity the hand takes.
   virtual HoldChoice& holdChoice() = 0;
   virtual MessageLog& messages() = 0;
+  /// Where recordings are ordered and delivered.
+  virtual RecordingHub& recording() = 0;
   virtual const config::Configuration& configuration() const = 0;
 
   /// Takes a dock (see makeDock()) into an area, tabbed onto `onto` where that is given. The Window menu lists it.

@@ -12,6 +12,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/module_loader.h"
+#include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/host/status_line.h"
 #include "app/host/view_menus.h"
@@ -36,6 +37,7 @@ class MainWindow : public QMainWindow, public Host {
   Selection& selection() override { return selection_; }
   HoldChoice& holdChoice() override { return hold_choice_; }
   MessageLog& messages() override { return messages_; }
+  RecordingHub& recording() override { return recording_; }
   const config::Configuration& configuration() const override { return configuration_; }
   void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) override;
   void removeDock(QDockWidget* dock) override;
@@ -88,6 +90,7 @@ class MainWindow : public QMainWindow, public Host {
   Selection selection_;
   HoldChoice hold_choice_;
   MessageLog messages_;
+  RecordingHub recording_;
   ViewportWidget* viewport_;
   StatusLine* status_;
   TabbedDocks* right_docks_;

@@ -25,9 +25,17 @@ std::vector<GhostPose> robotGhosts(const workcell::DocumentState& state, workcel
                                    const std::vector<double>& joints, bool touches) {
   const workcell::Entity* found = state.find(robot);
   if (!found || !found->robot || joints.size() != found->robot->dof()) return {};
+  return entityGhosts(state, robot, found->X_WE, joints, touches);
+}
+
+std::vector<GhostPose> entityGhosts(const workcell::DocumentState& state, workcell::EntityId entity, const Pose& X_WE,
+                                    const std::vector<double>& joints, bool touches) {
+  const workcell::Entity* found = state.find(entity);
+  if (!found) return {};
   workcell::Entity moved = *found;
+  moved.X_WE = X_WE;
   moved.joints = joints;
-  std::vector<GhostPose> ghosts{{robot, moved.X_WE, joints, touches}};
+  std::vector<GhostPose> ghosts{{entity, X_WE, joints, touches}};
   addCarried(state, moved, ghosts);
   return ghosts;
 }

@@ -8,6 +8,7 @@
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
@@ -76,6 +77,12 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     settings.moved_frame = choice.frame();
     change(settings);
   });
+  const auto post = [this](const auto& order) {
+    if (loop_) loop_->post(order);
+  };
+  connect(&host_.recording(), &RecordingHub::startWanted, this, post);
+  connect(&host_.recording(), &RecordingHub::stopWanted, this, [post] { post(command::StopRecording{}); });
+  connect(&host_.recording(), &RecordingHub::markWanted, this, [post] { post(command::MarkFrame{}); });
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
   connect(&server_, &ServerProcess::warned, this,
           [this](const QString& sentence) { host_.messages().tell(Severity::kWarning, sentence); });
@@ -102,6 +109,7 @@ void VirtualDesktopController::connectDevice() {
   connecting_.start();
   server_tried_ = false;
   forces_wanted_ = false;
+  host_.recording().setLive(true);
   postDocument();
   postCamera();
   postSettings();
@@ -115,6 +123,7 @@ void VirtualDesktopController::connectDevice() {
 void VirtualDesktopController::disconnectDevice() {
   if (!loop_) return;
   timer_.stop();
+  host_.recording().setLive(false);
   loop_->post(command::Release{});
   takeResults();
   link_ = nullptr;
@@ -333,6 +342,8 @@ void VirtualDesktopController::takeResults() {
       host_.selection().set(grabbed->entity);
     if (const auto* notice = std::get_if<manipulation::result::Notice>(&result))
       host_.messages().tell(Severity::kInformation, QString::fromStdString(notice->sentence));
+    if (const auto* recorded = std::get_if<manipulation::result::Recorded>(&result))
+      host_.recording().deliver(recorded->trajectories);
   }
 }
 
