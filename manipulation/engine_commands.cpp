@@ -182,14 +182,14 @@ void ManipulationEngine::grab(workcell::EntityId wanted) {
   stopped_ = false;
   updateMapping();
   anchorMapping();
-  results_.push_back(result::Grabbed{entity});
+  results_.emplace_back(result::Grabbed{entity});
 }
 
 void ManipulationEngine::release() {
   if (!held_) return;
   placements_[held_->id()] = held_->accepted();
   for (auto& [id, at] : held_->carried()) placements_[id] = std::move(at);
-  results_.push_back(result::Moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints});
+  results_.emplace_back(result::Moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints});
   held_.reset();
   built_ = {};
   contacts_.clear();

@@ -23,7 +23,7 @@ void ManipulationEngine::startRecording(const command::StartRecording& wanted) {
 
 void ManipulationEngine::stopRecording() {
   if (!recorder_) return;
-  results_.push_back(result::Recorded{recorder_->finish()});
+  results_.emplace_back(result::Recorded{recorder_->finish()});
   recorder_.reset();
 }
 

@@ -97,7 +97,7 @@ class ManipulationEngine {
   void findContacts();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
-  void notice(const std::string& sentence) { results_.push_back(result::Notice{sentence}); }
+  void notice(const std::string& sentence) { results_.emplace_back(result::Notice{sentence}); }
 
   haptic::HapticLink& link_;
   config::Configuration configuration_;
