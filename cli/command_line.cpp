@@ -54,6 +54,7 @@ int runCommandLine(int argc, char** argv) {
   addLibraryCommand(app, chosen);
   addTrajectoryCommand(app, chosen);
   addMannequinCommand(app, chosen);
+  addPairCommand(app, chosen);
   addWorkcellCommand(app, chosen);
   addSessionCommand(app, chosen);
 

@@ -30,6 +30,7 @@ void addForwardKinematicsCommand(CLI::App& app, Action& chosen);
 void addInverseKinematicsCommand(CLI::App& app, Action& chosen);
 void addLibraryCommand(CLI::App& app, Action& chosen);
 void addTrajectoryCommand(CLI::App& app, Action& chosen);
+void addPairCommand(CLI::App& app, Action& chosen);
 void addMannequinCommand(CLI::App& app, Action& chosen);
 void addWorkcellCommand(CLI::App& app, Action& chosen);
 void addSessionCommand(CLI::App& app, Action& chosen);

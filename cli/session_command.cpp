@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/server_address.h"
 #include "cli/session_settings.h"
 #include "manipulation/local_server.h"
 #include "manipulation/session.h"
@@ -37,26 +37,6 @@ struct SessionWords {
   std::string record;
   std::optional<double> record_interval, record_distance;
 };
-
-struct Address {
-  std::string host;
-  int port = 0;
-};
-
-/// HOST:PORT; the port is behind the last colon.
-Expected<Address> parseAddress(const std::string& text) {
-  const std::size_t colon = text.rfind(':');
-  int port = 0;
-  if (colon != std::string::npos) {
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, port);
-    if (error != std::errc() || rest != end) port = 0;
-  }
-  if (colon == 0 || port < 1 || port > 65535) {
-    return makeError({"", "--server", "'" + text + "'", "HOST:PORT with a port from 1 to 65535", ""});
-  }
-  return Address{text.substr(0, colon), port};
-}
 
 Expected<void> readRates(const SessionWords& words, SessionOptions& options) {
   const auto within = [](const char* name, double value, double low, double high) -> Expected<void> {
@@ -259,7 +239,7 @@ Expected<SessionReport> runAsAsked(const SessionWords& words, const SessionOptio
     if (!own) return tl::unexpected(own.error());
     return manipulation::runSessionOnServer(options, "127.0.0.1", (*own)->port(), trace);
   }
-  const auto address = parseAddress(words.server);
+  const auto address = parseServerAddress(words.server, "--server");
   if (!address) return tl::unexpected(address.error());
   return manipulation::runSessionOnServer(options, address->host, address->port, trace);
 }

@@ -292,11 +292,10 @@ Expected<haptic::DeviceDescription> awaitServer(haptic::TcpLink& link, const std
 
 Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const std::string& host, int port,
                                            const TraceSink& trace) {
-  haptic::TcpLinkOptions link_options;
-  link_options.host = host;
-  link_options.port = static_cast<std::uint16_t>(port);
-  link_options.program = "hapticell-cli session";
-  haptic::TcpLink link(link_options);
+  auto link_options = haptic::linkOptionsFor(host, static_cast<std::uint16_t>(port));
+  if (!link_options) return makeError(link_options.error());
+  link_options->program = "hapticell-cli session";
+  haptic::TcpLink link(*link_options);
   const auto device = awaitServer(link, host + ":" + std::to_string(port));
   if (!device) return makeError(device.error());
   WatchedEngine engine(link, options);

@@ -71,7 +71,8 @@ bool DeviceWatch::isConnected() const {
 }
 
 void DeviceWatch::connectAs(haptic::ClientKind kind) {
-  haptic::TcpLinkOptions options;
+  // A key that cannot be used is told where the stylus is connected; here the link says that it has none.
+  auto options = haptic::linkOptionsFor(host_, static_cast<std::uint16_t>(port_)).value_or(haptic::TcpLinkOptions());
   options.host = host_;
   options.port = static_cast<std::uint16_t>(port_);
   options.kind = kind;

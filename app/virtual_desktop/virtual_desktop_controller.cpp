@@ -100,10 +100,14 @@ VirtualDesktopController::~VirtualDesktopController() {
 
 void VirtualDesktopController::connectDevice() {
   if (loop_) return;
-  haptic::TcpLinkOptions options;
-  options.host = host_.configuration().server.host;
-  options.port = static_cast<std::uint16_t>(host_.configuration().server.port);
-  auto link = std::make_unique<haptic::TcpLink>(options);
+  const auto& server = host_.configuration().server;
+  const auto options = haptic::linkOptionsFor(server.host, static_cast<std::uint16_t>(server.port));
+  if (!options) {
+    host_.messages().tell(Severity::kProblem, tr("The key for the haptic server cannot be used."),
+                          QString::fromStdString(options.error().message()));
+    return;
+  }
+  auto link = std::make_unique<haptic::TcpLink>(*options);
   link_ = link.get();
   loop_ = std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration());
   connecting_.start();

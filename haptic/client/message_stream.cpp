@@ -2,38 +2,46 @@
 #include "haptic/client/message_stream.h"
 
 #include <asio/buffer.hpp>
-#include <asio/write.hpp>
 #include <string>
 #include <utility>
 
+#include "haptic/client/secure_stream.h"
+
 namespace hapticell::haptic {
 
-MessageStream::MessageStream(asio::ip::tcp::socket socket, Handlers handlers)
-    : socket_(std::move(socket)), handlers_(std::move(handlers)), incoming_(kMaxFrameBytes) {}
+MessageStream::MessageStream(std::unique_ptr<ByteStream> stream, Handlers handlers)
+    : stream_(std::move(stream)), handlers_(std::move(handlers)), incoming_(kMaxFrameBytes) {}
 
 void MessageStream::start() {
   std::error_code ignored;
-  socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
+  asio::ip::tcp::socket& socket = stream_->socket();
+  socket.set_option(asio::ip::tcp::no_delay(true), ignored);
   // A small send buffer keeps stale states out of the kernel's queue when the peer is slow.
-  socket_.set_option(asio::socket_base::send_buffer_size(32 * 1024), ignored);
-  socket_.non_blocking(true, ignored);
-  read();
+  socket.set_option(asio::socket_base::send_buffer_size(32 * 1024), ignored);
+  socket.non_blocking(true, ignored);
+  writing_ = true;  // Nothing leaves before the other side is known.
+  stream_->handshake([self = shared_from_this()](std::error_code failed) {
+    if (self->closed_) return;
+    self->writing_ = false;
+    if (failed) return self->refuse(failed);
+    self->read();
+    self->write();
+  });
 }
 
 std::string MessageStream::peer() const {
   std::error_code failed;
-  const auto endpoint = socket_.remote_endpoint(failed);
+  const auto endpoint = std::as_const(*stream_).socket().remote_endpoint(failed);
   return failed ? std::string() : endpoint.address().to_string() + ":" + std::to_string(endpoint.port());
 }
 
 void MessageStream::read() {
-  socket_.async_read_some(asio::buffer(incoming_),
-                          [self = shared_from_this()](std::error_code failed, std::size_t bytes) {
-                            if (self->closed_) return;
-                            if (failed) return self->lost();
-                            self->handle(bytes);
-                            if (!self->closed_) self->read();
-                          });
+  stream_->read(asio::buffer(incoming_), [self = shared_from_this()](std::error_code failed, std::size_t bytes) {
+    if (self->closed_) return;
+    if (failed) return self->lost();
+    self->handle(bytes);
+    if (!self->closed_) self->read();
+  });
 }
 
 void MessageStream::handle(std::size_t bytes) {
@@ -74,11 +82,11 @@ void MessageStream::write() {
   }
   if (outgoing_.empty()) {
     std::error_code ignored;
-    if (finishing_) socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    if (finishing_) stream_->socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
     return;
   }
   writing_ = true;
-  asio::async_write(socket_, asio::buffer(outgoing_), [self = shared_from_this()](std::error_code failed, std::size_t) {
+  stream_->write(asio::buffer(outgoing_), [self = shared_from_this()](std::error_code failed) {
     self->writing_ = false;
     if (self->closed_) return;
     if (failed) return self->lost();
@@ -96,13 +104,18 @@ void MessageStream::close() {
   if (closed_) return;
   closed_ = true;
   std::error_code ignored;
-  socket_.close(ignored);
+  stream_->socket().close(ignored);
 }
 
 void MessageStream::lost() {
   if (closed_) return;
   close();
   handlers_.closed();
+}
+
+void MessageStream::refuse(std::error_code failed) {
+  close();
+  handlers_.stranger ? handlers_.stranger(handshakeProblem(failed)) : handlers_.closed();
 }
 
 }  // namespace hapticell::haptic

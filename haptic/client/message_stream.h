@@ -2,18 +2,19 @@
 #pragma once
 
 #include <array>
-#include <asio/ip/tcp.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "haptic/client/byte_stream.h"
 #include "haptic/protocol/codec.h"
 
 namespace hapticell::haptic {
 
-/// A TCP connection that carries whole messages both ways without ever blocking. Used by both ends, each from its one
+/// A connection that carries whole messages both ways without ever blocking. Used by both ends, each from its one
 /// network thread; always owned by a shared_ptr.
 ///
 /// Two kinds of sending: send() keeps the order and loses nothing; sendNewest() fills one of a few slots, and what has
@@ -26,13 +27,16 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
     std::function<void(const Message&)> message;
     /// What came is not of this protocol. Nothing more is read; sending still works.
     std::function<void(const Error&)> garbage;
+    /// The other side did not show that it has the key, and why in a few words. The connection is closed; nothing else
+    /// is called. Null: counts as closed.
+    std::function<void(const std::string& why)> stranger = nullptr;
     /// The connection is gone (closed, reset, or not writable for too long). Called once, not after close().
     std::function<void()> closed;
   };
 
-  MessageStream(asio::ip::tcp::socket socket, Handlers handlers);
+  MessageStream(std::unique_ptr<ByteStream> stream, Handlers handlers);
 
-  /// Sets TCP_NODELAY and small buffers, begins to read.
+  /// Sets TCP_NODELAY and small buffers, makes sure of the other side, begins to read. What is sent before waits.
   void start();
   void send(std::span<const std::uint8_t> frame);
   void sendNewest(Slot slot, std::span<const std::uint8_t> frame);
@@ -53,8 +57,9 @@ class MessageStream : public std::enable_shared_from_this<MessageStream> {
   void handle(std::size_t bytes);
   void write();
   void lost();
+  void refuse(std::error_code failed);
 
-  asio::ip::tcp::socket socket_;
+  std::unique_ptr<ByteStream> stream_;
   Handlers handlers_;
   FrameReader reader_;
   Message message_;

@@ -3,6 +3,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <asio/connect.hpp>
 #include <asio/io_context.hpp>
 #include <asio/ip/tcp.hpp>
@@ -15,6 +16,7 @@
 #include <utility>
 
 #include "haptic/client/message_stream.h"
+#include "haptic/client/secure_stream.h"
 #include "haptic/protocol/heartbeat.h"
 #include "haptic/rendering/triple_buffer.h"
 
@@ -40,6 +42,7 @@ class TcpLink::Connection {
  public:
   explicit Connection(const TcpLinkOptions& options)
       : options_(options), resolver_(context_), retry_timer_(context_), heartbeat_timer_(context_), socket_(context_) {
+    if (options_.key) secure_.emplace(SecureStreams::Side::kClient, *options_.key);
     problem_ = "Connecting to the haptic server at " + server() + ".";
     connect();
     beat();
@@ -122,6 +125,15 @@ class TcpLink::Connection {
   }
 
   void tryEndpoints(const tcp::resolver::results_type& endpoints) {
+    const bool leaves = std::any_of(endpoints.begin(), endpoints.end(),
+                                    [](const auto& entry) { return !entry.endpoint().address().is_loopback(); });
+    if (leaves && !options_.key) {
+      connecting_ = false;
+      return lose("This station has no key for the haptic server at " + server() +
+                  ". Show one there with "
+                  "hapticell-haptic-server --pair, and enter it here: hapticell-cli pair " +
+                  server() + " CODE.");
+    }
     socket_ = tcp::socket(context_);
     asio::async_connect(socket_, endpoints, [this](std::error_code failed, const tcp::endpoint&) {
       if (failed) return failAttempt();
@@ -140,16 +152,30 @@ class TcpLink::Connection {
     heartbeat_ = {};
     welcomed_ = false;
     stream_ = std::make_shared<MessageStream>(
-        std::move(socket_),
+        secure_ ? secure_->make(std::move(socket_)) : plainStream(std::move(socket_)),
         MessageStream::Handlers{
-            [this](const Message& message) { hear(message); },
-            [this](const Error&) { lose("What answers at " + server() + " is not a haptic server of this release."); },
-            [this] { lose("The haptic server at " + server() + " closed the connection."); }});
+            .message = [this](const Message& message) { hear(message); },
+            .garbage = [this](const Error&) { lose(stranger()); },
+            .stranger =
+                [this](const std::string& why) {
+                  lose("The haptic server at " + server() + " and this station do not have the same key: " + why +
+                       ". Pair them anew: hapticell-haptic-server --pair there, hapticell-cli pair here.");
+                },
+            .closed =
+                [this] {
+                  lose("The haptic server at " + server() + " closed the connection" +
+                       (welcomed_ || secure_ ? "." : " at once: it may be one that wants a key (hapticell-cli pair)."));
+                }});
     stream_->start();
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
                                                 .kind = options_.kind,
                                                 .accept_watching = options_.accept_watching,
                                                 .program = options_.program})));
+  }
+
+  std::string stranger() const {
+    return "What answers at " + server() + " is not a haptic server of this release" +
+           (secure_ ? "." : ", or one that wants a key (hapticell-cli pair).");
   }
 
   void hear(const Message& message) {
@@ -225,6 +251,7 @@ class TcpLink::Connection {
   tcp::resolver resolver_;
   asio::steady_timer retry_timer_, heartbeat_timer_;
   tcp::socket socket_;
+  std::optional<SecureStreams> secure_;
   std::shared_ptr<MessageStream> stream_;
   Encoder encoder_;
   HeartbeatExchange heartbeat_;
@@ -238,6 +265,19 @@ class TcpLink::Connection {
   Welcome welcome_;
   std::thread thread_;
 };
+
+Expected<TcpLinkOptions> linkOptionsFor(const std::string& host, std::uint16_t port) {
+  TcpLinkOptions options;
+  options.host = host;
+  options.port = port;
+  const auto file = knownServerKeyFile(host, port);
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return options;
+  const auto key = loadKey(file);
+  if (!key) return tl::unexpected(key.error());
+  options.key = *key;
+  return options;
+}
 
 TcpLink::TcpLink(const TcpLinkOptions& options) : connection_(std::make_unique<Connection>(options)) {}
 

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "haptic/client/haptic_link.h"
+#include "haptic/client/pairing_key.h"
 
 namespace hapticell::haptic {
 
@@ -13,6 +15,8 @@ namespace hapticell::haptic {
 struct TcpLinkOptions {
   std::string host = "127.0.0.1";  ///< An IP address or a name.
   std::uint16_t port = 4747;
+  std::optional<PairingKey>
+      key{};  ///< What this station and the server have in common; none: plain, this machine only.
   ClientKind kind = ClientKind::kController;
   bool accept_watching = false;       ///< Watch where another program controls the stylus already.
   std::string program = "HaptiCell";  ///< How the server names this client to others.
@@ -20,7 +24,11 @@ struct TcpLinkOptions {
   double silence_time = 1.0;          ///< A server silent for so long is given up and connected to anew.
 };
 
-/// A HapticLink over TCP.
+/// Options for the server at host:port with the key that this user has for it (knownServerKeyFile()), if any. Error:
+/// there is a key file that cannot be used.
+Expected<TcpLinkOptions> linkOptionsFor(const std::string& host, std::uint16_t port);
+
+/// A HapticLink over TCP; over TLS 1.3 where a key is given. A server on another machine is not talked to without one.
 ///
 /// Its own network thread connects, connects again within a second when the connection breaks, sends heart-beats and
 /// what is newest. What was sent while there was no connection is dropped, and after a new connection forces are off

@@ -32,17 +32,22 @@ void ClientTable::report(const std::string& sentence) const {
   if (options_.report) options_.report(sentence);
 }
 
-void ClientTable::add(asio::ip::tcp::socket socket) {
+void ClientTable::add(std::unique_ptr<ByteStream> connection) {
   const auto refused_too = std::count_if(clients_.begin(), clients_.end(), [](const auto& c) { return !c->gone; });
-  if (static_cast<std::size_t>(refused_too) >= 2 * options_.max_clients) return;  // Closed by the socket's destructor.
+  if (static_cast<std::size_t>(refused_too) >= 2 * options_.max_clients) return;  // Closed by its destructor.
   Client& client = *clients_.emplace_back(std::make_unique<Client>());
   client.since_ns = client.heard_ns = clock_.now();
   client.stream = std::make_shared<MessageStream>(
-      std::move(socket), MessageStream::Handlers{[this, &client](const Message& message) { hear(client, message); },
-                                                 [this, &client](const Error& error) {
-                                                   refuse(client, "Not understood: " + error.message());
-                                                 },
-                                                 [this, &client] { drop(client, "is gone"); }});
+      std::move(connection),
+      MessageStream::Handlers{
+          .message = [this, &client](const Message& message) { hear(client, message); },
+          .garbage = [this, &client](const Error& error) { refuse(client, "Not understood: " + error.message()); },
+          .stranger =
+              [this, &client](const std::string& why) {
+                report("Refused " + client.name + ": " + why + ".");
+                drop(client, {});
+              },
+          .closed = [this, &client] { drop(client, "is gone"); }});
   client.name = "a program at " + client.stream->peer();
   client.stream->start();
   const auto serving = std::count_if(clients_.begin(), clients_.end(),

@@ -23,7 +23,7 @@ class ClientTable {
   ~ClientTable();  ///< Closes everything.
 
   /// Takes a connection that has just been made.
-  void add(asio::ip::tcp::socket socket);
+  void add(std::unique_ptr<ByteStream> connection);
 
   /// Sends the loop's newest state and, about ten times a second, its statistics to all who were welcomed.
   void broadcast();

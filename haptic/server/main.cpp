@@ -25,11 +25,36 @@
 namespace hapticell::haptic {
 namespace {
 
-NetworkOptions networkOptions(const ServerOptions& asked, const config::Configuration& configuration) {
+/// The key that this start is protected with; empty: none.
+std::filesystem::path keyFile(const ServerOptions& asked) {
+  if (!asked.key.empty()) return asked.key;
+  std::error_code ignored;
+  const bool this_machine = asked.listen == "localhost" || asked.listen == "::1" || asked.listen.starts_with("127.");
+  return !this_machine && std::filesystem::exists(serverKeyFile(), ignored) ? serverKeyFile() : std::filesystem::path();
+}
+
+Expected<void> pair(const ServerOptions& asked) {
+  const auto file = asked.key.empty() ? serverKeyFile() : std::filesystem::path(asked.key);
+  const auto key = PairingKey::make();
+  if (!key) return tl::unexpected(key.error());
+  if (const auto saved = saveKey(*key, file); !saved) return saved;
+  std::printf("%s\n", key->code().c_str());
+  std::fprintf(stderr,
+               "On the other station: hapticell-cli pair HOST CODE. Who has this code can take the stylus.\n"
+               "Then start here: hapticell-haptic-server --listen ADDRESS\n");
+  return {};
+}
+
+Expected<NetworkOptions> networkOptions(const ServerOptions& asked, const config::Configuration& configuration) {
   NetworkOptions options;
   options.address = asked.listen;
   options.port = asked.port.value_or(static_cast<std::uint16_t>(configuration.server.port));
-  options.allow_unprotected_network = asked.allow_unprotected_network;
+  const auto file = keyFile(asked);
+  if (!file.empty()) {
+    const auto key = loadKey(file);
+    if (!key) return tl::unexpected(key.error());
+    options.key = *key;
+  }
   options.state_rate_hz = asked.state_rate_hz;
   // A busy machine must not keep a lost client from being noticed.
   options.priority = asked.real_time ? 40 : 0;
@@ -80,6 +105,8 @@ sigset_t blockSignals() {
 Expected<void> serve(const ServerOptions& asked) {
   const auto configuration = config::loadConfiguration(asked.config);
   if (!configuration) return tl::unexpected(configuration.error());
+  const auto options = networkOptions(asked, *configuration);
+  if (!options) return tl::unexpected(options.error());
   auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
                          [](const std::string& sentence) { spdlog::warn("{}", sentence); });
   if (!made) return tl::unexpected(made.error());
@@ -94,9 +121,8 @@ Expected<void> serve(const ServerOptions& asked) {
   const RealClock clock;
   ForceLoop loop(device, clock, configuredLoop(device, *configuration));
   RealTimeRunner runner(loop, {.fifo = asked.real_time, .lock_memory = asked.real_time});
-  auto network = NetworkServer::start(loop, clock, describe(device), networkOptions(asked, *configuration));
+  auto network = NetworkServer::start(loop, clock, describe(device), *options);
   if (!network) return tl::unexpected(network.error());
-  if (asked.allow_unprotected_network) spdlog::warn("The link is not protected: who reaches it can take the stylus.");
   runner.start();
   for (const std::string& warning : runner.warnings()) spdlog::warn("{}", warning);
   std::printf("hapticell-haptic-server listens on %s:%u: %s at %g Hz.\n", (*network)->address().c_str(),
@@ -125,7 +151,8 @@ int run(int count, char** words) {
     std::puts("hapticell-haptic-server " HAPTICELL_VERSION);
     return 0;
   }
-  const auto served = options ? serve(*options) : Expected<void>(tl::unexpected(options.error()));
+  const auto served =
+      options ? (options->pair ? pair(*options) : serve(*options)) : Expected<void>(tl::unexpected(options.error()));
   if (served) return 0;
   std::fprintf(stderr, "hapticell-haptic-server: %s\n", served.error().message().c_str());
   return 2;

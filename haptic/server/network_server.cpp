@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "haptic/client/secure_stream.h"
 #include "haptic/server/client_table.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"
@@ -39,12 +40,12 @@ Expected<tcp::endpoint> endpointOf(const NetworkOptions& options) {
                       .expected = "an address of this machine, such as 127.0.0.1",
                       .fix = ""});
   }
-  if (!address.is_loopback() && !options.allow_unprotected_network) {
+  if (!address.is_loopback() && !options.key) {
     return makeError({.file = endpointText(options),
                       .place = "",
                       .found = "an address that other machines can reach, where anybody could take the stylus",
                       .expected = "an address of this machine only (127.0.0.1 or ::1)",
-                      .fix = "On a network that you trust, give --allow-unprotected-network as well."});
+                      .fix = "Make a key first: hapticell-haptic-server --pair."});
   }
   return tcp::endpoint(address, options.port);
 }
@@ -68,7 +69,9 @@ class NetworkServer::Implementation {
         accept_again_(context_),
         broadcast_timer_(context_),
         sweep_timer_(context_),
-        table_(std::make_unique<ClientTable>(loop, clock, device_, options_)) {}
+        table_(std::make_unique<ClientTable>(loop, clock, device_, options_)) {
+    if (options_.key) secure_.emplace(SecureStreams::Side::kServer, *options_.key);
+  }
 
   Expected<void> start() {
     const auto endpoint = endpointOf(options_);
@@ -116,7 +119,7 @@ class NetworkServer::Implementation {
   void accept() {
     acceptor_.async_accept([this](std::error_code failed, tcp::socket socket) {
       if (!failed) {
-        table_->add(std::move(socket));
+        table_->add(secure_ ? secure_->make(std::move(socket)) : plainStream(std::move(socket)));
         return accept();
       }
       if (failed == asio::error::operation_aborted) return;
@@ -154,6 +157,7 @@ class NetworkServer::Implementation {
   tcp::acceptor acceptor_;
   asio::steady_timer accept_again_, broadcast_timer_, sweep_timer_;
   std::chrono::steady_clock::time_point next_broadcast_{};
+  std::optional<SecureStreams> secure_;
   std::unique_ptr<ClientTable> table_;
   std::thread thread_;
 };

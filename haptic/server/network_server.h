@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "geometry/error.h"
+#include "haptic/client/pairing_key.h"
 #include "haptic/protocol/messages.h"
 
 namespace hapticell::haptic {
@@ -17,14 +19,14 @@ class ForceLoop;
 
 /// Where and how a haptic server listens. Times in seconds.
 struct NetworkOptions {
-  std::string address = "127.0.0.1";       ///< An IP address or "localhost".
-  std::uint16_t port = 4747;               ///< 0: the system chooses one.
-  bool allow_unprotected_network = false;  ///< Listening beyond this machine, where anybody can take the stylus.
-  double state_rate_hz = 1000.0;           ///< How often the newest state is sent at most.
-  std::size_t max_clients = 16;            ///< Connections, those that have not said hello included.
-  double hello_time = 2.0;                 ///< A client must have said hello by then.
-  double silence_time = 5.0;               ///< A client that is silent for so long is given up.
-  double takeover_time = 0.8;              ///< A controller silent for so long makes room for another.
+  std::string address = "127.0.0.1";  ///< An IP address or "localhost".
+  std::uint16_t port = 4747;          ///< 0: the system chooses one.
+  std::optional<PairingKey> key{};    ///< What clients must have; none: plain, and this machine only.
+  double state_rate_hz = 1000.0;      ///< How often the newest state is sent at most.
+  std::size_t max_clients = 16;       ///< Connections, those that have not said hello included.
+  double hello_time = 2.0;            ///< A client must have said hello by then.
+  double silence_time = 5.0;          ///< A client that is silent for so long is given up.
+  double takeover_time = 0.8;         ///< A controller silent for so long makes room for another.
   int priority = 0;  ///< SCHED_FIFO for the network thread where granted, below the force thread's; 0: none.
   std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, on the network thread.
 };
@@ -36,7 +38,7 @@ struct NetworkOptions {
 class NetworkServer {
  public:
   /// Binds and starts. Errors: an address that is not one, is not this machine's or is beyond loopback without
-  /// allow_unprotected_network; a port in use. `loop` and `clock` must outlive the server.
+  /// a key; a port in use. `loop` and `clock` must outlive the server.
   static Expected<std::unique_ptr<NetworkServer>> start(ForceLoop& loop, const Clock& clock,
                                                         const DeviceDescription& device, const NetworkOptions& options);
   ~NetworkServer();  ///< Closes every connection; the loop's link closes with them.

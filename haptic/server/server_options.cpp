@@ -28,7 +28,7 @@ std::optional<T> number(std::string_view text, T least, T most) {
 bool setSwitch(ServerOptions& options, std::string_view option) {
   if (option == "--help" || option == "-h") return options.help = true;
   if (option == "--version") return options.version = true;
-  if (option == "--allow-unprotected-network") return options.allow_unprotected_network = true;
+  if (option == "--pair") return options.pair = true;
   if (option == "--no-real-time") {
     options.real_time = false;
     return true;
@@ -41,6 +41,7 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
   if (option == "--device") options.device = value;
   if (option == "--listen") options.listen = value;
   if (option == "--config") options.config = value;
+  if (option == "--key") options.key = value;
   if (option == "--record") options.record = value;
   if (option == "--fault-log") options.fault_log = value;
   if (option == "--port") {
@@ -61,8 +62,8 @@ Expected<void> setValue(ServerOptions& options, std::string_view option, std::st
 }
 
 bool takesValue(std::string_view option) {
-  for (const std::string_view known :
-       {"--device", "--listen", "--config", "--record", "--fault-log", "--port", "--seconds", "--state-rate"}) {
+  for (const std::string_view known : {"--device", "--listen", "--config", "--key", "--record", "--fault-log", "--port",
+                                       "--seconds", "--state-rate"}) {
     if (option == known) return true;
   }
   return false;
@@ -92,16 +93,18 @@ Drives a force-feedback stylus, or a simulated one, and serves it to HaptiCell (
 
   --device NAME      a simulated stylus of config/devices/, or a driver's device, DRIVER or DRIVER:ID, as
                      hapticell-cli devices lists them (default: as configured)
-  --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only)
+  --listen ADDRESS   where to listen (default: 127.0.0.1, this machine only); another address needs a key
   --port N           TCP port (default: as configured, 4747; 0: any that is free)
+  --pair             make a key for this user's haptic server, show its code and end: on the other station,
+                     hapticell-cli pair HOST CODE. The key before it is worth nothing any more
+  --key FILE         protect the connection with the key of this file, on this machine too (default beyond this
+                     machine: the one that --pair made)
   --config FILE      a hapticell.toml to read besides the usual ones
   --record FILE      record the device's session, for --device replay:FILE
   --fault-log FOLDER where the two seconds around a fault are written (default: ~/.local/state/hapticell)
   --state-rate HZ    how often the stylus's state is sent at most (default: 1000)
   --seconds N        end by itself after so long
   --no-real-time     do not ask for real-time priority and locked memory
-  --allow-unprotected-network
-                     let ADDRESS be one that other machines can reach: anybody there can take the stylus
   --help, --version
 
 Prints one line when it listens. SIGUSR1 prints the force loop's figures; SIGINT and SIGTERM end it, force zero first.

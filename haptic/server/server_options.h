@@ -21,7 +21,9 @@ struct ServerOptions {
   double state_rate_hz = 1000.0;
   std::string record;     ///< A *.hdev that the device's session is recorded in; empty: none.
   std::string fault_log;  ///< Folder that the ticks around a fault are written to; empty: the default one.
-  bool allow_unprotected_network = false;
+  std::string
+      key;  ///< A key file that clients must have, wherever it listens; empty: beyond this machine the user's own.
+  bool pair = false;      ///< Make a key, keep it, show its code and end.
   bool real_time = true;  ///< Ask for real-time priority and locked memory.
   bool help = false, version = false;
 };

@@ -39,6 +39,7 @@ FOREIGN = {
     r"^(archive|meshoptimizer)": {"workcell"},
     r"^toml\+\+": {"config", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
+    r"^openssl/": {"haptic/client"},
     r"^CLI/": {"cli"},
     r"^OpenMesh/": {"geometry"},
     r"^flatbuffers/": {"haptic/protocol"},

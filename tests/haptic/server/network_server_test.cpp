@@ -228,12 +228,12 @@ Expected<std::unique_ptr<NetworkServer>> tryToListen(LiveServer& other, const Ne
   return NetworkServer::start(other.loop, other.clock, describe(other.device), options);
 }
 
-TEST(NetworkServer, listens_on_this_machine_only_unless_told_otherwise) {
+TEST(NetworkServer, listens_beyond_this_machine_only_with_a_key) {
   LiveServer server;
   const auto open = tryToListen(server, {.address = "0.0.0.0", .port = 0});
   ASSERT_FALSE(open.has_value());
-  EXPECT_THAT(open.error().message(), HasSubstr("--allow-unprotected-network"));
-  EXPECT_TRUE(tryToListen(server, {.address = "0.0.0.0", .port = 0, .allow_unprotected_network = true}).has_value());
+  EXPECT_THAT(open.error().message(), HasSubstr("--pair"));
+  EXPECT_TRUE(tryToListen(server, {.address = "0.0.0.0", .port = 0, .key = *PairingKey::make()}).has_value());
   EXPECT_TRUE(tryToListen(server, {.address = "localhost", .port = 0}).has_value());
 }
 

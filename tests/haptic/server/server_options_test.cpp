@@ -14,7 +14,7 @@ Expected<ServerOptions> parse(const std::vector<std::string_view>& words) {
 
 TEST(ServerOptions, all_of_them) {
   const auto options = parse({"--device", "touch", "--listen=::1", "--port", "0", "--config", "my.toml",
-                              "--seconds=2.5", "--state-rate", "60", "--no-real-time", "--allow-unprotected-network"});
+                              "--seconds=2.5", "--state-rate", "60", "--no-real-time", "--key=a.key", "--pair"});
   ASSERT_TRUE(options.has_value());
   EXPECT_EQ(options->device, "touch");
   EXPECT_EQ(options->listen, "::1");
@@ -23,7 +23,8 @@ TEST(ServerOptions, all_of_them) {
   EXPECT_EQ(options->seconds, 2.5);
   EXPECT_EQ(options->state_rate_hz, 60.0);
   EXPECT_FALSE(options->real_time);
-  EXPECT_TRUE(options->allow_unprotected_network);
+  EXPECT_EQ(options->key, "a.key");
+  EXPECT_TRUE(options->pair);
 }
 
 TEST(ServerOptions, none_is_loopback_and_as_configured) {
@@ -33,7 +34,8 @@ TEST(ServerOptions, none_is_loopback_and_as_configured) {
   EXPECT_FALSE(options->port.has_value());
   EXPECT_FALSE(options->device.has_value());
   EXPECT_TRUE(options->real_time);
-  EXPECT_FALSE(options->allow_unprotected_network);
+  EXPECT_EQ(options->key, "");
+  EXPECT_FALSE(options->pair);
 }
 
 TEST(ServerOptions, bad_words_are_named) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """hapticell-haptic-server from outside: its options, its line, its signals, its exit statuses."""
+import os
 import pathlib
 import signal
 import socket
@@ -13,9 +14,10 @@ from server_process import Server
 PROGRAM = sys.argv[1]
 
 
-def refused(*words):
-    """Runs it with bad words; what it says."""
-    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=60)
+def refused(*words, settings=None):
+    """Runs it with bad words, and with the user's settings in another folder; what it says."""
+    environment = dict(os.environ, XDG_CONFIG_HOME=settings) if settings else None
+    done = subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=60, env=environment)
     assert done.returncode == 2, (words, done)
     assert done.stdout == "" and done.stderr.count("\n") == 1, (words, done)
     return done.stderr
@@ -58,11 +60,28 @@ def test_takes_device_and_configuration():
         assert "rate_hz" in said and "my.toml" in said, said
 
 
+def test_pairs_and_serves_with_the_key():
+    with tempfile.TemporaryDirectory() as folder:
+        environment = dict(os.environ, XDG_CONFIG_HOME=folder)
+        done = subprocess.run([PROGRAM, "--pair"], capture_output=True, text=True, timeout=60, env=environment)
+        assert done.returncode == 0 and len(done.stdout.strip()) == 34, done
+        key = pathlib.Path(folder) / "hapticell" / "server.key"
+        assert key.read_text() == done.stdout and key.stat().st_mode & 0o777 == 0o600
+        with Server(PROGRAM, "--key", str(key)) as server:
+            with socket.create_connection(("127.0.0.1", server.port), timeout=30) as plain:
+                plain.sendall(b"\x08\x00\x00\x00plain, no")
+                rest = b"".join(iter(lambda: plain.recv(4096), b""))
+                assert b"HCEL" not in rest, rest
+            status, errors = server.end()
+            assert status == 0 and "does not speak TLS" in errors, errors
+
+
 def test_refuses_in_a_sentence():
     assert "--prot" in refused("--prot", "1")
     assert "--port" in refused("--port", "70000")
     assert "no_such_device" in refused("--port", "0", "--device", "no_such_device")
-    assert "--allow-unprotected-network" in refused("--port", "0", "--listen", "0.0.0.0")
+    with tempfile.TemporaryDirectory() as folder:
+        assert "--pair" in refused("--port", "0", "--listen", "0.0.0.0", settings=folder)
     assert "nowhere" in refused("--port", "0", "--listen", "nowhere")
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
