@@ -158,6 +158,7 @@ class ClipBuilder {
 
   Expected<void> build(const std::string& name) {
     clip.metres_per_unit = skeleton_.metres_per_unit;
+    if (!skeleton_.bones.contains("root")) return makeError({name, "", "no :root", "a skeleton with its root", ""});
     for (const std::string& bone_name : skeleton_.order_) {
       const Bone& bone = skeleton_.bones.at(bone_name);
       ClipJoint joint;

@@ -75,11 +75,13 @@ class Reader {
     const std::string key = colon == std::string::npos ? "" : line.substr(first, colon - first);
     const std::string rest = colon == std::string::npos ? "" : line.substr(colon + 1);
     if (key == "joint_names") {
+      if (in_point_ || !trajectory_.empty())
+        return fault("joint_names after a point", "joint_names once, before points");
       in_names_ = rest.find('[') == std::string::npos;
       trajectory_.joint_names = items(line);
       return {};
     }
-    if (key.empty() && in_names_) {
+    if (key.empty() && in_names_) {  // A point ends the names, so none follows one.
       trajectory_.joint_names.push_back(line.substr(first, line.find_last_not_of(" '\"\r") - first + 1));
       return {};
     }

@@ -12,8 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace hapticell;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::size_t cut = std::min(bytes.find('\0'), size);
-  const auto clip = mannequin::readAsfAmc(bytes.substr(0, cut), "fuzzed.asf", bytes.substr(std::min(cut + 1, size)),
-                                          "fuzzed.amc");
+  const auto clip =
+      mannequin::readAsfAmc(bytes.substr(0, cut), "fuzzed.asf", bytes.substr(std::min(cut + 1, size)), "fuzzed.amc");
   if (!clip && clip.error().message().empty()) std::abort();
   return 0;
 }

@@ -16,5 +16,11 @@ TEST(Error, leavesOutWhatIsEmpty) {
   EXPECT_EQ((Error{"", "", "", "a port from 1 to 65535", ""}).message(), "expected a port from 1 to 65535");
 }
 
+TEST(Error, isOneReadableLineWhateverTheFileHeld) {
+  EXPECT_EQ((Error{"a.toml", "line 1", "key 'a\nb\tc\x7F'", "", ""}).message(), "a.toml, line 1: key 'a b c '");
+  const std::string message = Error{"a.toml", "", std::string(299, 'x') + "\xC3\xA4" + "end", "a word", ""}.message();
+  EXPECT_EQ(message, "a.toml: " + std::string(299, 'x') + "...; expected a word") << "no half of a character";
+}
+
 }  // namespace
 }  // namespace hapticell

@@ -78,6 +78,15 @@ TEST(Bvh, RefusesWhatIsBrokenWithItsLine) {
   EXPECT_FALSE(readMotionFile("/nonexistent/file.bvh").has_value());
 }
 
+TEST(MotionFiles, ASkeletonWithoutRootIsRefused) {
+  const auto clip = readAsfAmc(
+      ":bonedata\nbegin\nid 1 name hip direction 0 1 0 length 1 axis 0 0 0 XYZ\nend\n"
+      ":hierarchy\nbegin\nroot hip\nend\n",
+      "x.asf", "1\nhip 1\n", "x.amc");
+  ASSERT_FALSE(clip.has_value());
+  EXPECT_NE(clip.error().message().find("no :root"), std::string::npos) << clip.error().message();
+}
+
 TEST(MotionFiles, AsfAndBvhOfTheSameClipAgree) {
   for (const char* name : {"mocap/02_01", "mocap/02_06"}) {
     HAPTICELL_SHARED_DATA_OR_SKIP(bvh_file, std::string(name) + ".bvh");

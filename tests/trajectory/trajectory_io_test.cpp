@@ -89,6 +89,15 @@ TEST_F(TrajectoryFiles, RosInFlowStyleIsRead) {
   EXPECT_EQ(read->joints(1)[1], 2.0);
 }
 
+TEST_F(TrajectoryFiles, RosNamesItsJointsBeforeItsPoints) {
+  const auto read = readTrajectory(write("c.yaml",
+                                         "joint_names: [a]\n- positions: [1]\njoint_names: [a, b]\n"
+                                         "- positions: [1, 2]\n"));
+  ASSERT_FALSE(read.has_value());
+  EXPECT_NE(read.error().message().find("line 3: joint_names after a point"), std::string::npos)
+      << read.error().message();
+}
+
 TEST_F(TrajectoryFiles, NumbersDoNotFollowTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, locale);
