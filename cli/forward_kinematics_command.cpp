@@ -16,6 +16,7 @@ struct ForwardOptions {
   std::string robot;
   std::string joints;
   std::string tip;
+  AxisOptions axes;
 };
 
 ordered_json poseToJson(const Pose& X) {
@@ -23,8 +24,9 @@ ordered_json poseToJson(const Pose& X) {
 }
 
 Expected<ordered_json> solve(const ForwardOptions& options) {
-  const auto robot = readRobotWithTip(options.robot, options.tip);
+  auto robot = readRobotWithTip(options.robot, options.tip);
   if (!robot) return makeError(robot.error());
+  if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
   const auto rows = trajectory::readJointCsv(options.joints, robot->jointNames());
   if (!rows) return makeError(rows.error());
   ordered_json poses = ordered_json::array();
@@ -50,6 +52,10 @@ void addForwardKinematicsCommand(CLI::App& app, Action& chosen) {
   command->add_option("--joints", options->joints, "CSV: one column a joint, by name, for all joints that move the tip")
       ->required();
   command->add_option("--tip", options->tip, "The link asked for; the tool or the end of the arm where not given");
+  command->add_option("--on", options->axes.on,
+                      "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+  command->add_option("--part-on", options->axes.part_on,
+                      "The same for what carries the part: poses are then in that link, the pose is the positioner's");
   command->callback([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       const auto result = solve(*options);

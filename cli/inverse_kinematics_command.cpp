@@ -22,6 +22,7 @@ struct InverseOptions {
   std::string robot;
   std::string poses;
   std::string tip;
+  AxisOptions axes;
   std::string start;
   bool all = false;
   bool turns_once = false;
@@ -86,8 +87,9 @@ struct Answer {
 };
 
 Expected<Answer> solve(const InverseOptions& options) {
-  const auto robot = readRobotWithTip(options.robot, options.tip);
+  auto robot = readRobotWithTip(options.robot, options.tip);
   if (!robot) return makeError(robot.error());
+  if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
   const auto poses = trajectory::readPoseCsv(options.poses);
   if (!poses) return makeError(poses.error());
   const auto start = readStart(options, *robot);
@@ -146,6 +148,10 @@ void addInverseKinematicsCommand(CLI::App& app, Action& chosen) {
   command->add_option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
       ->required();
   command->add_option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
+  command->add_option("--on", options->axes.on,
+                      "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+  command->add_option("--part-on", options->axes.part_on,
+                      "The same for what carries the part: poses are then in that link, the pose is the positioner's");
   command->add_option(
       "--start", options->start,
       "Joint positions before the first pose: numbers between commas, base first; zeros where not given");

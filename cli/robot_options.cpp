@@ -2,7 +2,9 @@
 #include "cli/robot_options.h"
 
 #include "cli/result_writer.h"
+#include "cli/workcell_arguments.h"
 #include "kinematics/jacobian.h"
+#include "kinematics/mounted_robot.h"
 #include "workcell/entity_source.h"
 
 namespace hapticell::cli {
@@ -32,6 +34,52 @@ Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::stri
   }
   robot.variables = kinematics::variablesOfChain(robot.model, robot.tip);
   return robot;
+}
+
+namespace {
+
+struct Carrier {
+  kinematics::RobotModel model;
+  int link = -1;
+  Pose X_LE;
+};
+
+Expected<Carrier> readCarrier(const std::string& option, const std::string& text) {
+  const auto mounting = parseMounting(option, text);
+  if (!mounting) return makeError(mounting.error());
+  auto carrier = readRobotWithTip(mounting->what, mounting->link);
+  if (!carrier) return makeError(carrier.error());
+  if (!kinematics::isMoved(carrier->model, carrier->tip)) {
+    const std::string& link = carrier->model.links[static_cast<std::size_t>(carrier->tip)].name;
+    return makeError({mounting->what, option, "link '" + link + "' does not move", "a link behind a joint", ""});
+  }
+  return Carrier{std::move(carrier->model), carrier->tip, mounting->X_LE};
+}
+
+}  // namespace
+
+Expected<void> addExternalAxes(const AxisOptions& options, RobotWithTip& robot) {
+  const std::string tip = robot.model.links[static_cast<std::size_t>(robot.tip)].name;
+  if (!options.on.empty()) {
+    const auto carrier = readCarrier("--on", options.on);
+    if (!carrier) return makeError(carrier.error());
+    auto mounted = kinematics::mountRobot(carrier->model, carrier->link, carrier->X_LE, robot.model);
+    if (!mounted) return makeError(mounted.error());
+    robot.model = std::move(*mounted);
+  }
+  if (!options.part_on.empty()) {
+    const auto positioner = readCarrier("--part-on", options.part_on);
+    if (!positioner) return makeError(positioner.error());
+    const std::string root = positioner->model.links[0].name;
+    const auto seen = kinematics::seenFrom(positioner->model, positioner->link);
+    if (!seen) return makeError(seen.error());
+    auto mounted = kinematics::mountRobot(*seen, seen->findLink(root), positioner->X_LE.inverse(), robot.model);
+    if (!mounted) return makeError(mounted.error());
+    robot.model = std::move(*mounted);
+  }
+  robot.tip = robot.model.findLink(tip);
+  robot.variables = kinematics::variablesOfChain(robot.model, robot.tip);
+  return {};
 }
 
 }  // namespace hapticell::cli

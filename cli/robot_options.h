@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "geometry/pose.h"
 #include "kinematics/robot_model.h"
 
 namespace hapticell::cli {
@@ -21,5 +22,17 @@ struct RobotWithTip {
 /// Reads a robot from a file or "library:NAME" and finds its tip by name (empty: RobotModel::defaultTip()). Warnings go
 /// to standard error.
 Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name);
+
+/// External axes of a robot, as the command line says them.
+struct AxisOptions {
+  std::string on;       ///< FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz]: what the robot stands on.
+  std::string part_on;  ///< The same: what carries the part.
+};
+
+/// The robot with its external axes in one model (kinematics::mountRobot): first those that carry the part, then those
+/// that carry the robot, then its own joints. Its root is the part's plate, else the root of what the robot stands on.
+/// `link` is what the robot's root (the part) stands on, the default tip where not said; `pose` of `on` is the robot's
+/// root in that link, of `part_on` the positioner's root in the root of the rest.
+Expected<void> addExternalAxes(const AxisOptions& options, RobotWithTip& robot);
 
 }  // namespace hapticell::cli

@@ -202,6 +202,10 @@ ordered_json jointsJson(const SessionReport& report, const kinematics::RobotMode
 }
 
 ordered_json resultOf(const SessionReport& report, const SessionOptions& options) {
+  ordered_json axes = ordered_json::array();
+  for (const auto& [name, at] : report.axes) {
+    axes.push_back({{"name", name}, {"pose", poseJson(at.X_WE)}, {"joints", at.joints}});
+  }
   return {{"entity", options.entity},
           {"duration_s", report.duration_s},
           {"rates",
@@ -221,6 +225,7 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
            {{"held", report.held},
             {"pose", poseJson(report.final_configuration.X_WE)},
             {"joints", report.final_configuration.joints},
+            {"axes", std::move(axes)},
             {"moved_frame", poseJson(report.X_WMFinal)},
             {"touches", report.final_contacts},
             {"limits", report.final_limits}}},

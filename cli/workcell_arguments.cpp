@@ -62,8 +62,8 @@ Error wrong(const std::string& option, const std::string& text, const std::strin
   return {"", option, "'" + text + "'", expected, ""};
 }
 
-Expected<Pose> parsePose(const std::string& text) {
-  const Error error = wrong("--add, pose", text, "seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1");
+Expected<Pose> parsePose(const std::string& option, const std::string& text) {
+  const Error error = wrong(option + ", pose", text, "seven numbers x,y,z,qw,qx,qy,qz with a quaternion of length 1");
   std::vector<double> numbers;
   for (const std::string& part : split(text, ',')) {
     const auto number = trajectory::parseNumber(part);
@@ -99,8 +99,11 @@ Expected<void> readOption(const std::string& key, const std::string& value, Addi
   } else if (key == "tree") {
     if (value != "keep" && value != "merge") return makeError(wrong("--add, tree", value, "keep or merge"));
     addition.options.merge = value == "merge";
+  } else if (key == "on") {
+    if (value.empty()) return makeError(wrong("--add, on", value, "NAME or NAME:LINK"));
+    addition.on = value;
   } else if (key == "pose") {
-    const auto pose = parsePose(value);
+    const auto pose = parsePose("--add", value);
     if (!pose) return makeError(pose.error());
     addition.X_WE = *pose;
   } else {
@@ -116,8 +119,28 @@ Expected<void> readOption(const std::string& key, const std::string& value, Addi
 
 }  // namespace
 
+Expected<Mounting> parseMounting(const std::string& option, const std::string& text) {
+  const Arguments arguments = splitOptions(text, {"link", "pose"});
+  Mounting mounting;
+  mounting.what = arguments.head;
+  if (mounting.what.empty()) return makeError(wrong(option, text, "a file, or library:NAME, first"));
+  if (const std::string twice = saidTwice(arguments); !twice.empty()) {
+    return makeError(wrong(option + ", " + twice, text, "each option once"));
+  }
+  for (const auto& [key, value] : arguments.options) {
+    if (key == "link") {
+      mounting.link = value;
+      continue;
+    }
+    const auto pose = parsePose(option, value);
+    if (!pose) return makeError(pose.error());
+    mounting.X_LE = *pose;
+  }
+  return mounting;
+}
+
 Expected<Addition> parseAddition(const std::string& text) {
-  const Arguments arguments = splitOptions(text, {"name", "unit", "up", "tree", "chord", "angle", "pose"});
+  const Arguments arguments = splitOptions(text, {"name", "unit", "up", "tree", "chord", "angle", "on", "pose"});
   Addition addition;
   addition.what = arguments.head;
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));

@@ -42,6 +42,21 @@ void nameImported(const std::string& name, std::vector<workcell::Entity>& entiti
   }
 }
 
+/// Hangs what was added on an entity or on one of its links.
+Expected<void> hang(workcell::EntityId id, const Addition& addition, workcell::Document& document) {
+  const auto colon = addition.on.rfind(':');
+  const bool whole = colon == std::string::npos || document.findByName(addition.on) != nullptr;
+  const workcell::Entity* carrier = document.findByName(whole ? addition.on : addition.on.substr(0, colon));
+  if (carrier == nullptr) {
+    return makeError({"--add " + addition.what, "on", "there is no entity '" + addition.on + "'",
+                      "NAME or NAME:LINK of an entity that was added before", ""});
+  }
+  const std::string link = whole ? "" : addition.on.substr(colon + 1);
+  const auto hung = document.execute(workcell::Attach{id, carrier->id, link});
+  if (!hung) return makeError({"--add " + addition.what, "on", hung.error().message(), "", ""});
+  return {};
+}
+
 Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader, workcell::Document& document,
                          Diagnostics& notes) {
   const auto addition = parseAddition(text);
@@ -56,7 +71,7 @@ Expected<void> addEntity(const std::string& text, workcell::EntityLoader& loader
   }
   const auto added = workcell::addImported(document, std::move(imported->entities), addition->X_WE);
   if (!added) return makeError({"--add " + text, "", added.error().message(), "", ""});
-  return {};
+  return addition->on.empty() ? Expected<void>{} : hang(added->front(), *addition, document);
 }
 
 Expected<void> addCheck(const std::string& text, workcell::Document& document) {
@@ -122,11 +137,11 @@ void addWorkcellCommand(CLI::App& app, Action& chosen) {
   CLI::App* make = command->add_subcommand("new", "A document of the entities and checks that are named");
   const auto options = std::make_shared<NewOptions>();
   make->add_option("file", options->file, "The document to write (.hcell)")->required();
-  make->add_option(
-          "--add", options->additions,
-          "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,pose=x,y,z,qw,qx,qy,qz]; "
-          "WHAT is a mesh, CAD or robot file, library:NAME, "
-          "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
+  make->add_option("--add", options->additions,
+                   "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
+                   "pose=x,y,z,qw,qx,qy,qz]; "
+                   "WHAT is a mesh, CAD or robot file, library:NAME, "
+                   "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
       ->allow_extra_args(false);
   make->add_option("--check", options->checks,
                    "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "

@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinematics/inverse_factory.h"
 
+#include <algorithm>
+
 #include "kinematics/analytic_inverse.h"
 #include "kinematics/numeric_inverse.h"
 
 namespace hapticell::kinematics {
+
+int wristJoint(const Chain& chain) {
+  const std::vector<Chain::Element>& elements = chain.elements();
+  const auto turning =
+      std::count_if(elements.begin(), elements.end(), [](const Chain::Element& element) { return !element.prismatic; });
+  if (turning < 6) return -1;
+  const bool own = std::all_of(elements.end() - 3, elements.end(), [&](const Chain::Element& element) {
+    const auto uses = std::count_if(elements.begin(), elements.end(),
+                                    [&](const Chain::Element& other) { return other.variable == element.variable; });
+    return !element.prismatic && uses == 1;
+  });
+  return own ? elements[elements.size() - 3].variable : -1;
+}
 
 Expected<std::unique_ptr<InverseModel>> createInverse(const RobotModel& model, int tip_link, const Pose& X_LT,
                                                       const InverseOptions& options) {
@@ -13,7 +28,9 @@ Expected<std::unique_ptr<InverseModel>> createInverse(const RobotModel& model, i
   if (!numeric) return makeError(numeric.error());
   using Keep = NumericInverse::Hurried::Keep;
   const bool orientation = options.at_singularity == SingularityChoice::kKeepOrientation;
-  (*numeric)->setHurried({orientation ? Keep::kOrientation : Keep::kPosition, -1});
+  const bool joint = options.at_singularity == SingularityChoice::kKeepJoint4;
+  (*numeric)->setHurried(
+      {orientation ? Keep::kOrientation : Keep::kPosition, joint ? wristJoint(*(*numeric)->chain()) : -1});
   const Classification classification = classify(*(*numeric)->chain(), options.tolerance);
   if (classification.robot_class == RobotClass::kNumeric) return std::unique_ptr<InverseModel>(std::move(*numeric));
   return std::unique_ptr<InverseModel>(

@@ -26,7 +26,7 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
   Placements kept;
   if (held_) {
-    kept[held_->id()] = held_->accepted();
+    kept[held_->id()] = held_->standing();
     for (auto& [id, at] : held_->carried()) kept[id] = std::move(at);
   }
   scene_ = std::move(scene);
@@ -161,7 +161,7 @@ void ManipulationEngine::hold(workcell::EntityId entity) {
 void ManipulationEngine::retake() {
   if (!held_) return;
   const workcell::EntityId id = held_->id();
-  placements_[id] = held_->accepted();
+  placements_[id] = held_->standing();
   for (auto& [carried, at] : held_->carried()) placements_[carried] = std::move(at);
   held_.reset();
   contacts_.clear();
@@ -187,9 +187,12 @@ void ManipulationEngine::grab(workcell::EntityId wanted) {
 
 void ManipulationEngine::release() {
   if (!held_) return;
-  placements_[held_->id()] = held_->accepted();
+  placements_[held_->id()] = held_->standing();
   for (auto& [id, at] : held_->carried()) placements_[id] = std::move(at);
-  results_.emplace_back(result::Moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints});
+  const EntityConfiguration at = held_->standing();
+  result::Moved moved{held_->id(), at.X_WE, at.joints};
+  for (auto& [id, axis] : held_->axes()) moved.axes.push_back({id, axis.X_WE, axis.joints});
+  results_.emplace_back(std::move(moved));
   held_.reset();
   built_ = {};
   contacts_.clear();

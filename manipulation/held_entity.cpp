@@ -59,15 +59,15 @@ Pose middleOf(const kinematics::RobotModel& model, int link) {
   return bounds.isEmpty() ? Pose::identity() : Pose::translation(bounds.center());
 }
 
-kinematics::SingularityChoice singularityChoice(const config::Configuration& configuration) {
+kinematics::SingularityChoice singularityChoice(const std::string& at_singularity) {
   using Choice = kinematics::SingularityChoice;
-  if (configuration.robot.at_singularity == "keep_orientation") return Choice::kKeepOrientation;
-  return configuration.robot.at_singularity == "keep_joint_4" ? Choice::kKeepJoint4 : Choice::kKeepPosition;
+  if (at_singularity == "keep_orientation") return Choice::kKeepOrientation;
+  return at_singularity == "keep_joint_4" ? Choice::kKeepJoint4 : Choice::kKeepPosition;
 }
 
 std::string choicesOf(const Entity& entity) {
   if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands or self_origin";
-  return entity.robot ? "tcp, base, base_keeping_tcp or frame:NAME of one of its links"
+  return entity.robot ? "tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links"
                       : "self_origin, geometric_center or frame:NAME of an entity";
 }
 
@@ -85,10 +85,15 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   std::unique_ptr<HeldEntity> held(new HeldEntity);
   held->scene_ = std::move(scene);
   held->id_ = entity;
+  held->form_ = *found;
+  held->members_ = {{entity, 0, 0, 0}};
   held->accepted_.X_WE = placementOf(*found, placements, held->accepted_.joints);
-  held->gatherMovedParts(*found, placements);
-  if (auto made = held->makeManipulator(*found, options, configuration); !made) return makeError(made.error());
-  held->gatherPairs(*found, placements, options, configuration);
+  const MovedBy::Kind kind = options.moved_by.kind;
+  const bool by_tcp = kind == MovedBy::Kind::kTcp || kind == MovedBy::Kind::kDefault;
+  if (by_tcp && options.moved_by.with_axes) held->standOnAxes(placements);
+  held->gatherMovedParts(placements);
+  if (auto made = held->makeManipulator(held->form_, options, configuration); !made) return makeError(made.error());
+  held->gatherPairs(held->form_, placements, options, configuration);
   held->startBoundaries();
   return held;
 }
@@ -108,18 +113,23 @@ bool HeldEntity::makeMannequinManipulator(const Entity& entity, const MovedBy& m
   return true;
 }
 
-void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placements) {
+void HeldEntity::gatherMovedParts(const Placements& placements) {
   // Entities hang on each other in a tree: each round finds those that hang on the ones found before.
-  std::vector<std::string> names{entity.name};
-  std::vector<int> links{-1};
+  std::vector<std::string> names;
+  std::vector<int> links;
+  for (const Member& member : members_) {
+    names.push_back(scene_->find(member.id)->name);
+    links.push_back(form_.robot ? member.first_link : -1);
+  }
   for (std::size_t k = 0; k < names.size(); ++k) {
     for (const Entity& other : scene_->entities()) {
-      if (other.attachment.to != names[k] || other.id == id_) continue;
-      const bool on_robot = k == 0 && entity.robot && !other.attachment.link.empty();
-      const int link = k > 0 ? links[k] : on_robot ? entity.robot->findLink(other.attachment.link) : -1;
+      if (other.attachment.to != names[k] || isMember(other.id)) continue;
+      const Entity* on = k < members_.size() ? scene_->find(members_[k].id) : nullptr;
+      const bool on_robot = on && on->robot && !other.attachment.link.empty();
+      const int link = links[k] + (on_robot ? std::max(0, on->robot->findLink(other.attachment.link)) : 0);
       Carried carried{other.id, link, {}, {}};
       const Pose X_WE = placementOf(other, placements, carried.joints);
-      const Pose X_WL = PreparedScene::partPose(entity, accepted_.X_WE, accepted_.joints, link);
+      const Pose X_WL = PreparedScene::partPose(form_, accepted_.X_WE, accepted_.joints, link);
       carried.X_LE = X_WL.inverse() * X_WE;
       names.push_back(other.name);
       links.push_back(link);
@@ -127,8 +137,10 @@ void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placem
     }
   }
   for (const ScenePart& part : scene_->parts()) {
-    if (part.entity == id_) {
-      moved_parts_.push_back({&part, id_, part.link, {}, part.name});
+    const auto member =
+        std::find_if(members_.begin(), members_.end(), [&](const Member& m) { return m.id == part.entity; });
+    if (member != members_.end()) {
+      moved_parts_.push_back({&part, part.entity, part.link < 0 ? -1 : member->first_link + part.link, {}, part.name});
     } else {
       const auto found =
           std::find_if(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == part.entity; });
@@ -144,9 +156,9 @@ void HeldEntity::gatherMovedParts(const Entity& entity, const Placements& placem
 
 std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carried() const {
   std::vector<std::pair<workcell::EntityId, EntityConfiguration>> result;
-  const Entity& entity = *scene_->find(id_);
+  for (auto& axis : axes()) result.push_back(std::move(axis));
   for (const Carried& carried : carried_) {
-    const Pose X_WL = PreparedScene::partPose(entity, accepted_.X_WE, accepted_.joints, carried.link);
+    const Pose X_WL = PreparedScene::partPose(form_, accepted_.X_WE, accepted_.joints, carried.link);
     result.emplace_back(carried.id, EntityConfiguration{X_WL * carried.X_LE, carried.joints});
   }
   return result;
@@ -154,9 +166,9 @@ std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carr
 
 Expected<void> HeldEntity::makeRobotManipulator(const Entity& entity, const RobotManipulator::Tool& tool,
                                                 std::vector<RobotManipulator::Part> parts,
-                                                const config::Configuration& configuration, bool by_base) {
+                                                const std::string& at_singularity, bool by_base) {
   kinematics::InverseOptions inverse_options;
-  inverse_options.at_singularity = singularityChoice(configuration);
+  inverse_options.at_singularity = singularityChoice(at_singularity);
   auto inverse = kinematics::createInverse(*entity.robot, tool.tip_link, tool.X_LT, inverse_options);
   if (!inverse) return makeError(inverse.error());
   if (by_base) {
@@ -165,9 +177,15 @@ Expected<void> HeldEntity::makeRobotManipulator(const Entity& entity, const Robo
     return {};
   }
   auto manipulator = std::make_unique<RobotManipulator>(entity.robot, tool, std::move(*inverse), std::move(parts));
-  if (configuration.robot.at_singularity == "stop") manipulator->stopAtSingularities();
+  if (at_singularity == "stop") manipulator->stopAtSingularities();
   arm_ = manipulator.get();
-  if (entity.mechanism) friction_ = workcell::frictionOf(*entity.mechanism, *entity.robot);
+  friction_.clear();
+  for (const Member& member : members_) {
+    const Entity& one = *scene_->find(member.id);
+    const auto own =
+        one.mechanism ? workcell::frictionOf(*one.mechanism, *one.robot) : std::vector<double>(one.robot->dof(), 0.0);
+    friction_.insert(friction_.end(), own.begin(), own.end());
+  }
   manipulator_ = std::move(manipulator);
   updateJointFriction();
   return {};
@@ -205,7 +223,9 @@ Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptio
     if (tip < 0) tip = entity.robot->defaultTip();
     if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
     const Pose X_LT = named_link < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
-    return makeRobotManipulator(entity, {tip, X_LT}, std::move(robot_parts), configuration, keeps_tcp);
+    const std::string& chosen = options.moved_by.at_singularity;
+    const std::string& at_singularity = chosen.empty() ? configuration.robot.at_singularity : chosen;
+    return makeRobotManipulator(entity, {tip, X_LT}, std::move(robot_parts), at_singularity, keeps_tcp);
   }
   Pose X_EM;
   if (kind == MovedBy::Kind::kFrame) {
@@ -233,7 +253,7 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
     names.push_back(part.name);
   }
   const auto is_moved = [&](workcell::EntityId id) {
-    return id == id_ || std::any_of(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == id; });
+    return isMember(id) || std::any_of(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == id; });
   };
   std::map<workcell::EntityId, std::vector<workcell::EffectivePair>> rules_of;
   for (const MovedPart& part : moved_parts_) {
@@ -253,7 +273,14 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
       if (rule == rules.end()) continue;
       const workcell::PairRule* own = scene_->ruleFor(*moved_parts_[k].part, part);
       if (own && !own->checked) continue;
-      HeldPair pair{other.id, names[k], part.name, rule->safety_distance, rule->near_miss, rule->on_contact, {}};
+      HeldPair pair{other.id,
+                    toldAs(moved_parts_[k].owner),
+                    names[k],
+                    part.name,
+                    rule->safety_distance,
+                    rule->near_miss,
+                    rule->on_contact,
+                    {}};
       if (own && own->on_contact) pair.on_contact = *own->on_contact;
       pair.feel.felt = pair.on_contact != OnContact::kPass;
       const Entity& owner = moved_parts_[k].owner == id_ ? entity : *scene_->find(moved_parts_[k].owner);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -37,7 +38,8 @@ struct HoldOptions {
 /// A pair of the held entity with something at rest, as users know it.
 struct HeldPair {
   workcell::EntityId other = 0;
-  std::string moved_part;  ///< Link names; empty for solids.
+  workcell::EntityId owner = 0;  ///< Whose part moves: the held entity, with what hangs on it, or an external axis.
+  std::string moved_part;        ///< Link names; empty for solids.
   std::string other_part;
   double safety_distance = 0.0;  ///< m, felt as the boundary.
   double near_miss = 0.0;        ///< m, shown.
@@ -60,10 +62,22 @@ class HeldEntity {
 
   workcell::EntityId id() const { return id_; }
   const Manipulator& manipulator() const { return *manipulator_; }
+  /// What the manipulator moves; with external axes their joints come first, the robot's last.
   const EntityConfiguration& accepted() const { return accepted_; }
+  /// Where the entity itself stands.
+  EntityConfiguration standing() const;
   Pose movedFrame() const { return manipulator_->movedFrame(accepted_); }
-  /// What hangs on it (a gripped part, and what hangs on that), where it stands now.
+  /// What goes with it, where it stands now: what hangs on it (a gripped part, and what hangs on that), the external
+  /// axes it stands on, and what hangs on these.
   std::vector<std::pair<workcell::EntityId, EntityConfiguration>> carried() const;
+  /// Of these the external axes, the one at the bottom first.
+  std::vector<std::pair<workcell::EntityId, EntityConfiguration>> axes() const;
+  /// Where the moved frame is when every entity stands as `placed` says.
+  Pose movedFrameWhen(const std::function<EntityConfiguration(workcell::EntityId)>& placed) const;
+  /// A joint that the manipulator tells (MotionLimit::joint) among the entity's own; -1 for an external axis and none.
+  int ownJoint(int joint) const;
+  /// Its name; the joint exists (contract).
+  const std::string& jointName(int joint) const;
   const std::vector<HeldPair>& pairs() const { return pairs_; }
   /// What was noticed when it was taken: links that touch each other at rest and so are not checked.
   const std::vector<std::string>& notes() const { return notes_; }
@@ -114,12 +128,16 @@ class HeldEntity {
   static constexpr double kSkin = 20e-6;
   HeldEntity();
   bool makeMannequinManipulator(const workcell::Entity& entity, const MovedBy& moved_by);
-  void gatherMovedParts(const workcell::Entity& entity, const Placements& placements);
+  void gatherMovedParts(const Placements& placements);
+  void standOnAxes(const Placements& placements);
+  bool isMember(workcell::EntityId id) const;
+  /// Whom users are told that a part belongs to: what hangs on the robot counts as its own.
+  workcell::EntityId toldAs(workcell::EntityId owner) const { return isMember(owner) ? owner : id_; }
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options,
                                  const config::Configuration& configuration);
   Expected<void> makeRobotManipulator(const workcell::Entity& entity, const RobotManipulator::Tool& tool,
-                                      std::vector<RobotManipulator::Part> parts,
-                                      const config::Configuration& configuration, bool by_base);
+                                      std::vector<RobotManipulator::Part> parts, const std::string& at_singularity,
+                                      bool by_base);
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
   void gatherOwnPairs(const workcell::Entity& entity, const HoldOptions& options,
@@ -138,6 +156,15 @@ class HeldEntity {
 
   std::shared_ptr<const PreparedScene> scene_;
   workcell::EntityId id_ = 0;
+  /// What is moved: the entity; with external axes (MovedBy::with_axes) all of them in one model.
+  workcell::Entity form_;
+  /// One of the entities that `form_` is made of: the external axes from the bottom, the entity last.
+  struct Member {
+    workcell::EntityId id = 0;
+    int first_link = 0, first_joint = 0;
+    std::size_t first_variable = 0;
+  };
+  std::vector<Member> members_;
   EntityConfiguration accepted_;
   std::unique_ptr<Manipulator> manipulator_;
   const RobotManipulator* arm_ = nullptr;  ///< The manipulator where a robot or mechanism is drawn by its tool.

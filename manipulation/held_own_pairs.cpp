@@ -39,20 +39,26 @@ void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOption
   if (!robot || !entity.checked || !configuration.robot.self_collision) return;
   if (options.on_contact == workcell::OnContact::kPass) return;
   std::vector<OwnPart> parts;
-  for (const MovedPart& part : moved_parts_) parts.push_back({std::max(0, part.link), part.owner != id_});
+  for (const MovedPart& part : moved_parts_) parts.push_back({std::max(0, part.link), !isMember(part.owner)});
   const std::vector<Pose> X_EP = restPoses(entity);
   std::vector<std::string> touching;
   for (const OwnPair& own : ownPairs(*entity.robot, parts)) {
     const MovedPart &first = moved_parts_[own.first], &second = moved_parts_[own.second];
-    const bool links = first.owner == id_ && second.owner == id_;
+    const bool links = isMember(first.owner) && isMember(second.owner);
     const auto& a = first.part->mesh.collider;
     const auto& b = second.part->mesh.collider;
     if (links && collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
       touching.push_back(first.name + " with " + second.name);
       continue;
     }
-    HeldPair pair{id_, first.name,         second.name, configuration.manipulation.safety_distance,
-                  0.0, options.on_contact, {}};
+    HeldPair pair{toldAs(second.owner),
+                  toldAs(first.owner),
+                  first.name,
+                  second.name,
+                  configuration.manipulation.safety_distance,
+                  0.0,
+                  options.on_contact,
+                  {}};
     motion_pairs_.push_back({static_cast<std::uint32_t>(own.first), 0, true, static_cast<int>(own.second)});
     feel_.push_back(pair.feel);
     pairs_.push_back(std::move(pair));

@@ -35,13 +35,14 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
   for (const auto& [word, kind] : words) {
     if (text == word) return MovedBy{kind};
   }
+  if (text == "tcp_with_axes") return MovedBy{.kind = Kind::kTcp, .with_axes = true};
   if (text == "base_keeping_tcp") return MovedBy{.kind = Kind::kBase, .keep_tcp = true};
   if (startsWith(text, kFramePrefix) && text.size() > kFramePrefix.size()) {
     return MovedBy{Kind::kFrame, text.substr(kFramePrefix.size())};
   }
   return unknown("moved_by", text,
-                 "tcp, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand "
-                 "or both_hands");
+                 "tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
+                 "right_hand or both_hands");
 }
 
 Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {

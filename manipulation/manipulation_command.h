@@ -34,12 +34,17 @@ struct MovedBy {
   Kind kind = Kind::kDefault;
   std::string frame = {};  ///< kFrame only.
   bool keep_tcp = false;   ///< kBase only: the tool centre point stays in the cell, the joints follow; else they stand.
+  /// kTcp only: the joints of what the robot stands on (a rail, a gantry, a rotary table) go along as external axes,
+  /// where there are any that may move.
+  bool with_axes = false;
+  /// What yields at a singularity, as `robot.at_singularity` says it; empty: as configured.
+  std::string at_singularity = {};
   bool lock_trunk = false;   ///< Mannequins drawn by a hand: pelvis and spine do not move.
   bool lock_pelvis = false;  ///< The pelvis does not move. Feet always stand.
 };
 
-/// tcp, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand, both_hands;
-/// anything else is an error that lists them.
+/// tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand,
+/// both_hands; anything else is an error that lists them.
 Expected<MovedBy> parseMovedBy(const std::string& text);
 
 /// "trunk", "feet", "pelvis", several with commas between, or "none": sets the locks of `moved_by`. Feet stand anyway.
@@ -158,11 +163,18 @@ namespace result {
 struct Grabbed {
   workcell::EntityId entity = 0;
 };
-/// An entity was let go where it stands now: to be made one undoable command of the document.
+/// An entity was let go where it stands now: to be made one undoable step of the document.
 struct Moved {
   workcell::EntityId entity = 0;
   Pose X_WE;
   std::vector<double> joints;  ///< Robots: position of each variable.
+  /// External axes that went along, the one at the bottom first: to be set before the entity, in the same step.
+  struct Axis {
+    workcell::EntityId entity = 0;
+    Pose X_WE;
+    std::vector<double> joints;
+  };
+  std::vector<Axis> axes = {};
 };
 /// Something that the user should read.
 struct Notice {

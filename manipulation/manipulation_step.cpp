@@ -58,7 +58,12 @@ std::vector<Result> ManipulationEngine::takeResults() {
 }
 
 EntityConfiguration ManipulationEngine::placement(workcell::EntityId entity) const {
-  if (held_ && held_->id() == entity) return held_->accepted();
+  if (held_ && held_->id() == entity) return held_->standing();
+  if (held_) {
+    for (auto& [id, at] : held_->carried()) {
+      if (id == entity) return at;
+    }
+  }
   if (const auto moved = placements_.find(entity); moved != placements_.end()) return moved->second;
   const workcell::Entity* found = scene_ ? scene_->find(entity) : nullptr;
   HAPTICELL_DEMAND(found != nullptr);

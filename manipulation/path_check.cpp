@@ -347,7 +347,9 @@ Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, 
   if (auto checked = checkArguments(entity, name, trajectory); !checked) return tl::unexpected(checked.error());
   const auto columns = jointColumns(*entity, trajectory);
   if (!columns) return tl::unexpected(columns.error());
-  const auto held = HeldEntity::take(scene, entity->id, {}, options.hold, configuration);
+  HoldOptions hold = options.hold;
+  hold.moved_by.with_axes = false;  // A motion tells the robot's own joints.
+  const auto held = HeldEntity::take(scene, entity->id, {}, hold, configuration);
   if (!held) return tl::unexpected(held.error());
   return PathWalk(*scene, *entity, **held, options).run(trajectory, *columns);
 }

@@ -125,7 +125,10 @@ class WatchedEngine {
     takeRecordings();
     report_.held = engine_.held() != nullptr;
     report_.final_configuration = engine_.placement(entity_);
-    report_.X_WMFinal = start_->manipulator().movedFrame(report_.final_configuration);
+    report_.X_WMFinal = start_->movedFrameWhen([&](workcell::EntityId id) { return engine_.placement(id); });
+    for (const auto& [id, at] : start_->axes()) {
+      report_.axes.push_back({engine_.scene()->find(id)->name, engine_.placement(id)});
+    }
     for (const std::size_t i : engine_.contacts()) {
       const std::string& name = engine_.scene()->find(engine_.held()->pairs()[i].other)->name;
       auto& names = report_.final_contacts;
@@ -153,6 +156,14 @@ class WatchedEngine {
                                    options_.force_class.value_or(entity->force_class)},
                                   options_.configuration);
     if (!taken) return makeError(taken.error());
+    if (options_.moved_by.with_axes && (*taken)->axes().empty()) {
+      const auto& notes = (*taken)->notes();
+      return makeError({.file = {},
+                        .place = "entity '" + entity->name + "'",
+                        .found = notes.empty() ? "it stands on nothing that moves" : notes.front(),
+                        .expected = "a robot that hangs on a moving link of a mechanism or robot that is not locked",
+                        .fix = {}});
+    }
     return std::shared_ptr<HeldEntity>(std::move(*taken));
   }
 

@@ -73,6 +73,8 @@ struct SessionReport {
 
   bool held = false;  ///< At the end.
   EntityConfiguration final_configuration;
+  /// External axes by name, where they stand at the end; empty unless they went along.
+  std::vector<std::pair<std::string, EntityConfiguration>> axes;
   Pose X_WMFinal;
   std::vector<std::string> final_contacts;  ///< Names of what it touches.
   std::vector<std::string> final_limits;    ///< Why it does not follow: "A5 is at its upper limit".

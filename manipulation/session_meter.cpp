@@ -110,7 +110,7 @@ void JointMeter::add(double t, const ManipulationEngine& engine) {
     id_ = 0;
     return;
   }
-  const std::vector<double>& now = held->accepted().joints;
+  const std::vector<double> now = held->standing().joints;
   const bool goes_on = id_ == held->id() && before_.size() == now.size() && t > t_before_;
   if (joints_.size() != now.size()) joints_.assign(now.size(), {});
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -151,7 +151,7 @@ double PenetrationMeter::measure(const ManipulationEngine& engine) {
   double deepest = 0.0;
   for (const HeldPair& pair : held->pairs()) {
     if (pair.on_contact == workcell::OnContact::kPass) continue;
-    const Body moved = bodyOf(held->id(), pair.moved_part), other = bodyOf(pair.other, pair.other_part);
+    const Body moved = bodyOf(pair.owner, pair.moved_part), other = bodyOf(pair.other, pair.other_part);
     if (moved.collider && other.collider) deepest = std::max(deepest, depthOf(moved, other));
   }
   last_ = deepest;

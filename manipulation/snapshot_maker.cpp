@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kMeasurePeriod = 33'000'000;  ///< ns.
 constexpr double kLimitShown = 0.005;                ///< m of hand.
 constexpr double kLimitHolds = 5e-5;                 ///< m of hand.
-constexpr std::size_t kFreeShown = 24;  ///< Free pairs are told while there are fewer than these.
+constexpr std::size_t kFreeShown = 24;               ///< Free pairs are told while there are fewer than these.
 constexpr double kShownAtLeast = 0.05;               ///< m: the nearest pair is shown from here on.
 
 double edgeOf(const haptic::DeviceDescription& device, const dvec3& p_DS) {
@@ -35,7 +35,7 @@ void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
   for (const FreeMotion::PairDistance& near : near_) {
     const HeldPair& pair = held_->pairs()[near.pair];
     PairState shown;
-    shown.moved = held_->id();
+    shown.moved = pair.owner;
     shown.other = pair.other;
     shown.moved_part = pair.moved_part;
     shown.other_part = pair.other_part;
@@ -66,12 +66,12 @@ std::vector<LimitState> ManipulationEngine::nearLimits() const {
     const double gap = haptic::evaluate(built_.set.constraints[i], over(here));
     if (gap > kLimitShown) continue;
     const double least = std::min(gap, haptic::evaluate(built_.set.constraints[i], over(proxy)));
-    near.push_back({limit.text, limit.joint, limit.kind, std::max(0.0, gap) * mapping_.scale(), least < kLimitHolds});
+    near.push_back({limit.text, held_->ownJoint(limit.joint), limit.kind, std::max(0.0, gap) * mapping_.scale(),
+                    least < kLimitHolds});
   }
   if (hurried_joint_ >= 0) {
-    const auto& joints = scene_->find(held_->id())->robot->joints;
-    const std::string& name = joints[static_cast<std::size_t>(hurried_joint_)].name;
-    near.push_back({name + " moves as fast as it can", hurried_joint_, LimitKind::kSpeed, 0.0, true});
+    const std::string& name = held_->jointName(hurried_joint_);
+    near.push_back({name + " moves as fast as it can", held_->ownJoint(hurried_joint_), LimitKind::kSpeed, 0.0, true});
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
   return near;
@@ -121,7 +121,8 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
   }
   if (held_) {
     measureForDisplay(snapshot);
-    EntityState moved{held_->id(), held_->accepted().X_WE, held_->accepted().joints, !contacts_.empty(), false};
+    const EntityConfiguration stands = held_->standing();
+    EntityState moved{held_->id(), stands.X_WE, stands.joints, !contacts_.empty(), false};
     for (const PairState& pair : snapshot.pairs) {
       moved.in_contact = moved.in_contact || pair.contact;
       moved.near_miss = moved.near_miss || pair.near_miss;

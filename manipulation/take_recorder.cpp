@@ -40,7 +40,7 @@ std::string wordOf(const MovedBy& moved_by, bool is_robot) {
     case MovedBy::Kind::kDefault:
       return is_robot ? "tcp" : "self_origin";
     case MovedBy::Kind::kTcp:
-      return "tcp";
+      return moved_by.with_axes ? "tcp_with_axes" : "tcp";
     case MovedBy::Kind::kBase:
       return moved_by.keep_tcp ? "base_keeping_tcp" : "base";
     case MovedBy::Kind::kSelfOrigin:

@@ -17,11 +17,34 @@ class HoldChoice : public QObject {
   using QObject::QObject;
   Kind kind() const { return kind_; }
   const std::string& frame() const { return frame_; }  ///< For kFrame: its name.
+  /// What else counts for a robot.
+  struct Robot {
+    bool keep_tcp = false;       ///< By its base: the tool stays where it is.
+    bool with_axes = false;      ///< By its tool: what it stands on goes along.
+    std::string at_singularity;  ///< As `robot.at_singularity`; empty: as configured.
+    bool operator==(const Robot&) const = default;
+  };
+  const Robot& robot() const { return robot_; }
   void set(Kind kind, const std::string& frame = {}) {
     if (kind == kind_ && frame == frame_) return;
     kind_ = kind;
     frame_ = frame;
     emit changed();
+  }
+  void set(Kind kind, const Robot& robot) {
+    if (kind == kind_ && robot == robot_) return;
+    kind_ = kind;
+    robot_ = robot;
+    frame_.clear();
+    emit changed();
+  }
+  /// All of it, as the manipulation loop takes it.
+  manipulation::MovedBy movedBy() const {
+    return {.kind = kind_,
+            .frame = frame_,
+            .keep_tcp = robot_.keep_tcp,
+            .with_axes = robot_.with_axes,
+            .at_singularity = robot_.at_singularity};
   }
 
  signals:
@@ -30,6 +53,7 @@ class HoldChoice : public QObject {
  private:
   Kind kind_ = Kind::kDefault;
   std::string frame_;
+  Robot robot_;
 };
 
 }  // namespace hapticell::app

@@ -7,8 +7,6 @@
 
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
-#include "app/robot/hold_button.h"
-#include "app/robot/joint_mover.h"
 #include "app/robot/robot_context.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
@@ -64,24 +62,18 @@ void CartesianJog::addRow(int axis) {
     auto* button =
         new HoldButton(up ? "plus" : "minus", up ? tr("%1 a step up").arg(name) : tr("%1 a step down").arg(name));
     button->setObjectName(QStringLiteral("jog%1%2").arg(name, up ? QStringLiteral("More") : QStringLiteral("Less")));
-    connect(button, &HoldButton::began, this, [this, name] {
-      if (context_.robot())
-        mover_.begin(tr("Jog %1 of the TCP of %2").arg(name, QString::fromStdString(context_.robot()->name)));
-    });
-    connect(button, &HoldButton::stepped, this, [this, axis, up] {
-      const double step = axis < 3 ? step_millimetres_ : step_degrees_;
+    const auto text = [this, name] {
+      const workcell::Entity* robot = context_.robot();
+      return tr("Jog %1 of the TCP of %2").arg(name, robot ? QString::fromStdString(robot->name) : QString());
+    };
+    connectJog(button, mover_, text, [this, axis, up] {
+      const double step = axis < 3 ? step_.millimetres : step_.degrees;
       jog(axis, up ? step : -step);
     });
-    connect(button, &HoldButton::ended, this, [this] { mover_.end(); });
     buttons_[i][up ? 1 : 0] = button;
     line->addWidget(button);
   }
   layout()->addWidget(holder);
-}
-
-void CartesianJog::setStep(double degrees, double millimetres) {
-  step_degrees_ = degrees;
-  step_millimetres_ = millimetres;
 }
 
 kinematics::JogFrame CartesianJog::frame() const {

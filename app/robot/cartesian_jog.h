@@ -6,10 +6,10 @@
 
 #include "kinematics/jog.h"
 
+#include "app/robot/jog_buttons.h"
+
 namespace hapticell::app {
 
-class HoldButton;
-class JointMover;
 class RobotContext;
 class Segmented;
 class ValueField;
@@ -20,7 +20,7 @@ class CartesianJog : public QWidget {
   Q_OBJECT
  public:
   CartesianJog(RobotContext& context, JointMover& mover, QWidget* parent = nullptr);
-  void setStep(double degrees, double millimetres);
+  void setStep(const JogStepSize& step) { step_ = step; }
   /// Takes the newest pose; called a few times a second.
   void showNow();
   kinematics::JogFrame frame() const;
@@ -41,7 +41,7 @@ class CartesianJog : public QWidget {
   Segmented* frame_;
   std::array<ValueField*, 6> fields_{};
   std::array<std::array<HoldButton*, 2>, 6> buttons_{};
-  double step_degrees_ = 1.0, step_millimetres_ = 1.0;
+  JogStepSize step_;
 };
 
 }  // namespace hapticell::app

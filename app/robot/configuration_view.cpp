@@ -53,9 +53,10 @@ class ConfigurationDelegate final : public QStyledItemDelegate {
       text.adjust(22, 0, 0, 0);
     }
     const bool out = way == Way::kOutOfLimits;
-    QColor color = out ? theme.text2 : theme.text1;
-    if (index.column() == ConfigurationModel::kWay && out) color = theme.limit_text;
-    if (index.column() == ConfigurationModel::kWay && way == Way::kBlocked) color = theme.contact_text;
+    const bool stale = !option.state.testFlag(QStyle::State_Enabled);
+    QColor color = stale ? theme.text3 : out ? theme.text2 : theme.text1;
+    if (!stale && index.column() == ConfigurationModel::kWay && out) color = theme.limit_text;
+    if (!stale && index.column() == ConfigurationModel::kWay && way == Way::kBlocked) color = theme.contact_text;
     painter->setPen(color);
     painter->drawText(text, Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, text.width()));
@@ -123,7 +124,10 @@ ConfigurationView::ConfigurationView(RobotContext& context, MotionWorker& worker
   column->addLayout(bottom);
   ask_.setSingleShot(true);
   connect(&ask_, &QTimer::timeout, this, &ConfigurationView::askAgain);
-  const auto later = [this] { ask_.start(kAskMilliseconds); };
+  const auto later = [this] {
+    if (context_.robot() && context_.robot()->joints != asked_) showStale();
+    ask_.start(kAskMilliseconds);
+  };
   connect(&context_, &RobotContext::robotChanged, this, later);
   connect(&context_, &RobotContext::documentChanged, this, later);
   connect(take_, &QPushButton::clicked, this, &ConfigurationView::take);
@@ -156,12 +160,23 @@ void ConfigurationView::askAgain() {
                         [this](std::vector<kinematics::ListedSolution> list) { show(std::move(list)); });
 }
 
+/// The robot stands elsewhere than the list says: greyed until the next one is there.
+void ConfigurationView::showStale() {
+  hovered_ = -1;
+  table_->setEnabled(false);
+  take_->setEnabled(false);
+  worker_.dropWays();
+  context_.host().viewport().scene().setGhosts({});
+}
+
 void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) {
   const workcell::Entity* robot = context_.robot();
   const auto all = solutions.size();
   if (solutions.size() > kMost) solutions.resize(kMost);
   const std::vector<double> chosen = keep_;
   hovered_ = -1;
+  asked_ = robot ? robot->joints : std::vector<double>{};
+  table_->setEnabled(true);
   static const char* const kMakers[]{"", "KUKA", "ABB", "FANUC"};
   const QString maker =
       robot ? QLatin1String(kMakers[static_cast<int>(kinematics::makerOf(*robot->robot))]) : QString();

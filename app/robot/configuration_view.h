@@ -38,6 +38,7 @@ class ConfigurationView : public QWidget {
   void askAgain();
   void show(std::vector<kinematics::ListedSolution> solutions);
   void showGhost();
+  void showStale();
   void showFoot();
   int shownRow() const;  ///< Hovered, else chosen; -1: none.
   RobotContext& context_;

@@ -6,8 +6,6 @@
 #include <algorithm>
 
 #include "app/panels/joint_row.h"
-#include "app/robot/hold_button.h"
-#include "app/robot/joint_mover.h"
 #include "app/robot/robot_context.h"
 #include "app/style/value_field.h"
 #include "kinematics/jog.h"
@@ -20,11 +18,6 @@ JointJog::JointJog(RobotContext& context, JointMover& mover, QWidget* parent)
   column_->setSpacing(4);
   connect(&context_, &RobotContext::robotChanged, this, &JointJog::rebuild);
   rebuild();
-}
-
-void JointJog::setStep(double degrees, double millimetres) {
-  step_degrees_ = degrees;
-  step_millimetres_ = millimetres;
 }
 
 void JointJog::rebuild() {
@@ -81,10 +74,9 @@ void JointJog::connectRow(std::size_t variable) {
     mover_.end();
   });
   for (HoldButton* button : {row.less, row.more}) {
-    connect(button, &HoldButton::began, this, begin);
-    connect(button, &HoldButton::stepped, this,
-            [this, variable, up = button == row.more] { stepBy(variable, up ? 1 : -1); });
-    connect(button, &HoldButton::ended, this, [this] { mover_.end(); });
+    connectJog(
+        button, mover_, [this, variable] { return stepText(variable); },
+        [this, variable, up = button == row.more] { stepBy(variable, up ? 1 : -1); });
   }
 }
 
@@ -106,7 +98,7 @@ void JointJog::stepBy(std::size_t variable, int direction) {
   const workcell::Entity* robot = context_.robot();
   if (!robot || variable >= robot->joints.size()) return;
   const Row& row = rows_[variable];
-  const double step = (row.slides ? step_millimetres_ : step_degrees_) * row.unit * direction;
+  const double step = (row.slides ? step_.millimetres : step_.degrees) * row.unit * direction;
   mover_.moveTo(kinematics::jogJoint(*robot->robot, mover_.target(), static_cast<int>(variable), step).q);
 }
 

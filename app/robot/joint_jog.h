@@ -6,10 +6,10 @@
 
 class QVBoxLayout;
 
+#include "app/robot/jog_buttons.h"
+
 namespace hapticell::app {
 
-class HoldButton;
-class JointMover;
 class JointRow;
 class RobotContext;
 class ValueField;
@@ -19,8 +19,8 @@ class JointJog : public QWidget {
   Q_OBJECT
  public:
   JointJog(RobotContext& context, JointMover& mover, QWidget* parent = nullptr);
-  /// The step of the buttons: degrees, and millimetres for slides.
-  void setStep(double degrees, double millimetres);
+  /// The step of the buttons.
+  void setStep(const JogStepSize& step) { step_ = step; }
   /// Takes the newest positions; called a few times a second.
   void showNow();
   std::size_t rows() const { return rows_.size(); }
@@ -43,7 +43,7 @@ class JointJog : public QWidget {
   JointMover& mover_;
   QVBoxLayout* column_;
   std::vector<Row> rows_;
-  double step_degrees_ = 1.0, step_millimetres_ = 1.0;
+  JogStepSize step_;
 };
 
 }  // namespace hapticell::app

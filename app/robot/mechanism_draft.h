@@ -46,4 +46,12 @@ void suitLimits(workcell::MechanismJoint& joint);
 /// with limits its arc.
 std::vector<SceneCurve> axisCurves(const workcell::MechanismJoint& joint, double length);
 
+/// In the order in which the panel offers them.
+inline constexpr workcell::MechanismJointType kJointKinds[]{
+    workcell::MechanismJointType::kRevolute, workcell::MechanismJointType::kPrismatic,
+    workcell::MechanismJointType::kScrew, workcell::MechanismJointType::kFixed};
+
+/// One unit of the numbers shown for a joint, mm or degree, in m or rad.
+double shownUnit(const workcell::MechanismJoint& joint);
+
 }  // namespace hapticell::app

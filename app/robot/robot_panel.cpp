@@ -8,17 +8,17 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "app/host/document_model.h"
-#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/panels/form.h"
 #include "app/robot/cartesian_jog.h"
 #include "app/robot/configuration_view.h"
+#include "app/robot/holding_view.h"
 #include "app/robot/joint_jog.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/robot_context.h"
+#include "app/robot/robot_thumbnail.h"
 #include "app/robot/stop_line.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
@@ -30,10 +30,7 @@ namespace {
 
 constexpr double kNearLimit = 0.0349065850398866;  // 2 degrees.
 
-struct StepChoice {
-  double degrees, millimetres;
-};
-constexpr StepChoice kSteps[]{{0.1, 0.1}, {1.0, 1.0}, {5.0, 10.0}, {15.0, 50.0}};
+constexpr JogStepSize kSteps[]{{0.1, 0.1}, {1.0, 1.0}, {5.0, 10.0}, {15.0, 50.0}};
 
 QWidget* section(QVBoxLayout& column, const QString& heading, QVBoxLayout*& inside) {
   auto* holder = new QWidget;
@@ -68,8 +65,10 @@ RobotPanel::RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& 
   addJog(*inside);
   addMechanism(*inside);
   connect(&context_, &RobotContext::robotChanged, this, &RobotPanel::showRobot);
-  connect(&context_, &RobotContext::documentChanged, this, &RobotPanel::showNow);
-  connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &RobotPanel::showHolding);
+  connect(&context_, &RobotContext::documentChanged, this, [this] {
+    held_->showNow();
+    showNow();
+  });
   connect(&mover_, &JointMover::stopped, this, [this](const QString& why, const QString& obstacle) {
     stopped_ = why;
     obstacle_ = obstacle;
@@ -113,6 +112,9 @@ void RobotPanel::addHeading(QVBoxLayout& column) {
   QVBoxLayout* rows = nullptr;
   section(column, {}, rows);
   rows->setSpacing(2);
+  picture_ = new RobotThumbnail(context_);
+  rows->addWidget(picture_);
+  rows->addSpacing(4);
   name_ = makeLabel({}, TextRole::kPanelState);
   name_->setObjectName("labelRobot");
   kind_ = makeLabel({}, TextRole::kSecond, true);
@@ -124,32 +126,9 @@ void RobotPanel::addHeading(QVBoxLayout& column) {
 void RobotPanel::addHolding(QVBoxLayout& column) {
   QVBoxLayout* rows = nullptr;
   holding_ = section(column, {}, rows);
-  held_by_ = new Segmented({tr("TCP"), tr("Base")});
-  held_by_->setObjectName("segmentsHeldBy");
-  addRow(*rows, tr("Held by"), held_by_);
-  tool_ = new QComboBox;
-  tool_->setObjectName("comboTool");
-  auto* edit = new QPushButton(tr("Edit…"));
-  edit->setObjectName("buttonTools");
-  auto* pair = new QWidget;
-  auto* line = new QHBoxLayout(pair);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(6);
-  line->addWidget(tool_, 1);
-  line->addWidget(edit);
-  addRow(*rows, tr("TCP"), pair);
-  tool_->setAccessibleName(tr("Tool centre point"));
-  connect(edit, &QPushButton::clicked, this, &RobotPanel::toolsWanted);
-  connect(held_by_, &Segmented::chosen, this, [this](int i) {
-    context_.host().holdChoice().set(i == 1 ? HoldChoice::Kind::kBase : HoldChoice::Kind::kTcp);
-  });
-  connect(tool_, &QComboBox::activated, this, [this](int i) {
-    const workcell::Entity* robot = context_.robot();
-    const QString name = tool_->itemData(i).toString();
-    if (robot && !name.isEmpty() && name.toStdString() != robot->tool)
-      context_.host().documentModel().execute(workcell::ChooseTool{robot->id, name.toStdString()});
-    showHolding();
-  });
+  held_ = new HoldingView(context_);
+  rows->addWidget(held_);
+  connect(held_, &HoldingView::toolsWanted, this, &RobotPanel::toolsWanted);
 }
 
 void RobotPanel::addJog(QVBoxLayout& column) {
@@ -161,7 +140,7 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   step_ = new QComboBox;
   step_->setObjectName("comboStep");
   step_->setAccessibleName(tr("Step"));
-  for (const StepChoice& step : kSteps) {
+  for (const JogStepSize& step : kSteps) {
     const auto number = [](double value) { return QString::number(value, 'f', value < 1.0 ? 1 : 0); };
     step_->addItem(tr("%1° · %2 mm").arg(number(step.degrees), number(step.millimetres)));
   }
@@ -246,9 +225,9 @@ void RobotPanel::hideEvent(QHideEvent* event) {
 }
 
 void RobotPanel::showStep() {
-  const StepChoice& step = kSteps[std::max(0, step_->currentIndex())];
-  joints_->setStep(step.degrees, step.millimetres);
-  cartesian_->setStep(step.degrees, step.millimetres);
+  const JogStepSize& step = kSteps[std::max(0, step_->currentIndex())];
+  joints_->setStep(step);
+  cartesian_->setStep(step);
 }
 
 void RobotPanel::showRobot() {
@@ -277,32 +256,9 @@ void RobotPanel::showRobot() {
     jogs_->setCurrentIndex(0);
   }
   tellTab();
-  showHolding();
+  held_->showNow();
+  picture_->showRobot();
   showNow();
-}
-
-void RobotPanel::showHolding() {
-  const workcell::Entity* robot = context_.robot();
-  if (!robot) return;
-  const HoldChoice::Kind kind = context_.host().holdChoice().kind();
-  held_by_->setCurrent(kind == HoldChoice::Kind::kBase                                        ? 1
-                       : kind == HoldChoice::Kind::kTcp || kind == HoldChoice::Kind::kDefault ? 0
-                                                                                              : -1);
-  tool_->clear();
-  for (const auto& tool : robot->tools) {
-    const QString name = QString::fromStdString(tool.name);
-    const long reach = std::lround(1000.0 * glm::length(tool.X_LT.p));
-    tool_->addItem(icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(name).arg(reach) : name, name);
-  }
-  if (robot->tool.empty()) {
-    const QString link = QString::fromStdString(robot->tip_link);
-    const long reach = std::lround(1000.0 * glm::length(robot->X_LT.p));
-    tool_->insertItem(0, icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(link).arg(reach) : link, QString());
-    tool_->setCurrentIndex(0);
-  } else {
-    tool_->setCurrentIndex(tool_->findData(QString::fromStdString(robot->tool)));
-  }
-  tool_->setEnabled(context_.isFree());
 }
 
 void RobotPanel::showNow() {

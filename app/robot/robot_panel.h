@@ -15,10 +15,12 @@ namespace hapticell::app {
 
 class CartesianJog;
 class ConfigurationView;
+class HoldingView;
 class JointJog;
 class JointMover;
 class MotionWorker;
 class RobotContext;
+class RobotThumbnail;
 class Segmented;
 class StopLine;
 
@@ -52,7 +54,6 @@ class RobotPanel : public QWidget {
   void addJog(QVBoxLayout& column);
   void addMechanism(QVBoxLayout& column);
   void showRobot();
-  void showHolding();
   void showStop();
   void showStep();
   void choosePose(const QString& name);
@@ -62,8 +63,10 @@ class RobotPanel : public QWidget {
   JointMover& mover_;
   QWidget *empty_, *content_, *holding_, *choosing_, *mechanism_;
   QLabel *name_, *kind_;
-  Segmented *held_by_, *tabs_;
-  QComboBox *tool_, *step_;
+  HoldingView* held_;
+  RobotThumbnail* picture_;
+  Segmented* tabs_;
+  QComboBox* step_;
   QStackedWidget* jogs_;
   QPushButton *home_, *poses_;
   JointJog* joints_;

@@ -71,6 +71,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   });
   connect(&host_.holdChoice(), &HoldChoice::changed, this, [this] {
     const HoldChoice& choice = host_.holdChoice();
+    if (loop_) loop_->post(command::SetMovedBy{choice.movedBy()});
     if (choice.kind() == settings_.moved_by && choice.frame() == settings_.moved_frame) return;
     VirtualDesktopSettings settings = settings_;
     settings.moved_by = choice.kind();
@@ -212,7 +213,7 @@ void VirtualDesktopController::postCamera() {
 void VirtualDesktopController::postSettings() {
   if (!loop_) return;
   loop_->post(command::ChooseEntity{settings_.entity});
-  loop_->post(command::SetMovedBy{{settings_.moved_by, settings_.moved_frame}});
+  loop_->post(command::SetMovedBy{host_.holdChoice().movedBy()});
   loop_->post(command::SetAxes{{settings_.axes, settings_.axes_frame}});
   loop_->post(command::SetScale{{settings_.scale, 1.0}});
   loop_->post(command::SetOnContact{settings_.on_contact});
@@ -335,7 +336,13 @@ void VirtualDesktopController::helpServer() {
 }
 
 void VirtualDesktopController::handleMoved(const manipulation::result::Moved& moved) {
-  host_.documentModel().execute(workcell::SetConfiguration{moved.entity, moved.X_WE, moved.joints});
+  DocumentModel& document = host_.documentModel();
+  const workcell::SetConfiguration own{moved.entity, moved.X_WE, moved.joints};
+  std::vector<workcell::Command> commands;
+  for (const auto& axis : moved.axes)
+    commands.push_back(workcell::SetConfiguration{axis.entity, axis.X_WE, axis.joints});
+  commands.push_back(own);
+  document.executeAll(QString::fromStdString(workcell::commandText(own, document.document().state())), commands);
 }
 
 void VirtualDesktopController::takeResults() {

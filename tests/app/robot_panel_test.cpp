@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QMenu>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <cmath>
 
@@ -163,6 +164,58 @@ TEST(RobotPanel, HeldByIsOneChoiceForAllPanels) {
   page.window().holdChoice().set(HoldChoice::Kind::kTcp);
   page.settle();
   EXPECT_EQ(page.find<Segmented>("segmentsHeldBy")->current(), 0);
+  page.find<Segmented>("segmentsHeldBy")->button(2)->click();
+  EXPECT_EQ(page.window().holdChoice().kind(), HoldChoice::Kind::kBase);
+  EXPECT_TRUE(page.window().holdChoice().movedBy().keep_tcp);
+}
+
+TEST(RobotPanel, TheListIsGreyedFromTheJogUntilTheNewOneIsThere) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  auto* table = page.find<QTableView>("tableConfigurations");
+  checkedList(page, 4);
+  ASSERT_TRUE(table->isEnabled());
+  std::vector<double> other = page.joints();
+  other[4] += 30 * kDegree;
+  ASSERT_TRUE(page.document().execute(workcell::SetJoints{page.selected()->id, other}));
+  EXPECT_FALSE(table->isEnabled());
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonTake")->isEnabled());
+  EXPECT_TRUE(RobotPage::until([&] { return table->isEnabled(); }, RobotPage::kPatience));
+  checkedList(page, 4);
+}
+
+TEST(RobotPanel, WhatYieldsAtASingularityIsChosenAndGreyedWithoutAWrist) {
+  RobotPage page;
+  page.addRobot("kuka_kr16_2");
+  auto* choice = page.find<QComboBox>("comboSingularity");
+  const auto* items = qobject_cast<QStandardItemModel*>(choice->model());
+  EXPECT_EQ(choice->itemText(1), "Position kept, A4 at rest");
+  EXPECT_TRUE(items->item(1)->isEnabled());
+  choice->setCurrentIndex(1);
+  emit choice->activated(1);
+  EXPECT_EQ(page.window().holdChoice().movedBy().at_singularity, "keep_joint_4");
+  page.addRobot("denso_hsr065");
+  EXPECT_FALSE(items->item(1)->isEnabled());
+  EXPECT_FALSE(items->item(1)->toolTip().isEmpty()) << "it says why";
+  EXPECT_NE(choice->currentIndex(), 1);
+}
+
+TEST(RobotPanel, TheAxisThatTheRobotStandsOnIsOfferedToGoAlong) {
+  RobotPage page;
+  page.trigger("actionMechanism");
+  ASSERT_TRUE(page.clickForStep("buttonSampleTurntable"));
+  const workcell::Entity table = *page.selected();
+  const workcell::EntityId robot = page.addRobot("ur5e");
+  EXPECT_FALSE(page.find<QAbstractButton>("switchAxes")->isVisible());
+  ASSERT_TRUE(page.document().execute(workcell::Attach{robot, table.id, table.robot->links.back().name}));
+  page.settle();
+  auto* go_along = page.find<QAbstractButton>("switchAxes");
+  ASSERT_TRUE(go_along->isVisible());
+  EXPECT_TRUE(go_along->text().contains(QString::fromStdString(table.name))) << go_along->text().toStdString();
+  page.click("switchAxes");
+  EXPECT_TRUE(page.window().holdChoice().movedBy().with_axes);
+  page.find<Segmented>("segmentsHeldBy")->button(1)->click();
+  EXPECT_FALSE(go_along->isEnabled()) << "the base is held itself";
 }
 
 }  // namespace

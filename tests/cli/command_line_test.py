@@ -201,6 +201,49 @@ def test_forward_and_inverse_kinematics_of_a_planar_arm(case):
     assert answer["results"][3]["status"] == "unreachable", answer["results"][3]
 
 
+RAIL = """<robot name="rail"><link name="bed"/><link name="carriage"/>
+<joint name="drive" type="prismatic"><parent link="bed"/><child link="carriage"/><axis xyz="1 0 0"/>
+<limit lower="-2" upper="2" velocity="1" effort="1"/></joint></robot>
+"""
+
+
+def test_external_axes_carry_the_robot_or_the_part(case):
+    (case.folder / "arm.urdf").write_text(ARM)
+    (case.folder / "rail.urdf").write_text(RAIL)
+    (case.folder / "table.urdf").write_text(RAIL.replace("rail", "table").replace("prismatic", "revolute").replace("1 0 0", "0 0 1")
+                                            .replace("drive", "turn").replace("carriage", "plate"))
+    # 2.5 m from the rail's middle: the arm of 0.8 m reaches that from the rail's end only.
+    poses(case.folder / "far.csv", [[2.5, 0.3, 0.1, 1, 0, 0, 0]])
+    assert case.run("ik", "--robot", "arm.urdf", "--poses", "far.csv")["results"][0]["status"] == "unreachable"
+    answer = case.run("ik", "--robot", "arm.urdf", "--poses", "far.csv", "--on", "rail.urdf,link=carriage")
+    assert answer["joint_names"] == ["drive", "shoulder", "elbow"], answer["joint_names"]
+    (case.folder / "joints.csv").write_text("drive,shoulder,elbow\n" + "1.9,0.4,0.5\n")
+    forward = case.run("fk", "--robot", "arm.urdf", "--joints", "joints.csv", "--on", "rail.urdf,pose=0,0,0.2,1,0,0,0")
+    pose = forward["poses"][0]
+    assert near([pose["x"], pose["y"], pose["z"]],
+                [1.9 + 0.5 * math.cos(0.4) + 0.3 * math.cos(0.9), 0.5 * math.sin(0.4) + 0.3 * math.sin(0.9), 0.3])
+    # The part on a table 0.6 m in front: what the arm reaches in the cell, told in the plate that is turned by q.
+    (case.folder / "joints.csv").write_text("turn,shoulder,elbow\n" + "0.7,0.4,0.5\n")
+    forward = case.run("fk", "--robot", "arm.urdf", "--joints", "joints.csv", "--part-on", "table.urdf,pose=0.6,0,0,1,0,0,0")
+    pose = forward["poses"][0]
+    x, y = 0.5 * math.cos(0.4) + 0.3 * math.cos(0.9) - 0.6, 0.5 * math.sin(0.4) + 0.3 * math.sin(0.9)
+    c, s = math.cos(-0.7), math.sin(-0.7)
+    assert near([pose["x"], pose["y"], pose["z"]], [c * x - s * y, s * x + c * y, 0.1]), pose
+    poses(case.folder / "plate.csv", [[pose[key] for key in ("x", "y", "z", "qw", "qx", "qy", "qz")]])
+    answer = case.run("ik", "--robot", "arm.urdf", "--poses", "plate.csv", "--part-on", "table.urdf,pose=0.6,0,0,1,0,0,0")
+    assert answer["results"][0]["status"] == "solved" and len(answer["results"][0]["joints"]) == 3, answer["results"]
+    assert "does not move" in case.run("ik", "--robot", "arm.urdf", "--poses", "far.csv", "--on", "rail.urdf,link=bed", expect=2)
+    # In a cell: the robot hangs on the carriage, a session takes the rail along.
+    case.run("workcell", "new", "cell.hcell", "--add", "rail.urdf,name=rail", "--add", "arm.urdf,name=arm,on=rail:carriage")
+    (case.folder / "hand.csv").write_text("t,x,y,z,qw,qx,qy,qz,button\n0,0,0,0,1,0,0,0,0\n0.1,0,0,0,1,0,0,0,1\n"
+                                          "0.3,0,0,0,1,0,0,0,0\n1,0.05,0,0,1,0,0,0,0\n")
+    told = case.run("session", "--workcell", "cell.hcell", "--entity", "arm", "--hand", "hand.csv", "--set", "moved_by=tcp_with_axes",
+                    "--set", "axes=cell", "--set", "scale=4", "--rate-manipulation", "100")
+    rail = told["final_state"]["axes"][0]
+    assert rail["name"] == "rail" and rail["joints"][0] > 0.05, rail
+    assert "no entity" in case.run("workcell", "new", "bad.hcell", "--add", "arm.urdf,on=nothing:x", expect=2)
+
+
 def test_all_solutions_have_the_answer_among_them(case):
     # Nine joints for six freedoms, with narrow limits: a search for others does not come upon every answer again.
     joints = "".join(

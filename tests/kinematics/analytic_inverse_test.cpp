@@ -260,6 +260,62 @@ TEST(AnalyticInverse, PassesTheWristSingularityAtTheJointsSpeed) {
   }
 }
 
+/// The way of the wrist's first joint (rad in all) while the tool turns through the wrist's straight position and a
+/// little past its side, and how far the position is off at most.
+struct ThroughTheWrist {
+  double travel = 0.0;
+  double off = 0.0;
+};
+
+ThroughTheWrist throughTheWrist(const RobotModel& model, const std::vector<double>& q_start, SingularityChoice choice) {
+  InverseOptions options;
+  options.at_singularity = choice;
+  const Robot robot(model, options);
+  const auto wrist = static_cast<std::size_t>(wristJoint(*robot.inverse->chain()));
+  ChainState state;
+  robot.inverse->chain()->evaluate(robot.chainPositions(q_start), state);
+  const Pose X_0 = robot.pose(q_start);
+  InverseSolution solution;
+  solution.q = q_start;
+  ThroughTheWrist result;
+  for (int i = 0; i <= 500; ++i) {
+    const double s = std::sin(std::numbers::pi * i / 1000.0);
+    const dvec3 &middle = state.axis_B[wrist + 1], &last = state.axis_B[wrist + 2];
+    const Pose X_BT = displaced(X_0, {dvec3(0.0), -0.2 * s * middle + 0.004 * s * glm::cross(middle, last)});
+    const std::vector<double> before = solution.q;
+    robot.inverse->solveNearest(X_BT, before, 1e-3, solution);
+    result.off = std::max(result.off, solution.position_error);
+    result.travel += std::abs(solution.q[wrist] - before[wrist]);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      EXPECT_LE(std::abs(solution.q[k] - before[k]), greatestSpeed(robot.model.joints[k]) * 1e-3 + 1e-12) << i;
+    }
+  }
+  return result;
+}
+
+TEST(AnalyticInverse, TheFirstJointOfAnyWristCanBeKeptAtRest) {
+  struct Case {
+    RobotModel model;
+    std::vector<double> q;
+    int wrist;
+  };
+  const Case cases[] = {{test::kr120(), {0.0, -1.3, 1.4, 0.0, 0.1, 0.0}, 3},
+                        {test::ur5e(), {0.2, -1.2, 1.4, 0.3, 0.1, 0.2}, 3},
+                        {test::offsetWrist(), {0.2, -0.9, 0.8, 0.3, 0.1, 0.2}, 3},
+                        {test::sphericalWrist(), {0.2, -0.9, 0.8, 0.3, 0.1, 0.2}, 3},
+                        {test::iiwa(), {0.2, 0.6, 0.1, -1.2, 0.3, 0.1, 0.2}, 4}};
+  for (const Case& one : cases) {
+    const Robot robot(one.model);
+    ASSERT_EQ(wristJoint(*robot.inverse->chain()), one.wrist) << robot.inverse->name();
+    const ThroughTheWrist swinging = throughTheWrist(one.model, one.q, SingularityChoice::kKeepPosition);
+    const ThroughTheWrist resting = throughTheWrist(one.model, one.q, SingularityChoice::kKeepJoint4);
+    EXPECT_LT(resting.off, 2e-4) << robot.inverse->name();
+    EXPECT_LT(resting.travel, 0.9 * swinging.travel)
+        << robot.inverse->name() << " " << resting.travel << " of " << swinging.travel;
+  }
+  EXPECT_EQ(wristJoint(*Robot(test::scara()).inverse->chain()), -1);
+}
+
 TEST(AnalyticInverse, GoesOutOfReachAndComesBackTheSameWay) {
   for (const auto& make : {test::kr120, test::ur5e, test::offsetWrist}) {
     const Robot robot(make());

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/robot/holding_view.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/panels/form.h"
+#include "app/robot/robot_context.h"
+#include "app/style/icon.h"
+#include "app/style/segmented.h"
+#include "kinematics/inverse_factory.h"
+#include "kinematics/mounted_robot.h"
+
+namespace hapticell::app {
+namespace {
+
+using Kind = HoldChoice::Kind;
+
+/// As `robot.at_singularity` has them.
+constexpr const char* kChoices[]{"keep_position", "keep_joint_4", "keep_orientation", "stop"};
+constexpr int kKeepJoint = 1;
+
+/// Names of what the robot stands on that could go along.
+QStringList axesBelow(const workcell::DocumentState& state, const workcell::Entity& robot) {
+  QStringList names;
+  const workcell::Entity* at = &robot;
+  for (std::size_t k = 0; k < state.entities.size() && !at->attachment.to.empty(); ++k) {
+    const workcell::Entity* carrier = state.findByName(at->attachment.to);
+    if (!carrier) break;
+    const int link = carrier->robot ? carrier->robot->findLink(at->attachment.link) : -1;
+    if (link >= 0 && !carrier->locked && !carrier->robot->closure && kinematics::isMoved(*carrier->robot, link))
+      names.prepend(QString::fromStdString(carrier->name));
+    at = carrier;
+  }
+  return names;
+}
+
+}  // namespace
+
+HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(parent), context_(context) {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(6);
+  held_by_ = new Segmented({tr("TCP"), tr("Base"), tr("Base, TCP stays")});
+  held_by_->setObjectName("segmentsHeldBy");
+  held_by_->button(2)->setToolTip(tr("The base follows the hand; the joints keep the tool where it is in the cell"));
+  addRow(*rows, tr("Held by"), held_by_);
+  tool_ = new QComboBox;
+  tool_->setObjectName("comboTool");
+  auto* edit = new QPushButton(tr("Edit…"));
+  edit->setObjectName("buttonTools");
+  auto* pair = new QWidget;
+  auto* line = new QHBoxLayout(pair);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(6);
+  line->addWidget(tool_, 1);
+  line->addWidget(edit);
+  addRow(*rows, tr("TCP"), pair);
+  tool_->setAccessibleName(tr("Tool centre point"));
+  axes_ = new QCheckBox;
+  axes_->setObjectName("switchAxes");
+  axes_->setProperty("switch", true);
+  axes_->setMinimumHeight(24);
+  axes_row_ = addRow(*rows, tr("Axes"), axes_);
+  axes_->setAccessibleName(tr("External axes go along"));
+  addSingularity(*rows);
+  connect(edit, &QPushButton::clicked, this, &HoldingView::toolsWanted);
+  connect(held_by_, &Segmented::chosen, this, [this](int i) {
+    HoldChoice::Robot robot = context_.host().holdChoice().robot();
+    robot.keep_tcp = i == 2;
+    context_.host().holdChoice().set(i == 0 ? Kind::kTcp : Kind::kBase, robot);
+  });
+  connect(axes_, &QCheckBox::clicked, this, [this](bool on) {
+    HoldChoice& choice = context_.host().holdChoice();
+    HoldChoice::Robot robot = choice.robot();
+    robot.with_axes = on;
+    choice.set(choice.kind(), robot);
+  });
+  connect(tool_, &QComboBox::activated, this, [this](int i) {
+    const workcell::Entity* robot = context_.robot();
+    const QString name = tool_->itemData(i).toString();
+    if (robot && !name.isEmpty() && name.toStdString() != robot->tool)
+      context_.host().documentModel().execute(workcell::ChooseTool{robot->id, name.toStdString()});
+    showNow();
+  });
+  connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &HoldingView::showNow);
+}
+
+void HoldingView::addSingularity(QVBoxLayout& rows) {
+  singularity_ = new QComboBox;
+  singularity_->setObjectName("comboSingularity");
+  for (const QString& text :
+       {tr("Position kept"), tr("Position kept, wrist joint at rest"), tr("Orientation kept"), tr("Stop before it")})
+    singularity_->addItem(text);
+  addRow(rows, tr("Singularity"), singularity_);
+  singularity_->setToolTip(tr("What is kept where a wrist would have to swing round faster than it can"));
+  connect(singularity_, &QComboBox::activated, this, [this](int i) {
+    HoldChoice& choice = context_.host().holdChoice();
+    HoldChoice::Robot robot = choice.robot();
+    robot.at_singularity = kChoices[i];
+    choice.set(choice.kind(), robot);
+  });
+}
+
+void HoldingView::showNow() {
+  if (!context_.robot()) return;
+  const HoldChoice& choice = context_.host().holdChoice();
+  const bool by_tool = choice.kind() == Kind::kTcp || choice.kind() == Kind::kDefault;
+  const bool by_base = choice.kind() == Kind::kBase;
+  held_by_->setCurrent(by_tool ? 0 : !by_base ? -1 : choice.robot().keep_tcp ? 2 : 1);
+  showTools();
+  showAxes();
+  showSingularity();
+}
+
+void HoldingView::showTools() {
+  const workcell::Entity* robot = context_.robot();
+  tool_->clear();
+  for (const auto& tool : robot->tools) {
+    const QString name = QString::fromStdString(tool.name);
+    const long reach = std::lround(1000.0 * glm::length(tool.X_LT.p));
+    tool_->addItem(icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(name).arg(reach) : name, name);
+  }
+  if (robot->tool.empty()) {
+    const QString link = QString::fromStdString(robot->tip_link);
+    const long reach = std::lround(1000.0 * glm::length(robot->X_LT.p));
+    tool_->insertItem(0, icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(link).arg(reach) : link, QString());
+    tool_->setCurrentIndex(0);
+  } else {
+    tool_->setCurrentIndex(tool_->findData(QString::fromStdString(robot->tool)));
+  }
+  tool_->setEnabled(context_.isFree());
+}
+
+void HoldingView::showAxes() {
+  const QStringList names = axesBelow(context_.host().documentModel().document().state(), *context_.robot());
+  axes_row_->setVisible(!names.isEmpty());
+  if (names.isEmpty()) return;
+  axes_->setText(tr("%1 goes along").arg(names.join(QStringLiteral(", "))));
+  const HoldChoice& choice = context_.host().holdChoice();
+  axes_->setChecked(choice.robot().with_axes);
+  const bool by_tool = choice.kind() == Kind::kTcp || choice.kind() == Kind::kDefault;
+  axes_->setEnabled(by_tool);
+  axes_->setToolTip(by_tool ? tr("External axes follow the tool with the robot's own joints")
+                            : tr("Only while the robot is held by its tool"));
+}
+
+/// The wrist's joint by its name; greyed, with the reason, where the arm has no wrist.
+void HoldingView::showSingularity() {
+  const auto* inverse = context_.inverse();
+  const kinematics::Chain* chain = inverse ? inverse->chain() : nullptr;
+  const int wrist = chain ? kinematics::wristJoint(*chain) : -1;
+  auto* item = qobject_cast<QStandardItemModel*>(singularity_->model())->item(kKeepJoint);
+  item->setEnabled(wrist >= 0);
+  if (wrist >= 0) {
+    const int variable = chain->variables()[static_cast<std::size_t>(wrist)];
+    item->setText(tr("Position kept, %1 at rest").arg(context_.jointName(static_cast<std::size_t>(variable))));
+    item->setToolTip({});
+  } else {
+    item->setText(tr("Position kept, wrist joint at rest"));
+    item->setToolTip(tr("Only where the arm's last three of six or more turning joints are a wrist"));
+  }
+  singularity_->setEnabled(chain != nullptr);
+  const std::string& own = context_.host().holdChoice().robot().at_singularity;
+  const std::string& chosen = own.empty() ? context_.host().configuration().robot.at_singularity : own;
+  int index = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (chosen == kChoices[i]) index = i;
+  }
+  singularity_->setCurrentIndex(index == kKeepJoint && wrist < 0 ? 0 : index);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+
+namespace hapticell::app {
+
+class RobotContext;
+class Segmented;
+
+/// What the hand holds of the robot: its tool or its base, which tool, whether the axes that it stands on go along, and
+/// what yields at a singularity.
+class HoldingView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HoldingView(RobotContext& context, QWidget* parent = nullptr);
+  /// The newest choices and tools.
+  void showNow();
+
+ signals:
+  void toolsWanted();
+
+ private:
+  void addSingularity(class QVBoxLayout& rows);
+  void showTools();
+  void showAxes();
+  void showSingularity();
+  RobotContext& context_;
+  Segmented* held_by_;
+  QComboBox *tool_, *singularity_;
+  QCheckBox* axes_;
+  QWidget* axes_row_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <vector>
+
+#include "app/robot/robot_picture.h"
+
+namespace hapticell::app {
+
+class RobotContext;
+
+/// The robot of the dock, small, as it stands; drawn a little after it moved, never while it is held.
+class RobotThumbnail : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RobotThumbnail(RobotContext& context, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+  /// To be called when another robot is shown.
+  void showRobot();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void draw();
+  RobotContext& context_;
+  RobotPicture painter_;
+  QImage picture_;
+  QTimer later_;
+  std::vector<double> joints_;  ///< That the picture shows.
+};
+
+}  // namespace hapticell::app
