@@ -20,6 +20,8 @@ constexpr std::size_t kSeedsForNearest = 64;  // enough to meet every configurat
 constexpr std::size_t kSeedsAboutStart = 16;
 constexpr std::size_t kSeedsWithoutLimits = 96;
 constexpr std::size_t kFurtherSeeds = 300;
+/// Of startApart(): the nearest of the seeds is about so far; from further off a descent mostly ends elsewhere.
+constexpr double kNearStart = 0.5;
 constexpr int kHapticIterations = 24;
 constexpr int kRestartIterations = 60;
 constexpr double kNearEnough = 0.25;    // rad or m: an answer this near is not worth a search for a nearer one
@@ -230,6 +232,18 @@ ChainPositions NumericInverse::aboutStart(const ChainPositions& x_start, std::si
   return x;
 }
 
+/// How far the start's pose is from the wanted one, in the measure by which seeds are sorted.
+double NumericInverse::startApart(const Pose& X_BT, const ChainPositions& x_start) const {
+  ChainState state;
+  chain_.evaluate(x_start, state);
+  const dvec3 apart = 3.0 / std::max(chain_.reach(), 1e-3) * (state.p_BT - X_BT.p);
+  // The trace of R^T R' is 4 c^2 - 1, c the cosine of half the angle between them.
+  const dmat3 R = X_BT.R();
+  double trace = 0.0;
+  for (int i = 0; i < 3; ++i) trace += glm::dot(R[i], state.R_BT[i]);
+  return glm::dot(apart, apart) + 3.0 - trace;
+}
+
 FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const {
   FitOptions options = options_;
   options.max_iterations = 200;
@@ -277,16 +291,20 @@ bool NumericInverse::reachableWithoutLimits(const Pose& X_BT, const ChainPositio
   return false;
 }
 
-// One descent from the start, from the seeds nearest to the pose, from the best of these with curvature, then from ever
-// further points.
+// One descent from the start where that is near, from the seeds nearest to the pose, from the best of these with
+// curvature, then from ever further points.
 FitResult NumericInverse::searchAny(const Pose& X_BT, const ChainPositions& x_start) const {
   FitOptions options = options_;
   options.max_iterations = kRestartIterations;
   options.give_up_when_slow = true;
   options.second_order = false;
   const FitBox box = limits();
-  FitResult best = fitPose(chain_, X_BT, x_start, box, options, arm());
-  if (best.converged || glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach()) return best;
+  const bool far = glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach();
+  const bool near = startApart(X_BT, x_start) < kNearStart;
+  FitResult best;
+  best.position_error = std::numeric_limits<double>::max();
+  if (near || far) best = fitPose(chain_, X_BT, x_start, box, options, arm());
+  if (best.converged || far) return best;
   const auto tryFrom = [&](const ChainPositions& x) {
     const FitResult fit = fitPose(chain_, X_BT, x, box, options, arm());
     if (fit.converged || fitCost(fit, options.lever) < fitCost(best, options.lever)) best = fit;
@@ -303,6 +321,7 @@ FitResult NumericInverse::searchAny(const Pose& X_BT, const ChainPositions& x_st
   for (const int seed : order) {
     if (tryFrom(seeds_[static_cast<std::size_t>(seed)].x)) return best;
   }
+  if (!near && tryFrom(x_start)) return best;
   const FitResult patient = fitPose(chain_, X_BT, best.x, box, FitOptions{options_.lever, 200, true, false}, arm());
   if (patient.converged) return patient;
   for (std::size_t s = 0; s < kFurtherSeeds; ++s) {

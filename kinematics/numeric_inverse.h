@@ -49,8 +49,8 @@ class NumericInverse final : public InverseModel {
   /// The pose of least error from `q_start` however far it is, limits kept; no restarts.
   InverseSolution nearestMiss(const Pose& X_BT, const std::vector<double>& q_start) const;
 
-  /// Any solution within limits, the start tried first: as solve(), but the first one found is the answer, and its
-  /// singularity is not looked at.
+  /// Any solution within limits, the start tried first where it is near: as solve(), but the first one found is the
+  /// answer, and its singularity is not looked at.
   InverseSolution solveAny(const Pose& X_BT, const std::vector<double>& q_start) const;
 
   InverseSolution solve(const Pose& X_BT, const std::vector<double>& q_start) const override;
@@ -86,6 +86,7 @@ class NumericInverse final : public InverseModel {
   void keepElbowSide(const ChainPositions& x, FitBox& box) const;
   ChainPositions pick(const std::vector<double>& q) const;
   void fill(const FitResult& fit, const std::vector<double>& q_start, InverseSolution& solution) const;
+  double startApart(const Pose& X_BT, const ChainPositions& x_start) const;
   ChainPositions haltonPoint(std::size_t index) const;
   FitResult searchAny(const Pose& X_BT, const ChainPositions& x_start) const;
   std::vector<std::size_t> seedsNear(const Pose& X_BT) const;

@@ -5,7 +5,7 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
+class QVBoxLayout;
 
 namespace hapticell::app {
 
@@ -25,7 +25,7 @@ class HoldingView : public QWidget {
   void toolsWanted();
 
  private:
-  void addSingularity(class QVBoxLayout& rows);
+  void addSingularity(QVBoxLayout& rows);
   void showTools();
   void showAxes();
   void showSingularity();
