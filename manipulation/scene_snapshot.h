@@ -56,6 +56,7 @@ struct SceneSnapshot {
   bool stopped = false;  ///< Stop-on-collision holds the entity.
   bool connected = false;
   bool forces_on = false;
+  bool device_fault = false;  ///< The device cannot be read or commanded; the force is zero.
   double force_ramp = 0.0;  ///< 0 .. 1.
   Pose X_WStylus;           ///< The stylus as drawn in the cell.
   Pose X_DS;                ///< The stylus in its own workspace.

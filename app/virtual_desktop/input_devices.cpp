@@ -126,11 +126,11 @@ bool InputDevices::isRightGlove() const {
   return !glove_ || QString::fromUtf8(glove_->latest().capabilities.name).contains(QStringLiteral("left")) == false;
 }
 
-void InputDevices::vibrateGlove(double strength) {
+void InputDevices::vibrateGlove(const std::array<double, 6>& strength) {
   if (!glove_) return;
-  double all[6];
-  std::fill_n(all, 6, std::clamp(strength, 0.0, 1.0));
-  glove_->vibrate(all);
+  double each[6];
+  for (std::size_t i = 0; i < 6; ++i) each[i] = std::clamp(strength[i], 0.0, 1.0);
+  glove_->vibrate(each);
 }
 
 QString InputDevices::gloveLine() const {

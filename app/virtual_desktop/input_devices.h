@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -65,7 +66,8 @@ class InputDevices : public QObject {
   /// Joint angles of the hand, rad, by the user's calibration (a rough one where there is none).
   std::optional<mannequin::GloveReadings> gloveAngles() const;
   bool isRightGlove() const;
-  void vibrateGlove(double strength);
+  /// Thumb to little finger and palm, 0 .. 1 each.
+  void vibrateGlove(const std::array<double, 6>& strength);
   /// One line about the glove or the mouse.
   QString gloveLine() const;
   QString mouseLine() const;

@@ -12,6 +12,7 @@
 #include "app/host/selection.h"
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
+#include "app/virtual_desktop/finger_contact.h"
 #include "mannequin/figure_model.h"
 
 namespace hapticell::app {
@@ -296,6 +297,7 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   facts.wanted = forces_wanted_;
   facts.on = facts.connected && snapshot_.forces_on;
   facts.ramp = snapshot_.force_ramp;
+  facts.device_fault = facts.connected && snapshot_.device_fault;
   facts.held = snapshot_.held != 0;
   if (const workcell::Entity* held = host_.documentModel().document().find(snapshot_.held)) {
     facts.checked = held->checked;
@@ -391,11 +393,21 @@ void VirtualDesktopController::driveByMouse(double seconds) {
   }
 }
 
+/// The fingers that touch; while the stylus holds something else the whole hand feels how hard that is pressed.
+void VirtualDesktopController::vibrate(const workcell::Entity* figure, mannequin::Side side) {
+  const double peak = device_ ? device_->peak_force : 0.0;
+  FingerVibration strength{};
+  if (figure && (snapshot_.held == 0 || snapshot_.held == figure->id)) {
+    strength = fingerVibration(snapshot_, figure->id, side, peak);
+  } else if (snapshot_.forces_on && peak > 0.0) {
+    strength.fill(snapshot_.force_n / peak);
+  }
+  inputs_.vibrateGlove(strength);
+}
+
 void VirtualDesktopController::poseByGlove() {
   const auto angles = inputs_.gloveAngles();
   if (!angles) return;
-  inputs_.vibrateGlove(
-      snapshot_.forces_on && device_ && device_->peak_force > 0.0 ? snapshot_.force_n / device_->peak_force : 0.0);
   const workcell::Document& document = host_.documentModel().document();
   const workcell::Entity* entity = document.find(settings_.entity);
   if (!entity || !entity->figure) {
@@ -404,11 +416,12 @@ void VirtualDesktopController::poseByGlove() {
       if (other->figure && !entity) entity = other.get();
     }
   }
+  const mannequin::Side side = inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft;
+  vibrate(entity, side);
   if (!entity || entity->locked) return;
   const mannequin::ModelConfiguration stands{entity->X_WE, entity->joints};
   mannequin::Posture posture = mannequin::toPosture(*entity->figure, stands);
-  mannequin::setHandFromGlove(*angles, inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft,
-                              posture);
+  mannequin::setHandFromGlove(*angles, side, posture);
   std::vector<double> joints = mannequin::toModel(*entity->figure, posture).joints;
   const std::vector<double>& before = gloved_ == entity->id ? gloved_joints_ : entity->joints;
   double moved = 0.0;

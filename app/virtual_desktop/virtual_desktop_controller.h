@@ -77,6 +77,7 @@ class VirtualDesktopController : public QObject {
   void takeInputs();
   void driveByMouse(double seconds);
   void poseByGlove();
+  void vibrate(const workcell::Entity* figure, mannequin::Side side);
   manipulation::EntityState glovedState() const;
   void updateStrip();
   void takeEntityChoices();
