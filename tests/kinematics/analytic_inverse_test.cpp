@@ -298,19 +298,20 @@ TEST(AnalyticInverse, TheFirstJointOfAnyWristCanBeKeptAtRest) {
     RobotModel model;
     std::vector<double> q;
     int wrist;
+    bool swings;  ///< Else it gets round: by its seventh joint, or by the offset of its wrist.
   };
-  const Case cases[] = {{test::kr120(), {0.0, -1.3, 1.4, 0.0, 0.1, 0.0}, 3},
-                        {test::ur5e(), {0.2, -1.2, 1.4, 0.3, 0.1, 0.2}, 3},
-                        {test::offsetWrist(), {0.2, -0.9, 0.8, 0.3, 0.1, 0.2}, 3},
-                        {test::sphericalWrist(), {0.2, -0.9, 0.8, 0.3, 0.1, 0.2}, 3},
-                        {test::iiwa(), {0.2, 0.6, 0.1, -1.2, 0.3, 0.1, 0.2}, 4}};
+  const Case cases[] = {{test::kr120(), {0.0, -1.3, 1.4, 0.0, 0.1, 0.0}, 3, true},
+                        {test::ur5e(), {0.2, -1.2, 1.4, 0.3, 0.1, 0.2}, 3, true},
+                        {test::offsetWrist(), {0.2, -0.9, 0.8, 0.3, 0.1, 0.2}, 3, false},
+                        {test::sphericalWrist(), {0.2, -0.9, 0.8, 0.3, 0.1, 0.2}, 3, true},
+                        {test::iiwa(), {0.2, 0.6, 0.1, -1.2, 0.3, 0.1, 0.2}, 4, false}};
   for (const Case& one : cases) {
     const Robot robot(one.model);
     ASSERT_EQ(wristJoint(*robot.inverse->chain()), one.wrist) << robot.inverse->name();
     const ThroughTheWrist swinging = throughTheWrist(one.model, one.q, SingularityChoice::kKeepPosition);
     const ThroughTheWrist resting = throughTheWrist(one.model, one.q, SingularityChoice::kKeepJoint4);
     EXPECT_LT(resting.off, 2e-4) << robot.inverse->name();
-    EXPECT_LT(resting.travel, 0.9 * swinging.travel)
+    EXPECT_LE(resting.travel, (one.swings ? 0.9 : 1.001) * swinging.travel)
         << robot.inverse->name() << " " << resting.travel << " of " << swinging.travel;
   }
   EXPECT_EQ(wristJoint(*Robot(test::scara()).inverse->chain()), -1);
