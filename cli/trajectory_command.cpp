@@ -180,19 +180,11 @@ const std::map<std::string, trajectory::ProgramFormat>& programFormats() {
   return kFormats;
 }
 
-/// One file under the name asked for; several beside it with the same stem; a folder for VAL3.
-Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::ProgramFile>& files, const std::string& to,
-                                               const fs::path& wanted) {
+Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::ProgramFile>& files,
+                                               trajectory::ProgramFormat format, const fs::path& wanted) {
   std::vector<std::string> names;
-  for (const auto& file : files) {
-    fs::path path = wanted;
-    if (to == "val3") {
-      path = wanted / fs::path(file.name).filename();
-    } else if (&file != &files.front()) {
-      path.replace_extension(fs::path(file.name).extension());
-    } else if (files.size() > 1 || !path.has_extension()) {
-      path.replace_extension(fs::path(file.name).extension());
-    }
+  for (const auto& file : trajectory::placedProgram(files, format, wanted)) {
+    const fs::path path = file.name;
     std::error_code problem;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), problem);
     if (problem)
@@ -219,12 +211,12 @@ Expected<ordered_json> exportTo(const Trajectory& given, const TrajectoryOptions
     }
     trajectory::ProgramOptions program = options.program;
     if (program.name.empty()) program.name = fs::path(options.output).stem().string();
-    if (auto found = addConfigurations(given, options.limits.robot, options.to, program, notes); !found) {
+    if (auto found = addConfigurations(given, options.limits.robot, format->second, program, notes); !found) {
       return tl::unexpected(found.error());
     }
     const auto files = exportProgram(given, format->second, program);
     if (!files) return tl::unexpected(files.error());
-    auto saved = saveProgram(*files, options.to, options.output);
+    auto saved = saveProgram(*files, format->second, options.output);
     if (!saved) return tl::unexpected(saved.error());
     names = std::move(*saved);
   }

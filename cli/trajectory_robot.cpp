@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "cli/robot_options.h"
 #include "kinematics/chain.h"
-#include "kinematics/configuration_flags.h"
+#include "manipulation/program_configuration.h"
 
 namespace hapticell::cli {
 
@@ -89,9 +87,12 @@ Expected<trajectory::MotionLimits> limitsFor(const Trajectory& trajectory, const
   return limits;
 }
 
-Expected<void> addConfigurations(const Trajectory& trajectory, const std::string& robot_name, const std::string& format,
-                                 trajectory::ProgramOptions& program, std::vector<std::string>& notes) {
-  const bool has_flags = format == "krl" || format == "rapid" || format == "fanuc";
+Expected<void> addConfigurations(const Trajectory& trajectory, const std::string& robot_name,
+                                 trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
+                                 std::vector<std::string>& notes) {
+  using trajectory::ProgramFormat;
+  const bool has_flags =
+      format == ProgramFormat::kKrl || format == ProgramFormat::kRapid || format == ProgramFormat::kFanuc;
   if (!has_flags || !trajectory.hasJoints()) return {};
   if (robot_name.empty()) {
     notes.push_back("No --robot: configuration data are the format's defaults; check them on the controller.");
@@ -106,27 +107,7 @@ Expected<void> addConfigurations(const Trajectory& trajectory, const std::string
     return {};
   }
   const auto shared = std::make_shared<const kinematics::Chain>(*chain);
-  program.configuration = [shared, format](std::span<const double> joints) -> std::string {
-    kinematics::ChainPositions x{};
-    std::array<double, 6> q{};
-    std::copy(joints.begin(), joints.end(), x.begin());
-    std::copy(joints.begin(), joints.end(), q.begin());
-    const auto shape = kinematics::armShape(*shared, x);
-    if (!shape) return {};
-    char text[64];
-    if (format == "krl") {
-      const auto flags = kinematics::kukaFlags(*shape, q);
-      std::snprintf(text, sizeof text, "S %d,T %d", flags.status, flags.turn);
-    } else if (format == "rapid") {
-      const auto flags = kinematics::abbFlags(*shape, q);
-      std::snprintf(text, sizeof text, "[%d,%d,%d,%d]", flags.cf1, flags.cf4, flags.cf6, flags.cfx);
-    } else {
-      const auto flags = kinematics::fanucFlags(*shape, q);
-      std::snprintf(text, sizeof text, "%c %c %c, %d, %d, %d", flags.wrist, flags.elbow, flags.base, flags.turns[0],
-                    flags.turns[1], flags.turns[2]);
-    }
-    return text;
-  };
+  program.configuration = manipulation::programConfiguration(shared, format);
   return {};
 }
 

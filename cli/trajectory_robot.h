@@ -22,10 +22,10 @@ struct RobotLimitOptions {
 Expected<trajectory::MotionLimits> limitsFor(const trajectory::Trajectory& trajectory, const RobotLimitOptions& options,
                                              std::vector<std::string>& assumptions);
 
-/// Gives `program` the configuration data of `robot` in the words of `format` (krl, rapid, fanuc), and says in `notes`
+/// Gives `program` the configuration data of `robot` in the words of `format`, and says in `notes`
 /// where there is none. Nothing without a robot or without joints.
 Expected<void> addConfigurations(const trajectory::Trajectory& trajectory, const std::string& robot,
-                                 const std::string& format, trajectory::ProgramOptions& program,
+                                 trajectory::ProgramFormat format, trajectory::ProgramOptions& program,
                                  std::vector<std::string>& notes);
 
 }  // namespace hapticell::cli

@@ -55,6 +55,64 @@ Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const
 
 }  // namespace
 
+namespace {
+
+/// A robot drawn by its tool centre point, without parts.
+Expected<std::unique_ptr<RobotManipulator>> armOf(const Entity& entity) {
+  int tip = entity.robot->findLink(entity.tip_link);
+  if (tip < 0) tip = entity.robot->defaultTip();
+  if (tip < 0) return makeError(refusal("'" + entity.name + "'", "the robot has no tip", "one that moves"));
+  auto inverse = kinematics::createInverse(*entity.robot, tip, entity.X_LT);
+  if (!inverse) return makeError(inverse.error());
+  return std::make_unique<RobotManipulator>(entity.robot, RobotManipulator::Tool{tip, entity.X_LT}, std::move(*inverse),
+                                            std::vector<RobotManipulator::Part>{});
+}
+
+/// A robot's motion by its tool: what joints and poses say of each other.
+bool isByTool(const Entity& entity, const Trajectory& trajectory) {
+  const bool robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
+  return robot && trajectory.hasJoints() && (trajectory.moved.empty() || trajectory.moved == "tcp");
+}
+
+/// Each frame with its configuration changed by `change`.
+template <class Change>
+Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajectory, Change change) {
+  if (!isByTool(entity, trajectory)) return trajectory;
+  const auto columns = jointColumns(entity, trajectory);
+  if (!columns) return makeError(columns.error());
+  const auto arm = armOf(entity);
+  if (!arm) return makeError(arm.error());
+  Trajectory result = trajectory.emptyCopy();
+  result.reserve(trajectory.size());
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    EntityConfiguration at{entity.X_WE, entity.joints};
+    const auto joints = trajectory.joints(i);
+    for (std::size_t j = 0; j < joints.size(); ++j) at.joints[(*columns)[j]] = joints[j];
+    Trajectory::Frame frame = trajectory[i];
+    change(**arm, at, frame);
+    std::vector<double> changed;
+    for (const std::size_t column : *columns) changed.push_back(at.joints[column]);
+    result.addFrame(frame, changed);
+  }
+  return result;
+}
+
+}  // namespace
+
+Expected<Trajectory> jointsFromPoses(const Entity& entity, const Trajectory& trajectory) {
+  return reconciled(entity, trajectory,
+                    [](const RobotManipulator& arm, EntityConfiguration& at, const Trajectory::Frame& frame) {
+                      at = arm.propose(at, frame.X_WT, kinematics::kUnboundedDuration);
+                    });
+}
+
+Expected<Trajectory> posesFromJoints(const Entity& entity, const Trajectory& trajectory) {
+  return reconciled(entity, trajectory,
+                    [](const RobotManipulator& arm, const EntityConfiguration& at, Trajectory::Frame& frame) {
+                      frame.X_WT = arm.movedFrame(at);
+                    });
+}
+
 Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Trajectory& trajectory) {
   std::vector<std::size_t> columns;
   if (entity.robot == nullptr) return columns;
@@ -74,7 +132,8 @@ Expected<std::vector<std::size_t>> jointColumns(const Entity& entity, const Traj
 }
 
 Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<const Entity>>& entities,
-                                            const std::string& name, std::shared_ptr<const Trajectory> trajectory) {
+                                            const std::string& name, std::shared_ptr<const Trajectory> trajectory,
+                                            const std::vector<double>& start) {
   const auto found = std::find_if(entities.begin(), entities.end(), [&](const auto& e) { return e->name == name; });
   if (found == entities.end())
     return makeError(refusal("entity", "there is none called '" + name + "'", "one of the cell"));
@@ -97,23 +156,19 @@ Expected<MotionReplay> MotionReplay::create(const std::vector<std::shared_ptr<co
   replay.moves_root_ = X_EM->has_value();
   if (replay.moves_root_) replay.X_EM_ = **X_EM;
   if (!replay.moves_root_ && replay.columns_.empty()) {
-    if (auto followed = replay.follow(); !followed) return makeError(followed.error());
+    if (auto followed = replay.follow(start); !followed) return makeError(followed.error());
   }
   return replay;
 }
 
-Expected<void> MotionReplay::follow() {
-  int tip = entity_->robot->findLink(entity_->tip_link);
-  if (tip < 0) tip = entity_->robot->defaultTip();
-  if (tip < 0) return makeError(refusal("'" + entity_->name + "'", "the robot has no tip", "one that moves"));
-  auto inverse = kinematics::createInverse(*entity_->robot, tip, entity_->X_LT);
-  if (!inverse) return makeError(inverse.error());
-  const RobotManipulator arm(entity_->robot, {tip, entity_->X_LT}, std::move(*inverse), {});
-  EntityConfiguration at{entity_->X_WE, entity_->joints};
+Expected<void> MotionReplay::follow(const std::vector<double>& start) {
+  const auto arm = armOf(*entity_);
+  if (!arm) return makeError(arm.error());
+  EntityConfiguration at{entity_->X_WE, start.size() == entity_->robot->dof() ? start : entity_->joints};
   followed_.reserve(trajectory_->size());
   for (const Trajectory::Frame& frame : trajectory_->frames()) {
-    at = arm.propose(at, frame.X_WT, kinematics::kUnboundedDuration);
-    const auto off = trajectory::distanceBetween(arm.movedFrame(at), frame.X_WT);
+    at = (*arm)->propose(at, frame.X_WT, kinematics::kUnboundedDuration);
+    const auto off = trajectory::distanceBetween((*arm)->movedFrame(at), frame.X_WT);
     off_pose_ = {std::max(off_pose_.position, off.position), std::max(off_pose_.angle, off.angle)};
     followed_.push_back(at.joints);
   }

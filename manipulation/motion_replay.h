@@ -25,9 +25,11 @@ class MotionReplay {
   /// `entities` are those of the document (a frame that the motion is about may be another's). A robot's motion without
   /// joints is followed by its inverse model, each frame from the one before. Errors: an unknown entity, no frames,
   /// joints or a moved frame that the entity does not have.
+  /// The inverse model begins at `start` (one a variable; empty: as the robot stands).
   static Expected<MotionReplay> create(const std::vector<std::shared_ptr<const workcell::Entity>>& entities,
                                        const std::string& entity,
-                                       std::shared_ptr<const trajectory::Trajectory> trajectory);
+                                       std::shared_ptr<const trajectory::Trajectory> trajectory,
+                                       const std::vector<double>& start = {});
 
   workcell::EntityId entity() const { return entity_->id; }
   const trajectory::Trajectory& motion() const { return *trajectory_; }
@@ -42,7 +44,7 @@ class MotionReplay {
 
  private:
   MotionReplay() = default;
-  Expected<void> follow();
+  Expected<void> follow(const std::vector<double>& start);
 
   std::shared_ptr<const workcell::Entity> entity_;
   std::shared_ptr<const trajectory::Trajectory> trajectory_;
@@ -52,5 +54,15 @@ class MotionReplay {
   std::vector<std::vector<double>> followed_;  ///< Joints of each frame, where the trajectory has none.
   trajectory::PoseDistance off_pose_;
 };
+
+/// Joints that bring the moved frame to the poses of a robot's trajectory: for each frame the solution nearest to the
+/// joints that it has. What an edit of the poses needs; other trajectories come back as they are. Errors: joints that
+/// the entity does not have, no inverse model.
+Expected<trajectory::Trajectory> jointsFromPoses(const workcell::Entity& entity,
+                                                 const trajectory::Trajectory& trajectory);
+
+/// The poses that the joints of a robot's trajectory make; the other way round.
+Expected<trajectory::Trajectory> posesFromJoints(const workcell::Entity& entity,
+                                                 const trajectory::Trajectory& trajectory);
 
 }  // namespace hapticell::manipulation

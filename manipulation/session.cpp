@@ -70,6 +70,7 @@ class WatchedEngine {
   }
 
   void step(double t, std::int64_t now_ns) {
+    lead();
     const SteadyClock::time_point begin = SteadyClock::now();
     engine_.step(now_ns);
     times_.push_back(1e3 * secondsSince(begin));
@@ -167,6 +168,17 @@ class WatchedEngine {
     return std::shared_ptr<HeldEntity>(std::move(*taken));
   }
 
+  /// The expert's guide goes with the trainee.
+  void lead() {
+    if (!options_.training) return;
+    if (!training_) training_.emplace(options_.training->exercise, options_.training->expert, options_.training->help);
+    if (engine_.held()) training_->follow(engine_.held()->movedFrame());
+    report_.training_share = std::max(report_.training_share, training_->share());
+    std::vector<workcell::Guide> guides = options_.guides;
+    guides.push_back(training_->guide());
+    engine_.apply(command::SetGuides{std::move(guides)});
+  }
+
   void takeRecordings() {
     if (!options_.recording) return;
     engine_.apply(command::StopRecording{});
@@ -188,6 +200,7 @@ class WatchedEngine {
   ManipulationEngine engine_;
   workcell::EntityId entity_ = 0;
   std::shared_ptr<HeldEntity> start_;
+  std::optional<TrainingRun> training_;
   SessionReport report_;
   ForceMeter forces_;
   ContactLog contacts_;

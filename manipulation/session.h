@@ -11,6 +11,7 @@
 #include "config/device_profile.h"
 #include "geometry/error.h"
 #include "haptic/devices/hand_path.h"
+#include "manipulation/exercise.h"
 #include "manipulation/manipulation_command.h"
 #include "manipulation/session_meter.h"
 #include "trajectory/recorder.h"
@@ -40,6 +41,13 @@ struct SessionOptions {
   command::SetFilter filter;
 
   std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
+  /// Led along an expert's way with this help (0 .. 1), felt while the recording's entity is held.
+  struct Training {
+    Exercise exercise;
+    trajectory::Trajectory expert;
+    double help = 1.0;
+  };
+  std::optional<Training> training;
 };
 
 /// One tick of the force loop, for --trace.
@@ -78,6 +86,7 @@ struct SessionReport {
   Pose X_WMFinal;
   std::vector<std::string> final_contacts;  ///< Names of what it touches.
   std::vector<std::string> final_limits;    ///< Why it does not follow: "A5 is at its upper limit".
+  double training_share = 0.0;              ///< Of the expert's way that was gone.
   trajectory::Trajectory recording;         ///< Without frames where none was asked for, or nothing was moved.
   std::vector<trajectory::Trajectory> other_recordings;  ///< Of what moved beside the chosen entity, on its clock.
 };

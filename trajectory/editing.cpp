@@ -122,6 +122,32 @@ Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed) {
   return result;
 }
 
+Expected<Trajectory> resampled(const Trajectory& trajectory, double step) {
+  if (trajectory.empty()) return makeError(wrong("frames", "none", "a motion"));
+  if (!(step > 0.0) || trajectory.duration() / step > 1e7) {
+    return makeError(wrong("step", shortestText(step) + " s", "a positive one, at most ten million frames"));
+  }
+  std::vector<double> times;
+  const double begin = trajectory[0].t, end = trajectory.frames().back().t;
+  const auto count = static_cast<std::size_t>((end - begin) / step + 1e-9);
+  for (std::size_t i = 0; i <= count; ++i) times.push_back(begin + step * static_cast<double>(i));
+  Trajectory result = trajectory.emptyCopy();
+  std::size_t next = 0;
+  const auto keep = [&](std::size_t i) {
+    return trajectory[i].by_hand || trajectory[i].dwell > 0.0 || i + 1 == trajectory.size();
+  };
+  for (const double t : times) {
+    for (; next < trajectory.size() && trajectory[next].t <= t; ++next) {
+      if (keep(next)) append(result, trajectory, next, -begin);
+    }
+    result.addFrame({t - begin, trajectory.poseAt(t)}, trajectory.jointsAt(t));
+  }
+  for (; next < trajectory.size(); ++next) {
+    if (keep(next)) append(result, trajectory, next, -begin);
+  }
+  return result;
+}
+
 Trajectory reversed(const Trajectory& trajectory) {
   Trajectory result = trajectory.emptyRecording();
   if (trajectory.empty()) return result;

@@ -28,6 +28,10 @@ Expected<std::pair<Trajectory, Trajectory>> splitAt(const Trajectory& trajectory
 /// takes at `speed` (m/s; turning counts 0.1 m/rad), at least 1 ms. Errors: fewer than two, other entities or joints.
 Expected<Trajectory> joined(std::span<const Trajectory> parts, double speed = 0.1);
 
+/// Every `step` seconds a frame, times as recorded; frames set by hand stay besides. Errors: a step that is not
+/// positive, no frames, more than ten million of them.
+Expected<Trajectory> resampled(const Trajectory& trajectory, double step);
+
 /// Backwards in time.
 Trajectory reversed(const Trajectory& trajectory);
 

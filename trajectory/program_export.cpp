@@ -108,4 +108,20 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   return std::vector<ProgramFile>{};
 }
 
+std::vector<ProgramFile> placedProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
+                                       const std::filesystem::path& wanted) {
+  std::vector<ProgramFile> placed;
+  for (const ProgramFile& file : files) {
+    const std::filesystem::path name(file.name);
+    std::filesystem::path path = wanted;
+    if (format == ProgramFormat::kVal3) {
+      path = wanted / name.filename();
+    } else if (files.size() > 1 || !path.has_extension()) {
+      path.replace_extension(name.extension());
+    }
+    placed.push_back({path.string(), file.content});
+  }
+  return placed;
+}
+
 }  // namespace hapticell::trajectory

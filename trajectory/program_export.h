@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -40,5 +41,10 @@ struct ProgramFile {
 /// (then only poses would do: FANUC and VAL3 need none).
 Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, ProgramFormat format,
                                                  const ProgramOptions& options);
+
+/// The files with whole paths as names: one under the name asked for (with the format's extension where it has none),
+/// several beside it with the same stem, VAL3's in a folder of that name.
+std::vector<ProgramFile> placedProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
+                                       const std::filesystem::path& wanted);
 
 }  // namespace hapticell::trajectory

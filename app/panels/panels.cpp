@@ -19,6 +19,7 @@
 #include "app/panels/workcell_panel.h"
 #include "app/robot/robot_docks.h"
 #include "app/style/dock_title_bar.h"
+#include "app/trajectory/trajectory_docks.h"
 
 namespace hapticell::app {
 namespace {
@@ -51,7 +52,8 @@ void addBottomDocks(Host& host) {
   QDockWidget* collisions_dock = makeDock("dockCollisions", tabTextWithCount(QObject::tr("Collisions"), 0), collisions);
   QDockWidget* messages_dock = makeDock("dockMessages", QObject::tr("Messages"), new MessagesPanel(host.messages()));
   QDockWidget* history_dock = makeDock("dockHistory", QObject::tr("History"), new HistoryPanel(host.documentModel()));
-  const std::vector<QDockWidget*> docks{curves_dock, collisions_dock, messages_dock, history_dock};
+  QDockWidget* trajectory_dock = addTrajectoryDocks(host);
+  const std::vector<QDockWidget*> docks{trajectory_dock, curves_dock, collisions_dock, messages_dock, history_dock};
   for (QDockWidget* dock : docks) {
     dock->widget()->setMinimumHeight(150);
     host.addDock(dock, Qt::BottomDockWidgetArea, dock == docks.front() ? nullptr : docks.front());

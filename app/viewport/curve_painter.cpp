@@ -28,6 +28,10 @@ QColor colorOf(SceneCurve::Role role, const Theme& theme) {
       return theme.axis_z;
     case SceneCurve::Role::kLimit:
       return theme.limit;
+    case SceneCurve::Role::kContact:
+      return theme.contact;
+    case SceneCurve::Role::kNearMiss:
+      return theme.near_miss;
   }
   return theme.text2;
 }

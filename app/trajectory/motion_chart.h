@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "app/trajectory/time_axis.h"
+#include "trajectory/motion_curves.h"
+
+namespace hapticell::app {
+
+/// Position, speed, acceleration or jerk of the current motion over the time bar's axis, with limits where there are
+/// some and the cursor's values. One unit at a time: all curves share the scale. Where a limit is passed the curve lies
+/// under a band in the limit's colour.
+class MotionChart : public QWidget {
+  Q_OBJECT
+ public:
+  enum class Order { kValue, kSpeed, kAcceleration, kJerk };
+  enum class Group { kPath, kPlace, kTurn, kJoints };
+
+  explicit MotionChart(QWidget* parent = nullptr);
+  /// Null: nothing is shown.
+  void setCurves(std::shared_ptr<const trajectory::MotionCurves> curves);
+  /// Bounds of a curve's three derivatives by its name; 0: none.
+  struct Limit {
+    std::string curve;
+    double speed = 0.0, acceleration = 0.0, jerk = 0.0;
+  };
+  void setLimits(std::vector<Limit> limits);
+  void setChoice(Group group, Order order);
+  void setAxis(const TimeAxis& axis);
+  void setTime(double t);
+  Group group() const { return group_; }
+  Order order() const { return order_; }
+  /// Largest share of a limit that a shown curve uses; 0 where there is no limit.
+  double limitUse() const;
+  QSize minimumSizeHint() const override { return {320, 70}; }
+  QSize sizeHint() const override { return {900, 140}; }
+
+ signals:
+  void scrubbed(double t);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+
+ private:
+  struct Shown {
+    const trajectory::MotionCurve* curve = nullptr;
+    const std::vector<double>* samples = nullptr;
+    double limit = 0.0;  ///< In SI.
+    QColor color;
+    Qt::PenStyle style = Qt::SolidLine;
+  };
+  std::vector<Shown> shown() const;
+  double unitFactor() const;
+  QString unit() const;
+  QRect plot() const;
+  struct Scale {
+    double low = -1.0, high = 1.0;  ///< Shown units.
+    QRect plot;
+    double y(double value) const;
+  };
+  Scale scaleOf(const std::vector<Shown>& curves) const;
+  void paintGrid(QPainter& painter, const Scale& scale) const;
+  void paintLimits(QPainter& painter, const std::vector<Shown>& curves, const Scale& scale) const;
+  void paintCurves(QPainter& painter, const std::vector<Shown>& curves, const Scale& scale) const;
+  void paintLegend(QPainter& painter, const std::vector<Shown>& curves) const;
+
+  std::shared_ptr<const trajectory::MotionCurves> curves_;
+  std::vector<Limit> limits_;
+  Group group_ = Group::kPath;
+  Order order_ = Order::kSpeed;
+  TimeAxis axis_;
+  double time_ = 0.0;
+};
+
+}  // namespace hapticell::app

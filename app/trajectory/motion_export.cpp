@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/motion_export.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/trajectory/motion_list.h"
+#include "manipulation/program_configuration.h"
+#include "manipulation/take_recorder.h"
+#include "trajectory/ros_trajectory.h"
+#include "trajectory/trajectory_io.h"
+#include "workcell/file_content.h"
+
+namespace hapticell::app {
+namespace {
+
+using trajectory::ProgramFile;
+using trajectory::ProgramFormat;
+using trajectory::Trajectory;
+
+ProgramFormat programFormat(const QString& word) {
+  if (word == "krl") return ProgramFormat::kKrl;
+  if (word == "rapid") return ProgramFormat::kRapid;
+  if (word == "fanuc") return ProgramFormat::kFanuc;
+  return word == "urscript" ? ProgramFormat::kUrScript : ProgramFormat::kVal3;
+}
+
+Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QString& format, const QString& path,
+                                           const trajectory::ProgramOptions& options) {
+  const std::string wanted = path.toStdString();
+  if (format == "csv") return std::vector<ProgramFile>{{wanted, trajectory::toCsvText(given)}};
+  if (format == "json") return std::vector<ProgramFile>{{wanted, trajectory::toJsonText(given)}};
+  if (format == "ros") {
+    auto text = trajectory::toRosText(given);
+    if (!text) return makeError(text.error());
+    return std::vector<ProgramFile>{{wanted, std::move(*text)}};
+  }
+  auto files = trajectory::exportProgram(given, programFormat(format), options);
+  if (!files) return makeError(files.error());
+  return trajectory::placedProgram(*files, programFormat(format), wanted);
+}
+
+}  // namespace
+
+const std::vector<MotionFormat>& motionFormats() {
+  static const std::vector<MotionFormat> kFormats{
+      {"krl", QObject::tr("KUKA KRL (.src, .dat)"), ".src", true},
+      {"rapid", QObject::tr("ABB RAPID (.mod)"), ".mod", true},
+      {"fanuc", QObject::tr("FANUC (.ls)"), ".ls", true},
+      {"urscript", QObject::tr("Universal Robots script (.script)"), ".script", true},
+      {"val3", QObject::tr("Stäubli VAL3 (folder)"), "", true},
+      {"ros", QObject::tr("ROS 2 JointTrajectory (.yaml)"), ".yaml", false},
+      {"csv", QObject::tr("Table (.csv)"), ".csv", false},
+      {"json", QObject::tr("HaptiCell trajectory (.htraj)"), ".htraj", false}};
+  return kFormats;
+}
+
+MotionExport::MotionExport(Host& host, MotionList& list, QObject* parent) : QObject(parent), host_(host), list_(list) {}
+
+void MotionExport::askExport(const QString& word, const trajectory::ProgramOptions& options) {
+  const auto format =
+      std::find_if(motionFormats().begin(), motionFormats().end(), [&](const auto& f) { return f.word == word; });
+  if (format == motionFormats().end() || !list_.current()) return;
+  const QString name = QString::fromStdString(list_.current()->name).replace(' ', '-').remove(',');
+  const QString path =
+      QFileDialog::getSaveFileName(&host_.window(), tr("Export motion"), name + format->extension, format->name);
+  if (!path.isEmpty()) exportTo(path, word, options);
+}
+
+void MotionExport::exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& given) {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory) return;
+  trajectory::ProgramOptions options = given;
+  if (options.name.empty()) options.name = QFileInfo(path).completeBaseName().toStdString();
+  if (motion->entity)
+    if (auto chain = manipulation::sixAxisChain(*motion->entity))
+      options.configuration = manipulation::programConfiguration(
+          std::make_shared<const kinematics::Chain>(std::move(*chain)), programFormat(format));
+  list_.work().start(
+      tr("Exporting %1").arg(QFileInfo(path).fileName()),
+      [this, trajectory = motion->trajectory, format, path,
+       options](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
+        auto files = filesOf(*trajectory, format, path, options);
+        if (!files) return makeError(files.error());
+        QStringList names;
+        for (const ProgramFile& file : *files) {
+          const QFileInfo place(QString::fromStdString(file.name));
+          QDir().mkpath(place.path());
+          if (auto written = workcell::writeFileAtomically(file.name, file.content); !written)
+            return makeError(written.error());
+          names << place.fileName();
+        }
+        return BackgroundWork::Then([this, names, path, frames = trajectory->size()] {
+          const QString line =
+              tr("Written: %1 (%n frame(s)). Tool, base and safety are the controller's own: check them there", nullptr,
+                 static_cast<int>(frames))
+                  .arg(names.join(QStringLiteral(", ")));
+          host_.messages().tell(Severity::kInformation, line, QFileInfo(path).absolutePath());
+          emit told(line, false);
+          emit finished(path, true);
+        });
+      },
+      [this, path](const Error& error) {
+        host_.messages().tell(Severity::kWarning, tr("The motion is not exported"),
+                              QString::fromStdString(error.message()));
+        emit told(QString::fromStdString(error.message()), true);
+        emit finished(path, false);
+      });
+}
+
+void MotionExport::askImport() {
+  const QStringList paths = QFileDialog::getOpenFileNames(&host_.window(), tr("Import motions"), {},
+                                                          tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml)"));
+  if (paths.isEmpty()) return;
+  const auto* entity = host_.documentModel().document().find(host_.selection().current());
+  importFrom(paths, entity ? entity->name : std::string());
+}
+
+void MotionExport::importFrom(const QStringList& paths, const std::string& entity) {
+  list_.work().start(
+      tr("Reading motions"),
+      [this, paths, entity](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+        auto motions = std::make_shared<std::vector<std::pair<std::string, Trajectory>>>();
+        for (const QString& path : paths) {
+          auto read = trajectory::readTrajectory(path.toStdString());
+          if (!read) return makeError(read.error());
+          if (read->entity.empty()) read->entity = entity;
+          const QString name =
+              read->name.empty() ? QFileInfo(path).completeBaseName() : QString::fromStdString(read->name);
+          motions->emplace_back(name.toStdString(), std::move(*read));
+          monitor.report(path.toStdString(), static_cast<double>(motions->size()) / static_cast<double>(paths.size()));
+        }
+        return BackgroundWork::Then([this, motions, paths] {
+          const auto count = static_cast<int>(motions->size());
+          const bool done = list_.add(tr("Import %n motion(s)", nullptr, count), std::move(*motions));
+          if (done) emit told(tr("%n motion(s) imported", nullptr, count), false);
+          emit finished(paths.front(), done);
+        });
+      },
+      [this, paths](const Error& error) {
+        host_.messages().tell(Severity::kWarning, tr("The motion is not imported"),
+                              QString::fromStdString(error.message()));
+        emit told(QString::fromStdString(error.message()), true);
+        emit finished(paths.front(), false);
+      });
+}
+
+}  // namespace hapticell::app

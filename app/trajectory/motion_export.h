@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+
+#include "trajectory/program_export.h"
+
+namespace hapticell::app {
+
+class Host;
+class MotionList;
+
+/// A format that motions can be written in.
+struct MotionFormat {
+  QString word;       ///< As `trajectory export --to` has it: "krl".
+  QString name;       ///< "KUKA KRL (.src, .dat)"
+  QString extension;  ///< With the dot; empty: a folder.
+  bool is_program = false;
+};
+const std::vector<MotionFormat>& motionFormats();
+
+/// Writes the current motion as a file or a robot's program and reads motions from files, beside the window; a message
+/// tells what came of it. GUI thread.
+class MotionExport : public QObject {
+  Q_OBJECT
+ public:
+  MotionExport(Host& host, MotionList& list, QObject* parent = nullptr);
+
+  /// Asks for the place.
+  void askExport(const QString& format, const trajectory::ProgramOptions& options);
+  void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options);
+  void askImport();
+  /// .htraj, .json, .csv, .yaml; a motion that names no entity is that of `entity`.
+  void importFrom(const QStringList& paths, const std::string& entity);
+
+ signals:
+  void told(const QString& line, bool careful);
+  void finished(const QString& path, bool done);
+
+ private:
+  Host& host_;
+  MotionList& list_;
+};
+
+}  // namespace hapticell::app

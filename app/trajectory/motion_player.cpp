@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/motion_player.h"
+
+#include <algorithm>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/robot/robot_ghosts.h"
+#include "app/trajectory/motion_list.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kFrameMilliseconds = 16;
+constexpr std::size_t kMostStops = 100000;  // Frames of a motion that steps stop at.
+
+void addTimes(const trajectory::Trajectory& motion, std::vector<double>& times) {
+  const std::size_t stride = 1 + motion.size() / kMostStops;
+  for (std::size_t i = 0; i < motion.size(); i += stride) times.push_back(motion[i].t);
+  if (!motion.empty()) times.push_back(motion.frames().back().t);
+}
+
+}  // namespace
+
+MotionPlayer::MotionPlayer(Host& host, MotionList& list, QObject* parent) : QObject(parent), host_(host), list_(list) {
+  timer_.setInterval(kFrameMilliseconds);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &MotionPlayer::tick);
+  connect(&list_, &MotionList::changed, this, &MotionPlayer::takeMotions);
+  takeMotions();
+}
+
+MotionPlayer::~MotionPlayer() = default;
+
+void MotionPlayer::takeMotions() {
+  std::vector<double> times;
+  for (const Motion& motion : list_.motions())
+    if (motion.played && motion.replay) addTimes(*motion.trajectory, times);
+  playback_.setFrames(std::move(times));
+  if (!playback_.isPlaying()) timer_.stop();
+  show();
+  emit changed();
+}
+
+void MotionPlayer::setShown(bool on) {
+  if (!on) pause();
+  shown_ = on;
+  show();
+  emit changed();
+}
+
+void MotionPlayer::play() {
+  playback_.play();
+  if (!playback_.isPlaying()) return;
+  shown_ = true;
+  clock_.start();
+  timer_.start();
+  show();
+  emit changed();
+}
+
+void MotionPlayer::pause() {
+  playback_.pause();
+  timer_.stop();
+  emit changed();
+}
+
+void MotionPlayer::seek(double time) {
+  playback_.seek(time);
+  shown_ = true;
+  show();
+  emit changed();
+}
+
+void MotionPlayer::step(int direction) {
+  playback_.step(direction);
+  timer_.stop();
+  shown_ = true;
+  show();
+  emit changed();
+}
+
+void MotionPlayer::setSpeed(double speed) {
+  playback_.setSpeed(speed);
+  emit changed();
+}
+
+void MotionPlayer::setLoop(bool on) {
+  playback_.setLoop(on);
+  emit changed();
+}
+
+void MotionPlayer::tick() {
+  const bool moved = playback_.advance(1e-9 * static_cast<double>(clock_.nsecsElapsed()));
+  clock_.restart();
+  if (!playback_.isPlaying()) timer_.stop();
+  if (!moved) return;
+  show();
+  emit changed();
+}
+
+void MotionPlayer::show() {
+  const auto& state = host_.documentModel().document().state();
+  std::vector<GhostPose> played, carried;
+  for (const Motion& motion : list_.motions()) {
+    if (!shown_ || !motion.played || !motion.replay) continue;
+    const auto at = motion.replay->at(playback_.time());
+    const auto ghosts = entityGhosts(state, motion.replay->entity(), at.X_WE, at.joints);
+    if (ghosts.empty()) continue;
+    played.push_back(ghosts.front());
+    carried.insert(carried.end(), ghosts.begin() + 1, ghosts.end());
+  }
+  // What has a motion of its own is not carried.
+  for (const GhostPose& pose : carried) {
+    const auto same = [&](const GhostPose& other) { return other.entity == pose.entity; };
+    if (std::none_of(played.begin(), played.end(), same)) played.push_back(pose);
+  }
+  host_.viewport().scene().setPlayed(std::move(played));
+  host_.viewport().refresh();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include "trajectory/playback.h"
+
+namespace hapticell::app {
+
+class Host;
+class MotionList;
+
+/// Plays the motions of the list that are switched on, all on one clock, in the scene: what is shown moves, the
+/// document does not. Panels that ask the scene where an entity stands (SceneModel::placement_W, joints) follow. GUI
+/// thread.
+class MotionPlayer : public QObject {
+  Q_OBJECT
+ public:
+  MotionPlayer(Host& host, MotionList& list, QObject* parent = nullptr);
+  ~MotionPlayer() override;
+
+  const trajectory::Playback& playback() const { return playback_; }
+  /// The scene shows the motions at the time; false: the cell as it stands.
+  bool isShown() const { return shown_; }
+  void setShown(bool on);
+  void play();
+  void pause();
+  void seek(double time);
+  void step(int direction);
+  void setSpeed(double speed);
+  void setLoop(bool on);
+
+ signals:
+  void changed();  ///< Time, play or pause, speed.
+
+ private:
+  void takeMotions();
+  void tick();
+  void show();
+  Host& host_;
+  MotionList& list_;
+  trajectory::Playback playback_;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  bool shown_ = false;
+};
+
+}  // namespace hapticell::app

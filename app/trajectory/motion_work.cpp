@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/motion_work.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/trajectory/track_rows.h"
+#include "manipulation/kept_free.h"
+#include "trajectory/simplification.h"
+#include "trajectory/smoothing.h"
+
+namespace hapticell::app {
+namespace {
+
+using trajectory::PoseDistance;
+using trajectory::Trajectory;
+
+constexpr double kDegrees = 57.29577951308232;
+constexpr double kTimeToSpeed = 0.25;  // s, where nobody gives an acceleration.
+
+QString distanceText(const PoseDistance& distance) {
+  return QObject::tr("%1 mm, %2°").arg(1000.0 * distance.position, 0, 'f', 2).arg(kDegrees * distance.angle, 0, 'f', 2);
+}
+
+std::function<bool(double)> progressOf(workcell::ImportMonitor& monitor, const std::string& stage) {
+  return [&monitor, stage](double share) {
+    monitor.report(stage, share);
+    return !monitor.isCancelled();
+  };
+}
+
+Expected<manipulation::PathCheckOptions> optionsFor(const Trajectory& trajectory, workcell::ImportMonitor& monitor) {
+  manipulation::PathCheckOptions options;
+  if (!trajectory.moved.empty()) {
+    auto moved_by = manipulation::parseMovedBy(trajectory.moved);
+    if (!moved_by) return makeError(moved_by.error());
+    options.hold.moved_by = std::move(*moved_by);
+  }
+  options.progress = progressOf(monitor, "checking");
+  return options;
+}
+
+}  // namespace
+
+trajectory::MotionLimits limitsOf(const workcell::Entity& entity, const Trajectory& trajectory) {
+  trajectory::MotionLimits limits;
+  if (!trajectory.hasJoints()) {
+    limits.velocity = {0.5, 0.5, 0.5, 2.0, 2.0, 2.0};
+  } else {
+    const auto columns = manipulation::jointColumns(entity, trajectory);
+    for (std::size_t j = 0; j < trajectory.joint_names.size(); ++j) {
+      double speed = 0.0;
+      if (columns && entity.robot) {
+        const int joint = entity.robot->moving[(*columns)[j]];
+        speed = entity.robot->joints[static_cast<std::size_t>(joint)].velocity;
+      }
+      limits.velocity.push_back(speed > 0.0 ? speed : 3.14159265358979);
+    }
+  }
+  for (const double speed : limits.velocity) limits.acceleration.push_back(speed / kTimeToSpeed);
+  return limits;
+}
+
+MotionWork::MotionWork(Host& host, MotionList& list, QObject* parent)
+    : QObject(parent), host_(host), list_(list), prepared_(std::make_shared<Prepared>()) {}
+
+void MotionWork::tell(const QString& line, bool careful) {
+  line_ = line;
+  emit told(line, careful);
+}
+
+std::shared_ptr<const MotionWork::Cell> MotionWork::cell() const {
+  const workcell::Document& document = host_.documentModel().document();
+  auto cell = std::make_shared<Cell>();
+  cell->entities = document.state().entities;
+  cell->values = document.snapshotEntities();
+  cell->pairs = {document.state().pair_sets, document.state().pair_rules};
+  cell->configuration = host_.configuration();
+  cell->defaults = {cell->configuration.manipulation.safety_distance, cell->configuration.manipulation.near_miss};
+  cell->revision = document.revision();
+  return cell;
+}
+
+void MotionWork::run(const QString& word, Work work) {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory) return tell(tr("Choose a motion first."), true);
+  const std::string name = motion->name;
+  const QString step = tr("%1: %2").arg(word, QString::fromStdString(name));
+  list_.work().start(
+      step,
+      [this, given = motion->trajectory, cell = cell(), prepared = prepared_, name, word, step,
+       work = std::move(work)](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+        auto result = work(given, *cell, *prepared, monitor);
+        if (!result) return makeError(result.error());
+        auto done = std::make_shared<Result>(std::move(*result));
+        return BackgroundWork::Then([this, done, name, word, step] {
+          if (!done->motions.empty()) {
+            std::vector<std::pair<std::string, Trajectory>> named;
+            for (Trajectory& made : done->motions)
+              named.emplace_back(name + ", " + word.toStdString(), std::move(made));
+            if (!list_.add(step, std::move(named))) return;
+            if (done->check && list_.current()) list_.setCheck(list_.current()->name, done->check);
+          } else if (done->check) {
+            list_.setCheck(name, done->check);
+          }
+          tell(done->line, done->careful);
+        });
+      },
+      [this](const Error& error) { tell(QString::fromStdString(error.message()), true); });
+}
+
+void MotionWork::simplify(const trajectory::PathTolerance& tolerance) {
+  run(tr("simplified"), [tolerance](const auto& given, const Cell&, Prepared&, auto&) -> Expected<Result> {
+    Result result;
+    result.motions.push_back(trajectory::simplified(*given, tolerance));
+    const Trajectory& few = result.motions.front();
+    const PoseDistance deviation = trajectory::largestDeviation(*given, few);
+    result.careful = tolerance.shareOf(deviation) > 1.001;
+    result.line = tr("%1 of %2 frames; at most %3 from the recording")
+                      .arg(few.size())
+                      .arg(given->size())
+                      .arg(distanceText(deviation));
+    return result;
+  });
+}
+
+void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_free) {
+  run(tr("smoothed"),
+      [tolerance, keep_free](const auto& given, const Cell& cell, Prepared& prepared,
+                             workcell::ImportMonitor& monitor) -> Expected<Result> {
+        auto smooth = trajectory::smoothed(*given, {tolerance});
+        const auto& report = smooth.report;
+        Result result;
+        result.line = tr("At most %1 from the recording; jerk %2 → %3 m/s³")
+                          .arg(distanceText(report.max_deviation))
+                          .arg(report.rms_jerk_before, 0, 'f', 1)
+                          .arg(report.rms_jerk_after, 0, 'f', 1);
+        if (report.tremor_exceeds_tolerance) {
+          result.careful = true;
+          result.line += tr(". The hand's tremor (%1 mm) is larger than the tolerance: much of it is kept")
+                             .arg(1000.0 * report.tremor.position, 0, 'f', 2);
+        }
+        const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
+                                         [&](const auto& e) { return e->name == given->entity; });
+        if (entity != cell.entities.end()) {
+          auto consistent = manipulation::jointsFromPoses(**entity, smooth.trajectory);
+          if (!consistent) return makeError(consistent.error());
+          smooth.trajectory = std::move(*consistent);
+        }
+        if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
+          auto options = optionsFor(*given, monitor);
+          if (!options) return makeError(options.error());
+          if (prepared.revision != cell.revision) {
+            prepared.scene =
+                manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
+            prepared.revision = cell.revision;
+          }
+          auto kept = manipulation::keptFree(prepared.scene, *given, smooth.trajectory, *options, cell.configuration);
+          if (!kept) return makeError(kept.error());
+          if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
+          smooth.trajectory = std::move(kept->trajectory);
+          result.check = std::move(kept->check);
+          for (const auto& nearer : kept->nearer)
+            result.line += tr(". Kept nearer to the recording from %1 to %2 s")
+                               .arg(nearer.t_in, 0, 'f', 2)
+                               .arg(nearer.t_out, 0, 'f', 2);
+        }
+        result.motions.push_back(std::move(smooth.trajectory));
+        return result;
+      });
+}
+
+void MotionWork::retime(trajectory::RetimingOptions options) {
+  run(tr("re-timed"), [options](const auto& given, const Cell& cell, Prepared&, auto&) mutable -> Expected<Result> {
+    const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
+                                     [&](const auto& e) { return e->name == given->entity; });
+    if (options.limits.velocity.empty()) {
+      const auto jerk = options.limits.jerk;
+      options.limits = limitsOf(entity == cell.entities.end() ? workcell::Entity{} : **entity, *given);
+      if (!jerk.empty())
+        for (const double a : options.limits.acceleration) options.limits.jerk.push_back(a / jerk.front());
+    }
+    auto timed = trajectory::retimed(*given, options);
+    if (!timed) return makeError(timed.error());
+    Result result;
+    const auto& report = timed->report;
+    result.line = tr("%1 s → %2 s; at most %3 from the path")
+                      .arg(report.duration_before, 0, 'f', 2)
+                      .arg(report.duration_after, 0, 'f', 2)
+                      .arg(distanceText(report.max_deviation));
+    if (options.mode == trajectory::TimingMode::kTimeOptimal)
+      result.line += tr("; limits used: speed %1 %, acceleration %2 %")
+                         .arg(100.0 * report.use.velocity, 0, 'f', 0)
+                         .arg(100.0 * report.use.acceleration, 0, 'f', 0);
+    if (entity != cell.entities.end()) {
+      auto consistent = manipulation::posesFromJoints(**entity, timed->trajectory);
+      if (!consistent) return makeError(consistent.error());
+      timed->trajectory = std::move(*consistent);
+    }
+    result.motions.push_back(std::move(timed->trajectory));
+    return result;
+  });
+}
+
+void MotionWork::check() {
+  run(tr("checked"),
+      [](const auto& given, const Cell& cell, Prepared& prepared,
+         workcell::ImportMonitor& monitor) -> Expected<Result> {
+        auto options = optionsFor(*given, monitor);
+        if (!options) return makeError(options.error());
+        if (prepared.revision != cell.revision) {
+          prepared.scene =
+              manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
+          prepared.revision = cell.revision;
+        }
+        auto check = manipulation::checkPath(prepared.scene, given->entity, *given, *options, cell.configuration);
+        if (!check) return makeError(check.error());
+        Result result;
+        result.line = checkLine(*check);
+        result.careful = !check->findings.empty();
+        result.check = std::move(*check);
+        return result;
+      });
+}
+
+void MotionWork::edit(const QString& word, Edit edit) {
+  run(word,
+      [edit = std::move(edit), word](const std::shared_ptr<const Trajectory>& given, const Cell& cell, Prepared&,
+                                     workcell::ImportMonitor&) -> Expected<Result> {
+        auto made = edit(*given);
+        if (!made) return makeError(made.error());
+        Result result;
+        result.motions = std::move(*made);
+        result.line =
+            tr("%1: %n motion(s) made; the recording is as it was", nullptr, static_cast<int>(result.motions.size()))
+                .arg(word);
+        // An edit of poses needs a robot's joints anew, from where it stood.
+        for (Trajectory& motion : result.motions) {
+          if (!given->hasJoints() || motion.hasJoints() || motion.empty()) continue;
+          std::vector<double> start;
+          if (const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
+                                               [&](const auto& e) { return e->name == given->entity; });
+              entity != cell.entities.end()) {
+            const auto columns = manipulation::jointColumns(**entity, *given);
+            start = (*entity)->joints;
+            for (std::size_t j = 0; columns && j < columns->size(); ++j) start[(*columns)[j]] = given->joints(0)[j];
+          }
+          auto replay = manipulation::MotionReplay::create(cell.entities, given->entity,
+                                                           std::make_shared<const Trajectory>(motion), start);
+          if (!replay) return makeError(replay.error());
+          motion = replay->withJoints();
+          const PoseDistance off = replay->offPose();
+          if (off.position > 1e-4 || off.angle > 1e-3) {
+            result.careful = true;
+            result.line += tr(". The robot cannot reach all of it: up to %1 away").arg(distanceText(off));
+          }
+        }
+        return result;
+      });
+}
+
+void MotionWork::join(const std::vector<std::string>& names) {
+  std::vector<Trajectory> parts;
+  for (const std::string& name : names)
+    if (const Motion* motion = list_.find(name); motion && motion->trajectory) parts.push_back(*motion->trajectory);
+  edit(tr("joined"), [parts](const Trajectory&) -> Expected<std::vector<Trajectory>> {
+    auto all = trajectory::joined(parts);
+    if (!all) return makeError(all.error());
+    return std::vector<Trajectory>{std::move(*all)};
+  });
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/trajectory/motion_list.h"
+#include "manipulation/prepared_scene.h"
+#include "trajectory/editing.h"
+#include "trajectory/retiming.h"
+
+namespace hapticell::app {
+
+/// What is done with motions, beside the window: each edit gives a new motion (one step of undo) and a line that says
+/// what it did and how far the result is from what it was made of. One piece after the other, with progress and cancel
+/// (MotionList::work()). GUI thread, but for the work itself.
+class MotionWork : public QObject {
+  Q_OBJECT
+ public:
+  MotionWork(Host& host, MotionList& list, QObject* parent = nullptr);
+
+  /// Frames that are enough within the tolerance.
+  void simplify(const trajectory::PathTolerance& tolerance);
+  /// Smoothed within the tolerance; `keep_free`: nearer to the recording where it would collide.
+  void smooth(const trajectory::PathTolerance& tolerance, bool keep_free);
+  /// New times; limits of joints are the robot's where `options` has none.
+  void retime(trajectory::RetimingOptions options);
+  /// Limits, singular places, configurations and collisions along the current motion.
+  void check();
+
+  /// Any edit of the current motion. `word` names it ("reversed") in the new motion's name and in the undo step.
+  using Edit = std::function<Expected<std::vector<trajectory::Trajectory>>(const trajectory::Trajectory&)>;
+  void edit(const QString& word, Edit edit);
+  /// All motions of the current one's entity that are played or named, one after the other.
+  void join(const std::vector<std::string>& names);
+
+  const QString& line() const { return line_; }
+
+ signals:
+  void told(const QString& line, bool careful);  ///< What an edit did; `careful`: a warning or a refusal.
+
+ private:
+  /// The document as the worker needs it.
+  struct Cell {
+    std::vector<std::shared_ptr<const workcell::Entity>> entities;
+    std::vector<workcell::Entity> values;
+    workcell::PairPolicy pairs;
+    workcell::PairDefaults defaults;
+    config::Configuration configuration;
+    std::uint64_t revision = 0;
+  };
+  struct Prepared {
+    std::uint64_t revision = ~std::uint64_t{0};
+    std::shared_ptr<const manipulation::PreparedScene> scene;
+  };
+  struct Result {
+    std::vector<trajectory::Trajectory> motions;
+    QString line;
+    bool careful = false;
+    std::optional<manipulation::PathCheckResult> check;
+  };
+  using Work = std::function<Expected<Result>(const std::shared_ptr<const trajectory::Trajectory>&, const Cell&,
+                                              Prepared&, workcell::ImportMonitor&)>;
+  void run(const QString& word, Work work);
+  std::shared_ptr<const Cell> cell() const;
+  void tell(const QString& line, bool careful);
+
+  Host& host_;
+  MotionList& list_;
+  std::shared_ptr<Prepared> prepared_;  ///< Of the worker alone.
+  QString line_;
+};
+
+/// Bounds of a motion for re-timing and curves: a robot's joint speeds (reached in a quarter of a second where nothing
+/// else is known), 0.5 m/s and 2 rad/s for a solid.
+trajectory::MotionLimits limitsOf(const workcell::Entity& entity, const trajectory::Trajectory& trajectory);
+
+}  // namespace hapticell::app

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/track_rows.h"
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::app {
+namespace {
+
+using Kind = manipulation::PathFinding::Kind;
+
+int strength(CheckMark mark) {
+  switch (mark) {
+    case CheckMark::kCollision:
+      return 4;
+    case CheckMark::kLimit:
+      return 3;
+    case CheckMark::kCareful:
+      return 2;
+    case CheckMark::kFree:
+      return 1;
+    case CheckMark::kNone:
+      break;
+  }
+  return 0;
+}
+
+QString degrees(double radians) {
+  return QObject::tr("%1°").arg(radians * 57.29577951308232, 0, 'f', 1);
+}
+
+void addDots(const Motion& motion, std::size_t most, TrackRow& row) {
+  const auto& trajectory = *motion.trajectory;
+  const std::size_t stride = std::max<std::size_t>(1, (trajectory.size() + most - 1) / std::max<std::size_t>(1, most));
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const auto& frame = trajectory[i];
+    const bool is_end = i + 1 == trajectory.size();
+    if (i % stride != 0 && !frame.by_hand && frame.dwell <= 0.0 && !is_end) continue;
+    row.dots.push_back({frame.t, i, frame.by_hand, markAt(motion, frame.t)});
+  }
+}
+
+}  // namespace
+
+QString findingText(const manipulation::PathFinding& finding) {
+  const QString first = QString::fromStdString(finding.first), second = QString::fromStdString(finding.second);
+  switch (finding.kind) {
+    case Kind::kCollision:
+      return QObject::tr("%1 meets %2").arg(first, second);
+    case Kind::kJointLimit:
+      return QObject::tr("%1 is %2 beyond its end").arg(first, degrees(finding.worst));
+    case Kind::kJointSpeed:
+      return QObject::tr("%1 would have to go %2/s faster than it can").arg(first, degrees(finding.worst));
+    case Kind::kSingularity:
+      return QObject::tr("Near a singular position: a direction is nearly lost");
+    case Kind::kOffPose:
+      return QObject::tr("The robot cannot reach the frame: %1 mm or rad away").arg(1000.0 * finding.worst, 0, 'f', 1);
+    case Kind::kConfiguration:
+      return QObject::tr("The arm changes its configuration: %1").arg(first);
+  }
+  return {};
+}
+
+CheckMark markOf(const manipulation::PathFinding& finding) {
+  switch (finding.kind) {
+    case Kind::kCollision:
+      return CheckMark::kCollision;
+    case Kind::kSingularity:
+    case Kind::kConfiguration:
+      return CheckMark::kCareful;
+    default:
+      return CheckMark::kLimit;
+  }
+}
+
+CheckMark markAt(const Motion& motion, double t) {
+  if (!motion.check) return CheckMark::kNone;
+  CheckMark mark = motion.check->cancelled ? CheckMark::kNone : CheckMark::kFree;
+  for (const auto& finding : motion.check->findings) {
+    if (t < finding.t_in - 1e-9 || t > finding.t_out + 1e-9) continue;
+    if (strength(markOf(finding)) > strength(mark)) mark = markOf(finding);
+  }
+  return mark;
+}
+
+QString checkLine(const manipulation::PathCheckResult& check) {
+  if (check.cancelled) return QObject::tr("check cancelled");
+  int collisions = 0, limits = 0, careful = 0;
+  for (const auto& finding : check.findings) {
+    const CheckMark mark = markOf(finding);
+    collisions += mark == CheckMark::kCollision;
+    limits += mark == CheckMark::kLimit;
+    careful += mark == CheckMark::kCareful;
+  }
+  QStringList words;
+  if (collisions > 0) words << QObject::tr("%n contact(s)", nullptr, collisions);
+  if (limits > 0) words << QObject::tr("%n limit(s) passed", nullptr, limits);
+  if (careful > 0) words << QObject::tr("%n singular place(s) or change(s) of configuration", nullptr, careful);
+  if (words.isEmpty()) words << QObject::tr("free of contact");
+  if (std::isfinite(check.least_clearance) && collisions == 0)
+    words << QObject::tr("least gap %1 mm at %2 s")
+                 .arg(1000.0 * check.least_clearance, 0, 'f', 1)
+                 .arg(check.t_nearest, 0, 'f', 1);
+  return words.join(QStringLiteral(", "));
+}
+
+std::vector<TrackRow> trackRows(const MotionList& list, std::size_t most) {
+  std::vector<TrackRow> rows;
+  for (const Motion& motion : list.motions()) {
+    TrackRow row;
+    row.name = motion.name;
+    row.played = motion.played;
+    row.current = list.current() && list.current()->name == motion.name;
+    row.playable = motion.replay != nullptr;
+    if (!motion.problem.isEmpty()) row.note = motion.problem;
+    if (motion.trajectory && !motion.trajectory->empty()) {
+      row.begin = (*motion.trajectory)[0].t;
+      row.end = motion.trajectory->frames().back().t;
+      if (motion.check) row.note = checkLine(*motion.check);
+      addDots(motion, most, row);
+      if (motion.check)
+        for (const auto& finding : motion.check->findings)
+          row.spans.push_back({finding.t_in, finding.t_out, markOf(finding), findingText(finding)});
+    } else if (!motion.trajectory && motion.problem.isEmpty()) {
+      row.note = QObject::tr("being read");
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/trajectory_docks.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QTimer>
+#include <QToolBar>
+#include <cmath>
+
+#include "app/host/actions.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/recording_hub.h"
+#include "app/style/dock_title_bar.h"
+#include "app/trajectory/frame_gizmo.h"
+#include "app/trajectory/motion_export.h"
+#include "app/trajectory/motion_list.h"
+#include "app/trajectory/motion_panel.h"
+#include "app/trajectory/motion_player.h"
+#include "app/trajectory/motion_work.h"
+#include "app/trajectory/trace_curves.h"
+#include "app/trajectory/trajectory_panel.h"
+#include "app/trajectory/window_recorder.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kRefreshMilliseconds = 100;
+constexpr int kDockWidth = 332;
+constexpr std::size_t kTracePoints = 600;
+
+/// Docks of one window and what they share; owned by the window.
+class TrajectoryDocks : public QObject {
+ public:
+  explicit TrajectoryDocks(Host& host)
+      : QObject(&host.window()),
+        host_(host),
+        list_(host),
+        player_(host, list_),
+        work_(host, list_),
+        files_(host, list_),
+        recorder_(host),
+        gizmo_(host) {
+    panel_ = new TrajectoryPanel(host_, list_, player_);
+    dock_ = makeDock("dockTrajectory", tr("Trajectory"), panel_);
+    motion_ = new MotionPanel(host_, {list_, player_, work_, files_, panel_->timeBar()});
+    scroll_ = new QScrollArea;
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setMinimumWidth(kDockWidth);
+    scroll_->setWidget(motion_);
+    motion_dock_ = makeDock("dockMotion", tr("Motion"), scroll_);
+    host_.addDock(motion_dock_, Qt::RightDockWidgetArea);
+    motion_dock_->hide();
+    host_.viewport().installEventFilter(this);
+    connectPanels();
+    addActions();
+    connectScene();
+    auto* timer = new QTimer(this);
+    connect(timer, &QTimer::timeout, this, &TrajectoryDocks::showRecording);
+    timer->start(kRefreshMilliseconds);
+  }
+  QDockWidget* dock() { return dock_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool escape =
+        event->type() == QEvent::KeyPress && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (escape && gizmo_.cancel()) return true;
+    if (escape && !host_.snapshot() && player_.isShown()) {
+      player_.setShown(false);
+      return true;
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void connectPanels() {
+    connect(panel_, &TrajectoryPanel::recordWanted, this, &TrajectoryDocks::toggleRecording);
+    connect(panel_, &TrajectoryPanel::editWanted, this, [this] { openMotion({}); });
+    connect(panel_, &TrajectoryPanel::smoothWanted, this, [this] { openMotion(tr("Clean")); });
+    connect(panel_, &TrajectoryPanel::exportWanted, this, [this] { openMotion(tr("Export")); });
+    connect(panel_, &TrajectoryPanel::checkWanted, this, [this] { work_.check(); });
+    connect(panel_, &TrajectoryPanel::trimWanted, motion_, &MotionPanel::trim);
+    connect(panel_, &TrajectoryPanel::frameChosen, this, [this](std::size_t frame) { motion_->setFrame(frame); });
+    connect(motion_, &MotionPanel::sectionWanted, this,
+            [this](QWidget* section) { scroll_->ensureWidgetVisible(section, 0, 160); });
+    const auto tell = [this](const QString& line, bool careful) {
+      panel_->showLine(line, careful);
+      motion_->showLine(line, careful);
+    };
+    connect(&work_, &MotionWork::told, this, tell);
+    connect(&files_, &MotionExport::told, this, tell);
+    connect(&host_.recording(), &RecordingHub::recorded, this, &TrajectoryDocks::takeRecorded);
+  }
+
+  void connectScene() {
+    connect(&list_, &MotionList::changed, this, &TrajectoryDocks::showTraces);
+    connect(&list_, &MotionList::currentChanged, this, &TrajectoryDocks::showTraces);
+    connect(motion_, &MotionPanel::frameChanged, this, [this] {
+      panel_->setFrame(motion_->frame());
+      showTraces();
+      showGizmo();
+    });
+    connect(&gizmo_, &FrameGizmo::dropped, this, [this](const Pose& X_WT) {
+      const auto frame = motion_->frame();
+      if (!frame) return;
+      work_.edit(tr("frame moved"),
+                 [i = *frame, X_WT,
+                  reach = motion_->reach()](const auto& given) -> Expected<std::vector<trajectory::Trajectory>> {
+                   auto made = trajectory::withFrameAt(given, i, X_WT, reach);
+                   if (!made) return makeError(made.error());
+                   return std::vector<trajectory::Trajectory>{std::move(*made)};
+                 });
+    });
+    showTraces();
+  }
+
+  void showGizmo() {
+    const Motion* motion = list_.current();
+    const auto frame = motion_->frame();
+    const bool any = motion && motion->trajectory && frame && *frame < motion->trajectory->size();
+    gizmo_.setFrame(any ? std::optional<Pose>((*motion->trajectory)[*frame].X_WT) : std::nullopt);
+  }
+
+  void showTraces() {
+    std::vector<SceneCurve> curves;
+    for (const Motion& motion : list_.motions()) {
+      const bool current = list_.current() && list_.current()->name == motion.name;
+      if (!motion.played && !current) continue;
+      auto trace = traceCurves(motion, kTracePoints, {}, 0.0);
+      curves.insert(curves.end(), trace.begin(), trace.end());
+    }
+    host_.viewport().setCurves("motions", std::move(curves));
+    host_.viewport().refresh();
+  }
+
+  void addActions() {
+    QMenuBar* bar = host_.window().menuBar();
+    auto* menu = new QMenu(tr("Trajectory"), bar);
+    menu->setObjectName("menuTrajectory");
+    QAction* before = nullptr;
+    for (QAction* action : bar->actions())
+      if (action->text() == QObject::tr("Applications")) before = action;
+    bar->insertMenu(before, menu);
+    const auto entry = [&](const ActionFace& face, auto&& slot) {
+      QAction* action = makeAction(&host_.window(), face);
+      host_.window().addAction(action);
+      menu->addAction(action);
+      connect(action, &QAction::triggered, this, slot);
+      return action;
+    };
+    record_ =
+        entry({"actionRecord", tr("Record"), "record", QKeySequence(Qt::Key_R), {}}, [this] { toggleRecording(); });
+    entry({"actionAddFrame", tr("Add a frame"), {}, QKeySequence(Qt::SHIFT | Qt::Key_R), {}}, [this] { addFrame(); });
+    menu->addSeparator();
+    entry({"actionPlay", tr("Play or pause"), "play", {}, {}},
+          [this] { player_.playback().isPlaying() ? player_.pause() : player_.play(); });
+    entry({"actionCheckMotion", tr("Check the motion"), "check", {}, {}}, [this] { work_.check(); });
+    entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
+    entry({"actionImportMotion", tr("Import motions…"), "import", {}, {}}, [this] { files_.askImport(); });
+    if (auto* tools = host_.window().findChild<QToolBar*>("toolMain")) tools->addAction(record_);
+  }
+
+  void openMotion(const QString& section) {
+    const auto& snapshot = host_.snapshot();
+    if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) {
+      panel_->showLine(tr("Switch the forces off first: no panel moves while the hand works."), true);
+      return;
+    }
+    motion_dock_->show();
+    motion_dock_->raise();
+    if (!section.isEmpty()) QTimer::singleShot(0, motion_, [this, section] { motion_->showSection(section); });
+  }
+
+  void toggleRecording() {
+    RecordingHub& hub = host_.recording();
+    if (hub.isRecording()) return hub.stop();
+    player_.setShown(false);
+    auto wanted = motion_->recordingWanted();
+    wanted.take = list_.uniqueName(tr("Take %1").arg(++takes_).toStdString());
+    hub.start(wanted);
+    dock_->show();
+    showRecording();
+  }
+
+  void addFrame() {
+    RecordingHub& hub = host_.recording();
+    if (!hub.isRecording()) {
+      // The first point of a recording by hand begins it.
+      player_.setShown(false);
+      auto wanted = motion_->recordingWanted();
+      wanted.options.mode = trajectory::RecordingMode::kByHand;
+      wanted.take = list_.uniqueName(tr("Take %1").arg(++takes_).toStdString());
+      hub.start(wanted);
+    }
+    hub.mark();
+  }
+
+  void takeRecorded(const std::vector<trajectory::Trajectory>& trajectories) {
+    if (trajectories.empty()) {
+      panel_->showLine(tr("Nothing moved: there is nothing to keep."), true);
+      return showRecording();
+    }
+    std::vector<std::pair<std::string, trajectory::Trajectory>> named;
+    std::size_t frames = 0;
+    for (const auto& one : trajectories) {
+      named.emplace_back(one.entity + ", " + one.take, one);
+      frames += one.size();
+    }
+    list_.add(tr("Record %1").arg(QString::fromStdString(trajectories.front().take)), std::move(named));
+    showRecording();
+    panel_->showLine(tr("%n frame(s) recorded", nullptr, static_cast<int>(frames)), false);
+  }
+
+  void showRecording() {
+    const RecordingHub& hub = host_.recording();
+    std::optional<TrajectoryPanel::Recording> shown;
+    const auto& snapshot = host_.snapshot();
+    if (recorder_.isRecording())
+      shown = TrajectoryPanel::Recording{recorder_.seconds(), recorder_.frames(), recorder_.framesByHand()};
+    else if (hub.isRecording() && snapshot && snapshot->recording.on)
+      shown = TrajectoryPanel::Recording{snapshot->recording.seconds, snapshot->recording.frames,
+                                         snapshot->recording.by_hand};
+    panel_->showRecording(shown);
+    const QString word = shown ? tr("Rec %1:%2")
+                                     .arg(static_cast<int>(shown->seconds) / 60, 2, 10, QChar('0'))
+                                     .arg(std::fmod(shown->seconds, 60.0), 4, 'f', 1, QChar('0'))
+                               : tr("Record");
+    if (record_->iconText() != word) record_->setIconText(word);
+  }
+
+  Host& host_;
+  MotionList list_;
+  MotionPlayer player_;
+  MotionWork work_;
+  MotionExport files_;
+  WindowRecorder recorder_;
+  FrameGizmo gizmo_;
+  TrajectoryPanel* panel_;
+  MotionPanel* motion_;
+  QScrollArea* scroll_;
+  QDockWidget *dock_, *motion_dock_;
+  QAction* record_ = nullptr;
+  int takes_ = 0;
+};
+
+}  // namespace
+
+QDockWidget* addTrajectoryDocks(Host& host) {
+  return (new TrajectoryDocks(host))->dock();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/trajectory/time_bar.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace hapticell::app {
+
+class Host;
+class MotionChart;
+class MotionList;
+class MotionPlayer;
+
+/// The dock under the scene: transport, recording, the time bar and the curves of the current motion on one time axis.
+class TrajectoryPanel : public QWidget {
+  Q_OBJECT
+ public:
+  TrajectoryPanel(Host& host, MotionList& list, MotionPlayer& player, QWidget* parent = nullptr);
+
+  TimeBar& timeBar() { return *bar_; }
+  MotionChart& chart() { return *chart_; }
+  /// What the recording is at, told ten times a second; nothing: none is going on.
+  struct Recording {
+    double seconds = 0.0;
+    std::size_t frames = 0, by_hand = 0;
+  };
+  void showRecording(const std::optional<Recording>& recording);
+  /// What an edit did, until the next.
+  void showLine(const QString& line, bool careful);
+  /// The frame of the current motion that is worked on.
+  void setFrame(std::optional<std::size_t> frame);
+
+ signals:
+  void recordWanted();
+  void editWanted();  ///< The panel with what can be done.
+  void smoothWanted();
+  void checkWanted();
+  void exportWanted();
+  void trimWanted();
+  void frameChosen(std::size_t frame);
+
+ private:
+  QToolButton* button(const char* name, const QString& icon, const QString& tip, const QString& word = {});
+  QWidget* makeTransport();
+  void connectBar();
+  void showMotions();
+  void showCurrent();
+  void showTime();
+  void chooseCurves();
+
+  Host& host_;
+  MotionList& list_;
+  MotionPlayer& player_;
+  TimeBar* bar_;
+  MotionChart* chart_;
+  QToolButton *first_, *back_, *play_, *next_, *last_, *loop_, *shown_, *record_, *trim_, *smooth_, *check_, *export_,
+      *edit_;
+  QComboBox *speed_, *group_, *order_;
+  QLabel* info_;
+  bool recording_ = false;
+  std::shared_ptr<const trajectory::Trajectory> shown_motion_;
+};
+
+}  // namespace hapticell::app

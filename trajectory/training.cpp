@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "trajectory/training.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "trajectory/path_progress.h"
+#include "trajectory/smoothing.h"
+#include "trajectory/trajectory_io.h"
+
+namespace hapticell::trajectory {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "hapticell-training";
+constexpr int kVersion = 1;
+constexpr double kLessHelp = 0.2, kMoreHelp = 0.1;
+
+/// -ln of the squared jerk's integral times T^5 over the square of the way.
+double smoothnessOf(const Trajectory& motion) {
+  double way = 0.0;
+  for (std::size_t i = 1; i < motion.size(); ++i) way += glm::distance(motion[i].X_WT.p, motion[i - 1].X_WT.p);
+  const double time = motion.duration();
+  if (motion.size() < 4 || !(way > 1e-6) || !(time > 0.0)) return 0.0;
+  // A hand's noise at the recording's rate is no roughness: looked at in 60 steps a second at most.
+  Trajectory even;
+  const std::size_t steps = std::clamp<std::size_t>(static_cast<std::size_t>(60.0 * time), 8, 60000);
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double t = motion[0].t + time * static_cast<double>(i) / static_cast<double>(steps);
+    even.addFrame({t, motion.poseAt(t)});
+  }
+  const double jerk = rmsJerk(even);
+  return jerk > 0.0 ? -std::log(jerk * jerk * std::pow(time, 6) / (way * way)) : 0.0;
+}
+
+struct Felt {
+  double mean = 0.0, most = 0.0;
+};
+
+Felt forceOf(const Trajectory& motion) {
+  const auto x = motion.findChannel("force_x"), y = motion.findChannel("force_y"), z = motion.findChannel("force_z");
+  Felt felt;
+  if (!x || !y || !z || motion.empty()) return felt;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const auto c = motion.channels(i);
+    const double force = glm::length(dvec3(c[*x], c[*y], c[*z]));
+    felt.mean += force / static_cast<double>(motion.size());
+    felt.most = std::max(felt.most, force);
+  }
+  return felt;
+}
+
+/// 1 at `good`, falling to 0 at `bad`.
+double shareOf(double value, double good, double bad) {
+  return bad > good ? std::clamp(1.0 - (value - good) / (bad - good), 0.0, 1.0) : (value <= good ? 1.0 : 0.0);
+}
+
+double pointsOf(const TrainingScore& score, const TrainingScore& expert, const ScoringRule& rule) {
+  const double parts[5] = {shareOf(score.time, score.expert_time, rule.slowness * score.expert_time),
+                           shareOf(score.mean_deviation, 0.0, rule.deviation),
+                           shareOf(score.max_force, expert.max_force, expert.max_force + rule.force),
+                           shareOf(score.expert_smoothness - score.smoothness, 0.0, rule.smoothness),
+                           shareOf(score.contacts, expert.contacts, expert.contacts + rule.contacts)};
+  const double weights[5] = {rule.weight_time, rule.weight_deviation, rule.weight_force, rule.weight_smoothness,
+                             rule.weight_contacts};
+  double sum = 0.0, all = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    sum += weights[i] * parts[i];
+    all += weights[i];
+  }
+  return all > 0.0 ? 100.0 * score.completed * sum / all : 0.0;
+}
+
+/// Names and places of the numbers of a score, the same in both file formats.
+template <class Score, class Visit>
+void visitNumbers(Score& score, Visit visit) {
+  visit("points", "", score.points);
+  visit("completed", "", score.completed);
+  visit("time", "s", score.time);
+  visit("expert_time", "s", score.expert_time);
+  visit("mean_deviation", "m", score.mean_deviation);
+  visit("max_deviation", "m", score.max_deviation);
+  visit("mean_turn", "rad", score.mean_turn);
+  visit("mean_force", "N", score.mean_force);
+  visit("max_force", "N", score.max_force);
+  visit("smoothness", "", score.smoothness);
+  visit("expert_smoothness", "", score.expert_smoothness);
+  visit("contact_time", "s", score.contact_time);
+}
+
+Expected<TrainingAttempt> attemptOf(const json& entry, std::size_t index) {
+  const std::string place = "attempt " + std::to_string(index + 1);
+  const auto wrong = [&](const std::string& field) {
+    return makeError({"", place + ", field '" + field + "'", "none, or not what it should be", "a value", ""});
+  };
+  if (!entry.is_object()) return makeError({"", place, "no object", "an attempt", ""});
+  TrainingAttempt attempt;
+  if (!entry.contains("date") || !entry["date"].is_string()) return wrong("date");
+  if (!entry.contains("help") || !entry["help"].is_number()) return wrong("help");
+  if (!entry.contains("success") || !entry["success"].is_boolean()) return wrong("success");
+  if (!entry.contains("contacts") || !entry["contacts"].is_number_integer()) return wrong("contacts");
+  attempt.date = entry["date"].get<std::string>();
+  attempt.help = entry["help"].get<double>();
+  attempt.success = entry["success"].get<bool>();
+  attempt.score.contacts = entry["contacts"].get<int>();
+  std::string missing;
+  visitNumbers(attempt.score, [&](const char* name, const char*, double& value) {
+    const auto found = entry.find(name);
+    if (found == entry.end() || !found->is_number())
+      missing = missing.empty() ? name : missing;
+    else
+      value = found->template get<double>();
+  });
+  if (!missing.empty()) return wrong(missing);
+  if (!(attempt.help >= 0.0 && attempt.help <= 1.0)) return wrong("help");
+  return attempt;
+}
+
+}  // namespace
+
+TrainingScore scoreRun(const Trajectory& expert, const Trajectory& run, const ScoringRule& rule) {
+  TrainingScore score, best;
+  score.expert_time = expert.duration();
+  score.expert_smoothness = smoothnessOf(expert);
+  best.max_force = forceOf(expert).most;
+  best.contacts = static_cast<int>(expert.touches.size());
+  if (run.empty()) return score;
+  PathProgress progress(expert);
+  double farthest = 0.0, reached = run[0].t;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    progress.follow(run[i].X_WT);
+    const PoseDistance off = progress.deviation(run[i].X_WT);
+    score.mean_deviation += off.position / static_cast<double>(run.size());
+    score.mean_turn += off.angle / static_cast<double>(run.size());
+    score.max_deviation = std::max(score.max_deviation, off.position);
+    if (progress.share() <= farthest + 1e-6) continue;
+    farthest = progress.share();
+    reached = run[i].t;
+  }
+  // A hand that stops a hair before the end is there.
+  constexpr double kThere = 0.98;
+  score.completed = farthest >= kThere ? 1.0 : farthest;
+  score.time = reached - run[0].t;
+  const Felt felt = forceOf(run);
+  score.mean_force = felt.mean;
+  score.max_force = felt.most;
+  score.smoothness = smoothnessOf(run);
+  score.contacts = static_cast<int>(run.touches.size());
+  for (const auto& touch : run.touches) score.contact_time += touch.t_out - touch.t_in;
+  score.points = pointsOf(score, best, rule);
+  return score;
+}
+
+double nextHelp(double help, bool success, bool failed_before) {
+  if (success) return std::max(0.0, help - kLessHelp);
+  return failed_before ? std::min(1.0, help + kMoreHelp) : help;
+}
+
+double TrainingSession::nextHelp() const {
+  if (attempts.empty()) return 1.0;
+  const bool failed_before = attempts.size() > 1 && !attempts[attempts.size() - 2].success;
+  const double help = trajectory::nextHelp(attempts.back().help, attempts.back().success, failed_before);
+  return std::round(help * 100.0) / 100.0;
+}
+
+Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return makeError({file.string(), "", "the file cannot be opened", "a training session", ""});
+  const json document = json::parse(stream, nullptr, false);
+  const auto version = document.is_object() ? document.value("version", json()) : json();
+  if (!document.is_object() || document.value("format", json()) != kFormat || !version.is_number_integer()) {
+    return makeError({file.string(), "field 'format'", "no training session", std::string("\"") + kFormat + "\"", ""});
+  }
+  if (version.get<std::int64_t>() > kVersion || version.get<std::int64_t>() < 1) {
+    return makeError({file.string(), "field 'version'", version.dump(), "at most " + std::to_string(kVersion), ""});
+  }
+  TrainingSession session;
+  for (const auto& [field, text] : {std::pair("trainee", &session.trainee), std::pair("exercise", &session.exercise)}) {
+    if (!document.contains(field) || !document[field].is_string()) {
+      return makeError({file.string(), std::string("field '") + field + "'", "none", "a text", ""});
+    }
+    *text = document[field].get<std::string>();
+  }
+  const json attempts = document.value("attempts", json::array());
+  if (!attempts.is_array()) return makeError({file.string(), "field 'attempts'", "no list", "a list", ""});
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    auto attempt = attemptOf(attempts[i], i);
+    if (!attempt) {
+      Error error = attempt.error();
+      error.file = file.string();
+      return makeError(std::move(error));
+    }
+    session.attempts.push_back(std::move(*attempt));
+  }
+  return session;
+}
+
+std::string toJsonText(const TrainingSession& session) {
+  nlohmann::ordered_json document{
+      {"format", kFormat}, {"version", kVersion}, {"trainee", session.trainee}, {"exercise", session.exercise}};
+  document["attempts"] = nlohmann::ordered_json::array();
+  for (const TrainingAttempt& attempt : session.attempts) {
+    nlohmann::ordered_json entry{{"date", attempt.date}, {"help", attempt.help}, {"success", attempt.success}};
+    visitNumbers(attempt.score, [&](const char* name, const char*, const double& value) { entry[name] = value; });
+    entry["contacts"] = attempt.score.contacts;
+    document["attempts"].push_back(std::move(entry));
+  }
+  return document.dump(1) + "\n";
+}
+
+std::string toCsvText(const TrainingSession& session) {
+  std::string text = "attempt,date,help,success";
+  visitNumbers(TrainingScore{}, [&](const char* name, const char* unit, const double&) {
+    text += std::string(",") + name + (*unit ? std::string("_") + unit : std::string());
+  });
+  text += ",contacts\n";
+  for (std::size_t i = 0; i < session.attempts.size(); ++i) {
+    const TrainingAttempt& attempt = session.attempts[i];
+    text +=
+        std::to_string(i + 1) + "," + attempt.date + "," + shortestText(attempt.help) + (attempt.success ? ",1" : ",0");
+    visitNumbers(attempt.score,
+                 [&](const char*, const char*, const double& value) { text += "," + shortestText(value); });
+    text += "," + std::to_string(attempt.score.contacts) + "\n";
+  }
+  return text;
+}
+
+}  // namespace hapticell::trajectory
