@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -35,6 +36,7 @@ struct SessionWords {
   std::string trace;
   std::string configuration;
   std::string record;
+  bool record_by_button = false, record_all = false;
   std::optional<double> record_interval, record_distance;
 };
 
@@ -77,6 +79,9 @@ Expected<void> readRecording(const SessionWords& words, SessionOptions& options)
     return makeError({"", "--record-interval, --record-distance", "both are given", "one of the two", ""});
   }
   trajectory::RecordingOptions recording;
+  if (words.record_all) recording.mode = trajectory::RecordingMode::kEveryStep;
+  if (words.record_by_button) recording.mode = trajectory::RecordingMode::kByHand;
+  options.mark_by_button = words.record_by_button;
   recording.interval_s = words.record_interval.value_or(recording.interval_s);
   if (words.record_distance) {
     recording.mode = trajectory::RecordingMode::kByDistance;
@@ -96,6 +101,13 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
   if (words.record.empty()) return {};
   if (session.recording.empty()) warn("Nothing was held and moved: the recording has no frames.");
   const bool is_csv = words.record.ends_with(".csv");
+  // What moved beside it, on the same clock, stands beside its file.
+  const std::filesystem::path place(words.record);
+  for (const trajectory::Trajectory& other : session.other_recordings) {
+    const auto beside = place.parent_path() / (place.stem().string() + "-" + other.entity + place.extension().string());
+    const auto text = is_csv ? toCsvText(other) : toJsonText(other);
+    if (auto written = writeFileAtomically(beside.string(), text); !written) return written;
+  }
   return writeFileAtomically(words.record, is_csv ? toCsvText(session.recording) : toJsonText(session.recording));
 }
 
@@ -295,6 +307,9 @@ void addSessionCommand(CLI::App& app, Action& chosen) {
   command->add_option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
   command->add_option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
   command->add_option("--record-interval", words->record_interval, "s between its frames (0.01)");
+  command->add_flag("--record-all", words->record_all, "Every step of the manipulation loop");
+  command->add_flag("--record-by-button", words->record_by_button,
+                    "Only frames that the stylus's second button adds (it is no clutch then)");
   command->add_option("--record-distance", words->record_distance, "m between its frames, instead of a time");
   command->callback(
       [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "cli/result_writer.h"
+#include "manipulation/kept_free.h"
+#include "manipulation/motion_replay.h"
 #include "manipulation/path_check.h"
 #include "workcell/document_io.h"
 
@@ -49,7 +51,50 @@ Expected<manipulation::PathCheckOptions> pathOptions(const TrajectoryCheckOption
   return path;
 }
 
+/// What a motion goes through.
+struct Cell {
+  workcell::Document document;
+  std::shared_ptr<const manipulation::PreparedScene> scene;
+  manipulation::PathCheckOptions path;
+  std::string entity;
+};
+
+Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const TrajectoryCheckOptions& options) {
+  Diagnostics notes;
+  auto document = workcell::loadDocument(options.workcell, notes);
+  for (const std::string& note : notes.warnings) warn(note);
+  if (!document) return tl::unexpected(document.error());
+  auto path = pathOptions(options, trajectory);
+  if (!path) return tl::unexpected(path.error());
+  const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
+  if (name.empty())
+    return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});
+  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(),
+                                                    {document->state().pair_sets, document->state().pair_rules}, {});
+  return Cell{std::move(*document), std::move(scene), std::move(*path), name};
+}
+
 }  // namespace
+
+Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajectory::Trajectory processed,
+                                  const TrajectoryCheckOptions& options) {
+  const auto cell = cellFor(given, options);
+  if (!cell) return tl::unexpected(cell.error());
+  trajectory::Trajectory recording = given;
+  recording.entity = processed.entity = cell->entity;
+  if (const workcell::Entity* entity = cell->document.findByName(cell->entity)) {
+    auto consistent = manipulation::jointsFromPoses(*entity, processed);
+    if (!consistent) return tl::unexpected(consistent.error());
+    processed = std::move(*consistent);
+  }
+  auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});
+  if (!kept) return tl::unexpected(kept.error());
+  ordered_json report{{"checks", kept->checks}, {"findings", listOf(kept->check.findings)}};
+  report["nearer"] = ordered_json::array();
+  for (const auto& nearer : kept->nearer)
+    report["nearer"].push_back({{"t_in", nearer.t_in}, {"t_out", nearer.t_out}, {"share", nearer.share}});
+  return KeptFreeResult{std::move(kept->trajectory), std::move(report)};
+}
 
 void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options) {
   command.add_option("--workcell", options.workcell, "The cell to move through (.hcell)")->required();
@@ -61,20 +106,11 @@ void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options) {
 
 Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
                                        const TrajectoryCheckOptions& options) {
-  Diagnostics notes;
-  auto document = workcell::loadDocument(options.workcell, notes);
-  for (const std::string& note : notes.warnings) warn(note);
-  if (!document) return tl::unexpected(document.error());
-  const auto path = pathOptions(options, trajectory);
-  if (!path) return tl::unexpected(path.error());
-  const auto scene = manipulation::PreparedScene::prepare(
-      document->snapshotEntities(), {document->state().pair_sets, document->state().pair_rules}, {});
-  const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
-  if (name.empty())
-    return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});
+  const auto cell = cellFor(trajectory, options);
+  if (!cell) return tl::unexpected(cell.error());
 
   const auto begin = std::chrono::steady_clock::now();
-  const auto result = manipulation::checkPath(scene, name, trajectory, *path, {});
+  const auto result = manipulation::checkPath(cell->scene, cell->entity, trajectory, cell->path, {});
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
   if (!result) return tl::unexpected(result.error());
 

@@ -24,4 +24,13 @@ void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options);
 Expected<nlohmann::ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
                                                  const TrajectoryCheckOptions& options);
 
+/// A processed motion that is kept nearer to its recording where it would collide in the workcell, a robot's joints
+/// brought to its poses; and what was done.
+struct KeptFreeResult {
+  trajectory::Trajectory trajectory;
+  nlohmann::ordered_json report;
+};
+Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& recording, trajectory::Trajectory processed,
+                                  const TrajectoryCheckOptions& options);
+
 }  // namespace hapticell::cli

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/trajectory_check.h"
+#include "cli/trajectory_edits.h"
 #include "cli/trajectory_robot.h"
 #include "trajectory/program_export.h"
 #include "trajectory/retiming.h"
@@ -63,25 +64,9 @@ ordered_json summary(const Trajectory& trajectory) {
   return result;
 }
 
-Expected<void> save(const Trajectory& trajectory, const std::string& path) {
-  if (path.empty()) return {};
-  const std::string extension = fs::path(path).extension().string();
-  if (extension == ".csv") return writeFileAtomically(path, toCsvText(trajectory));
-  if (extension == ".htraj" || extension == ".json") return writeFileAtomically(path, toJsonText(trajectory));
-  return makeError({path, "--output", "the extension '" + extension + "'", ".htraj, .json or .csv",
-                    "Use trajectory export for other formats."});
-}
-
 ExitStatus failed(const Error& error) {
   report(error);
   return ExitStatus::kBadInput;
-}
-
-/// Writes the result; a check that found something ends with 1.
-ExitStatus finish(const ResultWriter& writer, const Expected<ordered_json>& result) {
-  if (!result) return failed(result.error());
-  if (const auto written = writer.write(*result); !written) return failed(written.error());
-  return result->value("found", false) ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
 Expected<trajectory::PathTolerance> toleranceOf(const TrajectoryOptions& options) {
@@ -112,7 +97,7 @@ Expected<ordered_json> simplify(const Trajectory& given, const TrajectoryOptions
   const auto tolerance = toleranceOf(options);
   if (!tolerance) return tl::unexpected(tolerance.error());
   const Trajectory few = simplified(given, *tolerance);
-  if (auto saved = save(few, options.output); !saved) return tl::unexpected(saved.error());
+  if (auto saved = saveTrajectory(few, options.output); !saved) return tl::unexpected(saved.error());
   return ordered_json{{"frames_before", given.size()},
                       {"frames_after", few.size()},
                       {"max_deviation", distanceJson(largestDeviation(given, few))}};
@@ -121,8 +106,15 @@ Expected<ordered_json> simplify(const Trajectory& given, const TrajectoryOptions
 Expected<ordered_json> smooth(const Trajectory& given, const TrajectoryOptions& options) {
   const auto tolerance = toleranceOf(options);
   if (!tolerance) return tl::unexpected(tolerance.error());
-  const auto result = trajectory::smoothed(given, {*tolerance});
-  if (auto saved = save(result.trajectory, options.output); !saved) return tl::unexpected(saved.error());
+  auto result = trajectory::smoothed(given, {*tolerance});
+  ordered_json kept = nullptr;
+  if (!options.check.workcell.empty()) {
+    auto free = keepFree(given, std::move(result.trajectory), options.check);
+    if (!free) return tl::unexpected(free.error());
+    result.trajectory = std::move(free->trajectory);
+    kept = std::move(free->report);
+  }
+  if (auto saved = saveTrajectory(result.trajectory, options.output); !saved) return tl::unexpected(saved.error());
   const auto& report = result.report;
   ordered_json json{{"frames", given.size()},
                     {"spans", report.spans},
@@ -131,6 +123,7 @@ Expected<ordered_json> smooth(const Trajectory& given, const TrajectoryOptions& 
                     {"rms_jerk_before", report.rms_jerk_before},
                     {"rms_jerk_after", report.rms_jerk_after}};
   json["tremor"] = {{"position", report.tremor.position}, {"angle", report.tremor.angle}};
+  if (!kept.is_null()) json["kept_free"] = std::move(kept);
   json["warnings"] = ordered_json::array();
   if (report.tremor_exceeds_tolerance) {
     json["warnings"].push_back("The hand's tremor is larger than the tolerance: much of it is kept.");
@@ -156,7 +149,7 @@ Expected<ordered_json> retime(const Trajectory& given, const TrajectoryOptions& 
   }
   const auto result = trajectory::retimed(given, retiming);
   if (!result) return tl::unexpected(result.error());
-  if (auto saved = save(result->trajectory, options.output); !saved) return tl::unexpected(saved.error());
+  if (auto saved = saveTrajectory(result->trajectory, options.output); !saved) return tl::unexpected(saved.error());
   const auto& report = result->report;
   return ordered_json{
       {"duration_before", report.duration_before},
@@ -253,7 +246,7 @@ void addTrajectoryCommand(CLI::App& app, Action& chosen) {
     sub->callback([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) {
         const auto given = trajectory::readTrajectory(options->file);
-        return given ? finish(writer, handler(*given, *options)) : failed(given.error());
+        return given ? finishTrajectory(writer, handler(*given, *options)) : failed(given.error());
       };
     });
     return sub;
@@ -265,6 +258,9 @@ void addTrajectoryCommand(CLI::App& app, Action& chosen) {
   CLI::App* check_command = add("check", "Limits and collisions along the whole motion", check);
   CLI::App* export_command = add("export", "Write it in another format or as a robot's program", exportTo);
 
+  addTrajectoryEdits(*command, chosen);
+  addTrajectoryTraining(*command, chosen);
+
   for (CLI::App* sub : {simplify_command, smooth_command, retime_command}) {
     sub->add_option("-o,--output", options->output, "The result: .htraj, .json or .csv");
   }
@@ -275,6 +271,9 @@ void addTrajectoryCommand(CLI::App& app, Action& chosen) {
   retime_command->add_option("--sample", options->sample, "Time between the frames of the result, s (0.01)");
   addLimits(*retime_command, options->limits);
   addCheckOptions(*check_command, options->check);
+  smooth_command->add_option("--workcell", options->check.workcell,
+                             "The cell to move through: nearer to the recording where it would collide");
+  smooth_command->add_option("--entity", options->check.entity, "What moves (as the trajectory says)");
 
   export_command->add_option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript or val3")->required();
   export_command->add_option("-o,--output", options->output, "The file; a folder for val3")->required();

@@ -50,6 +50,8 @@ class TrainingRun {
   /// The way is gone: the run can be ended.
   bool isDone() const { return progress_.share() > 0.98; }
   const trajectory::Trajectory& expert() const { return expert_; }
+  /// When the expert was where the trainee is, s since the recording's beginning.
+  double expertTime() const { return progress_.timeAt(progress_.way()) - expert_[0].t; }
   /// Pose of the expert a little ahead: what the trainee is shown.
   Pose ahead() const { return progress_.expertAt(std::min(progress_.length(), progress_.way() + exercise_.lead)); }
 

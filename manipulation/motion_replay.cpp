@@ -195,6 +195,16 @@ EntityConfiguration MotionReplay::at(double t) const {
   return at;
 }
 
+Pose MotionReplay::movedFrame(const EntityConfiguration& at) const {
+  if (moves_root_ || !entity_->robot) return at.X_WE * X_EM_;
+  int tip = entity_->robot->findLink(entity_->tip_link);
+  if (tip < 0) tip = entity_->robot->defaultTip();
+  if (tip < 0) return at.X_WE;
+  std::vector<Pose> X_BL;
+  kinematics::forwardKinematics(*entity_->robot, at.joints, X_BL);
+  return at.X_WE * X_BL[static_cast<std::size_t>(tip)] * entity_->X_LT;
+}
+
 Trajectory MotionReplay::withJoints() const {
   if (followed_.empty()) return *trajectory_;
   Trajectory result = trajectory_->emptyCopy();

@@ -35,6 +35,8 @@ class MotionReplay {
   const trajectory::Trajectory& motion() const { return *trajectory_; }
   /// Where the entity is at `t` (s of the trajectory, clamped to its ends).
   EntityConfiguration at(double t) const;
+  /// The moved frame of the entity when it stands so.
+  Pose movedFrame(const EntityConfiguration& at) const;
   /// The moved frame there.
   Pose movedFrameAt(double t) const { return trajectory_->poseAt(t); }
   /// The motion with the joints of every frame: as it is where it has them, else as the inverse model found them.

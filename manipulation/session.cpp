@@ -63,7 +63,7 @@ class WatchedEngine {
     if (!tried) return makeError(tried.error());
     start_ = *tried;
     if (options_.recording) {
-      engine_.apply(command::StartRecording{*options_.recording, {}, false});
+      engine_.apply(command::StartRecording{*options_.recording, {}, options_.mark_by_button});
     }
     engine_.apply(command::SetForces{options_.forces});
     return {};

@@ -41,6 +41,7 @@ struct SessionOptions {
   command::SetFilter filter;
 
   std::optional<trajectory::RecordingOptions> recording;  ///< What is held is recorded, a step of the loop at a time.
+  bool mark_by_button = false;  ///< The second button adds a frame by hand (else it is the clutch).
   /// Led along an expert's way with this help (0 .. 1), felt while the recording's entity is held.
   struct Training {
     Exercise exercise;

@@ -214,7 +214,8 @@ std::string toJsonText(const TrainingSession& session) {
 
 std::string toCsvText(const TrainingSession& session) {
   std::string text = "attempt,date,help,success";
-  visitNumbers(TrainingScore{}, [&](const char* name, const char* unit, const double&) {
+  const TrainingScore none;
+  visitNumbers(none, [&](const char* name, const char* unit, const double&) {
     text += std::string(",") + name + (*unit ? std::string("_") + unit : std::string());
   });
   text += ",contacts\n";

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 #include <vector>
 
 #include "manipulation/manipulation_command.h"
+#include "workcell/guide.h"
 
 namespace hapticell::app {
 
@@ -38,6 +40,12 @@ class RecordingHub : public QObject {
   void mark() {
     if (recording_) emit markWanted();
   }
+  /// A guide beside those of the document, felt by what is held: a training's. Nothing: none.
+  void setGuide(const std::optional<workcell::Guide>& guide) {
+    guide_ = guide;
+    emit guideWanted();
+  }
+  const std::optional<workcell::Guide>& guide() const { return guide_; }
   /// Of the one who moves.
   void deliver(const std::vector<trajectory::Trajectory>& trajectories) {
     recording_ = false;
@@ -48,11 +56,13 @@ class RecordingHub : public QObject {
   void startWanted(const hapticell::manipulation::command::StartRecording& wanted);
   void stopWanted();
   void markWanted();
+  void guideWanted();
   void liveChanged(bool live);
   void recorded(const std::vector<hapticell::trajectory::Trajectory>& trajectories);
 
  private:
   bool live_ = false, recording_ = false;
+  std::optional<workcell::Guide> guide_;
 };
 
 }  // namespace hapticell::app

@@ -26,6 +26,8 @@
 #include "app/trajectory/motion_player.h"
 #include "app/trajectory/motion_work.h"
 #include "app/trajectory/trace_curves.h"
+#include "app/trajectory/training_docks.h"
+#include "app/trajectory/training_panel.h"
 #include "app/trajectory/trajectory_panel.h"
 #include "app/trajectory/window_recorder.h"
 #include "app/viewport/viewport_widget.h"
@@ -43,12 +45,13 @@ class TrajectoryDocks : public QObject {
   explicit TrajectoryDocks(Host& host)
       : QObject(&host.window()),
         host_(host),
-        list_(host),
-        player_(host, list_),
-        work_(host, list_),
-        files_(host, list_),
-        recorder_(host),
-        gizmo_(host) {
+        list_(host, this),
+        player_(host, list_, this),
+        work_(host, list_, this),
+        files_(host, list_, this),
+        recorder_(host, this),
+        gizmo_(host, this),
+        training_(host, list_, this) {
     panel_ = new TrajectoryPanel(host_, list_, player_);
     dock_ = makeDock("dockTrajectory", tr("Trajectory"), panel_);
     motion_ = new MotionPanel(host_, {list_, player_, work_, files_, panel_->timeBar()});
@@ -100,6 +103,7 @@ class TrajectoryDocks : public QObject {
     };
     connect(&work_, &MotionWork::told, this, tell);
     connect(&files_, &MotionExport::told, this, tell);
+    connect(&training_.panel(), &TrainingPanel::told, this, tell);
     connect(&host_.recording(), &RecordingHub::recorded, this, &TrajectoryDocks::takeRecorded);
   }
 
@@ -167,6 +171,7 @@ class TrajectoryDocks : public QObject {
           [this] { player_.playback().isPlaying() ? player_.pause() : player_.play(); });
     entry({"actionCheckMotion", tr("Check the motion"), "check", {}, {}}, [this] { work_.check(); });
     entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
+    entry({"actionTraining", tr("Train along a motion…"), "hand", {}, {}}, [this] { training_.open(); });
     entry({"actionImportMotion", tr("Import motions…"), "import", {}, {}}, [this] { files_.askImport(); });
     if (auto* tools = host_.window().findChild<QToolBar*>("toolMain")) tools->addAction(record_);
   }
@@ -207,6 +212,7 @@ class TrajectoryDocks : public QObject {
   }
 
   void takeRecorded(const std::vector<trajectory::Trajectory>& trajectories) {
+    if (training_.panel().takeRecorded(trajectories)) return showRecording();
     if (trajectories.empty()) {
       panel_->showLine(tr("Nothing moved: there is nothing to keep."), true);
       return showRecording();
@@ -246,6 +252,7 @@ class TrajectoryDocks : public QObject {
   MotionExport files_;
   WindowRecorder recorder_;
   FrameGizmo gizmo_;
+  TrainingDocks training_;
   TrajectoryPanel* panel_;
   MotionPanel* motion_;
   QScrollArea* scroll_;

@@ -84,6 +84,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   };
   connect(&host_.recording(), &RecordingHub::startWanted, this, post);
   connect(&host_.recording(), &RecordingHub::stopWanted, this, [post] { post(command::StopRecording{}); });
+  connect(&host_.recording(), &RecordingHub::guideWanted, this, &VirtualDesktopController::postGuides);
   connect(&host_.recording(), &RecordingHub::markWanted, this, [post] { post(command::MarkFrame{}); });
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
   connect(&server_, &ServerProcess::warned, this,
@@ -185,7 +186,14 @@ void VirtualDesktopController::postDocument() {
   if (document.state().findPairSet(settings_.against))
     for (workcell::PairSet& set : sets) set.enabled = set.name == settings_.against;
   loop_->post(command::SetDocument{document.snapshotEntities(), {std::move(sets), document.state().pair_rules}});
-  loop_->post(command::SetGuides{document.state().guides});
+  postGuides();
+}
+
+void VirtualDesktopController::postGuides() {
+  if (!loop_) return;
+  std::vector<workcell::Guide> guides = host_.documentModel().document().state().guides;
+  if (const auto& training = host_.recording().guide()) guides.push_back(*training);
+  loop_->post(command::SetGuides{std::move(guides)});
 }
 
 Pose VirtualDesktopController::cameraPose_W() const {

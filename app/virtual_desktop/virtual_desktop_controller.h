@@ -69,6 +69,7 @@ class VirtualDesktopController : public QObject {
   void takeResults();
   void handleMoved(const manipulation::result::Moved& moved);
   void postDocument();
+  void postGuides();
   void postCamera();
   void postSettings();
   void postHand(const haptic::HandTarget& target);

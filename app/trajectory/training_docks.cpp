@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/training_docks.h"
+
+#include <QDockWidget>
+#include <QScrollArea>
+
+#include "app/guides/guide_curves.h"
+#include "app/host/document_model.h"
+#include "app/host/main_window.h"
+#include "app/robot/robot_ghosts.h"
+#include "app/style/dock_title_bar.h"
+#include "app/trajectory/training_panel.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kFollowMilliseconds = 33;
+constexpr int kDockWidth = 332;
+constexpr double kAhead = 0.3;  // s of the expert's time that the ghost is ahead.
+
+}  // namespace
+
+TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QObject(parent), host_(host) {
+  panel_ = new TrainingPanel(host_, list);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(kDockWidth);
+  scroll->setWidget(panel_);
+  dock_ = makeDock("dockTraining", tr("Training"), scroll);
+  host_.addDock(dock_, Qt::RightDockWidgetArea);
+  dock_->hide();
+  connect(panel_, &TrainingPanel::cellWanted, this, &TrainingDocks::openCell);
+  connect(panel_, &TrainingPanel::guideChanged, this, &TrainingDocks::showGuide);
+  connect(panel_, &TrainingPanel::runStarted, this, [this](const trajectory::Trajectory& expert) {
+    auto replay = manipulation::MotionReplay::create(host_.documentModel().document().state().entities, expert.entity,
+                                                     std::make_shared<const trajectory::Trajectory>(expert));
+    expert_ = replay ? std::make_shared<const manipulation::MotionReplay>(std::move(*replay)) : nullptr;
+    timer_.start();
+  });
+  connect(panel_, &TrainingPanel::runEnded, this, [this] {
+    timer_.stop();
+    host_.viewport().scene().setGhosts({});
+    host_.viewport().refresh();
+  });
+  timer_.setInterval(kFollowMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &TrainingDocks::follow);
+}
+
+void TrainingDocks::open() {
+  const auto& snapshot = host_.snapshot();
+  if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) return;
+  dock_->show();
+  dock_->raise();
+}
+
+void TrainingDocks::openCell(const QString& path) {
+  const workcell::Document& document = host_.documentModel().document();
+  if (QString::fromStdString(document.path().string()) == path) return;
+  if (document.isDirty()) {
+    emit panel_->told(tr("Save this cell first; then choose the exercise again."), true);
+    return;
+  }
+  if (auto* window = qobject_cast<MainWindow*>(&host_.window())) window->openFile(path);
+}
+
+void TrainingDocks::showGuide(const std::optional<workcell::Guide>& guide) {
+  host_.recording().setGuide(guide);
+  std::vector<SceneCurve> curves;
+  if (guide && guide->enabled) curves = guideCurves(*guide, guide->path.front(), false);
+  host_.viewport().setCurves("training", std::move(curves));
+  host_.viewport().refresh();
+}
+
+void TrainingDocks::follow() {
+  if (!expert_) return;
+  const SceneModel& scene = host_.viewport().scene();
+  const workcell::Entity* entity = scene.find(expert_->entity());
+  if (!entity) return;
+  panel_->follow(expert_->movedFrame({scene.placement_W(*entity), scene.joints(*entity)}));
+  if (!panel_->isRunning()) return;
+  const auto at = expert_->at(expert_->motion()[0].t + panel_->expertTime() + kAhead);
+  host_.viewport().scene().setGhosts(
+      entityGhosts(host_.documentModel().document().state(), expert_->entity(), at.X_WE, at.joints));
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/training_panel.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/host/recording_hub.h"
+#include "app/panels/form.h"
+#include "app/style/theme.h"
+#include "app/style/value_field.h"
+#include "app/trajectory/motion_list.h"
+#include "app/trajectory/progress_plot.h"
+#include "app/trajectory/training_report.h"
+#include "app/viewport/viewport_widget.h"
+#include "config/configuration.h"
+#include "trajectory/trajectory_io.h"
+#include "workcell/file_content.h"
+
+namespace hapticell::app {
+namespace {
+
+QLabel* wrapped(const char* name, TextRole role, bool quiet) {
+  auto* label = makeLabel({}, role, quiet);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+TrainingPanel::TrainingPanel(Host& host, MotionList& list, QWidget* parent)
+    : QWidget(parent), host_(host), list_(list) {
+  setMinimumWidth(320);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  addExercise(*column);
+  addTrainee(*column);
+  addRun(*column);
+  addResults(*column);
+  column->addStretch(1);
+  connect(&list_, &MotionList::currentChanged, this, &TrainingPanel::show);
+  show();
+}
+
+TrainingPanel::~TrainingPanel() = default;
+
+void TrainingPanel::addExercise(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, tr("Exercise"));
+  exercises_ = new QComboBox;
+  exercises_->setObjectName("comboExercise");
+  exercises_->addItem(tr("Choose an exercise"), QString());
+  if (const auto folder = config::findShippedFile("exercises"))
+    for (const auto& file : manipulation::exercisesIn(*folder))
+      if (const auto exercise = manipulation::readExercise(file))
+        exercises_->addItem(QString::fromStdString(exercise->name), QString::fromStdString(file.string()));
+  exercises_->addItem(tr("From a file…"), QStringLiteral("?"));
+  addRow(*section, tr("Exercise"), exercises_);
+  text_ = wrapped("labelExercise", TextRole::kText, false);
+  section->addWidget(text_);
+  use_ = new QPushButton(tr("Teach the current motion"));
+  use_->setObjectName("buttonTeachMotion");
+  use_->setToolTip(tr("The chosen motion becomes the expert's, in the cell as it is"));
+  section->addWidget(use_);
+  connect(exercises_, &QComboBox::activated, this, &TrainingPanel::chooseExercise);
+  connect(use_, &QPushButton::clicked, this, &TrainingPanel::useCurrentMotion);
+}
+
+void TrainingPanel::addTrainee(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, tr("Trainee"));
+  trainee_ = new QLineEdit;
+  trainee_->setObjectName("editTrainee");
+  trainee_->setPlaceholderText(tr("name"));
+  addRow(*section, tr("Name"), trainee_);
+  radius_ = new ValueField({tr("mm"), 1, 0.1, 1000, 1});
+  radius_->setObjectName("fieldTube");
+  addRow(*section, tr("Tube"), radius_);
+  help_ = new ValueField({QStringLiteral("%"), 0, 0, 100, 10});
+  help_->setObjectName("fieldHelp");
+  help_->setValue(100);
+  addRow(*section, tr("Help"), help_);
+  help_label_ = wrapped("labelHelp", TextRole::kSecond, true);
+  help_label_->setText(tr("Help fades by a fifth with each success, to nothing; after two failures it grows again."));
+  section->addWidget(help_label_);
+  connect(trainee_, &QLineEdit::editingFinished, this, &TrainingPanel::loadResults);
+  connect(radius_, &ValueField::edited, this, [this](double mm) {
+    if (exercise_) exercise_->tube_radius = 1e-3 * mm;
+  });
+}
+
+void TrainingPanel::addRun(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, tr("Run"));
+  state_ = wrapped("labelRun", TextRole::kPanelState, false);
+  section->addWidget(state_);
+  way_ = new QProgressBar;
+  way_->setObjectName("progressWay");
+  way_->setTextVisible(false);
+  way_->setFixedHeight(8);
+  section->addWidget(way_);
+  start_ = new QPushButton(tr("Start the run"));
+  start_->setObjectName("buttonStartRun");
+  start_->setProperty("main", true);
+  section->addWidget(start_);
+  connect(start_, &QPushButton::clicked, this, [this] { run_ ? host_.recording().stop() : start(); });
+}
+
+void TrainingPanel::addResults(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, tr("Results"));
+  score_ = wrapped("labelScore", TextRole::kSecond, false);
+  section->addWidget(score_);
+  plot_ = new ProgressPlot;
+  section->addWidget(plot_);
+  auto* legend = wrapped("labelLegend", TextRole::kSecond, true);
+  legend->setText(tr("Bars: points of each run, hatched where it was not passed. Line: help."));
+  section->addWidget(legend);
+  export_ = new QPushButton(tr("Export results…"));
+  export_->setObjectName("buttonExportResults");
+  section->addWidget(export_);
+  connect(export_, &QPushButton::clicked, this, &TrainingPanel::exportResults);
+}
+
+void TrainingPanel::chooseExercise(int index) {
+  QString path = exercises_->itemData(index).toString();
+  if (path == QStringLiteral("?"))
+    path = QFileDialog::getOpenFileName(&host_.window(), tr("Open an exercise"), {}, tr("Exercises (*.hexercise)"));
+  if (!path.isEmpty()) openExercise(path);
+}
+
+bool TrainingPanel::openExercise(const QString& path) {
+  const auto exercise = manipulation::readExercise(path.toStdString());
+  auto expert = exercise ? trajectory::readTrajectory(exercise->recording)
+                         : Expected<trajectory::Trajectory>(makeError(exercise.error()));
+  if (!expert || expert->empty()) {
+    const QString why =
+        expert ? tr("The expert's recording has no frames.") : QString::fromStdString(expert.error().message());
+    host_.messages().tell(Severity::kWarning, tr("The exercise cannot be opened"), why);
+    emit told(why, true);
+    return false;
+  }
+  setExercise(*exercise, std::move(*expert));
+  emit cellWanted(QString::fromStdString(exercise->workcell.string()));
+  return true;
+}
+
+void TrainingPanel::useCurrentMotion() {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory || motion->trajectory->size() < 2) return;
+  manipulation::Exercise exercise;
+  exercise.name = motion->name;
+  exercise.text = tr("Follow %1.").arg(QString::fromStdString(motion->name)).toStdString();
+  exercise.workcell = host_.documentModel().document().path();
+  exercise.recording = motion->path;
+  setExercise(exercise, *motion->trajectory);
+}
+
+void TrainingPanel::setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert) {
+  cancel();
+  exercise_ = exercise;
+  expert_ = std::move(expert);
+  radius_->setValue(1e3 * exercise.tube_radius);
+  loadResults();
+}
+
+QString TrainingPanel::resultsFile() const {
+  if (!results_.isEmpty()) return results_;
+  static const QRegularExpression kOdd(QStringLiteral("[^\\w.-]+"));
+  const QString folder =
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/training");
+  const QString name = trainee_->text().trimmed().isEmpty() ? tr("trainee") : trainee_->text().trimmed();
+  const QString exercise = exercise_ ? QString::fromStdString(exercise_->name) : QString();
+  return QDir(folder).filePath(QString(name + '-' + exercise).replace(kOdd, QStringLiteral("-")) +
+                               QStringLiteral(".htrain"));
+}
+
+void TrainingPanel::setResults(const QString& path) {
+  results_ = path;
+  loadResults();
+}
+
+void TrainingPanel::loadResults() {
+  if (run_) return;
+  session_ = {trainee_->text().trimmed().toStdString(), exercise_ ? exercise_->name : std::string(), {}};
+  if (exercise_ && QFileInfo::exists(resultsFile())) {
+    auto kept = trajectory::readTraining(resultsFile().toStdString());
+    if (kept)
+      session_ = std::move(*kept);
+    else
+      emit told(QString::fromStdString(kept.error().message()), true);
+  }
+  help_->setValue(100.0 * session_.nextHelp());
+  show();
+}
+
+void TrainingPanel::start() {
+  if (!exercise_) return;
+  if (!host_.documentModel().document().findByName(expert_.entity)) {
+    emit told(tr("There is no %1 in this cell.").arg(QString::fromStdString(expert_.entity)), true);
+    return;
+  }
+  run_ = std::make_unique<manipulation::TrainingRun>(*exercise_, expert_, 0.01 * help_->value());
+  manipulation::command::StartRecording wanted;
+  wanted.take = tr("Run %1").arg(session_.attempts.size() + 1).toStdString();
+  host_.recording().start(wanted);
+  emit runStarted(expert_);
+  showGuide();
+  show();
+}
+
+void TrainingPanel::follow(const Pose& X_WM) {
+  if (!run_) return;
+  run_->follow(X_WM);
+  showGuide();
+  show();
+  if (run_->isDone()) host_.recording().stop();
+}
+
+void TrainingPanel::showGuide() {
+  if (!run_) return emit guideChanged(std::nullopt);
+  emit guideChanged(run_->guide());
+}
+
+bool TrainingPanel::takeRecorded(const std::vector<trajectory::Trajectory>& recorded) {
+  if (!run_) return false;
+  trajectory::Trajectory mine = expert_.emptyCopy();
+  for (const trajectory::Trajectory& one : recorded)
+    if (one.entity == expert_.entity) mine = one;
+  finish(mine);
+  return true;
+}
+
+void TrainingPanel::finish(const trajectory::Trajectory& run) {
+  const auto attempt =
+      run_->finish(run, QDateTime::currentDateTime().toTimeSpec(Qt::OffsetFromUTC).toString(Qt::ISODate).toStdString());
+  run_.reset();
+  showGuide();
+  emit runEnded();
+  if (run.empty()) {
+    emit told(tr("The run has no frames: take the part with the stylus and move it."), true);
+    return show();
+  }
+  session_.attempts.push_back(attempt);
+  keepResults();
+  help_->setValue(100.0 * session_.nextHelp());
+  emit told(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)
+                            : tr("%1 points; %2 are needed and the whole way")
+                                  .arg(attempt.score.points, 0, 'f', 0)
+                                  .arg(exercise_->pass, 0, 'f', 0),
+            !attempt.success);
+  show();
+}
+
+void TrainingPanel::cancel() {
+  if (!run_) return;
+  run_.reset();
+  host_.recording().stop();
+  showGuide();
+  emit runEnded();
+}
+
+void TrainingPanel::keepResults() {
+  const QString path = resultsFile();
+  QDir().mkpath(QFileInfo(path).path());
+  const auto written = workcell::writeFileAtomically(path.toStdString(), trajectory::toJsonText(session_));
+  if (!written)
+    host_.messages().tell(Severity::kWarning, tr("The result is not kept"),
+                          QString::fromStdString(written.error().message()));
+}
+
+void TrainingPanel::exportResults() {
+  const QString path = QFileDialog::getSaveFileName(&host_.window(), tr("Export results"), tr("results.pdf"),
+                                                    tr("PDF (*.pdf);;Table (*.csv)"));
+  if (path.isEmpty()) return;
+  const auto written = writeTrainingReport(path, session_, exercise_ ? exercise_->pass : 60.0);
+  emit told(
+      written ? tr("Written: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
+      !written);
+}
+
+void TrainingPanel::show() {
+  const Motion* motion = list_.current();
+  use_->setEnabled(!run_ && motion && motion->trajectory && motion->trajectory->size() > 1);
+  text_->setText(exercise_
+                     ? QString::fromStdString(exercise_->text)
+                     : tr("An expert's recording leads the stylus along its way; the guide waits for the trainee."));
+  start_->setEnabled(exercise_.has_value());
+  start_->setText(run_ ? tr("End the run") : tr("Start the run"));
+  for (QWidget* widget : std::initializer_list<QWidget*>{exercises_, trainee_, radius_, help_})
+    widget->setEnabled(!run_);
+  way_->setValue(run_ ? static_cast<int>(100.0 * run_->share()) : 0);
+  const auto& snapshot = host_.snapshot();
+  if (run_)
+    state_->setText(snapshot && snapshot->held == 0 ? tr("Take the part with the stylus")
+                                                    : tr("%1 % of the way").arg(100.0 * run_->share(), 0, 'f', 0));
+  else
+    state_->setText(exercise_ ? tr("Ready") : tr("No exercise"));
+  export_->setEnabled(!session_.attempts.empty());
+  plot_->setAttempts(session_.attempts, exercise_ ? exercise_->pass : 60.0);
+  if (session_.attempts.empty()) {
+    score_->setText(tr("No run yet"));
+    return;
+  }
+  const auto& last = session_.attempts.back();
+  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, %n contact(s), "
+                     "smoothness %6 (expert %7).",
+                     nullptr, last.score.contacts)
+                      .arg(last.score.points, 0, 'f', 0)
+                      .arg(last.score.time, 0, 'f', 1)
+                      .arg(last.score.expert_time, 0, 'f', 1)
+                      .arg(1e3 * last.score.mean_deviation, 0, 'f', 1)
+                      .arg(last.score.max_force, 0, 'f', 1)
+                      .arg(last.score.smoothness, 0, 'f', 1)
+                      .arg(last.score.expert_smoothness, 0, 'f', 1));
+}
+
+}  // namespace hapticell::app

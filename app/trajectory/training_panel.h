@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "manipulation/exercise.h"
+#include "trajectory/training.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class Host;
+class MotionList;
+class ProgressPlot;
+class ValueField;
+
+/// The dock *Training*: exercises (shipped ones, or the current motion as one), runs in which the expert's recording
+/// leads the stylus and waits, the score of each, and the trainee's progress, kept in a file. GUI thread.
+class TrainingPanel : public QWidget {
+  Q_OBJECT
+ public:
+  TrainingPanel(Host& host, MotionList& list, QWidget* parent = nullptr);
+  ~TrainingPanel() override;
+
+  /// Reads an exercise; its cell is opened by exerciseOpened(). False where it cannot be read.
+  bool openExercise(const QString& path);
+  /// Makes an exercise of the current motion, in the cell as it is.
+  void useCurrentMotion();
+  /// Takes what was recorded while a run went on; false where none does.
+  bool takeRecorded(const std::vector<trajectory::Trajectory>& recorded);
+  /// The trainee's file; empty: results are kept by exercise and name among the user's data.
+  void setResults(const QString& path);
+  const trajectory::TrainingSession& session() const { return session_; }
+  bool isRunning() const { return run_ != nullptr; }
+  /// s of the expert's motion where the trainee is; 0 while no run goes on.
+  double expertTime() const { return run_ ? run_->expertTime() : 0.0; }
+  /// Where the moved frame of the exercise's entity is; called at each of the window's steps while a run goes on.
+  void follow(const Pose& X_WM);
+
+ signals:
+  void cellWanted(const QString& path);  ///< The exercise's workcell is to be opened.
+  /// The guide of the run as it stands now; nothing: none.
+  void guideChanged(const std::optional<hapticell::workcell::Guide>& guide);
+  void runStarted(const hapticell::trajectory::Trajectory& expert);
+  void runEnded();
+  void told(const QString& line, bool careful);
+
+ private:
+  void addExercise(QVBoxLayout& column);
+  void addTrainee(QVBoxLayout& column);
+  void addRun(QVBoxLayout& column);
+  void addResults(QVBoxLayout& column);
+  void chooseExercise(int index);
+  void setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert);
+  void start();
+  void finish(const trajectory::Trajectory& run);
+  void cancel();
+  void loadResults();
+  void keepResults();
+  QString resultsFile() const;
+  void exportResults();
+  void show();
+  void showGuide();
+
+  Host& host_;
+  MotionList& list_;
+  std::optional<manipulation::Exercise> exercise_;
+  trajectory::Trajectory expert_;
+  std::unique_ptr<manipulation::TrainingRun> run_;
+  trajectory::TrainingSession session_;
+  QString results_;
+  QTimer tick_;
+  QComboBox* exercises_;
+  QLineEdit* trainee_;
+  QLabel *text_, *state_, *score_, *help_label_;
+  ValueField *radius_, *help_;
+  QProgressBar* way_;
+  QPushButton *start_, *use_, *export_;
+  ProgressPlot* plot_;
+};
+
+}  // namespace hapticell::app

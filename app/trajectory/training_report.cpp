@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/trajectory/training_report.h"
+
+#include <QFile>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "app/style/fonts.h"
+#include "app/style/theme.h"
+#include "app/trajectory/progress_plot.h"
+#include "workcell/file_content.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kDpi = 96;
+constexpr int kRow = 20;
+
+struct Column {
+  QString head;
+  int width;
+};
+
+std::vector<Column> columns() {
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  return {{tr("Run"), 36},     {tr("When"), 134},  {tr("Help"), 44},     {tr("Points"), 48},
+          {tr("Way"), 44},     {tr("Time s"), 52}, {tr("Off mm"), 52},   {tr("Max mm"), 52},
+          {tr("Force N"), 56}, {tr("Smooth"), 52}, {tr("Contacts"), 58}, {tr("Passed"), 48}};
+}
+
+QStringList cells(std::size_t number, const trajectory::TrainingAttempt& attempt) {
+  const auto& s = attempt.score;
+  return {QString::number(number),
+          QString::fromStdString(attempt.date).left(19).replace('T', ' '),
+          QObject::tr("%1 %").arg(100.0 * attempt.help, 0, 'f', 0),
+          QString::number(s.points, 'f', 0),
+          QObject::tr("%1 %").arg(100.0 * s.completed, 0, 'f', 0),
+          QString::number(s.time, 'f', 1),
+          QString::number(1e3 * s.mean_deviation, 'f', 1),
+          QString::number(1e3 * s.max_deviation, 'f', 1),
+          QString::number(s.max_force, 'f', 1),
+          QString::number(s.smoothness, 'f', 1),
+          QString::number(s.contacts),
+          attempt.success ? QObject::tr("yes") : QObject::tr("no")};
+}
+
+void drawRow(QPainter& painter, int y, const QStringList& words, bool head) {
+  int x = 0, i = 0;
+  for (const Column& column : columns()) {
+    const auto side = i < 2 ? Qt::AlignLeft : Qt::AlignRight;
+    painter.setFont(textFont(head ? TextRole::kSection : TextRole::kSecond));
+    painter.drawText(QRect(x, y, column.width - 4, kRow), side | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(words[i], Qt::ElideRight, column.width - 4));
+    x += column.width;
+    ++i;
+  }
+}
+
+}  // namespace
+
+Expected<void> writeTrainingReport(const QString& path, const trajectory::TrainingSession& session, double pass) {
+  if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
+    return workcell::writeFileAtomically(path.toStdString(), trajectory::toCsvText(session));
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly))
+    return makeError({path.toStdString(), "", "the file cannot be written", file.errorString().toStdString(), ""});
+  QPdfWriter writer(&file);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setPageMargins(QMarginsF(15, 15, 15, 15));
+  writer.setResolution(kDpi);
+  writer.setTitle(QObject::tr("Training of %1").arg(QString::fromStdString(session.trainee)));
+  QPainter painter(&writer);
+  const QPalette palette = paletteOf(lightTheme());
+  painter.setPen(palette.color(QPalette::WindowText));
+  painter.setFont(textFont(TextRole::kPanelNumber));
+  painter.drawText(QRect(0, 0, 680, 30), Qt::AlignVCenter, QString::fromStdString(session.exercise));
+  painter.setFont(textFont(TextRole::kText));
+  painter.drawText(QRect(0, 30, 680, 22), Qt::AlignVCenter,
+                   QObject::tr("%1 · %n run(s) · next help %2 %", nullptr, static_cast<int>(session.attempts.size()))
+                       .arg(QString::fromStdString(session.trainee))
+                       .arg(100.0 * session.nextHelp(), 0, 'f', 0));
+  ProgressPlot::paint(painter, QRect(0, 62, 676, 190), session.attempts, pass, palette);
+  painter.setPen(palette.color(QPalette::WindowText));
+  int y = 268;
+  QStringList heads;
+  for (const Column& column : columns()) heads << column.head;
+  drawRow(painter, y, heads, true);
+  for (std::size_t i = 0; i < session.attempts.size(); ++i) {
+    y += kRow;
+    if (y > writer.height() - kRow) {
+      writer.newPage();
+      y = 0;
+      drawRow(painter, y, heads, true);
+      y += kRow;
+    }
+    drawRow(painter, y, cells(i + 1, session.attempts[i]), false);
+  }
+  return {};
+}
+
+}  // namespace hapticell::app

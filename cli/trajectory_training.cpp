@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <memory>
+
+#include "cli/trajectory_edits.h"
+#include "config/configuration.h"
+#include "haptic/devices/hand_path.h"
+#include "manipulation/session.h"
+#include "trajectory/motion_curves.h"
+#include "trajectory/training.h"
+#include "trajectory/trajectory_io.h"
+#include "workcell/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using trajectory::Trajectory;
+
+struct TrainingOptions {
+  std::string file, output, run, hand, trainee, results, csv, date = "1970-01-01T00:00:00Z", folder;
+  double help = -1.0, scale = 1.0;
+  std::size_t samples = 2000;
+};
+
+ordered_json toJson(const trajectory::TrainingScore& score) {
+  return {{"points", score.points},
+          {"completed", score.completed},
+          {"time", score.time},
+          {"expert_time", score.expert_time},
+          {"mean_deviation", score.mean_deviation},
+          {"max_deviation", score.max_deviation},
+          {"mean_turn", score.mean_turn},
+          {"mean_force", score.mean_force},
+          {"max_force", score.max_force},
+          {"smoothness", score.smoothness},
+          {"expert_smoothness", score.expert_smoothness},
+          {"contacts", score.contacts},
+          {"contact_time", score.contact_time}};
+}
+
+std::string curvesText(const trajectory::MotionCurves& curves) {
+  std::string text = "t";
+  std::vector<const trajectory::MotionCurve*> all;
+  for (const auto& curve : curves.cartesian) all.push_back(&curve);
+  for (const auto& curve : curves.joints) all.push_back(&curve);
+  for (const auto* curve : all)
+    for (const char* order : {"", "_speed", "_acceleration", "_jerk"}) text += "," + curve->name + order;
+  text += '\n';
+  for (std::size_t i = 0; i < curves.samples; ++i) {
+    text += trajectory::shortestText(curves.timeOf(i));
+    for (const auto* curve : all)
+      for (const auto* values : {&curve->value, &curve->speed, &curve->acceleration, &curve->jerk})
+        text += "," + trajectory::shortestText((*values)[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+Expected<ordered_json> curves(const TrainingOptions& options) {
+  const auto given = trajectory::readTrajectory(options.file);
+  if (!given) return tl::unexpected(given.error());
+  const auto curves = trajectory::motionCurves(*given, options.samples);
+  if (curves.samples == 0) return makeError({options.file, "frames", std::to_string(given->size()), "two or more", ""});
+  if (!options.output.empty())
+    if (auto written = writeFileAtomically(options.output, curvesText(curves)); !written)
+      return tl::unexpected(written.error());
+  ordered_json result{{"samples", curves.samples}, {"step", curves.step}};
+  const auto add = [&](const trajectory::MotionCurve& curve) {
+    const auto peaks = trajectory::peaksOf(curve);
+    result["peaks"][curve.name] = {{"speed", peaks.speed}, {"acceleration", peaks.acceleration}, {"jerk", peaks.jerk}};
+  };
+  add(curves.path);
+  for (const auto& curve : curves.cartesian) add(curve);
+  for (const auto& curve : curves.joints) add(curve);
+  return result;
+}
+
+Expected<ordered_json> score(const TrainingOptions& options) {
+  const auto expert = trajectory::readTrajectory(options.file);
+  if (!expert) return tl::unexpected(expert.error());
+  const auto run = trajectory::readTrajectory(options.run);
+  if (!run) return tl::unexpected(run.error());
+  if (expert->empty()) return makeError({options.file, "frames", "none", "an expert's motion", ""});
+  return toJson(trajectory::scoreRun(*expert, *run));
+}
+
+Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options, const manipulation::Exercise& exercise,
+                                                 Trajectory expert, double help) {
+  manipulation::SessionOptions session;
+  const auto configuration = config::loadConfiguration({});
+  if (!configuration) return tl::unexpected(configuration.error());
+  session.configuration = *configuration;
+  Diagnostics notes;
+  const auto document = workcell::loadDocument(exercise.workcell, notes);
+  if (!document) return tl::unexpected(document.error());
+  session.entities = document->snapshotEntities();
+  session.pairs = {document->state().pair_sets, document->state().pair_rules};
+  session.guides = document->state().guides;
+  session.entity = expert.entity;
+  if (!expert.moved.empty()) {
+    const auto moved_by = manipulation::parseMovedBy(expert.moved);
+    if (!moved_by) return tl::unexpected(moved_by.error());
+    session.moved_by = *moved_by;
+  }
+  auto hand = haptic::readHandPath(options.hand);
+  if (!hand) return tl::unexpected(hand.error());
+  session.hand = std::move(*hand);
+  session.axes.mode = manipulation::AxesMode::kCell;
+  session.scale = {manipulation::ScaleLevel::kNumber, options.scale};
+  session.recording = trajectory::RecordingOptions{};
+  session.training = {exercise, std::move(expert), help};
+  return session;
+}
+
+Expected<ordered_json> train(const TrainingOptions& options) {
+  const auto exercise = manipulation::readExercise(options.file);
+  if (!exercise) return tl::unexpected(exercise.error());
+  auto expert = trajectory::readTrajectory(exercise->recording);
+  if (!expert) return tl::unexpected(expert.error());
+  if (expert->empty()) return makeError({exercise->recording.string(), "frames", "none", "an expert's motion", ""});
+  trajectory::TrainingSession book{options.trainee, exercise->name, {}};
+  if (!options.results.empty() && fs::exists(options.results)) {
+    auto kept = trajectory::readTraining(options.results);
+    if (!kept) return tl::unexpected(kept.error());
+    book = std::move(*kept);
+  }
+  const double help = options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
+  const manipulation::TrainingRun scorer(*exercise, *expert, help);
+  auto session = sessionOf(options, *exercise, std::move(*expert), help);
+  if (!session) return tl::unexpected(session.error());
+  const auto report = manipulation::runSession(*session);
+  if (!report) return tl::unexpected(report.error());
+  book.attempts.push_back(scorer.finish(report->recording, options.date));
+  if (!options.results.empty())
+    if (auto written = writeFileAtomically(options.results, toJsonText(book)); !written)
+      return tl::unexpected(written.error());
+  if (!options.csv.empty())
+    if (auto written = writeFileAtomically(options.csv, toCsvText(book)); !written)
+      return tl::unexpected(written.error());
+  if (auto saved = saveTrajectory(report->recording, options.output); !saved) return tl::unexpected(saved.error());
+  const auto& attempt = book.attempts.back();
+  return ordered_json{{"exercise", exercise->name},
+                      {"attempt", book.attempts.size()},
+                      {"help", help},
+                      {"success", attempt.success},
+                      {"score", toJson(attempt.score)},
+                      {"next_help", book.nextHelp()},
+                      {"penetration", report->penetration_max_m},
+                      {"force_max", report->force_max_n}};
+}
+
+Expected<ordered_json> exercises(const TrainingOptions& options) {
+  ordered_json list = ordered_json::array();
+  for (const fs::path& file : manipulation::exercisesIn(options.folder)) {
+    const auto exercise = manipulation::readExercise(file);
+    if (!exercise) return tl::unexpected(exercise.error());
+    list.push_back({{"file", file.string()}, {"name", exercise->name}, {"text", exercise->text}});
+  }
+  return ordered_json{{"exercises", std::move(list)}};
+}
+
+using Handler = Expected<ordered_json> (*)(const TrainingOptions&);
+
+}  // namespace
+
+void addTrajectoryTraining(CLI::App& command, Action& chosen) {
+  const auto options = std::make_shared<TrainingOptions>();
+  const auto add = [&](const char* name, const char* description, Handler handler) {
+    CLI::App* sub = command.add_subcommand(name, description);
+    sub->callback([options, &chosen, handler] {
+      chosen = [options, handler](ResultWriter& writer) { return finishTrajectory(writer, handler(*options)); };
+    });
+    return sub;
+  };
+  CLI::App* sub = add("curves", "Speed, acceleration and jerk over time", curves);
+  sub->add_option("file", options->file, "A trajectory")->required();
+  sub->add_option("--samples", options->samples, "At most (2000)");
+  sub->add_option("-o,--output", options->output, "A CSV file with all curves");
+  sub = add("score", "A trainee's run against the expert's", score);
+  sub->add_option("file", options->file, "The expert's trajectory")->required();
+  sub->add_option("--run", options->run, "The trainee's")->required();
+  sub = add("train", "One run of an exercise with a simulated hand", train);
+  sub->add_option("file", options->file, "The exercise (.hexercise)")->required();
+  sub->add_option("--hand", options->hand, "The trainee's hand (CSV)")->required();
+  sub->add_option("--help-share", options->help, "0 to 1 (what the results ask for)");
+  sub->add_option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
+  sub->add_option("--trainee", options->trainee, "Name, for new results");
+  sub->add_option("--results", options->results, "The trainee's file (.htrain), read and written");
+  sub->add_option("--csv", options->csv, "All runs as a table");
+  sub->add_option("--date", options->date, "ISO 8601, for the results");
+  sub->add_option("-o,--output", options->output, "The recording of the run");
+  sub = add("exercises", "The exercises of a folder", exercises);
+  sub->add_option("folder", options->folder, "Where *.hexercise files are")->required();
+}
+
+}  // namespace hapticell::cli
