@@ -13,6 +13,8 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kFrameMilliseconds = 16;
+constexpr std::size_t kMostGhosts = 24;     // Of one motion's swept volume.
+constexpr double kGhostApart = 0.02;        // m between two of them, at least.
 constexpr std::size_t kMostStops = 100000;  // Frames of a motion that steps stop at.
 
 void addTimes(const trajectory::Trajectory& motion, std::vector<double>& times) {
@@ -40,6 +42,7 @@ void MotionPlayer::takeMotions() {
   playback_.setFrames(std::move(times));
   if (!playback_.isPlaying()) timer_.stop();
   show();
+  if (swept_) showSwept();
   emit changed();
 }
 
@@ -89,6 +92,37 @@ void MotionPlayer::setSpeed(double speed) {
 void MotionPlayer::setLoop(bool on) {
   playback_.setLoop(on);
   emit changed();
+}
+
+void MotionPlayer::setSwept(bool on) {
+  if (on == swept_) return;
+  swept_ = on;
+  showSwept();
+  emit changed();
+}
+
+void MotionPlayer::showSwept() {
+  std::vector<GhostPose> ghosts;
+  const auto& state = host_.documentModel().document().state();
+  for (const Motion& motion : list_.motions()) {
+    if (!swept_ || !motion.played || !motion.replay) continue;
+    const auto& frames = *motion.trajectory;
+    double way = 0.0;
+    for (std::size_t i = 1; i < frames.size(); ++i) way += glm::distance(frames[i].X_WT.p, frames[i - 1].X_WT.p);
+    // Evenly along the way, so that a rest does not use them up.
+    const double apart = std::max(kGhostApart, way / static_cast<double>(kMostGhosts - 1));
+    double since = apart;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (i > 0) since += glm::distance(frames[i].X_WT.p, frames[i - 1].X_WT.p);
+      if (since < apart && i + 1 < frames.size()) continue;
+      since = 0.0;
+      const auto at = motion.replay->at(frames[i].t);
+      const auto with = entityGhosts(state, motion.replay->entity(), at.X_WE, at.joints);
+      ghosts.insert(ghosts.end(), with.begin(), with.end());
+    }
+  }
+  host_.viewport().scene().setGhosts(std::move(ghosts));
+  host_.viewport().refresh();
 }
 
 void MotionPlayer::tick() {

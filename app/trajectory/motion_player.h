@@ -31,6 +31,9 @@ class MotionPlayer : public QObject {
   void step(int direction);
   void setSpeed(double speed);
   void setLoop(bool on);
+  /// Shows all places that the played motions go through at once, as ghosts: the room that they need.
+  void setSwept(bool on);
+  bool isSwept() const { return swept_; }
 
  signals:
   void changed();  ///< Time, play or pause, speed.
@@ -39,12 +42,13 @@ class MotionPlayer : public QObject {
   void takeMotions();
   void tick();
   void show();
+  void showSwept();
   Host& host_;
   MotionList& list_;
   trajectory::Playback playback_;
   QTimer timer_;
   QElapsedTimer clock_;
-  bool shown_ = false;
+  bool shown_ = false, swept_ = false;
 };
 
 }  // namespace hapticell::app

@@ -75,7 +75,8 @@ QWidget* TrajectoryPanel::makeTransport() {
   last_ = button("buttonLast", "last", tr("To the end"));
   loop_ = button("buttonLoop", "loop", tr("Again and again"));
   shown_ = button("buttonShown", "eye", tr("Show the motion in the scene; off: the cell as it stands"));
-  for (QToolButton* checkable : {loop_, shown_}) checkable->setCheckable(true);
+  swept_ = button("buttonSwept", "apps", tr("Show the room that the motion needs: all its places at once"));
+  for (QToolButton* checkable : {loop_, shown_, swept_}) checkable->setCheckable(true);
   speed_ = new QComboBox;
   speed_->setObjectName("comboSpeed");
   speed_->setAccessibleName(tr("Speed of the play"));
@@ -101,7 +102,7 @@ QWidget* TrajectoryPanel::makeTransport() {
   export_ = button("buttonExportMotion", "export", tr("Write it as a file or a robot's program"), tr("Export…"));
   edit_ = button("buttonEditMotion", "trajectory", tr("All that can be done with a motion"), tr("Edit…"));
   for (QWidget* widget :
-       std::initializer_list<QWidget*>{first_, back_, play_, next_, last_, loop_, shown_, speed_, record_})
+       std::initializer_list<QWidget*>{first_, back_, play_, next_, last_, loop_, shown_, swept_, speed_, record_})
     row->addWidget(widget);
   row->addSpacing(6);
   row->addWidget(info_, 1);
@@ -115,6 +116,7 @@ QWidget* TrajectoryPanel::makeTransport() {
           [this] { player_.playback().isPlaying() ? player_.pause() : player_.play(); });
   connect(loop_, &QToolButton::toggled, this, [this](bool on) { player_.setLoop(on); });
   connect(shown_, &QToolButton::clicked, this, [this](bool on) { player_.setShown(on); });
+  connect(swept_, &QToolButton::clicked, this, [this](bool on) { player_.setSwept(on); });
   connect(speed_, &QComboBox::currentIndexChanged, this,
           [this](int index) { player_.setSpeed(speed_->itemData(index).toDouble()); });
   connect(record_, &QToolButton::clicked, this, &TrajectoryPanel::recordWanted);
@@ -191,6 +193,7 @@ void TrajectoryPanel::showTime() {
   play_->setToolTip(playback.isPlaying() ? tr("Pause") : tr("Play"));
   play_->setAccessibleName(play_->toolTip());
   shown_->setChecked(player_.isShown());
+  swept_->setChecked(player_.isSwept());
   const bool playable = playback.end() > playback.begin();
   for (QWidget* widget : std::initializer_list<QWidget*>{first_, back_, play_, next_, last_})
     widget->setEnabled(playable);

@@ -34,6 +34,9 @@ class MotionPage : public CellPage {
     addSolid("wall", geometry::makeBox({0.02, 0.4, 0.4}), Pose::translation({0.5, 0, 0}));
     showDock("dockTrajectory");
     showDock("dockMotion");
+    window().activateWindow();
+    window().viewport().setFocus();
+    settle();
   }
   workcell::EntityId box() const { return box_; }
   TimeBar& bar() { return *find<TimeBar>("timeBar"); }

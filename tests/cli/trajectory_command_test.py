@@ -102,6 +102,110 @@ def test_a_session_is_recorded_cleaned_checked_and_exported(case):
         case.run("trajectory", "export", "fast.htraj", "--to", name, "--robot", "library:hc6", "-o", "prog-" + name)
 
 
+def frames_of(case, name):
+    return json.loads((case.folder / name).read_text())["frames"]
+
+
+def test_edits_are_copies(case):
+    write_motion(case.folder / "a.csv", rate=50)
+    before = (case.folder / "a.csv").read_bytes()
+    part = case.run("trajectory", "trim", "a.csv", "--from", "1", "--to", "3", "-o", "b.htraj")
+    assert abs(part["motions"][0]["duration"] - 2) < 1e-9 and frames_of(case, "b.htraj")[0][0] == 0, part
+    halves = case.run("trajectory", "split", "a.csv", "--at", "2.5", "-o", "c.htraj", "--rest", "d.htraj")
+    assert abs(sum(m["duration"] for m in halves["motions"]) - 6) < 1e-9, halves
+    whole = case.run("trajectory", "join", "c.htraj", "--with", "d.htraj", "-o", "e.htraj")
+    assert abs(whole["motions"][0]["duration"] - 6.001) < 1e-9, whole
+    case.run("trajectory", "reverse", "a.csv", "-o", "f.htraj")
+    assert abs(frames_of(case, "f.htraj")[0][1] - 0.3) < 1e-12
+    case.run("trajectory", "mirror", "a.csv", "--plane", "x", "--offset", "0.5", "-o", "g.htraj")
+    assert abs(frames_of(case, "g.htraj")[0][1] - 1.3) < 1e-12
+    case.run("trajectory", "move", "a.csv", "--frame", "100", "--pose", "0,0,0.6,1,0,0,0", "--reach", "0.5", "-o", "h.htraj")
+    moved = frames_of(case, "h.htraj")
+    assert moved[100][1:4] == [0, 0, 0.6] and abs(moved[126][3] - 0.5) < 1e-12 and moved[110][3] > 0.5
+    case.run("trajectory", "insert", "a.csv", "--at", "1.005", "-o", "i.htraj")
+    assert len(frames_of(case, "i.htraj")) == 302
+    case.run("trajectory", "delete", "a.csv", "--first", "10", "--last", "19", "-o", "j.htraj")
+    assert len(frames_of(case, "j.htraj")) == 291
+    case.run("trajectory", "dwell", "a.csv", "--frame", "150", "--seconds", "2", "-o", "k.htraj")
+    timed = case.run("trajectory", "retime", "k.htraj", "--velocity", "1", "--acceleration", "20", "-o", "l.htraj")
+    assert timed["duration_after"] > 2, timed
+    longer = case.run("trajectory", "approach", "a.csv", "--length", "0.1", "--speed", "0.05", "-o", "m.htraj")
+    assert abs(longer["motions"][0]["duration"] - 8) < 1e-9
+    even = case.run("trajectory", "resample", "a.csv", "--step", "0.5", "-o", "n.csv")
+    assert even["motions"][0]["frames"] == 13, even
+    assert (case.folder / "a.csv").read_bytes() == before
+    for words in (("trim", "--from", "9"), ("split", "--at", "99"), ("mirror", "--plane", "w"),
+                  ("move", "--frame", "1", "--pose", "1,2,3"), ("delete", "--first", "5", "--last", "900")):
+        case.run("trajectory", words[0], "a.csv", *words[1:], "-o", "z.csv", expect=2)
+    assert not (case.folder / "z.csv").exists()
+
+
+def test_a_robots_joints_are_found_again(case):
+    joints = [[0.1 + 0.01 * i, -1.2, 1.4, -1.5 + 0.01 * i, -1.5, 0.3] for i in range(30)]
+    (case.folder / "q.csv").write_text("shoulder_pan_joint,shoulder_lift_joint,elbow_joint,wrist_1_joint,wrist_2_joint,wrist_3_joint\n" +
+                                       "\n".join(",".join(repr(v) for v in row) for row in joints) + "\n")
+    case.run("workcell", "new", "cell.hcell", "--add", "library:ur5e,name=robot")
+    names = [j["name"] for j in case.run("inspect", "cell.hcell")["entities"][0]["joints"]]
+    (case.folder / "q.csv").write_text(",".join(names) + "\n" + "\n".join(",".join(repr(v) for v in row) for row in joints) + "\n")
+    poses = case.run("fk", "--robot", "library:ur5e", "--joints", "q.csv")["poses"]
+    frames = []
+    for i, (pose, row) in enumerate(zip(poses, joints)):
+        frames.append([0.05 * i, *(pose[k] for k in ("x", "y", "z", "qw", "qx", "qy", "qz")), *row])
+    (case.folder / "r.htraj").write_text(json.dumps({"format": "hapticell-trajectory", "version": 1, "entity": "robot",
+                                                     "moved": "tcp", "joints": names, "frames": frames}))
+    lost = case.run("trajectory", "approach", "r.htraj", "--length", "0.03", "-o", "s.htraj")
+    assert lost["motions"][0]["joints"] == 0 and "--workcell" in lost["notes"][0], lost
+    found = case.run("trajectory", "approach", "r.htraj", "--length", "0.03", "--workcell", "cell.hcell", "-o", "s.htraj")
+    assert found["motions"][0]["joints"] == 6 and found["off_pose"]["position"] < 1e-6, found
+    again = frames_of(case, "s.htraj")
+    assert max(abs(a - b) for a, b in zip(again[1][8:], joints[0])) < 1e-5, (again[1][8:], joints[0])
+
+
+def test_curves_and_score(case):
+    write_motion(case.folder / "a.csv", tremor=0.0)
+    curves = case.run("trajectory", "curves", "a.csv", "--samples", "500", "-o", "curves.csv")
+    assert abs(curves["peaks"]["y"]["speed"] - 0.1) < 2e-3 and curves["samples"] == 500, curves
+    assert (case.folder / "curves.csv").read_text().startswith("t,x,x_speed")
+    write_motion(case.folder / "shaky.csv", tremor=0.002)
+    best, worse = (case.run("trajectory", "score", "a.csv", "--run", name) for name in ("a.csv", "shaky.csv"))
+    assert best["points"] > 99 and best["completed"] == 1 and worse["points"] < best["points"] - 3, (best, worse)
+
+
+def test_training_fades_its_help(case):
+    folder = ROOT / "config" / "exercises"
+    assert len(case.run("trajectory", "exercises", folder)["exercises"]) == 4
+    helps = []
+    for _ in range(2):
+        run = case.run("trajectory", "train", folder / "peg_in_hole.hexercise", "--hand", folder / "peg_in_hole-hand.csv",
+                       "--trainee", "Ana", "--results", "ana.htrain", "--csv", "ana.csv", "-o", "run.htraj", timeout=120)
+        assert run["success"] and run["score"]["completed"] == 1, run
+        helps.append(run["help"])
+    assert helps == [1.0, 0.8], helps
+    kept = json.loads((case.folder / "ana.htrain").read_text())
+    assert kept["trainee"] == "Ana" and len(kept["attempts"]) == 2
+    assert len((case.folder / "ana.csv").read_text().splitlines()) == 3
+
+
+def test_smoothing_keeps_free_in_the_cell(case):
+    write_binary_stl(case.folder / "block.stl", box((0.2, 0.2, 0.2)))
+    write_binary_stl(case.folder / "part.stl", box((0.02, 0.02, 0.02)))
+    case.run("workcell", "new", "cell.hcell", "--add", "block.stl,name=block,unit=m", "--add",
+             "part.stl,name=part,unit=m,pose=-0.2,-0.1115,0,1,0,0,0")
+    rows = ["t,x,y,z,qw,qx,qy,qz"]
+    for i in range(201):
+        s = 0.0025 * i
+        x, y = (-0.2 + s, -0.1115) if s < 0.3115 else (0.1115, -0.1115 + s - 0.3115)
+        rows.append(f"{0.01 * i},{x},{y},0,1,0,0,0")
+    (case.folder / "round.csv").write_text("\n".join(rows) + "\n")
+    wide = ("--tolerance", "0.02", "--angle-tolerance", "0.1")
+    case.run("trajectory", "smooth", "round.csv", *wide, "-o", "cut.htraj")
+    case.run("trajectory", "check", "cut.htraj", "--workcell", "cell.hcell", "--entity", "part", "--fail-on-contact", expect=1)
+    kept = case.run("trajectory", "smooth", "round.csv", *wide, "--workcell", "cell.hcell", "--entity", "part", "-o", "kept.htraj")
+    assert kept["kept_free"]["nearer"] and not kept["kept_free"]["findings"], kept
+    free = case.run("trajectory", "check", "kept.htraj", "--workcell", "cell.hcell", "--entity", "part", "--fail-on-contact")
+    assert free["free"], free
+
+
 def test_bad_input(case):
     write_motion(case.folder / "a.csv")
     (case.folder / "bad.htraj").write_text('{"format":"hapticell-trajectory","version":9}')

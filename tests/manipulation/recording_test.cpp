@@ -111,6 +111,7 @@ TEST(Recording, TheSecondButtonAddsFramesByHand) {
   options.hand = haptic::HandPath(hand);
   options.recording->mode = RecordingMode::kByHand;
   options.mark_by_button = true;
+  options.device.buttons = 2;
   const auto by_hand = runSession(options);
   ASSERT_TRUE(by_hand.has_value());
   ASSERT_EQ(by_hand->recording.size(), 3u);
@@ -151,9 +152,11 @@ TEST(MotionReplay, BringsARobotWhereThePosesSay) {
   for (const int joint : robot.robot->moving)
     with.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
   std::vector<double> start = robot.joints;
-  start[1] -= 0.9;
-  start[2] += 1.1;
-  start[4] += 0.7;
+  // Bent, and away from the straight wrist on the whole way.
+  start[1] = -1.3;
+  start[2] = 1.4;
+  start[3] = -1.5;
+  start[4] = -1.2;
   for (int i = 0; i <= 50; ++i) {
     std::vector<double> q = start;
     for (std::size_t j = 0; j < q.size(); ++j) q[j] += 0.01 * i * (j % 2 == 0 ? 1.0 : -0.5);
