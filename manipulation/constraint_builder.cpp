@@ -38,54 +38,51 @@ PointCondition conditionOf(const collision::ZoneContact& contact) {
   return condition;
 }
 
-struct Assembly {
-  const ConstraintInputs& inputs;
-  std::vector<PartDifferential> differentials;
-  std::vector<int> pair_of;  ///< part * obstacles + obstacle -> pair, -1 where unchecked.
-  BuiltConstraints& built;
-};
-
 void append(BuiltConstraints& built, const haptic::Constraint& constraint, const ConstraintOrigin& origin) {
   if (built.set.count >= haptic::kMaxConstraints) return;
   built.set.constraints[built.set.count++] = constraint;
   built.origins.push_back(origin);
 }
 
-void appendContact(Assembly& assembly, const collision::ZoneContact& contact) {
-  const ConstraintInputs& in = assembly.inputs;
-  const int pair = assembly.pair_of[contact.moving_part * in.obstacles.size() + contact.environment_part];
+/// The gap's quadric, which stands where the surface's foot is (moved out by the boundary), as one about the point;
+/// `gone_W`: of the obstacle since.
+void moveToPoint(PointCondition& condition, const dvec3& gone_W) {
+  const dvec3 e = condition.M == dmat3(0.0) ? -gone_W : condition.gap * condition.nhat_W - gone_W;
+  const dvec3 bent = condition.M * e;
+  condition.gap -= glm::dot(condition.nhat_W, gone_W);
+  condition.gap += 0.5 * glm::dot(e, bent);
+  condition.nhat_W += bent;
+}
+
+void appendContact(const ConstraintDraft& draft, const collision::ZoneContact& contact, const dvec3& gone_W,
+                   BuiltConstraints& built) {
+  const int pair = draft.pair_of[contact.moving_part * draft.obstacles + contact.environment_part];
   if (pair < 0) return;
-  const PairFeel& feel = in.feel[static_cast<std::size_t>(pair)];
-  const PartDifferential& part = assembly.differentials[contact.moving_part];
+  const PairFeel& feel = draft.feel[static_cast<std::size_t>(pair)];
+  const PartDifferential& part = draft.differentials[contact.moving_part];
   haptic::Constraint constraint;
   constraint.group = contact.group;
   constraint.id = contact.id;
   PointCondition condition = conditionOf(contact);
   condition.gap -= feel.boundary;
-  if (condition.M != dmat3(0.0)) {
-    // The quadric stands at the surface's foot (moved out by the boundary), the condition at the point.
-    const dvec3 bent = condition.M * condition.nhat_W;
-    const double gap = condition.gap;
-    condition.gap += 0.5 * gap * gap * glm::dot(condition.nhat_W, bent);
-    condition.nhat_W += gap * bent;
-  }
+  moveToPoint(condition, gone_W);
   applyCondition(part, condition, constraint);
   if (contact.has_trim) {
     PointCondition trim;
     trim.p_WQ = contact.p_W;
     trim.nhat_W = contact.trim_nhat_W;
-    trim.gap = contact.trim_gap - feel.boundary;
+    trim.gap = contact.trim_gap - feel.boundary - glm::dot(trim.nhat_W, gone_W);
     applyTrim(part, trim, constraint);
   }
   constraint.stiffness = feel.stiffness;
   constraint.damping = feel.damping;
   constraint.friction = feel.friction;
-  in.mapping.toDevice(constraint);
-  append(assembly.built, constraint, {pair, -1});
+  draft.mapping.toDevice(constraint);
+  append(built, constraint, {pair, -1});
 }
 
-std::vector<collision::ZonePart> movingParts(const Assembly& assembly, double zone_W) {
-  const ConstraintInputs& in = assembly.inputs;
+std::vector<collision::ZonePart> movingParts(const ConstraintInputs& in,
+                                             const std::vector<PartDifferential>& differentials, double zone_W) {
   std::vector<Pose> X_WP(in.parts.size());
   in.manipulator.partPoses(in.configuration, X_WP);
   std::vector<collision::ZonePart> moving(in.parts.size());
@@ -95,21 +92,22 @@ std::vector<collision::ZonePart> movingParts(const Assembly& assembly, double zo
     moving[k].X_W = X_WP[k];
     moving[k].key = k + 1;
     if (!in.surfaces.empty()) moving[k].surfaces = in.surfaces[k];
-    moving[k].reach =
-        reachOf(assembly.differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W, in.turn_ahead);
+    moving[k].reach = reachOf(differentials[k], X_WP[k] * bounds.center(), bounds.radius(), zone_W, in.turn_ahead);
   }
   return moving;
 }
 
-}  // namespace
-
-namespace {
+/// What completes a set once its contacts are in it.
+struct Rest {
+  const MotionMapping& mapping;
+  double zone_radius, turn_ahead;
+};
 
 /// The set is complete only for small turns: a row that keeps the proxy within them, f = l (a^2 - |theta|^2) / 2a. It
 /// has no part in translation, so no force comes of it; the picture lags a wrist that turns faster.
-void appendTurnBound(const ConstraintInputs& inputs, BuiltConstraints& built) {
-  if (built.set.count == 0 || !inputs.mapping.rotates()) return;
-  const double angle = inputs.turn_ahead * std::min(1.0, built.set.zone_radius / inputs.zone_radius);
+void appendTurnBound(const Rest& rest, BuiltConstraints& built) {
+  if (built.set.count == 0 || !rest.mapping.rotates()) return;
+  const double angle = rest.turn_ahead * std::min(1.0, built.set.zone_radius / rest.zone_radius);
   haptic::Constraint bound;
   bound.group = built.set.constraints[built.set.count - 1].group + 1;
   bound.id = (std::uint64_t{1} << 63) | (std::uint64_t{1} << 62);
@@ -118,28 +116,24 @@ void appendTurnBound(const ConstraintInputs& inputs, BuiltConstraints& built) {
   append(built, bound, {});
 }
 
-void appendLimits(const ConstraintInputs& inputs, std::uint32_t first_group, BuiltConstraints& built) {
+void appendLimits(const MotionMapping& mapping, std::uint32_t first_group, BuiltConstraints& built) {
   for (std::size_t i = 0; i < built.limits.size(); ++i) {
     haptic::Constraint constraint = built.limits[i].constraint_W;
     constraint.group = first_group + static_cast<std::uint32_t>(i);
     constraint.id |= std::uint64_t{1} << 63;
-    inputs.mapping.toDevice(constraint);
+    mapping.toDevice(constraint);
     append(built, constraint, {-1, static_cast<int>(i)});
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Two moved parts: the distance changes by the difference of what the motion does to both.
-void appendOwn(const ConstraintInputs& inputs, const std::vector<PartDifferential>& parts, std::uint32_t first_group,
-               BuiltConstraints& built) {
-  constexpr std::size_t kRoom = 20;  // for limits and guides
+std::vector<ConstraintDraft::OwnRow> ownRows(const ConstraintInputs& inputs,
+                                             const std::vector<PartDifferential>& parts) {
+  std::vector<ConstraintDraft::OwnRow> rows;
   for (const auto& [index, found] : inputs.own) {
     const MotionPair& pair = inputs.pairs[index];
     const PairFeel& feel = inputs.feel[index];
-    if (!feel.felt || found.colliding || built.set.count + kRoom > haptic::kMaxConstraints) continue;
+    if (!feel.felt || found.colliding) continue;
     haptic::Constraint constraint, met;
     PointCondition condition;
     condition.nhat_W = found.nhat_BA_W;
@@ -150,13 +144,22 @@ void appendOwn(const ConstraintInputs& inputs, const std::vector<PartDifferentia
     constraint.gap = found.distance - feel.boundary;
     for (std::size_t i = 0; i < 6; ++i) constraint.gradient[i] -= met.gradient[i];
     for (std::size_t i = 0; i < 21; ++i) constraint.curvature[i] -= met.curvature[i];
-    constraint.group = first_group++;
     constraint.id = (std::uint64_t{1} << 60) + index;
     constraint.stiffness = feel.stiffness;
     constraint.damping = feel.damping;
     constraint.friction = feel.friction;
     inputs.mapping.toDevice(constraint);
-    append(built, constraint, {static_cast<int>(index), -1});
+    rows.push_back({constraint, static_cast<int>(index)});
+  }
+  return rows;
+}
+
+void appendOwn(const std::vector<ConstraintDraft::OwnRow>& rows, std::uint32_t first_group, BuiltConstraints& built) {
+  constexpr std::size_t kRoom = 20;  // for limits and guides
+  for (const ConstraintDraft::OwnRow& row : rows) {
+    if (built.set.count + kRoom > haptic::kMaxConstraints) return;
+    append(built, row.constraint, {row.pair, -1});
+    built.set.constraints[built.set.count - 1].group = first_group++;
   }
 }
 
@@ -166,46 +169,81 @@ std::uint32_t nextGroup(const BuiltConstraints& built) {
 
 }  // namespace
 
-BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
-  BuiltConstraints built;
+ConstraintDraft draftConstraints(const ConstraintInputs& inputs) {
+  ConstraintDraft draft;
   const double scale = inputs.mapping.scale();
   const double zone_W = inputs.zone_radius * scale;
-  built.limits = inputs.manipulator.limits(inputs.configuration, zone_W, haptic::kRotationLever * scale);
-
-  Assembly assembly{inputs, inputs.manipulator.differentiate(inputs.configuration), {}, built};
-  assembly.pair_of.assign(inputs.parts.size() * inputs.obstacles.size(), -1);
-  std::vector<std::uint8_t> mask(assembly.pair_of.size(), 0);
-  collision::ZoneOptions options;
+  draft.limits = inputs.manipulator.limits(inputs.configuration, zone_W, haptic::kRotationLever * scale);
+  draft.differentials = inputs.manipulator.differentiate(inputs.configuration);
+  draft.mapping = inputs.mapping;
+  draft.zone_radius = inputs.zone_radius;
+  draft.turn_ahead = inputs.turn_ahead;
+  draft.feel.assign(inputs.feel.begin(), inputs.feel.end());
+  draft.obstacles = inputs.obstacles.size();
+  draft.pair_of.assign(inputs.parts.size() * inputs.obstacles.size(), -1);
+  draft.mask.assign(draft.pair_of.size(), 0);
   for (std::size_t i = 0; i < inputs.pairs.size(); ++i) {
     if (!inputs.feel[i].felt || inputs.pairs[i].other_part >= 0) continue;
     const std::size_t at = inputs.pairs[i].part * inputs.obstacles.size() + inputs.pairs[i].obstacle;
-    assembly.pair_of[at] = static_cast<int>(i);
-    mask[at] = 1;
-    options.safety_distance = std::max(options.safety_distance, inputs.feel[i].boundary);
+    draft.pair_of[at] = static_cast<int>(i);
+    draft.mask[at] = 1;
+    draft.options.safety_distance = std::max(draft.options.safety_distance, inputs.feel[i].boundary);
   }
-  options.radius = zone_W;
-  options.max_rotation = inputs.turn_ahead;
+  draft.options.radius = zone_W;
+  draft.options.max_rotation = inputs.turn_ahead;
   // Room for the limits, the bound of turning and one for whoever adds a row of its own.
-  options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(built.limits.size(), 16) -
-                        std::min<std::size_t>(inputs.own.size(), 8);
-  options.pair_mask = mask;
-  options.only_complete = inputs.only_complete;
-  const std::vector<collision::ZonePart> moving = movingParts(assembly, zone_W);
-  const collision::ZoneContacts found = inputs.finder != nullptr
-                                            ? inputs.finder->find(moving, inputs.obstacles, options)
-                                            : collision::zoneContacts(moving, inputs.obstacles, options);
+  draft.options.max_entries = haptic::kMaxConstraints - 2 - std::min<std::size_t>(draft.limits.size(), 16) -
+                              std::min<std::size_t>(inputs.own.size(), 8);
+  draft.options.only_complete = inputs.only_complete;
+  draft.moving = movingParts(inputs, draft.differentials, zone_W);
+  draft.own = ownRows(inputs, draft.differentials);
+  draft.X_WM = inputs.manipulator.movedFrame(inputs.configuration);
+  draft.X_DR = inputs.mapping.toDevice(draft.X_WM, inputs.X_DNear);
+  return draft;
+}
 
-  built.set.X_DR = inputs.mapping.toDevice(inputs.manipulator.movedFrame(inputs.configuration), inputs.X_DNear);
-  built.set.zone_radius = std::max(1e-4, std::min(found.radius, zone_W) / scale);
+BuiltConstraints completed(const ConstraintDraft& draft, const collision::ZoneContacts& found,
+                           std::span<const dvec3> gone_W) {
+  BuiltConstraints built;
+  built.limits = draft.limits;
+  built.set.X_DR = draft.X_DR;
+  built.set.zone_radius = std::max(1e-4, std::min(found.radius, draft.options.radius) / draft.mapping.scale());
   built.complete = found.complete;
   built.pending = found.pending;
   built.facets = found.facets;
   built.cost = kSecondsPerWork * static_cast<double>(found.work);
-  for (const collision::ZoneContact& contact : found.contacts) appendContact(assembly, contact);
-  appendOwn(inputs, assembly.differentials, std::max(found.groups, nextGroup(built)), built);
-  appendLimits(inputs, std::max(found.groups, nextGroup(built)), built);
-  appendTurnBound(inputs, built);
+  for (const collision::ZoneContact& contact : found.contacts) {
+    appendContact(draft, contact, gone_W.empty() ? dvec3(0.0) : gone_W[contact.environment_part], built);
+  }
+  appendOwn(draft.own, std::max(found.groups, nextGroup(built)), built);
+  appendLimits(draft.mapping, std::max(found.groups, nextGroup(built)), built);
+  appendTurnBound({draft.mapping, draft.zone_radius, draft.turn_ahead}, built);
   return built;
+}
+
+void moveReference(BuiltConstraints& built, const Pose& X_DR, const Pose& X_DNow) {
+  const Twist way = difference(X_DNow, X_DR);
+  const haptic::Vector6 xi{way.linear.x, way.linear.y, way.linear.z, way.angular.x, way.angular.y, way.angular.z};
+  haptic::ConstraintSet& set = built.set;
+  for (std::size_t i = 0; i < set.count; ++i) {
+    haptic::Constraint& row = set.constraints[i];
+    haptic::Vector6 gradient{};
+    row.gap = haptic::evaluateWithGradient(row, xi, gradient);
+    row.gradient = gradient;
+    if (!row.has_trim) continue;
+    for (std::size_t k = 0; k < 6; ++k) row.trim_gap += row.trim_gradient[k] * xi[k];
+  }
+  set.X_DR = X_DNow;
+  set.zone_radius = std::max(
+      1e-4, set.zone_radius - std::hypot(glm::length(way.linear), haptic::kRotationLever * glm::length(way.angular)));
+}
+
+BuiltConstraints buildConstraints(const ConstraintInputs& inputs) {
+  ConstraintDraft draft = draftConstraints(inputs);
+  draft.options.pair_mask = draft.mask;
+  return completed(draft, inputs.finder != nullptr
+                              ? inputs.finder->find(draft.moving, inputs.obstacles, draft.options)
+                              : collision::zoneContacts(draft.moving, inputs.obstacles, draft.options));
 }
 
 BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span<const FreeMotion::PairDistance> near) {
@@ -236,9 +274,9 @@ BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span
     inputs.mapping.toDevice(constraint);
     append(built, constraint, {static_cast<int>(pair), -1});
   }
-  appendOwn(inputs, parts, group, built);
-  appendLimits(inputs, std::max(group, nextGroup(built)), built);
-  appendTurnBound(inputs, built);
+  appendOwn(ownRows(inputs, parts), group, built);
+  appendLimits(inputs.mapping, std::max(group, nextGroup(built)), built);
+  appendTurnBound({inputs.mapping, inputs.zone_radius, inputs.turn_ahead}, built);
   return built;
 }
 

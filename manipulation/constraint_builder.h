@@ -11,6 +11,7 @@
 #include "manipulation/free_motion.h"
 #include "manipulation/manipulator.h"
 #include "manipulation/motion_mapping.h"
+#include "manipulation/part_differential.h"
 
 namespace hapticell::manipulation {
 
@@ -59,6 +60,39 @@ struct BuiltConstraints {
   bool facets = false;              ///< See collision::ZoneContacts::facets.
   double cost = 0.0;                ///< s that such a set takes to make, reckoned and not measured: repeats exactly.
 };
+
+/// A set before its contacts are known: what is to be looked for, and all that the answer is turned into rows with. It
+/// refers to the shapes of the parts only.
+struct ConstraintDraft {
+  std::vector<collision::ZonePart> moving;
+  std::vector<std::uint8_t> mask;  ///< What ZoneOptions::pair_mask is set to.
+  collision::ZoneOptions options;
+  Pose X_WM;  ///< The moved frame at the reference.
+  Pose X_DR;
+  MotionMapping mapping;
+  double zone_radius = 0.0, turn_ahead = 0.0;
+  std::vector<PartDifferential> differentials;
+  std::vector<int> pair_of;  ///< part * obstacles + obstacle -> pair, -1 where unchecked.
+  std::size_t obstacles = 0;
+  std::vector<PairFeel> feel;
+  std::vector<MotionLimit> limits;
+  struct OwnRow {
+    haptic::Constraint constraint;
+    int pair = -1;
+  };
+  std::vector<OwnRow> own;
+};
+
+ConstraintDraft draftConstraints(const ConstraintInputs& inputs);
+
+/// The set, from what a collision::ContactFinder answered to the draft. Obstacles have meanwhile gone by `gone_W` (m,
+/// one each; empty: none has).
+BuiltConstraints completed(const ConstraintDraft& draft, const collision::ZoneContacts& found,
+                           std::span<const dvec3> gone_W = {});
+
+/// The same set about another reference: what was found a moment ago, for where the entity is now. `X_DR` is where the
+/// set's reference is meant to be by the mapping of now.
+void moveReference(BuiltConstraints& built, const Pose& X_DR, const Pose& X_DNow);
 
 /// Everything that the hand can feel from this configuration: contacts with their curvature, the entity's own limits,
 /// all mapped to the hand's space about the device pose that means this configuration (gap less the pair's boundary).

@@ -151,6 +151,7 @@ void ManipulationEngine::hold(workcell::EntityId entity) {
     return;
   }
   held_ = std::move(*taken);
+  held_->searchWith(search_.get());
   hurried_joint_ = -1;
   for (const std::string& note : held_->notes()) {
     if (told_.insert(note).second) notice(note);

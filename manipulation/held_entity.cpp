@@ -21,9 +21,6 @@ using workcell::ForceClass;
 using workcell::OnContact;
 
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
-constexpr double kPlainZone = 0.020;       ///< m of hand: what a plain set is used for instead.
-constexpr double kCrowdedStays = 0.010;    ///< m of hand until a complete set is tried again.
-constexpr std::size_t kMostOwn = 8;        ///< Pairs of the entity's own parts that are felt at a time.
 
 Error refusal(const Entity& entity, std::string found, std::string expected) {
   return {.file = {},
@@ -300,113 +297,6 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
   gaps_.resize(pairs_.size());
   motion_ = std::make_unique<FreeMotion>(std::move(colliders), std::move(obstacles), motion_pairs_);
   motion_->reset(*manipulator_, accepted_);
-}
-
-void HeldEntity::startBoundaries() {
-  double widest = kSkin;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    feel_[i].boundary = std::max(kSkin, pairs_[i].safety_distance);
-    widest = std::max(widest, feel_[i].boundary);
-  }
-  // Nearer than its boundary already: it must not be thrown out, only get no nearer.
-  motion_->distances(widest * (1.0 + 1e-9), near_);
-  for (const auto& [pair, found] : near_) {
-    feel_[pair].boundary = std::min(feel_[pair].boundary, found.distance);
-  }
-  if (!motion_->anySoft()) return;
-  MotionMapping here;
-  here.anchor(movedFrame(), movedFrame());
-  const BuiltConstraints built = buildConstraints(
-      {*manipulator_, accepted_, here, movedFrame(), 0.01, 0.01, parts_, obstacles_, motion_pairs_, feel_});
-  pairGaps(built, built.set.X_DR, gaps_);
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
-    if (motion_->isSoft(i) && gaps_[i] < 0.0) feel_[i].boundary += gaps_[i];
-  }
-  for (std::size_t k = 0; k < built.set.count; ++k) {
-    const int pair = built.origins[k].pair;
-    if (pair < 0 || std::abs(built.set.constraints[k].gap) > FreeMotion::kGuard) continue;
-    const haptic::Vector6& a = built.set.constraints[k].gradient;
-    motion_->guard(static_cast<std::uint32_t>(pair), glm::normalize(dvec3(a[0], a[1], a[2])));
-  }
-}
-
-void HeldEntity::raiseBoundaries() {
-  bool any = false;
-  double widest = 0.0;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const double wanted = std::max(kSkin, pairs_[i].safety_distance);
-    widest = std::max(widest, wanted);
-    any = any || feel_[i].boundary < wanted;
-  }
-  if (!any) return;
-  motion_->distances(widest, near_);
-  std::fill(gaps_.begin(), gaps_.end(), widest);
-  for (const auto& [pair, found] : near_) gaps_[pair] = found.distance;
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
-    if (motion_->isSoft(i)) continue;
-    const double wanted = std::max(kSkin, pairs_[i].safety_distance);
-    feel_[i].boundary = std::min(wanted, std::max(feel_[i].boundary, gaps_[i]));
-  }
-}
-
-BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish) {
-  raiseBoundaries();
-  updateJointFriction();
-  ConstraintInputs inputs{*manipulator_,   accepted_, mapping,    X_DProxy,      wish.zone_radius,
-                          wish.turn_ahead, parts_,    obstacles_, motion_pairs_, feel_};
-  const Pose X_DHere = mapping.toDevice(movedFrame(), X_DProxy);
-  const bool near = glm::length(X_DHere.p - X_DCrowded_.p) < kCrowdedStays;
-  if (crowded_ && near && wish.least_radius > 0.7 * crowded_radius_) return plainConstraints(inputs);
-  inputs.only_complete = true;
-  inputs.finder = &finder_;
-  inputs.surfaces = surfaces_;
-  motion_->distances(wish.zone_radius * mapping.scale(), first_own_, own_);
-  std::sort(own_.begin(), own_.end(),
-            [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
-  if (own_.size() > kMostOwn) own_.resize(kMostOwn);
-  inputs.own = own_;
-  BuiltConstraints built = buildConstraints(inputs);
-  if (built.pending) {
-    built = plainConstraints(inputs);
-    built.pending = true;
-    return built;
-  }
-  crowded_ = built.set.zone_radius < wish.least_radius || !built.complete;
-  crowded_radius_ = built.complete ? built.set.zone_radius : 0.0;
-  X_DCrowded_ = X_DHere;
-  return crowded_ ? plainConstraints(inputs) : built;
-}
-
-BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
-  inputs.zone_radius = kPlainZone;
-  motion_->distances(2.0 * kPlainZone * inputs.mapping.scale(), near_);
-  std::sort(near_.begin(), near_.end(),
-            [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
-  own_.clear();
-  std::copy_if(near_.begin(), near_.end(), std::back_inserter(own_),
-               [&](const auto& n) { return n.pair >= first_own_; });
-  inputs.own = own_;
-  return buildPlainConstraints(inputs, near_);
-}
-
-std::optional<haptic::Constraint> HeldEntity::surfaceConstraint(workcell::EntityId other, double offset) {
-  constexpr double kFarthest = 0.5;
-  motion_->distances(kFarthest, near_);
-  const FreeMotion::PairDistance* nearest = nullptr;
-  for (const FreeMotion::PairDistance& near : near_) {
-    if (pairs_[near.pair].other != other || near.result.colliding) continue;
-    if (nearest == nullptr || near.result.distance < nearest->result.distance) nearest = &near;
-  }
-  if (nearest == nullptr) return std::nullopt;
-  PointCondition condition;
-  condition.p_WQ = nearest->result.p_WA;
-  condition.nhat_W = nearest->result.nhat_BA_W;
-  condition.gap = nearest->result.distance - offset;
-  haptic::Constraint constraint;
-  constraint.kind = haptic::ConstraintKind::kEquality;
-  constraint.id = (std::uint64_t{1} << 61) + nearest->pair;
-  applyCondition(manipulator_->differentiate(accepted_)[motion_pairs_[nearest->pair].part], condition, constraint);
-  return constraint;
 }
 
 void HeldEntity::distances(double limit, std::vector<FreeMotion::PairDistance>& near) {

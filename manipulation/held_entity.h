@@ -25,6 +25,8 @@ struct SolverRow;
 
 namespace hapticell::manipulation {
 
+class ContactSearch;
+
 /// Where every entity stands that does not stand as in the document.
 using Placements = std::map<workcell::EntityId, EntityConfiguration>;
 
@@ -106,8 +108,16 @@ class HeldEntity {
     double zone_radius = haptic::kWantedZoneRadius;  ///< m of hand.
     double least_radius = 0.003;  ///< m of hand: a complete set that is good for less holds the hand back in free air.
     double turn_ahead = 0.1;      ///< rad.
+    bool anew = false;            ///< What was asked for before is not wanted any more (another mapping, say).
+    bool may_wait = false;        ///< The last set is good yet: while the next is worked out only `pending` is told.
   };
+  /// `pending`: the contacts are not known yet and another call goes on with it; meanwhile the set is a plain one.
   BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish);
+
+  /// From now on contacts are looked for by `search`, which outlives this object (null: in constraints() itself).
+  void searchWith(ContactSearch* search);
+  /// What was asked for is known: constraints() has a set at once.
+  bool hasAnswer() const;
 
   /// Keeps the nearest points to `other` at `offset` (m): an equality over the moved frame's xi in the cell, flat at
   /// the nearest point. None where it is farther than half a metre, touches, or is not checked against this entity.
@@ -148,6 +158,11 @@ class HeldEntity {
   void startBoundaries();
   void raiseBoundaries();
   BuiltConstraints plainConstraints(ConstraintInputs inputs);
+  ConstraintDraft draft(ConstraintInputs& inputs);
+  bool ask(ConstraintInputs& inputs, double least_radius);
+  std::optional<BuiltConstraints> takeAnswer(const MotionMapping& mapping, const Pose& X_DProxy);
+  BuiltConstraints judged(BuiltConstraints built, ConstraintInputs& inputs, double least_radius);
+  BuiltConstraints waiting(ConstraintInputs& inputs, const SetWish& wish);
   struct Rows;
   struct Way;
   void addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const;
@@ -190,7 +205,14 @@ class HeldEntity {
   std::vector<MovedPart> moved_parts_;
   std::vector<const collision::ConvexPieces*> parts_;
   std::vector<const collision::SurfaceModel*> surfaces_;  ///< Of the parts.
-  collision::ContactFinder finder_;
+  std::shared_ptr<collision::ContactFinder> finder_;      ///< Shared with a search that is under way.
+  ContactSearch* search_ = nullptr;
+  /// A draft that is answered meanwhile, and what its set has to be good for.
+  struct Asked {
+    ConstraintDraft draft;
+    double least_radius;
+  };
+  std::optional<Asked> asked_;  ///< A search is under way for it.
   std::vector<collision::ZonePart> obstacles_;
   std::vector<workcell::EntityId> obstacle_owners_;  ///< In the order of the obstacles.
   std::vector<HeldPair> pairs_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "haptic/rendering/active_set_solver.h"
+#include "manipulation/contact_search.h"
 #include "manipulation/held_entity.h"
 
 namespace hapticell::manipulation {
@@ -100,8 +101,11 @@ struct HeldEntity::Way {
   }
 };
 
-HeldEntity::HeldEntity() : way_(std::make_unique<Way>()) {}
-HeldEntity::~HeldEntity() = default;
+HeldEntity::HeldEntity() : finder_(std::make_shared<collision::ContactFinder>()), way_(std::make_unique<Way>()) {}
+
+HeldEntity::~HeldEntity() {
+  if (asked_) search_->drop();
+}
 
 void HeldEntity::addSoftRows(const BuiltConstraints* built, const MotionMapping& mapping, Rows& rows) const {
   if (built == nullptr || !motion_->anySoft()) return;

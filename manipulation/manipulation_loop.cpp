@@ -120,6 +120,7 @@ struct ManipulationLoop::Worker {
 
   void run() {
     ManipulationEngine engine(*link, configuration);
+    engine.searchInThread();
     StepTimes times;
     const double rate = std::clamp(configuration.manipulation.rate_hz, kLeastRate, kMostRate);
     const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));

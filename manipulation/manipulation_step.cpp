@@ -51,6 +51,12 @@ ManipulationEngine::ManipulationEngine(haptic::HapticLink& link, const config::C
   updateMapping();
 }
 
+void ManipulationEngine::searchInThread() {
+  if (search_) return;
+  search_ = std::make_unique<ContactSearch>();
+  if (held_) held_->searchWith(search_.get());
+}
+
 std::vector<Result> ManipulationEngine::takeResults() {
   std::vector<Result> taken;
   taken.swap(results_);
@@ -85,6 +91,7 @@ void ManipulationEngine::takeState() {
 bool ManipulationEngine::needsSet() const {
   const double age = seconds(now_ns_ - set_ns_);
   if (set_wanted_) return true;
+  if (held_ && !clutched_ && held_->hasAnswer()) return true;
   if (!held_ || clutched_) return age >= kOldestSet;
   const double moved = metric(mapping_.toDevice(held_->movedFrame(), state_->X_DP), built_.set.X_DR);
   // Sets that are dear are made less often: they get half of the time.
@@ -160,8 +167,10 @@ void ManipulationEngine::updateSet() {
     const double turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
     // A slow hand is content with a small zone, as long as it says everything.
     const double least = std::clamp(kLeastAhead * glm::length(since.linear), kLeastZone, kMostLeastZone);
-    BuiltConstraints built = held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead});
-    if (built.pending && !changed && holdsStill()) {
+    const bool may_wait = !changed && holdsStill();
+    BuiltConstraints built =
+        held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead, changed, may_wait});
+    if (built.pending && may_wait) {
       set_ns_ = std::exchange(last_set_ns_, before_ns);
       return;
     }

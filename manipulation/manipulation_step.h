@@ -12,6 +12,7 @@
 
 #include "config/configuration.h"
 #include "haptic/client/haptic_link.h"
+#include "manipulation/contact_search.h"
 #include "manipulation/held_entity.h"
 #include "manipulation/manipulation_command.h"
 #include "manipulation/motion_mapping.h"
@@ -30,6 +31,10 @@ class ManipulationEngine {
  public:
   /// `link` must outlive the engine.
   ManipulationEngine(haptic::HapticLink& link, const config::Configuration& configuration);
+
+  /// From now on contacts are looked for in a thread of their own: a step never waits for them, the last set is held
+  /// meanwhile. Without it every step does all that it needs, so that the same inputs give the same steps.
+  void searchInThread();
 
   /// The scene that counts from now on. What is held goes on being held if it still exists.
   void setScene(std::shared_ptr<const PreparedScene> scene);
@@ -103,6 +108,7 @@ class ManipulationEngine {
   config::Configuration configuration_;
   std::shared_ptr<const PreparedScene> scene_;  // Shared with the thread that prepares the next one.
   Placements placements_;
+  std::unique_ptr<ContactSearch> search_;  // Outlives what is held.
   std::unique_ptr<HeldEntity> held_;
 
   std::optional<haptic::HapticState> state_;

@@ -45,6 +45,8 @@ class WatchedEngine {
   WatchedEngine(haptic::HapticLink& link, const SessionOptions& options)
       : options_(options), engine_(link, options.configuration), forces_(options.device.delay_ticks) {}
 
+  void searchInThread() { engine_.searchInThread(); }
+
   /// Sets all choices; errors are told before the session begins.
   Expected<void> prepare() {
     const auto entity = findEntity(options_);
@@ -323,6 +325,7 @@ Expected<SessionReport> runSessionOnServer(const SessionOptions& options, const 
   const auto device = awaitServer(link, host + ":" + std::to_string(port));
   if (!device) return makeError(device.error());
   WatchedEngine engine(link, options);
+  engine.searchInThread();
   if (const auto ready = engine.prepare(); !ready) return makeError(ready.error());
 
   const double stiffness = device->stiffness > 0.0 ? device->stiffness : 1000.0;

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// The constraint sets of the held entity, made here and now or with the search in another thread.
+#include <algorithm>
+
+#include "manipulation/contact_search.h"
+#include "manipulation/held_entity.h"
+
+namespace hapticell::manipulation {
+
+namespace {
+
+constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is used for instead.
+constexpr double kCrowdedStays = 0.010;  ///< m of hand until a complete set is tried again.
+constexpr std::size_t kMostOwn = 8;      ///< Pairs of the entity's own parts that are felt at a time.
+
+}  // namespace
+
+void HeldEntity::startBoundaries() {
+  double widest = kSkin;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    feel_[i].boundary = std::max(kSkin, pairs_[i].safety_distance);
+    widest = std::max(widest, feel_[i].boundary);
+  }
+  // Nearer than its boundary already: it must not be thrown out, only get no nearer.
+  motion_->distances(widest * (1.0 + 1e-9), near_);
+  for (const auto& [pair, found] : near_) {
+    feel_[pair].boundary = std::min(feel_[pair].boundary, found.distance);
+  }
+  if (!motion_->anySoft()) return;
+  MotionMapping here;
+  here.anchor(movedFrame(), movedFrame());
+  const BuiltConstraints built = buildConstraints(
+      {*manipulator_, accepted_, here, movedFrame(), 0.01, 0.01, parts_, obstacles_, motion_pairs_, feel_});
+  pairGaps(built, built.set.X_DR, gaps_);
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (motion_->isSoft(i) && gaps_[i] < 0.0) feel_[i].boundary += gaps_[i];
+  }
+  for (std::size_t k = 0; k < built.set.count; ++k) {
+    const int pair = built.origins[k].pair;
+    if (pair < 0 || std::abs(built.set.constraints[k].gap) > FreeMotion::kGuard) continue;
+    const haptic::Vector6& a = built.set.constraints[k].gradient;
+    motion_->guard(static_cast<std::uint32_t>(pair), glm::normalize(dvec3(a[0], a[1], a[2])));
+  }
+}
+
+void HeldEntity::raiseBoundaries() {
+  bool any = false;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const double wanted = std::max(kSkin, pairs_[i].safety_distance);
+    widest = std::max(widest, wanted);
+    any = any || feel_[i].boundary < wanted;
+  }
+  if (!any) return;
+  motion_->distances(widest, near_);
+  std::fill(gaps_.begin(), gaps_.end(), widest);
+  for (const auto& [pair, found] : near_) gaps_[pair] = found.distance;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (motion_->isSoft(i)) continue;
+    const double wanted = std::max(kSkin, pairs_[i].safety_distance);
+    feel_[i].boundary = std::min(wanted, std::max(feel_[i].boundary, gaps_[i]));
+  }
+}
+
+void HeldEntity::searchWith(ContactSearch* search) {
+  search_ = search;
+}
+
+bool HeldEntity::hasAnswer() const {
+  return asked_ && search_->isAnswered();
+}
+
+ConstraintDraft HeldEntity::draft(ConstraintInputs& inputs) {
+  inputs.only_complete = true;
+  inputs.finder = finder_.get();
+  inputs.surfaces = surfaces_;
+  motion_->distances(inputs.zone_radius * inputs.mapping.scale(), first_own_, own_);
+  std::sort(own_.begin(), own_.end(),
+            [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
+  if (own_.size() > kMostOwn) own_.resize(kMostOwn);
+  inputs.own = own_;
+  return draftConstraints(inputs);
+}
+
+/// The answer's set for where the entity is by now; nothing while there is none.
+std::optional<BuiltConstraints> HeldEntity::takeAnswer(const MotionMapping& mapping, const Pose& X_DProxy) {
+  const std::unique_ptr<ContactSearch::Question> answered = search_->take();
+  if (!answered) return std::nullopt;
+  std::vector<dvec3> gone_W;
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    gone_W.push_back(obstacles_[i].X_W.p - answered->environment[i].X_W.p);
+  }
+  asked_->draft.moving = std::move(answered->moving);
+  BuiltConstraints built = completed(asked_->draft, answered->found, gone_W);
+  moveReference(built, mapping.toDevice(asked_->draft.X_WM, X_DProxy), mapping.toDevice(movedFrame(), X_DProxy));
+  return built;
+}
+
+/// False while another search is under way.
+bool HeldEntity::ask(ConstraintInputs& inputs, double least_radius) {
+  if (!search_->isFree()) return false;
+  raiseBoundaries();
+  updateJointFriction();
+  asked_ = Asked{draft(inputs), least_radius};
+  auto question = std::make_unique<ContactSearch::Question>();
+  question->finder = finder_;
+  question->scene = scene_;
+  question->moving = std::move(asked_->draft.moving);
+  question->environment = obstacles_;
+  question->mask = asked_->draft.mask;
+  question->options = asked_->draft.options;
+  search_->ask(std::move(question));
+  return true;
+}
+
+/// What the complete set is worth decides whether it or a plain one is told.
+BuiltConstraints HeldEntity::judged(BuiltConstraints built, ConstraintInputs& inputs, double least_radius) {
+  crowded_ = built.set.zone_radius < least_radius || !built.complete;
+  crowded_radius_ = built.complete ? built.set.zone_radius : 0.0;
+  X_DCrowded_ = inputs.mapping.toDevice(movedFrame(), inputs.X_DNear);
+  return crowded_ ? plainConstraints(inputs) : std::move(built);
+}
+
+BuiltConstraints HeldEntity::waiting(ConstraintInputs& inputs, const SetWish& wish) {
+  BuiltConstraints built;
+  if (!wish.may_wait) built = plainConstraints(inputs);
+  built.pending = true;
+  return built;
+}
+
+BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish) {
+  ConstraintInputs inputs{*manipulator_,   accepted_, mapping,    X_DProxy,      wish.zone_radius,
+                          wish.turn_ahead, parts_,    obstacles_, motion_pairs_, feel_};
+  if (wish.anew && asked_) {
+    search_->drop();
+    asked_.reset();
+  }
+  if (asked_) {
+    auto built = takeAnswer(mapping, X_DProxy);
+    if (!built) return waiting(inputs, wish);
+    const double least_radius = asked_->least_radius;
+    asked_.reset();
+    return built->pending ? waiting(inputs, wish) : judged(std::move(*built), inputs, least_radius);
+  }
+  const Pose X_DHere = mapping.toDevice(movedFrame(), X_DProxy);
+  const bool near = glm::length(X_DHere.p - X_DCrowded_.p) < kCrowdedStays;
+  const bool stays_crowded = crowded_ && near && wish.least_radius > 0.7 * crowded_radius_;
+  if (search_ != nullptr && !stays_crowded) {
+    ask(inputs, wish.least_radius);
+    return waiting(inputs, wish);
+  }
+  raiseBoundaries();
+  updateJointFriction();
+  if (stays_crowded) return plainConstraints(inputs);
+  ConstraintDraft asked = draft(inputs);
+  asked.options.pair_mask = asked.mask;
+  BuiltConstraints built = completed(asked, finder_->find(asked.moving, obstacles_, asked.options));
+  if (built.pending) return waiting(inputs, wish);
+  return judged(std::move(built), inputs, wish.least_radius);
+}
+
+BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
+  inputs.zone_radius = kPlainZone;
+  motion_->distances(2.0 * kPlainZone * inputs.mapping.scale(), near_);
+  std::sort(near_.begin(), near_.end(),
+            [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
+  own_.clear();
+  std::copy_if(near_.begin(), near_.end(), std::back_inserter(own_),
+               [&](const auto& n) { return n.pair >= first_own_; });
+  inputs.own = own_;
+  return buildPlainConstraints(inputs, near_);
+}
+
+std::optional<haptic::Constraint> HeldEntity::surfaceConstraint(workcell::EntityId other, double offset) {
+  constexpr double kFarthest = 0.5;
+  motion_->distances(kFarthest, near_);
+  const FreeMotion::PairDistance* nearest = nullptr;
+  for (const FreeMotion::PairDistance& near : near_) {
+    if (pairs_[near.pair].other != other || near.result.colliding) continue;
+    if (nearest == nullptr || near.result.distance < nearest->result.distance) nearest = &near;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  PointCondition condition;
+  condition.p_WQ = nearest->result.p_WA;
+  condition.nhat_W = nearest->result.nhat_BA_W;
+  condition.gap = nearest->result.distance - offset;
+  haptic::Constraint constraint;
+  constraint.kind = haptic::ConstraintKind::kEquality;
+  constraint.id = (std::uint64_t{1} << 61) + nearest->pair;
+  applyCondition(manipulator_->differentiate(accepted_)[motion_pairs_[nearest->pair].part], condition, constraint);
+  return constraint;
+}
+
+}  // namespace hapticell::manipulation
