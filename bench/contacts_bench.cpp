@@ -114,6 +114,11 @@ int main(int count, char** words) {
   recognise("peg", peg);
   recognise("pulley", pulley);
   recognise("hip shell", shell);
+  // Robots' collision shapes are convex hulls of castings: hardly anything of them is a surface.
+  for (const char* link : {"base_link", "link_1", "link_2", "link_3"}) {
+    const std::string file = std::string("robots/kuka_kr120r2500pro/collision/") + link + ".stl";
+    recognise("KUKA KR 120, hull of " + std::string(link), fromFile(data / file, 1.0));
+  }
   std::puts(
       "\n| scene | distance us p50 / p99 | warm us p50 / p99 | warm / distance | first ms p99 / max | entries | zone "
       "mm |");

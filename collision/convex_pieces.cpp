@@ -8,10 +8,15 @@
 
 #include "collision/feature_blocks.h"
 #include "collision/patch_merger.h"
+#include "collision/pieces_on_demand.h"
 #include "collision/surface_patches.h"
 
 namespace hapticell::collision {
 namespace {
+
+double usualTolerance(const geometry::TriangleMesh& mesh) {
+  return std::max(1e-6, 1e-5 * glm::length(mesh.bounds().size()));
+}
 
 std::vector<std::uint8_t> realPlanes(const SurfaceGraph& graph, const Patch& patch, const ConvexHull& hull,
                                      double tolerance) {
@@ -30,7 +35,9 @@ std::vector<std::uint8_t> realPlanes(const SurfaceGraph& graph, const Patch& pat
   return real;
 }
 
-std::optional<ConvexPiece> pieceFrom(const SurfaceGraph& graph, const Patch& patch) {
+}  // namespace
+
+std::optional<ConvexPiece> pieceOfPatch(const SurfaceGraph& graph, const Patch& patch) {
   auto hull = hullOfPatch(graph, patch);
   if (!hull && isConvexSurface(graph, patch)) hull = hullOfConvexSurface(graph, patch);
   if (!hull) return std::nullopt;
@@ -44,22 +51,26 @@ std::optional<ConvexPiece> pieceFrom(const SurfaceGraph& graph, const Patch& pat
   return piece;
 }
 
-}  // namespace
+ConvexPieces::ConvexPieces() = default;
+ConvexPieces::~ConvexPieces() = default;
+
+std::shared_ptr<const ConvexPieces> ConvexPieces::onDemand(std::shared_ptr<const MeshCollider> collider,
+                                                           double tolerance) {
+  auto result = std::make_shared<ConvexPieces>();
+  result->tolerance_ = tolerance > 0.0 ? tolerance : usualTolerance(collider->mesh());
+  result->bounds_ = collider->bounds();
+  result->blocks_ = std::make_unique<const PiecesOnDemand>(std::move(collider), result->tolerance_);
+  return result;
+}
 
 std::shared_ptr<const ConvexPieces> ConvexPieces::build(const geometry::TriangleMesh& mesh, double tolerance) {
   auto result = std::make_shared<ConvexPieces>();
-  const double size = glm::length(mesh.bounds().size());
-  result->tolerance_ = tolerance > 0.0 ? tolerance : std::max(1e-6, 1e-5 * size);
-  if (mesh.triangles.size() > kMostTriangles) {
-    result->crowded_ = true;
-    result->bounds_ = mesh.bounds();
-    return result;
-  }
+  result->tolerance_ = tolerance > 0.0 ? tolerance : usualTolerance(mesh);
   const SurfaceGraph graph(mesh, result->tolerance_);
   result->surface_ = MeshCollider::build(graph.mesh());
   result->piece_of_.assign(graph.mesh().triangles.size(), 0);
   const auto add = [&](const Patch& patch) {
-    auto piece = pieceFrom(graph, patch);
+    auto piece = pieceOfPatch(graph, patch);
     if (!piece) return false;
     for (const auto triangle : patch.triangles) {
       result->piece_of_[triangle] = static_cast<std::uint32_t>(result->pieces_.size());

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "collision/convex_hull.h"
@@ -32,6 +33,13 @@ struct ConvexPiece {
   std::vector<std::uint32_t> triangles;  ///< Of the mesh given to build().
 };
 
+class PiecesOnDemand;
+class SurfaceGraph;
+struct Patch;
+
+/// The piece of a patch whose hull holds no other surface; nothing where rounding spoils the hull.
+std::optional<ConvexPiece> pieceOfPatch(const SurfaceGraph& graph, const Patch& patch);
+
 /// A mesh's surface cut into convex pieces: every triangle belongs to one piece, so two meshes are apart where every
 /// pair of their pieces is. Immutable after build; any thread may read it.
 class ConvexPieces {
@@ -39,15 +47,21 @@ class ConvexPieces {
   /// Cuts the surface of a soup (indices in range, coordinates finite). A convex mesh (box, cylinder, sphere) becomes
   /// one piece; elsewhere triangles are joined while their hull stays free of other surface by more than
   /// `tolerance` (m; 0 chooses 1e-5 of the size, at least a micrometre). Degenerate triangles are dropped.
-  /// Meshes of more than kMostTriangles are not cut (it would take minutes and kilobytes a triangle): isCrowded().
-  static constexpr std::size_t kMostTriangles = 200000;
+  /// It takes some 40 microseconds and a kilobyte a triangle: large meshes are better cut onDemand().
   static std::shared_ptr<const ConvexPieces> build(const geometry::TriangleMesh& mesh, double tolerance = 0.0);
+
+  /// Cuts nothing yet: queries cut what they come near (see PiecesOnDemand). There are no pieces() then but blocks().
+  static std::shared_ptr<const ConvexPieces> onDemand(std::shared_ptr<const MeshCollider> collider,
+                                                      double tolerance = 0.0);
+
+  ConvexPieces();
+  ~ConvexPieces();
 
   const std::vector<ConvexPiece>& pieces() const { return pieces_; }
   const geometry::Bounds& bounds() const { return bounds_; }
-  /// Too large to be cut: there are bounds, but no pieces and no surface. A query in whose zone it comes is incomplete.
-  bool isCrowded() const { return crowded_; }
-  /// The welded surface that the pieces were cut from; null for an empty mesh and a crowded one.
+  /// Null where the mesh was cut as a whole.
+  const PiecesOnDemand* blocks() const { return blocks_.get(); }
+  /// The welded surface that the pieces were cut from; null for an empty mesh and one that is cut on demand.
   const MeshCollider* surface() const { return surface_.get(); }
   /// The piece that holds a triangle of the surface.
   std::uint32_t pieceOf(std::uint32_t surface_triangle) const { return piece_of_[surface_triangle]; }
@@ -60,7 +74,7 @@ class ConvexPieces {
   std::shared_ptr<const MeshCollider> surface_;
   std::vector<std::uint32_t> piece_of_;
   double tolerance_ = 0.0;
-  bool crowded_ = false;
+  std::unique_ptr<const PiecesOnDemand> blocks_;
 };
 
 }  // namespace hapticell::collision

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kMostPairs = 600;
 constexpr std::size_t kHopelessPairs = 2 * kMostPairs;
 constexpr std::size_t kMostCandidates = 4000;  // pairs of pieces that are looked at more closely
+constexpr std::size_t kMostBlocks = 200;       // pairs of blocks, where a mesh is cut on demand
 constexpr std::size_t kMostTests = 20000;      // pairs of triangles
 constexpr std::size_t kFewVertices = 200;      // of a pair; with more its directions are sought at once
 constexpr std::size_t kMostDirections = 20000;
@@ -84,16 +85,41 @@ bool FacetQuery::counts(std::size_t moving_part, std::size_t environment_part) c
   return options_.pair_mask.empty() || options_.pair_mask[moving_part * environment_.size() + environment_part] != 0;
 }
 
+bool FacetQuery::labelsWithin(const PlacedPart& a, const PlacedPart& b, double reach, std::size_t most,
+                              std::vector<LabelPair>& found) {
+  SearchBudget budget{most, kMostTests};
+  const bool all =
+      labelPairsWithin(a.labelled(), b.labelled(), a.part().X_W.inverse() * b.part().X_W, reach, budget, found);
+  work_ += (kMostTests - budget.tests) / 2;
+  return all;
+}
+
+/// Blocks that come near each other, then the pieces in them.
+bool FacetQuery::candidatesOnDemand(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found) {
+  std::vector<LabelPair> blocks;
+  if (!labelsWithin(a, b, reach, kMostBlocks, blocks)) return false;
+  std::vector<std::uint32_t> pieces_a, pieces_b;
+  for (const LabelPair& pair : blocks) {
+    pieces_a.clear();
+    pieces_b.clear();
+    a.appendPieces(pair.label_a, pieces_a);
+    b.appendPieces(pair.label_b, pieces_b);
+    work_ += (pieces_a.size() + pieces_b.size()) / 4;
+    for (const auto i : pieces_a) {
+      const geometry::Bounds box = grown(a.piece(i).bounds_W, reach);
+      for (const auto j : pieces_b) {
+        if (overlap(box, b.piece(j).bounds_W)) found.push_back({i, j});
+      }
+    }
+    if (found.size() > kMostCandidates) return false;
+  }
+  return true;
+}
+
 bool FacetQuery::candidates(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found) {
   found.clear();
-  if (a.part().pieces->isCrowded() || b.part().pieces->isCrowded()) return false;
-  if (a.isLarge() || b.isLarge()) {
-    SearchBudget budget{kMostCandidates, kMostTests};
-    const bool all =
-        labelPairsWithin(a.labelled(), b.labelled(), a.part().X_W.inverse() * b.part().X_W, reach, budget, found);
-    work_ += (kMostTests - budget.tests) / 2;
-    return all;
-  }
+  if (a.isOnDemand() || b.isOnDemand()) return candidatesOnDemand(a, b, reach, found);
+  if (a.isLarge() || b.isLarge()) return labelsWithin(a, b, reach, kMostCandidates, found);
   const auto pieces_a = a.near(grown(b.bounds(), reach));
   const auto pieces_b = b.near(grown(a.bounds(), reach));
   for (const auto i : pieces_a) {

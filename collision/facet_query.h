@@ -58,6 +58,9 @@ class FacetQuery {
   std::vector<NearPair> nearPairs(std::size_t moving_part, const DirectionLimits& limits);
   /// False: more than can be looked at.
   bool candidates(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found);
+  bool candidatesOnDemand(PlacedPart& a, PlacedPart& b, double reach, std::vector<LabelPair>& found);
+  bool labelsWithin(const PlacedPart& a, const PlacedPart& b, double reach, std::size_t most,
+                    std::vector<LabelPair>& found);
   std::optional<ZoneContacts> written(const std::vector<std::vector<PieceGroup>>& groups, double radius,
                                       const Effort& effort, std::size_t max_entries) const;
   void write(std::size_t moving_part, const PieceGroup& group, ZoneContacts& result) const;

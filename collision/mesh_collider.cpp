@@ -41,12 +41,13 @@ BoxTree treeOf(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> tr
   }
   BuildControl control;
   control.threads = how.threads != 0 ? how.threads : std::max(1u, std::thread::hardware_concurrency());
+  control.cancelled = how.cancelled;
   if (how.progress != nullptr) {
     control.done = &how.progress->triangles_done;
     control.cancelled = &how.progress->cancelled;
   }
   BoxTree tree(mesh, std::move(triangles), control);
-  cache.store(tree, hash);
+  if (!tree.isEmpty()) cache.store(tree, hash);
   return tree;
 }
 
@@ -73,6 +74,7 @@ std::shared_ptr<const MeshCollider> MeshCollider::build(const geometry::Triangle
     aside.join();
   }
   if (how.progress != nullptr && how.progress->cancelled) return nullptr;
+  if (how.cancelled != nullptr && *how.cancelled) return nullptr;
   return collider;
 }
 

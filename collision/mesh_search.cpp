@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <unordered_set>
 
 #include "collision/dual_traversal.h"
 #include "collision/ray.h"
@@ -254,8 +255,23 @@ struct LabelCollector {
   const LabelledMesh& b;
   SearchBudget& budget;
   std::vector<LabelPair>& found;
-  mutable std::vector<bool> known{};
+  mutable std::vector<bool> known{};                     ///< By at(), or where that would be too large
+  mutable std::unordered_set<std::size_t> known_ones{};  ///< those that are.
   mutable std::size_t looked = 0;
+
+  static constexpr std::size_t kMostKnown = std::size_t{1} << 24;
+  void begin() {
+    const std::size_t all = std::size_t{a.labels} * b.labels;
+    if (all <= kMostKnown) known.resize(all);
+  }
+  bool isKnown(std::size_t pair) const { return known.empty() ? known_ones.count(pair) != 0 : known[pair]; }
+  void note(std::size_t pair) const {
+    if (known.empty()) {
+      known_ones.insert(pair);
+    } else {
+      known[pair] = true;
+    }
+  }
 
   std::size_t at(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
     return std::size_t{b.labels} * a.label_of[triangle_a] + b.label_of[triangle_b];
@@ -263,12 +279,12 @@ struct LabelCollector {
   bool wanted(std::uint32_t triangle_a, std::uint32_t triangle_b) const {
     constexpr std::size_t kLooksPerTest = 16;  // finding that a pair is known is so much cheaper
     if (++looked % kLooksPerTest == 0 && budget.tests > 0) --budget.tests;
-    return budget.tests == 0 || !known[at(triangle_a, triangle_b)];
+    return budget.tests == 0 || !isKnown(at(triangle_a, triangle_b));
   }
   bool isOver() const { return budget.tests == 0 || --budget.tests == 0; }
   bool operator()(std::uint32_t triangle_a, std::uint32_t triangle_b, const NearestPair&) const {
     if (found.size() >= budget.pairs) return false;
-    known[at(triangle_a, triangle_b)] = true;
+    note(at(triangle_a, triangle_b));
     found.push_back({a.label_of[triangle_a], b.label_of[triangle_b]});
     return true;
   }
@@ -280,7 +296,7 @@ bool labelPairsWithin(const LabelledMesh& a, const LabelledMesh& b, const Pose& 
                       SearchBudget& budget, std::vector<LabelPair>& found) {
   found.clear();
   LabelCollector collector{a, b, budget, found};
-  collector.known.resize(std::size_t{a.labels} * b.labels);
+  collector.begin();
   if (a.mesh.isEmpty() || b.mesh.isEmpty()) return true;
   return collectPairs(a.mesh, b.mesh, X_AB, radius, collector);
 }

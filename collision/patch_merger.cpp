@@ -90,6 +90,9 @@ class PatchMerger {
   bool isHollow(const ConvexHull& hull, std::uint32_t a, std::uint32_t b);
   bool merge(std::uint32_t a, std::uint32_t b);
 
+  bool isMember(std::uint32_t triangle) const {
+    return place_[triangle] < component_.size() && component_[place_[triangle]] == triangle;
+  }
   Growing& growing(std::uint32_t triangle) { return growing_[place_[triangle]]; }
   void start(const Patch& component);
 
@@ -128,7 +131,8 @@ std::vector<MergeEdge> PatchMerger::edges() const {
   for (const auto triangle : component_) {
     for (int k = 0; k < 3; ++k) {
       const auto other = graph_.neighbour(triangle, k);
-      if (other == SurfaceGraph::kNone || other < triangle || !graph_.isConvexAcross(triangle, k)) continue;
+      if (other == SurfaceGraph::kNone || other < triangle || !isMember(other)) continue;
+      if (!graph_.isConvexAcross(triangle, k)) continue;
       MergeEdge edge{triangle, other, false, glm::dot(graph_.normal(triangle), graph_.normal(other)), 0.0};
       edge.flat = graph_.isFlat(graph_.patchOf({triangle, other}));
       edge.length = glm::length(graph_.mesh().corner(triangle, k) - graph_.mesh().corner(triangle, (k + 1) % 3));

@@ -24,8 +24,8 @@ std::optional<ConvexHull> hullOfConvexSurface(const SurfaceGraph& graph, const P
 
 /// Cuts connected components that are not convex: starts from single triangles and joins neighbours across edges that
 /// are not concave (flat ones first, then the sharpest, then the longest) as long as all joined triangles stay on the
-/// hull of the union and that hull holds no other surface deeper than the tolerance. `collider` is that of
-/// graph.mesh().
+/// hull of the union and that hull holds no other surface deeper than the tolerance. Any set of triangles may stand for
+/// a component. `collider` is that of graph.mesh().
 std::vector<Patch> mergedPatches(const SurfaceGraph& graph, std::span<const Patch> components,
                                  const MeshCollider& collider);
 

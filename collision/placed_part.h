@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/mesh_search.h"
+#include "collision/pieces_on_demand.h"
 #include "collision/separating_directions.h"
 #include "collision/zone_contacts.h"
 
@@ -33,7 +34,7 @@ class PlacedPart {
   const PlacedPiece& piece(std::uint32_t index) {
     const auto found = placed_.find(index);
     if (found != placed_.end()) return found->second;
-    return placed_.emplace(index, placed(part_.pieces->pieces()[index], part_.X_W)).first->second;
+    return placed_.emplace(index, placed(*shape(index), part_.X_W)).first->second;
   }
 
   /// Pieces whose box comes near a box in the world.
@@ -47,14 +48,33 @@ class PlacedPart {
     return found;
   }
 
-  bool isLarge() const { return part_.pieces->pieces().size() > kFewPieces; }
+  /// Its pieces are cut where they are asked for.
+  bool isOnDemand() const { return part_.pieces->blocks() != nullptr; }
+  /// Appends the pieces that a label of labelled() stands for.
+  void appendPieces(std::uint32_t label, std::vector<std::uint32_t>& pieces) const {
+    if (!isOnDemand()) return pieces.push_back(label);
+    const auto count = static_cast<std::uint32_t>(part_.pieces->blocks()->block(label).size());
+    for (std::uint32_t i = 0; i < count; ++i) pieces.push_back(label * PiecesOnDemand::kMostInBlock + i);
+  }
+
+  bool isLarge() const { return isOnDemand() || part_.pieces->pieces().size() > kFewPieces; }
+  /// Its triangles by their piece or, on demand, by their block.
   LabelledMesh labelled() const {
+    if (const PiecesOnDemand* blocks = part_.pieces->blocks()) {
+      return {blocks->surface(), blocks->blockOfEachTriangle(), blocks->blockCount()};
+    }
     return {*part_.pieces->surface(), part_.pieces->pieceOfEachTriangle(),
             static_cast<std::uint32_t>(part_.pieces->pieces().size())};
   }
 
  private:
   static constexpr std::size_t kFewPieces = 256;  // with more its triangles are searched
+
+  const ConvexPiece* shape(std::uint32_t index) const {
+    if (!isOnDemand()) return &part_.pieces->pieces()[index];
+    constexpr std::uint32_t kIn = PiecesOnDemand::kMostInBlock;
+    return &part_.pieces->blocks()->block(index / kIn)[index % kIn];
+  }
 
   ZonePart part_;
   geometry::Bounds bounds_W_;

@@ -39,13 +39,18 @@ std::shared_ptr<const MeshCollider> linesOf(std::span<const BodyRod> rods) {
 }  // namespace
 
 std::shared_ptr<const SurfaceModel> SurfaceModel::build(const geometry::TriangleMesh& mesh, const ColliderBuild& how) {
-  return build(recogniseSurfaces(mesh, {.cache_folder = how.cache_folder}), how);
+  RecognitionOptions options;
+  options.cache_folder = how.cache_folder;
+  options.cancelled = how.cancelled;
+  RecognisedSurface surface = recogniseSurfaces(mesh, options);
+  return how.cancelled != nullptr && *how.cancelled ? nullptr : build(std::move(surface), how);
 }
 
 std::shared_ptr<const SurfaceModel> SurfaceModel::build(RecognisedSurface surface, const ColliderBuild& how) {
   std::shared_ptr<SurfaceModel> model(new SurfaceModel);
   model->surface_ = std::move(surface);
   model->collider_ = MeshCollider::build(relievedMesh(model->surface_), how);
+  if (!model->collider_) return nullptr;
   ModelBuilder(*model).run();
   for (std::size_t kind = 0; kind < model->rods_.size(); ++kind) {
     model->rod_lines_[kind] = linesOf(model->rods_[kind]);

@@ -65,6 +65,7 @@ class SurfaceModel {
   static constexpr std::uint32_t kNone = RecognisedSurface::kNone;
 
   /// Recognises the mesh (about 1.5 s for 100 000 triangles; what was found and the tree are kept in the cache folder).
+  /// Null when cancelled.
   static std::shared_ptr<const SurfaceModel> build(const geometry::TriangleMesh& mesh, const ColliderBuild& how = {});
   /// From what was recognised before.
   static std::shared_ptr<const SurfaceModel> build(RecognisedSurface surface, const ColliderBuild& how = {});

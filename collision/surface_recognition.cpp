@@ -17,12 +17,15 @@ namespace {
 constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kPlaneIsLarger = 5.0;  // than each of its smooth neighbours
 constexpr std::size_t kFewFailures = 60, kFailureShare = 40;
+constexpr std::size_t kFailuresAtFirst = 20;  // where nothing curved was found at all, as on a convex hull of a casting
+constexpr std::size_t kSmall = 5000;          // clusters
 
 class Recogniser {
  public:
-  Recogniser(RecognisedSurface& surface, double tolerance)
+  Recogniser(RecognisedSurface& surface, double tolerance, const std::atomic<bool>* cancelled)
       : surface_(surface),
         tolerance_(tolerance),
+        cancelled_(cancelled),
         clusters_(planarClusters(surface, tolerance)),
         grower_(surface, clusters_) {
     surface_.region_of.assign(surface_.mesh.triangles.size(), kNone);
@@ -38,6 +41,7 @@ class Recogniser {
   }
 
  private:
+  bool isCancelled() const { return cancelled_ != nullptr && *cancelled_; }
   void findCurved(double tolerance);
   void absorb();
   void findPlanes();
@@ -48,6 +52,7 @@ class Recogniser {
 
   RecognisedSurface& surface_;
   double tolerance_;
+  const std::atomic<bool>* cancelled_;
   PlanarClusters clusters_;
   RegionGrower grower_;
 };
@@ -70,7 +75,8 @@ void Recogniser::findCurved(double tolerance) {
   const std::size_t most_failures = kFewFailures + order.size() / kFailureShare;
   std::size_t failures = 0;
   for (const auto cluster : order) {
-    if (failures > most_failures) break;
+    const bool none_yet = surface_.regions.empty() && order.size() < kSmall;
+    if (failures > (none_yet ? kFailuresAtFirst : most_failures) || isCancelled()) break;
     const auto seed = clusters_.triangles[cluster].front();
     if (!grower_.isFree(seed)) continue;
     const auto& members = clusters_.triangles[cluster];
@@ -197,10 +203,10 @@ RecognisedSurface recogniseSurfaces(const geometry::TriangleMesh& mesh, const Re
   const SurfaceCache cache(options.tolerance > 0.0 ? std::filesystem::path() : options.cache_folder);
   const ContentHash hash = options.cache_folder.empty() ? ContentHash{} : contentHash(mesh);
   if (!cache.load(hash, surface)) {
-    Recogniser(surface, tolerance).run();
+    Recogniser(surface, tolerance, options.cancelled).run();
     // As they are when they come from the disk, so that all that is measured is equal to the last bit.
     for (SurfaceRegion& region : surface.regions) std::sort(region.triangles.begin(), region.triangles.end());
-    cache.store(hash, surface);
+    if (options.cancelled == nullptr || !*options.cancelled) cache.store(hash, surface);
   }
   measureRegions(surface);
   return surface;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 
 #include "collision/recognised_surface.h"
@@ -10,6 +11,7 @@ namespace hapticell::collision {
 struct RecognitionOptions {
   std::filesystem::path cache_folder{};  ///< What was found is kept here by the mesh's content; empty keeps nothing.
   double tolerance = 0.0;  ///< m that vertices may be off a surface; 0: 1 um, at least 2e-6 of the mesh's diagonal.
+  const std::atomic<bool>* cancelled = nullptr;  ///< Set by anyone to end it soon; what is left is free form then.
 };
 
 /// Finds the planes, cylinders, cones, spheres and tori that a mesh was made from.

@@ -126,7 +126,7 @@ void appendLimits(const MotionMapping& mapping, std::uint32_t first_group, Built
   }
 }
 
-/// Two moved parts: the distance changes by the difference of what the motion does to both.
+/// Two moved parts, whose distance changes by the difference of what the motion does to both; and the ways out.
 std::vector<ConstraintDraft::OwnRow> ownRows(const ConstraintInputs& inputs,
                                              const std::vector<PartDifferential>& parts) {
   std::vector<ConstraintDraft::OwnRow> rows;
@@ -150,6 +150,17 @@ std::vector<ConstraintDraft::OwnRow> ownRows(const ConstraintInputs& inputs,
     constraint.friction = feel.friction;
     inputs.mapping.toDevice(constraint);
     rows.push_back({constraint, static_cast<int>(index)});
+  }
+  for (const FreeingPlane& plane : inputs.freeing) {
+    haptic::Constraint constraint;
+    PointCondition condition;
+    condition.p_WQ = plane.p_W;
+    condition.nhat_W = plane.nhat_W;
+    condition.gap = plane.gap;
+    applyCondition(parts[inputs.pairs[plane.pair].part], condition, constraint);
+    constraint.id = (std::uint64_t{1} << 59) + plane.pair;
+    inputs.mapping.toDevice(constraint);
+    rows.push_back({constraint, static_cast<int>(plane.pair)});
   }
   return rows;
 }

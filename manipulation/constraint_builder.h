@@ -24,6 +24,14 @@ struct PairFeel {
   double friction = 0.0;
 };
 
+/// A pair that intersects and is let out one way only: gap + nhat_W . v for a motion v of the moved part at p_W.
+struct FreeingPlane {
+  std::uint32_t pair = 0;
+  dvec3 p_W{0.0};
+  dvec3 nhat_W{0.0, 0.0, 1.0};
+  double gap = 0.0;  ///< m: how far it has come back from where it was freest.
+};
+
 /// What a constraint set is made of. Parts and obstacles are those of the motion check, `feel` is in the order of
 /// `pairs`. All spans outlive the call.
 struct ConstraintInputs {
@@ -43,6 +51,7 @@ struct ConstraintInputs {
   bool only_complete = false;                                  ///< See collision::ZoneOptions::only_complete.
   /// Nearest points of the pairs of moved parts (MotionPair::other_part): a tangent plane each.
   std::span<const FreeMotion::PairDistance> own{};
+  std::span<const FreeingPlane> freeing{};  ///< Their pairs are not `felt` otherwise.
 };
 
 /// One entry's origin, in the order of ConstraintSet::constraints.

@@ -72,6 +72,7 @@ class FreeMotion {
   void distances(double limit, std::uint32_t first, std::vector<PairDistance>& near);
 
   const std::vector<MotionPair>& pairs() const { return pairs_; }
+  const Obstacle& obstacle(std::uint32_t index) const { return obstacles_[index]; }
   bool isSoft(std::uint32_t pair) const { return states_[pair].soft; }
   bool anySoft() const;
   const std::vector<Pose>& partPoses() const { return X_WP_; }

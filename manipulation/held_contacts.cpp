@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The constraint sets of the held entity, made here and now or with the search in another thread.
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 #include "manipulation/contact_search.h"
 #include "manipulation/held_entity.h"
@@ -11,7 +13,9 @@ namespace {
 
 constexpr double kPlainZone = 0.020;     ///< m of hand: what a plain set is used for instead.
 constexpr double kCrowdedStays = 0.010;  ///< m of hand until a complete set is tried again.
-constexpr std::size_t kMostOwn = 8;      ///< Pairs of the entity's own parts that are felt at a time.
+constexpr double kHairsBreadth = 1e-4;   ///< m: parts that rest in each other by less are not inside of each other.
+constexpr std::size_t kMostWaysOut = 8;
+constexpr std::size_t kMostOwn = 8;  ///< Pairs of the entity's own parts that are felt at a time.
 
 }  // namespace
 
@@ -27,6 +31,7 @@ void HeldEntity::startBoundaries() {
     feel_[pair].boundary = std::min(feel_[pair].boundary, found.distance);
   }
   if (!motion_->anySoft()) return;
+  findWaysOut();
   MotionMapping here;
   here.anchor(movedFrame(), movedFrame());
   const BuiltConstraints built = buildConstraints(
@@ -40,6 +45,66 @@ void HeldEntity::startBoundaries() {
     if (pair < 0 || std::abs(built.set.constraints[k].gap) > FreeMotion::kGuard) continue;
     const haptic::Vector6& a = built.set.constraints[k].gradient;
     motion_->guard(static_cast<std::uint32_t>(pair), glm::normalize(dvec3(a[0], a[1], a[2])));
+  }
+}
+
+/// What intersects other than by a hair is led out by one plane: facets deep inside say nothing of use.
+void HeldEntity::findWaysOut() {
+  for (const auto& [pair, found] : near_) {
+    const MotionPair& who = motion_pairs_[pair];
+    if (ways_out_.size() >= kMostWaysOut || !found.colliding || who.other_part >= 0 || !feel_[pair].felt) continue;
+    const auto& part = moved_parts_[who.part].part->mesh.collider;
+    const Pose& X_WP = motion_->partPoses()[who.part];
+    collision::ProximityQuery query(part, motion_->obstacle(who.obstacle).collider);
+    const collision::FreeingShift shift = collision::freeingShift(query, X_WP, motion_->obstacle(who.obstacle).X_WO);
+    if (shift.found && shift.depth < kHairsBreadth) continue;
+    noteWayOut(pair, shift);
+    if (!shift.found) continue;
+    WayOut way;
+    way.plane.pair = pair;
+    way.plane.nhat_W = shift.direction_W;
+    way.p_PC = part->center();
+    way.reached = glm::dot(shift.direction_W, X_WP * way.p_PC);
+    ways_out_.push_back(way);
+    feel_[pair].felt = false;
+  }
+}
+
+void HeldEntity::noteWayOut(std::uint32_t pair, const collision::FreeingShift& shift) {
+  const HeldPair& about = pairs_[pair];
+  const auto named = [](const std::string& entity, const std::string& part) {
+    return part.empty() || part == entity ? entity : entity + "/" + part;
+  };
+  const std::string inside = named(scene_->find(id_)->name, about.moved_part) + " starts inside " +
+                             named(scene_->find(about.other)->name, about.other_part);
+  if (!shift.found) {
+    notes_.push_back(inside + " and no straight way out was found; it is not held back by it until they are apart");
+    return;
+  }
+  std::array<char, 96> way{};
+  const dvec3& n = shift.direction_W;
+  std::snprintf(way.data(), way.size(), ", %.1f mm deep: it comes free along (%.2f, %.2f, %.2f)", 1e3 * shift.depth,
+                n.x + 0.0, n.y + 0.0, n.z + 0.0);
+  notes_.push_back(inside + way.data() +
+                   (shift.by_winding ? " (an open mesh: told by its winding number)" : std::string()));
+}
+
+/// Where they have come apart the usual contacts hold.
+void HeldEntity::updateWaysOut() {
+  freeing_.clear();
+  for (std::size_t i = 0; i < ways_out_.size();) {
+    WayOut& way = ways_out_[i];
+    if (!motion_->isSoft(way.plane.pair)) {
+      feel_[way.plane.pair].felt = pairs_[way.plane.pair].feel.felt;
+      ways_out_.erase(ways_out_.begin() + static_cast<std::ptrdiff_t>(i));
+      continue;
+    }
+    way.plane.p_W = motion_->partPoses()[motion_pairs_[way.plane.pair].part] * way.p_PC;
+    const double at = glm::dot(way.plane.nhat_W, way.plane.p_W);
+    way.reached = std::max(way.reached, at);
+    way.plane.gap = at - way.reached;
+    freeing_.push_back(way.plane);
+    ++i;
   }
 }
 
@@ -79,6 +144,8 @@ ConstraintDraft HeldEntity::draft(ConstraintInputs& inputs) {
             [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
   if (own_.size() > kMostOwn) own_.resize(kMostOwn);
   inputs.own = own_;
+  updateWaysOut();
+  inputs.freeing = freeing_;
   return draftConstraints(inputs);
 }
 
@@ -168,6 +235,8 @@ BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
   std::copy_if(near_.begin(), near_.end(), std::back_inserter(own_),
                [&](const auto& n) { return n.pair >= first_own_; });
   inputs.own = own_;
+  updateWaysOut();
+  inputs.freeing = freeing_;
   return buildPlainConstraints(inputs, near_);
 }
 

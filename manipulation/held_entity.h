@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision/freeing_shift.h"
 #include "config/configuration.h"
 #include "geometry/error.h"
 #include "manipulation/constraint_builder.h"
@@ -81,7 +82,8 @@ class HeldEntity {
   /// Its name; the joint exists (contract).
   const std::string& jointName(int joint) const;
   const std::vector<HeldPair>& pairs() const { return pairs_; }
-  /// What was noticed when it was taken: links that touch each other at rest and so are not checked.
+  /// What was noticed when it was taken: links that touch each other at rest and so are not checked; what it starts
+  /// inside of and which way it comes free.
   const std::vector<std::string>& notes() const { return notes_; }
 
   /// Goes towards what the stylus (or proxy) at X_DP means, as far as it is free, and along what stands in the way
@@ -157,6 +159,9 @@ class HeldEntity {
   void updateJointFriction();
   void startBoundaries();
   void raiseBoundaries();
+  void findWaysOut();
+  void noteWayOut(std::uint32_t pair, const collision::FreeingShift& shift);
+  void updateWaysOut();
   BuiltConstraints plainConstraints(ConstraintInputs inputs);
   ConstraintDraft draft(ConstraintInputs& inputs);
   bool ask(ConstraintInputs& inputs, double least_radius);
@@ -212,6 +217,14 @@ class HeldEntity {
     ConstraintDraft draft;
     double least_radius;
   };
+  /// A pair that intersected when the entity was taken: which way it comes out.
+  struct WayOut {
+    FreeingPlane plane;
+    dvec3 p_PC{0.0};       ///< Of the part, that is watched.
+    double reached = 0.0;  ///< m along the plane's normal: it goes no deeper again.
+  };
+  std::vector<WayOut> ways_out_;
+  std::vector<FreeingPlane> freeing_;
   std::optional<Asked> asked_;  ///< A search is under way for it.
   std::vector<collision::ZonePart> obstacles_;
   std::vector<workcell::EntityId> obstacle_owners_;  ///< In the order of the obstacles.

@@ -67,6 +67,7 @@ struct ManipulationLoop::Worker {
     {
       const std::lock_guard lock(mutex);
       stopping = true;
+      progress.cancelled = true;
     }
     documents_wait.notify_all();
     steps_wait.notify_all();
@@ -86,11 +87,21 @@ struct ManipulationLoop::Worker {
         if (stopping) return;
         document = std::move(newest_document);
         document_waits = false;
+        progress.steps = progress.done = 0;
+        progress.cancelled = stopping;
+        preparing = true;
       }
-      previous = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get());
+      auto made = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get(),
+                                         &progress);
       const std::lock_guard lock(mutex);
-      ready_scene = previous;
-      newest_scene = previous;
+      preparing = false;
+      if (!made) {
+        results.push_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});
+        continue;
+      }
+      previous = made;
+      ready_scene = made;
+      newest_scene = made;
     }
   }
 
@@ -158,7 +169,9 @@ struct ManipulationLoop::Worker {
   bool document_waits = false;
   std::shared_ptr<const PreparedScene> ready_scene;  ///< Until the engine takes it.
   std::shared_ptr<const PreparedScene> newest_scene;
+  bool preparing = false;
   bool stopping = false;
+  PreparationProgress progress;
 
   std::thread preparer, stepper;
 };
@@ -190,6 +203,20 @@ std::vector<Result> ManipulationLoop::takeResults() {
   const std::lock_guard lock(worker_->mutex);
   taken.swap(worker_->results);
   return taken;
+}
+
+std::optional<double> ManipulationLoop::preparation() const {
+  {
+    const std::lock_guard lock(worker_->mutex);
+    if (!worker_->preparing) return std::nullopt;
+  }
+  const std::size_t steps = worker_->progress.steps;
+  return steps == 0 ? 0.0 : std::min(1.0, static_cast<double>(worker_->progress.done) / static_cast<double>(steps));
+}
+
+void ManipulationLoop::cancelPreparation() {
+  const std::lock_guard lock(worker_->mutex);
+  if (worker_->preparing) worker_->progress.cancelled = true;
 }
 
 std::shared_ptr<const PreparedScene> ManipulationLoop::scene() const {

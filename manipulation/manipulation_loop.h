@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "config/configuration.h"
@@ -33,6 +34,11 @@ class ManipulationLoop {
   bool latest(SceneSnapshot& snapshot);
   /// What happened since the last call, in order.
   std::vector<Result> takeResults();
+  /// What is being made ready of a new document, 0 to 1 of it; nothing while nothing is. Any thread.
+  std::optional<double> preparation() const;
+  /// Gives it up: the old scene goes on, and what the document has since is not felt until the next one is posted.
+  void cancelPreparation();
+
   /// The newest document as it was prepared; null before the first is. Any thread.
   std::shared_ptr<const PreparedScene> scene() const;
 

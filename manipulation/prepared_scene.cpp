@@ -13,6 +13,36 @@ namespace {
 
 /// Triangles of a mesh whose tree is kept on disk, and of one whose surfaces are.
 constexpr std::size_t kWorthAFile = 50000, kSurfacesWorthAFile = 3000;
+constexpr std::size_t kCutAsAWhole = 60000;  ///< Triangles; of larger meshes only what is near is cut into pieces.
+constexpr std::size_t kStages = 3;           ///< Surfaces, tree, pieces.
+constexpr double kWeldedByLittle = 1.1e-6;   ///< m: a surface's mesh that is this near to the part's own stands for it.
+
+/// Made for the contacts, so it must not leave out or move what the exact check is to see.
+bool standsFor(const collision::SurfaceModel& surfaces, const geometry::TriangleMesh& mesh) {
+  return surfaces.surface().mesh.triangles.size() == mesh.triangles.size() &&
+         geometry::weldTolerance(mesh) <= kWeldedByLittle;
+}
+
+/// False when cancelled.
+bool makeReady(const geometry::TriangleMesh& mesh, PreparationProgress& progress, PreparedMesh& prepared) {
+  const std::size_t triangles = mesh.triangles.size();
+  collision::ColliderBuild how;
+  how.cancelled = &progress.cancelled;
+  if (triangles >= kSurfacesWorthAFile) how.cache_folder = collision::userCacheFolder();
+  prepared.surfaces = collision::SurfaceModel::build(mesh, how);
+  if (progress.cancelled) return false;
+  progress.done += triangles;
+  how.cache_folder = triangles >= kWorthAFile ? collision::userCacheFolder() : std::filesystem::path();
+  const bool relieved = collision::hasHollows(prepared.surfaces->surface());
+  prepared.collider = relieved || standsFor(*prepared.surfaces, mesh) ? prepared.surfaces->sharedCollider()
+                                                                      : collision::MeshCollider::build(mesh, how);
+  if (progress.cancelled) return false;
+  progress.done += triangles;
+  prepared.pieces = triangles > kCutAsAWhole ? collision::ConvexPieces::onDemand(prepared.collider)
+                                             : collision::ConvexPieces::build(mesh);
+  progress.done += triangles;
+  return !progress.cancelled;
+}
 
 }  // namespace
 
@@ -24,15 +54,18 @@ struct PreparedScene::Job {
 std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell::Entity> entities,
                                                             workcell::PairPolicy pairs,
                                                             const workcell::PairDefaults& defaults,
-                                                            const PreparedScene* previous) {
+                                                            const PreparedScene* previous,
+                                                            PreparationProgress* progress) {
   std::shared_ptr<PreparedScene> scene(new PreparedScene);
   scene->entities_ = std::move(entities);
   scene->pairs_ = std::move(pairs);
   scene->defaults_ = defaults;
   std::vector<Job> jobs;
   for (const workcell::Entity& entity : scene->entities_) scene->addParts(entity, jobs);
-  scene->run(jobs, previous);
-  return scene;
+  PreparationProgress unwatched;
+  PreparationProgress& watched = progress != nullptr ? *progress : unwatched;
+  scene->run(jobs, previous, watched);
+  return watched.cancelled ? nullptr : scene;
 }
 
 void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
@@ -43,30 +76,24 @@ void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<
 }
 
 /// The largest meshes first, each by whoever is free: what comes of it does not depend on who does it.
-void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous) {
+void PreparedScene::run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress) {
   std::vector<const Job*> order;
+  std::size_t steps = 0;
   for (const Job& job : jobs) {
     if (previous != nullptr && previous->meshes_.count(job.key) != 0) {
       meshes_[job.key] = previous->meshes_.at(job.key);
     } else {
       order.push_back(&job);
+      steps += kStages * job.mesh->triangles.size();
     }
   }
+  progress.steps = steps;
   std::stable_sort(order.begin(), order.end(),
                    [](const Job* a, const Job* b) { return a->mesh->triangles.size() > b->mesh->triangles.size(); });
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < order.size(); i = next++) {
-      const geometry::TriangleMesh& mesh = *order[i]->mesh;
-      collision::ColliderBuild how;
-      if (mesh.triangles.size() >= kWorthAFile) how.cache_folder = collision::userCacheFolder();
-      collision::ColliderBuild of_surfaces;
-      if (mesh.triangles.size() >= kSurfacesWorthAFile) of_surfaces.cache_folder = collision::userCacheFolder();
-      PreparedMesh& prepared = meshes_.find(order[i]->key)->second;
-      prepared.pieces = collision::ConvexPieces::build(mesh);
-      prepared.surfaces = collision::SurfaceModel::build(mesh, of_surfaces);
-      const bool relieved = collision::hasHollows(prepared.surfaces->surface());
-      prepared.collider = relieved ? prepared.surfaces->sharedCollider() : collision::MeshCollider::build(mesh, how);
+      if (!makeReady(*order[i]->mesh, progress, meshes_.find(order[i]->key)->second)) return;
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

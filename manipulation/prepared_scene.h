@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,16 +34,24 @@ struct ScenePart {
   PreparedMesh mesh;
 };
 
+/// How far a preparation is, for whoever shows or ends it. Any thread may read, and set `cancelled`, at any time.
+struct PreparationProgress {
+  std::atomic<std::size_t> steps{0};  ///< In all (a triangle counts once for each thing that is made of it),
+  std::atomic<std::size_t> done{0};   ///< and of these so far.
+  std::atomic<bool> cancelled{false};
+};
+
 /// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked
 /// against what. Immutable; any thread.
 class PreparedScene {
  public:
   /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
-  /// taken over from it. Entities without a mesh have no parts.
+  /// taken over from it. Entities without a mesh have no parts. Null when cancelled.
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
-                                                      const PreparedScene* previous = nullptr);
+                                                      const PreparedScene* previous = nullptr,
+                                                      PreparationProgress* progress = nullptr);
 
   const std::vector<workcell::Entity>& entities() const { return entities_; }
   const workcell::Entity* find(workcell::EntityId id) const;
@@ -71,7 +81,7 @@ class PreparedScene {
   void addParts(const workcell::Entity& entity, std::vector<Job>& jobs);
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                std::vector<Job>& jobs);
-  void run(const std::vector<Job>& jobs, const PreparedScene* previous);
+  void run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress);
 
   std::vector<workcell::Entity> entities_;
   workcell::PairPolicy pairs_;

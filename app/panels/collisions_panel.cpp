@@ -2,16 +2,12 @@
 #include "app/panels/collisions_panel.h"
 
 #include <QAbstractButton>
-#include <QFile>
-#include <QFileDialog>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
-#include <QSaveFile>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -19,12 +15,12 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
-#include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
 #include "app/panels/pair_columns.h"
 #include "app/panels/pair_delegate.h"
 #include "app/panels/pair_set_editor.h"
+#include "app/panels/rest_question.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/viewport/viewport_widget.h"
@@ -32,25 +28,11 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kTableRow = 28;
 constexpr double kZoomRoom = 0.06;  // Metres about the nearest points of a pair that is zoomed to, at least.
-
-void setUp(QTableView& table, QAbstractItemModel& model) {
-  table.setModel(&model);
-  table.setFrameShape(QFrame::NoFrame);
-  table.setShowGrid(false);
-  table.setSelectionBehavior(QAbstractItemView::SelectRows);
-  table.setSelectionMode(QAbstractItemView::SingleSelection);
-  table.viewport()->setBackgroundRole(QPalette::Window);
-  table.verticalHeader()->hide();
-  table.verticalHeader()->setDefaultSectionSize(kTableRow);
-  table.horizontalHeader()->setHighlightSections(false);
-  table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-}
 
 }  // namespace
 
-CollisionsPanel::CollisionsPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host), log_model_(log_) {
+CollisionsPanel::CollisionsPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -67,7 +49,7 @@ CollisionsPanel::CollisionsPanel(Host& host, QWidget* parent) : QWidget(parent),
   const auto refresh = [this] { showSnapshot(host_.snapshot()); };
   connect(&host_.documentModel(), &DocumentModel::changed, this, refresh);
   connect(&host_.documentModel(), &DocumentModel::opened, this, [this] {
-    question_box_->hide();
+    question_->hide();
     rest_.askAgain();
   });
   connect(&host_.selection(), &Selection::changed, this, refresh);
@@ -84,8 +66,13 @@ QWidget* CollisionsPanel::makeRight() {
   columns_ = new PairColumns(host_);
   stack_->addWidget(makePairs());
   stack_->addWidget(columns_);
-  stack_->addWidget(makeLogPage());
+  log_page_ = new ContactLogPage(host_);
+  stack_->addWidget(log_page_);
   column->addWidget(stack_, 1);
+  connect(log_page_, &ContactLogPage::changed, this, [this] {
+    const QString last = log_page_->lastLine();
+    log_line_->setText(last.isEmpty() ? tr("No contact yet") : last);
+  });
   connect(pages_, &Segmented::chosen, this, [this](int page) {
     stack_->setCurrentIndex(page);
     filter_->setVisible(page == 0);
@@ -129,7 +116,8 @@ QWidget* CollisionsPanel::makePairs() {
   auto* column = new QVBoxLayout(holder);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(makeQuestion());
+  question_ = new RestQuestion(host_);
+  column->addWidget(question_);
   makeTable();
   column->addWidget(table_, 1);
   empty_ = makeLabel({}, TextRole::kText, true);
@@ -149,37 +137,11 @@ QWidget* CollisionsPanel::makePairs() {
   return holder;
 }
 
-QWidget* CollisionsPanel::makeQuestion() {
-  question_box_ = new QFrame;
-  question_box_->setObjectName("questionAtRest");
-  question_box_->setBackgroundRole(QPalette::AlternateBase);
-  question_box_->setAutoFillBackground(true);
-  auto* row = new QHBoxLayout(question_box_);
-  row->setContentsMargins(12, 6, 12, 6);
-  auto* mark = new QLabel;
-  mark->setPixmap(icon("info").pixmap(16, 16));
-  question_text_ = makeLabel({}, TextRole::kText);
-  question_text_->setWordWrap(true);
-  auto* leave_out = new QPushButton(tr("Leave out"));
-  leave_out->setObjectName("buttonLeaveOut");
-  leave_out->setProperty("main", true);
-  auto* keep = new QPushButton(tr("Keep checked"));
-  keep->setObjectName("buttonKeepChecked");
-  row->addWidget(mark);
-  row->addWidget(question_text_, 1);
-  row->addWidget(leave_out);
-  row->addWidget(keep);
-  question_box_->hide();
-  connect(leave_out, &QPushButton::clicked, this, &CollisionsPanel::leaveOut);
-  connect(keep, &QPushButton::clicked, question_box_, &QWidget::hide);
-  return question_box_;
-}
-
 void CollisionsPanel::makeTable() {
   table_ = new QTableView;
   table_->setObjectName("tablePairs");
   table_->setAccessibleName(tr("Pairs"));
-  setUp(*table_, model_);
+  setUpPairTable(*table_, model_);
   table_->setItemDelegate(new PairDelegate(table_));
   QHeaderView* header = table_->horizontalHeader();
   const int widths[PairTableModel::kColumns]{112, 160, 160, 168, 88, 88, 60};
@@ -192,72 +154,9 @@ void CollisionsPanel::makeTable() {
           [this](const QModelIndex& index) { host_.selection().set(model_.row(index.row()).other); });
 }
 
-QWidget* CollisionsPanel::makeLogPage() {
-  auto* holder = new QWidget;
-  auto* column = new QVBoxLayout(holder);
-  column->setContentsMargins(0, 0, 0, 8);
-  log_table_ = new QTableView;
-  log_table_->setObjectName("tableLog");
-  log_table_->setAccessibleName(tr("Log of contacts"));
-  setUp(*log_table_, log_model_);
-  QHeaderView* header = log_table_->horizontalHeader();
-  const int widths[ContactLogModel::kColumns]{88, 132, 160, 160, 88, 72, 72};
-  for (int i = 0; i < ContactLogModel::kColumns; ++i) header->resizeSection(i, widths[i]);
-  header->setSectionResizeMode(ContactLogModel::kMoved, QHeaderView::Stretch);
-  header->setSectionResizeMode(ContactLogModel::kAgainst, QHeaderView::Stretch);
-  column->addWidget(log_table_, 1);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(12, 0, 12, 0);
-  auto* clear = new QPushButton(tr("Clear"));
-  clear->setObjectName("buttonClearLog");
-  save_log_ = new QPushButton(tr("Save log…"));
-  save_log_->setObjectName("buttonSaveLog");
-  row->addStretch(1);
-  row->addWidget(clear);
-  row->addWidget(save_log_);
-  column->addLayout(row);
-  connect(clear, &QPushButton::clicked, this, [this] {
-    log_.clear();
-    log_model_.refresh();
-    log_line_->setText(tr("No contact yet"));
-  });
-  connect(save_log_, &QPushButton::clicked, this, [this] {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save log"), QStringLiteral("contacts.csv"), tr("Table (*.csv)"));
-    if (!path.isEmpty()) saveLog(path);
-  });
-  return holder;
-}
-
-bool CollisionsPanel::saveLog(const QString& path) {
-  QSaveFile file(path);
-  const QByteArray text = QByteArray::fromStdString(log_.csv());
-  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) {
-    host_.messages().tell(Severity::kInformation, tr("The log is saved"), path);
-    return true;
-  }
-  host_.messages().tell(Severity::kProblem, tr("The log was not saved"),
-                        tr("%1: %2. Choose another place.").arg(path, file.errorString()));
-  return false;
-}
-
 workcell::EntityId CollisionsPanel::movedEntity() const {
   if (host_.snapshot() && host_.snapshot()->held) return host_.snapshot()->held;
   return host_.selection().current();
-}
-
-void CollisionsPanel::takeLog(const std::optional<manipulation::SceneSnapshot>& snapshot) {
-  if (!snapshot) return;
-  const std::size_t before = log_.count();
-  log_.take(*snapshot, [this](workcell::EntityId entity, const std::string& part) {
-    return host_.viewport().scene().nameOf(entity, part);
-  });
-  if (log_.count() == before) return;
-  log_model_.refresh();
-  QStringList last;
-  for (auto event = log_.events().rbegin(); event != log_.events().rend() && last.size() < 3; ++event)
-    last << eventLine(*event);
-  log_line_->setText(last.join(QStringLiteral("     ")));
 }
 
 void CollisionsPanel::showRows(std::vector<PairRow> rows) {
@@ -274,11 +173,11 @@ void CollisionsPanel::showRows(std::vector<PairRow> rows) {
 }
 
 void CollisionsPanel::showSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
-  takeLog(snapshot);
+  if (snapshot) log_page_->take(*snapshot);
   const workcell::EntityId moved = movedEntity();
   if (!snapshot || snapshot->held == 0) rest_.watch(host_.preparedScene(), moved);
   rest_.takeResults();
-  if (auto touching = rest_.takeTouching()) ask(std::move(*touching));
+  if (auto touching = rest_.takeTouching()) question_->ask(std::move(*touching));
   const auto& settings = host_.configuration().manipulation;
   const auto& rest = rest_.distances();
   const PairSources sources{snapshot ? &*snapshot : nullptr, rest.empty() ? nullptr : &rest};
@@ -362,35 +261,6 @@ void CollisionsPanel::chooseOnContact(const PairRow& row, const QPoint& place) {
     });
   }
   menu->popup(place);
-}
-
-void CollisionsPanel::ask(std::vector<workcell::PairRule> touching) {
-  question_ = std::move(touching);
-  question_box_->setVisible(!question_.empty());
-  if (question_.empty()) return;
-  QStringList names;
-  for (const workcell::PairRule& rule : question_) {
-    const auto side = [](const std::string& entity, const std::string& part) {
-      return QString::fromStdString(part.empty() ? entity : entity + " · " + part);
-    };
-    names << side(rule.first, rule.first_part) + QStringLiteral(" – ") + side(rule.second, rule.second_part);
-  }
-  const int count = static_cast<int>(names.size());
-  question_text_->setToolTip(names.join('\n'));
-  QString list = QStringList(names.mid(0, 2)).join(QStringLiteral(", "));
-  if (count > 2) list += tr(" and %1 more").arg(count - 2);
-  question_text_->setText(
-      count == 1 ? tr("One pair touches as the cell stands: %1. Leave it out of the check?").arg(list)
-                 : tr("%1 pairs touch as the cell stands: %2. Leave them out of the check?").arg(count).arg(list));
-}
-
-void CollisionsPanel::leaveOut() {
-  question_box_->hide();
-  const int count = static_cast<int>(question_.size());
-  const QString text =
-      count == 1 ? tr("Leave out a pair that touches at rest") : tr("Leave out %1 pairs that touch at rest").arg(count);
-  host_.documentModel().execute(workcell::SetPairRules{std::move(question_), text.toStdString()});
-  question_.clear();
 }
 
 }  // namespace hapticell::app

@@ -3,14 +3,13 @@
 
 #include <QWidget>
 
-#include "app/panels/contact_log_model.h"
+#include "app/panels/contact_log_page.h"
 #include "app/panels/pair_rows.h"
 #include "app/panels/rest_check.h"
 
 class QBoxLayout;
 class QLabel;
 class QLineEdit;
-class QPushButton;
 class QStackedWidget;
 class QTableView;
 
@@ -19,6 +18,7 @@ namespace hapticell::app {
 class Host;
 class PairColumns;
 class PairSetEditor;
+class RestQuestion;
 class Segmented;
 
 /// Pair sets at the left, editable at any time; at the right what is near now, the set's two columns, or the log of
@@ -31,8 +31,8 @@ class CollisionsPanel : public QWidget {
   /// Contacts and near misses now: the number on the dock's tab.
   int alertCount() const { return alerts_; }
   /// The log as CSV; false, and told in the messages, where the file cannot be written.
-  bool saveLog(const QString& path);
-  const ContactLog& log() const { return log_; }
+  bool saveLog(const QString& path) { return log_page_->save(path); }
+  const ContactLog& log() const { return log_page_->log(); }
 
  signals:
   void alertsChanged(int count);
@@ -41,35 +41,27 @@ class CollisionsPanel : public QWidget {
   QWidget* makeRight();
   void addTop(QBoxLayout& column);
   QWidget* makePairs();
-  QWidget* makeQuestion();
-  QWidget* makeLogPage();
   void makeTable();
-  void takeLog(const std::optional<manipulation::SceneSnapshot>& snapshot);
   void showRows(std::vector<PairRow> rows);
   void clicked(const QModelIndex& index);
   void zoomTo(const PairRow& row);
   void switchPair(const PairRow& row);
   void chooseOnContact(const PairRow& row, const QPoint& place);
   workcell::PairRule ruleOf(const PairRow& row) const;
-  void ask(std::vector<workcell::PairRule> touching);
-  void leaveOut();
   workcell::EntityId movedEntity() const;
 
   Host& host_;
   PairTableModel model_;
-  ContactLog log_;
-  ContactLogModel log_model_;
   RestCheck rest_;
-  std::vector<workcell::PairRule> question_;
   PairSetEditor* sets_;
   PairColumns* columns_;
-  QWidget* question_box_;
-  QLabel *question_text_, *log_line_, *empty_;
+  RestQuestion* question_;
+  ContactLogPage* log_page_;
+  QLabel *log_line_, *empty_;
   Segmented *pages_, *show_;
   QLineEdit* filter_;
-  QPushButton* save_log_;
   QStackedWidget* stack_;
-  QTableView *table_, *log_table_;
+  QTableView* table_;
   int alerts_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/finger_contact.h"
+#include "app/virtual_desktop/preparation_bar.h"
 #include "mannequin/figure_model.h"
 
 namespace hapticell::app {
@@ -50,8 +51,12 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
       host_(host),
       sound_(host.configuration().gui.sound),
       mouse_([this](const haptic::HandTarget& target) { postHand(target); }),
+      preparation_(new PreparationBar(&host.viewport())),
       inputs_(host_.configuration()) {
   clock_.start();
+  connect(preparation_, &PreparationBar::cancelled, this, [this] {
+    if (loop_) loop_->cancelPreparation();
+  });
   profile_ = QString::fromStdString(host_.configuration().haptic.device);
   host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput());
   connect(&sound_, &SoundPlayer::changed, this,
@@ -97,6 +102,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
 VirtualDesktopController::~VirtualDesktopController() {
   host_.viewport().setPointerTool(nullptr);
   disconnectDevice();
+  delete preparation_;
   host_.setSoundText({}, false);
   server_.stop();
 }
@@ -130,6 +136,7 @@ void VirtualDesktopController::connectDevice() {
 void VirtualDesktopController::disconnectDevice() {
   if (!loop_) return;
   timer_.stop();
+  preparation_->setShare(std::nullopt);
   host_.recording().setLive(false);
   loop_->post(command::Release{});
   takeResults();
@@ -485,6 +492,7 @@ void VirtualDesktopController::tick() {
   }
   takeResults();
   host_.setPreparedScene(loop_->scene());
+  preparation_->setShare(loop_->preparation());
   manipulation::SceneSnapshot fresh;
   if (loop_->latest(fresh)) {
     sound_.play(soundCue(fresh, snapshot_));

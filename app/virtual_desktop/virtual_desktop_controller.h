@@ -19,6 +19,7 @@
 namespace hapticell::app {
 
 class Host;
+class PreparationBar;
 
 /// Ties the window to the manipulation loop: starts loop and, where none answers, the haptic server; hands the document
 /// and the user's choices over as commands; takes the newest snapshot at the window's rate. GUI thread; never waits.
@@ -92,6 +93,7 @@ class VirtualDesktopController : public QObject {
   SoundPlayer sound_;
   QString profile_;
   MouseStylus mouse_;
+  PreparationBar* preparation_;  // The viewport's.
   InputDevices inputs_;
   QTimer input_timer_;
   std::uint32_t input_buttons_ = 0;

@@ -77,6 +77,58 @@ TEST_F(DistanceCommand, severalEnvironmentsAnswerTogether) {
   EXPECT_EQ(result()["results"][0]["environment"], 1);
 }
 
+/// Where they intersect both points are one common point.
+void expectCommonPoint(const json& result) {
+  EXPECT_EQ(result["distance"], 0.0);
+  EXPECT_EQ(result["colliding"], true);
+  EXPECT_EQ(result["point_on_moving"], result["point_on_environment"]);
+  EXPECT_GE(result["contacts"], 1);
+}
+
+TEST_F(DistanceCommand, touchingNestedAndCoincidentMeshesCollide) {
+  const auto small = folder_.write("small.obj",
+                                   "v -0.1 -0.1 -0.1\nv 0.1 -0.1 -0.1\nv 0 0.1 -0.1\nv 0 0 0.1\n"
+                                   "f 3 2 1\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const auto poses = folder_.write("poses.csv",
+                                   "x,y,z,qw,qx,qy,qz\n0.6,0,0,1,0,0,0\n0,0,0,1,0,0,0\n0.3,0.3,0.3,1,0,0,0\n"
+                                   "0.600001,0,0,1,0,0,0\n");
+  ASSERT_EQ(run({"--moving", small.string(), "--environment", cube_, "--poses", poses.string()}), 0);
+  const json results = result()["results"];
+  for (const int i : {0, 1, 2}) expectCommonPoint(results[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(results[0]["contained"], false);
+  EXPECT_EQ(results[1]["contained"], true);
+  EXPECT_NEAR(results[3]["distance"], 1e-6, 1e-12);
+  EXPECT_EQ(results[3]["colliding"], false);
+  ASSERT_EQ(runOn("0,0,0,1,0,0,0\n"), 0);
+  expectCommonPoint(result()["results"][0]);
+}
+
+TEST_F(DistanceCommand, anOpenShellIsARoomAndNotASolid) {
+  const auto room = folder_.write("room.obj", std::string(kUnitCube).substr(0, std::string(kUnitCube).rfind("f ")));
+  const auto inside = folder_.write("inside.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
+  const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n0,0,0.2,1,0,0,0\n");
+  ASSERT_EQ(run({"--moving", inside.string(), "--environment", room.string(), "--poses", poses.string()}), 0);
+  EXPECT_NEAR(result()["results"][0]["distance"], 0.3, 1e-12);
+  EXPECT_EQ(result()["results"][0]["colliding"], false);
+}
+
+TEST_F(DistanceCommand, trianglesWithoutAreaCountAsWhatTheyAre) {
+  const auto thin = folder_.write("thin.obj", "v 0 0 0\nv 0 0 1\nv 0 0 2\nv 5 0 0\nf 1 2 3\nf 4 4 4\n");
+  const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n1,0,1,1,0,0,0\n4.25,0,0,1,0,0,0\n");
+  ASSERT_EQ(run({"--moving", cube_, "--environment", thin.string(), "--poses", poses.string(), "--unit", "m"}), 0);
+  EXPECT_NEAR(result()["results"][0]["distance"], 0.5, 1e-12);
+  EXPECT_NEAR(result()["results"][1]["distance"], 0.25, 1e-12);
+}
+
+TEST_F(DistanceCommand, micrometresAreKeptFarFromTheOrigin) {
+  const auto far = folder_.write("far.obj", "v 20 -1 -1\nv 20 1 -1\nv 20 0 1\nf 1 2 3\n");
+  const auto poses = folder_.write("poses.csv", "x,y,z,qw,qx,qy,qz\n19.499999,0,0,1,0,0,0\n20.5000005,0,0,1,0,0,0\n");
+  ASSERT_EQ(run({"--moving", cube_, "--environment", far.string(), "--poses", poses.string()}), 0);
+  EXPECT_NEAR(result()["results"][0]["distance"], 1e-6, 1e-10);
+  EXPECT_NEAR(result()["results"][1]["distance"], 5e-7, 1e-10);
+  EXPECT_NEAR(result()["results"][0]["point_on_environment"][0], 20.0, 1e-10);
+}
+
 TEST_F(DistanceCommand, exitStatusTellsWhatHappened) {
   EXPECT_EQ(runOn("0.1,0,0,1,0,0,0\n", {"--fail-on-contact"}), 1);
   EXPECT_EQ(runOn("3,0,0,1,0,0,0\n", {"--fail-on-contact"}), 0);

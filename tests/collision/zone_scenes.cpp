@@ -100,10 +100,21 @@ std::vector<ZoneScene> simpleZoneScenes() {
   return scenes;
 }
 
-ZoneBench::ZoneBench(ZoneScene scene, Ways ways)
+namespace {
+
+std::shared_ptr<const collision::ConvexPieces> piecesOf(const geometry::TriangleMesh& mesh,
+                                                        ZoneBench::Cutting cutting) {
+  return cutting == ZoneBench::Cutting::kWhole
+             ? collision::ConvexPieces::build(mesh)
+             : collision::ConvexPieces::onDemand(collision::MeshCollider::build(mesh));
+}
+
+}  // namespace
+
+ZoneBench::ZoneBench(ZoneScene scene, Ways ways, Cutting cutting)
     : scene_(std::move(scene)),
-      moving_(collision::ConvexPieces::build(scene_.moving)),
-      environment_(collision::ConvexPieces::build(scene_.environment)),
+      moving_(piecesOf(scene_.moving, cutting)),
+      environment_(piecesOf(scene_.environment, cutting)),
       proximity_(collision::MeshCollider::build(scene_.moving), collision::MeshCollider::build(scene_.environment)),
       contacts_(ways) {
   if (ways == Ways::kFacets) return;

@@ -50,7 +50,8 @@ struct ZoneReport {
 class ZoneBench {
  public:
   using Ways = collision::ContactFinder::Ways;
-  explicit ZoneBench(ZoneScene scene, Ways ways = Ways::kFacets);
+  enum class Cutting { kWhole, kOnDemand };
+  explicit ZoneBench(ZoneScene scene, Ways ways = Ways::kFacets, Cutting cutting = Cutting::kWhole);
   /// Tries `count` random translations a place, and as many with a rotation of up to `rotation` rad (scaled down with
   /// the zone), against exact intersection. Fixed seed.
   ZoneReport compare(int count, double rotation);

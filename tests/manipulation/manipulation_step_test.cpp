@@ -36,6 +36,51 @@ class EngineTest : public testing::Test {
   std::int64_t now = 0;
 };
 
+/// The box deep in the table: how it is told, and that it can be led out.
+void leadsOut(std::vector<workcell::Entity> entities, const std::string& told, const dvec3& way) {
+  HandLink link;
+  ManipulationEngine engine(link, {});
+  engine.apply(command::SetDocument{std::move(entities), {}});
+  engine.apply(command::Grab{2});
+  ASSERT_NE(engine.held(), nullptr);
+  ASSERT_EQ(engine.held()->notes().size(), 1U);
+  EXPECT_NE(engine.held()->notes()[0].find(told), std::string::npos) << engine.held()->notes()[0];
+  std::int64_t now = 0;
+  const dvec3 start = engine.placement(2).X_WE.p;
+  const auto go = [&](const dvec3& to) {
+    link.state.X_DS.p = link.state.X_DP.p = to;
+    engine.step(now += 10'000'000);
+  };
+  for (int i = 0; i <= 10; ++i) go(-1e-3 * i * way);
+  EXPECT_GT(glm::dot(engine.placement(2).X_WE.p - start, way), -1e-4) << "it gets no deeper";
+  for (int i = -10; i <= 80; ++i) go(1e-3 * i * way);
+  EXPECT_NEAR(glm::dot(engine.placement(2).X_WE.p - start, way), 0.08, 1e-3) << "it came out";
+  for (int i = 80; i >= 0; --i) go(1e-3 * i * way);
+  EXPECT_GT(glm::dot(engine.placement(2).X_WE.p - start, way), 0.054) << "and does not go in again";
+}
+
+TEST(StartInside, ASolidComesOutTheShortestWay) {
+  leadsOut(test::boxOverTable(-0.055), "box starts inside table, 55.0 mm deep: it comes free along (0.00, 0.00, 1.00)",
+           {0, 0, 1});
+}
+
+TEST(StartInside, AnOpenSoupIsToldByItsWindingNumber) {
+  auto entities = test::boxOverTable(-0.07);  // Its top is 10 mm under the table's: no triangles meet.
+  geometry::TriangleMesh open = *entities[0].mesh;
+  open.triangles.pop_back();
+  entities[0].mesh = std::make_shared<const geometry::TriangleMesh>(open);
+  HandLink link;
+  ManipulationEngine engine(link, {});
+  engine.apply(command::SetDocument{entities, {}});
+  engine.apply(command::Grab{2});
+  ASSERT_NE(engine.held(), nullptr);
+  // Nothing touches, so nothing is told; the surface is met from its inner side.
+  EXPECT_TRUE(engine.held()->notes().empty());
+  entities = test::boxOverTable(-0.055);
+  entities[0].mesh = std::make_shared<const geometry::TriangleMesh>(open);
+  leadsOut(entities, "(an open mesh: told by its winding number)", {0, 0, 1});
+}
+
 TEST_F(EngineTest, ButtonTakesAndLetsGo) {
   moveTo({0, 0, 0});
   moveTo({0.01, 0, 0});
