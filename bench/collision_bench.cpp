@@ -5,7 +5,6 @@
 // FOLDER: the shared test data; default $HAPTICELL_TEST_DATA, else ../shared/data. SCENE: cad10k, cad100k, real,
 // pulley, scan100k, cad10k-1M, cad1M, scan1M, group, group30; default all.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "bench/collision_scenes.h"
+#include "bench/thread_clock.h"
 #include "collision/proximity_query.h"
 #include "collision/scene.h"
 #include "workcell/mesh_reader.h"
@@ -26,28 +26,25 @@
 namespace hapticell::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Collider = std::shared_ptr<const collision::MeshCollider>;
 constexpr int kWalks = 3;
-
-double millisecondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 struct Times {
   double median_us = 0.0, p99_us = 0.0, max_us = 0.0;
 };
 
 /// Walks the path several times from a fresh state; each step's time is the least of its walks (takes the system's
-/// noise out and keeps the engine's own spikes). `begin_walk` forgets what was warm.
+/// noise out and keeps the engine's own spikes); processor time, the clock's own cost taken off. `begin_walk` forgets
+/// what was warm.
 Times timed(std::size_t steps, const std::function<void()>& begin_walk, const std::function<void(std::size_t)>& query) {
   std::vector<double> least(steps, std::numeric_limits<double>::infinity());
+  const double clock_cost = threadClockCost();
   for (int walk = 0; walk < kWalks; ++walk) {
     begin_walk();
     for (std::size_t i = 0; i < steps; ++i) {
-      const auto begin = Clock::now();
+      const double begin = threadMilliseconds();
       query(i);
-      least[i] = std::min(least[i], std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
+      least[i] = std::min(least[i], 1e3 * std::max(0.0, threadMilliseconds() - begin - clock_cost));
     }
   }
   std::sort(least.begin(), least.end());
@@ -114,10 +111,10 @@ void measureHaptic(const Scene& scene, collision::ProximityQuery& query, const s
 }
 
 void measure(const Scene& scene) {
-  auto begin = Clock::now();
+  const double begin = threadMilliseconds();
   const Collider moved = collision::MeshCollider::build(scene.moved),
                  standing = collision::MeshCollider::build(scene.standing);
-  const double build_ms = millisecondsSince(begin);
+  const double build_ms = threadMilliseconds() - begin;
   collision::ProximityQuery query(moved, standing);
   const std::function<void()> fresh = [&] { query = collision::ProximityQuery(moved, standing); };
   const std::vector<Pose>& path = scene.X_WM;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "collision/proximity_query.h"
 #include "collision/contact_finder.h"
+#include "collision/proximity_query.h"
 #include "collision/surface_recognition.h"
 #include "geometry/shapes.h"
 #include "workcell/mesh_reader.h"
@@ -116,7 +116,8 @@ int main(int count, char** words) {
   recognise("hip shell", shell);
   // Robots' collision shapes are convex hulls of castings: hardly anything of them is a surface.
   for (const char* link : {"base_link", "link_1", "link_2", "link_3"}) {
-    const std::string file = std::string("robots/kuka_kr120r2500pro/collision/") + link + ".stl";
+    const std::string file =
+        std::string("robots/kuka_kr120r2500pro/kuka_kr120_support/meshes/kr120r2500pro/collision/") + link + ".stl";
     recognise("KUKA KR 120, hull of " + std::string(link), fromFile(data / file, 1.0));
   }
   std::puts(

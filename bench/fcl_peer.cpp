@@ -3,7 +3,7 @@
 
 #include <fcl/fcl.h>
 
-#include <chrono>
+#include "bench/thread_clock.h"
 
 namespace hapticell::bench {
 
@@ -37,10 +37,10 @@ struct FclPeer::Models {
 
 FclPeer::FclPeer(const geometry::TriangleMesh& moved, const geometry::TriangleMesh& standing)
     : models_(std::make_unique<Models>()) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = threadMilliseconds();
   fill(models_->moved, moved);
   fill(models_->standing, standing);
-  models_->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  models_->build_ms = threadMilliseconds() - begin;
 }
 
 FclPeer::~FclPeer() = default;

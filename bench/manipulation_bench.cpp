@@ -2,7 +2,6 @@
 // The manipulation step in large cells: what one step costs while a hand leads a robot, or a part, among many.
 //
 // usage: manipulation_bench [robot] [parts] [few]
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 
 #include "bench/chain_robot.h"
 #include "bench/collision_scenes.h"
+#include "bench/thread_clock.h"
 #include "manipulation/manipulation_step.h"
 #include "tests/manipulation/hand_link.h"
 
@@ -24,13 +24,6 @@ namespace hapticell::bench {
 namespace {
 
 using manipulation::test::HandLink;
-
-/// Of this thread alone, so that other programs' time slices are out.
-double cpuMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
 
 workcell::Entity solid(workcell::EntityId id, std::shared_ptr<const geometry::TriangleMesh> mesh, const Pose& X_WE) {
   workcell::Entity entity;
@@ -101,10 +94,10 @@ void lead(const Cell& cell, bool in_thread, const dvec3& first_way = dvec3(0.0))
     link.state.X_DS.p = link.state.X_DP.p = p;
     link.state.buttons = i == 10 ? 1 : 0;
     now += 2'000'000;
-    const double begin = cpuMilliseconds();
+    const double begin = threadMilliseconds();
     engine.step(now);
     if (i % 17 == 0) engine.fillSnapshot(snapshot);
-    if (i > 20) times.push_back(cpuMilliseconds() - begin);
+    if (i > 20) times.push_back(threadMilliseconds() - begin);
     if (!engine.contacts().empty()) ++touching;
     due += kPeriod;
     if (in_thread) std::this_thread::sleep_until(due);

@@ -16,10 +16,9 @@ struct BuildProgress {
 
 /// With what a collider is built. The result does not depend on any of it.
 struct ColliderBuild {
-  unsigned threads = 1;                          ///< 0 takes what the machine has.
-  std::filesystem::path cache_folder;            ///< Trees are kept here by their mesh's content; empty keeps nothing.
-  BuildProgress* progress = nullptr;             ///< Outlives the build.
-  const std::atomic<bool>* cancelled = nullptr;  ///< Another that ends the build soon; outlives it.
+  unsigned threads = 1;                ///< 0 takes what the machine has.
+  std::filesystem::path cache_folder;  ///< Trees are kept here by their mesh's content; empty keeps nothing.
+  BuildProgress* progress = nullptr;   ///< Outlives the build.
 };
 
 /// $XDG_CACHE_HOME/hapticell/trees, else $HOME/.cache/hapticell/trees (XDG base directory specification); empty where

@@ -41,7 +41,6 @@ BoxTree treeOf(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> tr
   }
   BuildControl control;
   control.threads = how.threads != 0 ? how.threads : std::max(1u, std::thread::hardware_concurrency());
-  control.cancelled = how.cancelled;
   if (how.progress != nullptr) {
     control.done = &how.progress->triangles_done;
     control.cancelled = &how.progress->cancelled;
@@ -74,7 +73,6 @@ std::shared_ptr<const MeshCollider> MeshCollider::build(const geometry::Triangle
     aside.join();
   }
   if (how.progress != nullptr && how.progress->cancelled) return nullptr;
-  if (how.cancelled != nullptr && *how.cancelled) return nullptr;
   return collider;
 }
 

@@ -90,6 +90,24 @@ bool containedResult(const MeshCollider& a, const Pose& X_WA, const MeshCollider
   return true;
 }
 
+/// A pose, and how far apart (m) the surfaces are there at least.
+struct Certificate {
+  const Pose& X_AB;
+  double distance;
+};
+
+/// No surface of B (within `radius` of its `p_BS`) was crossed on the way from one to the other: every place between is
+/// nearer to one end than what is free there. An arc is longer than its chord by a seventieth at most where the turn is
+/// small.
+bool staysApart(const Certificate& from, const Certificate& to, const dvec3& p_BS, double radius) {
+  constexpr double kSmallTurn = 0.96;  // cosine of half of it: 0.56 rad
+  constexpr double kArcOverChord = 1.0 + 1.0 / 70.0;
+  const double motion = motionBound(from.X_AB, to.X_AB, p_BS, radius);
+  if (motion < from.distance) return true;
+  const bool small = std::abs(glm::dot(from.X_AB.q, to.X_AB.q)) > kSmallTurn;
+  return small && kArcOverChord * motion < from.distance + to.distance;
+}
+
 }  // namespace
 
 ProximityQuery::ProximityQuery(std::shared_ptr<const MeshCollider> a, std::shared_ptr<const MeshCollider> b)
@@ -101,8 +119,8 @@ ProximityQuery::ProximityQuery(std::shared_ptr<const MeshCollider> a, std::share
 
 bool ProximityQuery::isContained(const Pose& X_AB, double surface_distance) {
   if (!a_->shells().anyClosed() && !b_->shells().anyClosed()) return false;
-  const double motion = motionBound(certified_X_AB_, X_AB, b_->center(), b_->radius());
-  if (!(certified_distance_ >= 0.0 && motion < certified_distance_)) {
+  if (!(certified_distance_ >= 0.0 &&
+        staysApart({certified_X_AB_, certified_distance_}, {X_AB, surface_distance}, b_->center(), b_->radius()))) {
     dvec3 ignored;
     certified_contained_ = pieceInside(*a_, *b_, X_AB.inverse(), ignored) || pieceInside(*b_, *a_, X_AB, ignored);
   }

@@ -14,10 +14,10 @@ constexpr double kOff = 1e-4;                // m above the surface
 constexpr double kClear = 2e-5;              // m that the new plane stands below the place it frees
 constexpr double kBehind = 2e-6;             // m: on a plane counts as behind it
 constexpr double kLeastRoom = 2e-5;          // m between a place that is freed and what stays blocked
-constexpr std::size_t kMostValues = 60000;  // element values
+constexpr std::size_t kMostValues = 120000;  // element values
 constexpr std::size_t kMostTests = 400;      // of a place being free
 constexpr std::size_t kTestWork = 300;       // of one, in element values
-constexpr std::size_t kMostOwn = 64;         // new elements of a cell
+constexpr std::size_t kMostOwn = 128;        // new elements of a cell
 constexpr std::size_t kMostEnds = 3;
 
 /// A plane with q in front and all of `freed` behind it, if one of some likely directions gives one.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kMostParameters = 7;
 constexpr int kIterations = 12;
+constexpr double kFarOff = 36.0;          // of the tolerance's square
 constexpr double kWorstStart = 0.1;       // of the extent
 constexpr double kLargestRadius = 200.0;  // extents: flatter than that is no curved surface
 
@@ -366,7 +367,7 @@ double refineSurface(SurfaceShape& shape, std::span<const dvec3> points, double 
     const double goal = 1e-4 * tolerance * tolerance * static_cast<double>(points.size());
     if (!better || gain < 1e-3 * normal.sum || normal.sum - gain < goal) break;
     // A fit that creeps far from the tolerance will not arrive.
-    if (iteration >= 1 && normal.sum - gain > 400.0 * tolerance * tolerance * static_cast<double>(points.size()) &&
+    if (iteration >= 1 && normal.sum - gain > kFarOff * tolerance * tolerance * static_cast<double>(points.size()) &&
         gain < 0.7 * normal.sum)
       break;
   }

@@ -41,9 +41,9 @@ std::shared_ptr<const MeshCollider> linesOf(std::span<const BodyRod> rods) {
 std::shared_ptr<const SurfaceModel> SurfaceModel::build(const geometry::TriangleMesh& mesh, const ColliderBuild& how) {
   RecognitionOptions options;
   options.cache_folder = how.cache_folder;
-  options.cancelled = how.cancelled;
+  if (how.progress != nullptr) options.cancelled = &how.progress->cancelled;
   RecognisedSurface surface = recogniseSurfaces(mesh, options);
-  return how.cancelled != nullptr && *how.cancelled ? nullptr : build(std::move(surface), how);
+  return options.cancelled != nullptr && *options.cancelled ? nullptr : build(std::move(surface), how);
 }
 
 std::shared_ptr<const SurfaceModel> SurfaceModel::build(RecognisedSurface surface, const ColliderBuild& how) {

@@ -19,6 +19,7 @@ constexpr double kPlaneIsLarger = 5.0;  // than each of its smooth neighbours
 constexpr std::size_t kFewFailures = 60, kFailureShare = 40;
 constexpr std::size_t kFailuresAtFirst = 20;  // where nothing curved was found at all, as on a convex hull of a casting
 constexpr std::size_t kSmall = 5000;          // clusters
+constexpr std::size_t kFewFailuresInAll = 100, kTrianglesAFailure = 30;
 
 class Recogniser {
  public:
@@ -73,10 +74,12 @@ void Recogniser::findCurved(double tolerance) {
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return clusters_.areas[a] > clusters_.areas[b]; });
   // Where so many seeds in a row fit nothing the rest is free form.
   const std::size_t most_failures = kFewFailures + order.size() / kFailureShare;
-  std::size_t failures = 0;
+  const std::size_t most_in_all = kFewFailuresInAll + surface_.mesh.triangles.size() / kTrianglesAFailure;
+  std::size_t failures = 0, failures_in_all = 0;
   for (const auto cluster : order) {
     const bool none_yet = surface_.regions.empty() && order.size() < kSmall;
-    if (failures > (none_yet ? kFailuresAtFirst : most_failures) || isCancelled()) break;
+    if (failures > (none_yet ? kFailuresAtFirst : most_failures) || failures_in_all > most_in_all) break;
+    if (isCancelled()) break;
     const auto seed = clusters_.triangles[cluster].front();
     if (!grower_.isFree(seed)) continue;
     const auto& members = clusters_.triangles[cluster];
@@ -84,6 +87,7 @@ void Recogniser::findCurved(double tolerance) {
     if (!curved) continue;
     auto region = grower_.regionFrom(seed, tolerance);
     failures = region ? 0 : failures + 1;
+    failures_in_all += region ? 0 : 1;
     if (region) add(region->shape, std::move(region->triangles));
   }
 }

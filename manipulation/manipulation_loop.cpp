@@ -67,7 +67,7 @@ struct ManipulationLoop::Worker {
     {
       const std::lock_guard lock(mutex);
       stopping = true;
-      progress.cancelled = true;
+      progress.build.cancelled = true;
     }
     documents_wait.notify_all();
     steps_wait.notify_all();
@@ -88,7 +88,7 @@ struct ManipulationLoop::Worker {
         document = std::move(newest_document);
         document_waits = false;
         progress.steps = progress.done = 0;
-        progress.cancelled = stopping;
+        progress.build.cancelled = stopping;
         preparing = true;
       }
       auto made = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get(),
@@ -216,7 +216,7 @@ std::optional<double> ManipulationLoop::preparation() const {
 
 void ManipulationLoop::cancelPreparation() {
   const std::lock_guard lock(worker_->mutex);
-  if (worker_->preparing) worker_->progress.cancelled = true;
+  if (worker_->preparing) worker_->progress.build.cancelled = true;
 }
 
 std::shared_ptr<const PreparedScene> ManipulationLoop::scene() const {

@@ -27,21 +27,21 @@ bool standsFor(const collision::SurfaceModel& surfaces, const geometry::Triangle
 bool makeReady(const geometry::TriangleMesh& mesh, PreparationProgress& progress, PreparedMesh& prepared) {
   const std::size_t triangles = mesh.triangles.size();
   collision::ColliderBuild how;
-  how.cancelled = &progress.cancelled;
+  how.progress = &progress.build;
   if (triangles >= kSurfacesWorthAFile) how.cache_folder = collision::userCacheFolder();
   prepared.surfaces = collision::SurfaceModel::build(mesh, how);
-  if (progress.cancelled) return false;
+  if (progress.build.cancelled) return false;
   progress.done += triangles;
   how.cache_folder = triangles >= kWorthAFile ? collision::userCacheFolder() : std::filesystem::path();
   const bool relieved = collision::hasHollows(prepared.surfaces->surface());
   prepared.collider = relieved || standsFor(*prepared.surfaces, mesh) ? prepared.surfaces->sharedCollider()
                                                                       : collision::MeshCollider::build(mesh, how);
-  if (progress.cancelled) return false;
+  if (progress.build.cancelled) return false;
   progress.done += triangles;
   prepared.pieces = triangles > kCutAsAWhole ? collision::ConvexPieces::onDemand(prepared.collider)
                                              : collision::ConvexPieces::build(mesh);
   progress.done += triangles;
-  return !progress.cancelled;
+  return !progress.build.cancelled;
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell
   PreparationProgress unwatched;
   PreparationProgress& watched = progress != nullptr ? *progress : unwatched;
   scene->run(jobs, previous, watched);
-  return watched.cancelled ? nullptr : scene;
+  return watched.build.cancelled ? nullptr : scene;
 }
 
 void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,

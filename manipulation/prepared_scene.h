@@ -34,11 +34,11 @@ struct ScenePart {
   PreparedMesh mesh;
 };
 
-/// How far a preparation is, for whoever shows or ends it. Any thread may read, and set `cancelled`, at any time.
+/// How far a preparation is, for whoever shows or ends it. Any thread may read, and cancel, at any time.
 struct PreparationProgress {
   std::atomic<std::size_t> steps{0};  ///< In all (a triangle counts once for each thing that is made of it),
   std::atomic<std::size_t> done{0};   ///< and of these so far.
-  std::atomic<bool> cancelled{false};
+  collision::BuildProgress build;     ///< Its `cancelled` ends the preparation.
 };
 
 /// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked

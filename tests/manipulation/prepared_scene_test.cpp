@@ -25,7 +25,7 @@ TEST(PreparedScene, CountsWhatIsDoneAndTakesOverWhatIsKnown) {
 
 TEST(PreparedScene, IsGivenUpWhenCancelled) {
   PreparationProgress progress;
-  progress.cancelled = true;
+  progress.build.cancelled = true;
   const auto scene =
       PreparedScene::prepare({test::solid(1, "ball", geometry::makeSphere(0.1, 300))}, {}, {}, nullptr, &progress);
   EXPECT_EQ(scene, nullptr);
