@@ -172,8 +172,7 @@ TEST(SurfaceContacts, HardlyAnyWallsOrHolesOnRealParts) {
     const PointReport report = tryPoints(*model, 10000, 0.002, true);
     print(path, 0.002, report);
     EXPECT_GE(report.points, 10000) << path;
-    EXPECT_LE(report.exact_walls, 0.0015 * report.points) << path;
-    EXPECT_LE(report.exact_holes, 0.0015 * report.points) << path;
+    EXPECT_LE(report.exact_walls + report.exact_holes, 0.001 * report.points) << path;
     EXPECT_LE(report.walls + report.holes, 0.006 * report.points) << path;
   }
 }
