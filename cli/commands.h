@@ -25,6 +25,7 @@ void addInspectCommand(CLI::App& app, Action& chosen);
 void addDevicesCommand(CLI::App& app, Action& chosen);
 void addDistanceCommand(CLI::App& app, Action& chosen);
 void addErgonomicsCommand(CLI::App& app, Action& chosen);
+void addErgonomicsPostureCommands(CLI::App& ergonomics, Action& chosen);  ///< Into the ergonomics command.
 void addFeelCommand(CLI::App& app, Action& chosen);
 void addForwardKinematicsCommand(CLI::App& app, Action& chosen);
 void addInverseKinematicsCommand(CLI::App& app, Action& chosen);

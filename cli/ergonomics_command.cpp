@@ -122,6 +122,7 @@ void addMotionOptions(CLI::App& method, const std::string& name, ErgonomicsOptio
 void addErgonomicsCommand(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("ergonomics", "Score a posture or a lift, with the reasons");
   command->require_subcommand(1);
+  addErgonomicsPostureCommands(*command, chosen);
   const auto options = std::make_shared<ErgonomicsOptions>();
   const std::pair<const char*, const char*> methods[] = {
       {"rula", "RULA, from sub-scores or angles of one side"},

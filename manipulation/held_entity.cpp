@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kinematics/inverse_factory.h"
+#include "manipulation/mannequin_head.h"
 #include "manipulation/mannequin_manipulator.h"
 #include "manipulation/robot_base_manipulator.h"
 #include "manipulation/robot_manipulator.h"
@@ -63,7 +64,7 @@ kinematics::SingularityChoice singularityChoice(const std::string& at_singularit
 }
 
 std::string choicesOf(const Entity& entity) {
-  if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands or self_origin";
+  if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands, head or self_origin";
   return entity.robot ? "tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links"
                       : "self_origin, geometric_center or frame:NAME of an entity";
 }
@@ -100,13 +101,19 @@ bool HeldEntity::makeMannequinManipulator(const Entity& entity, const MovedBy& m
   using Hands = MannequinManipulator::Hands;
   const Kind kind = moved_by.kind;
   const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
-  if (!by_hand || !entity.figure || !entity.robot) return false;
-  const Hands hands = kind == Kind::kLeftHand ? Hands::kLeft : kind == Kind::kRightHand ? Hands::kRight : Hands::kBoth;
+  if (!(by_hand || kind == Kind::kHead) || !entity.figure || !entity.robot) return false;
   std::vector<MannequinManipulator::Part> parts;
   for (const MovedPart& part : moved_parts_) parts.push_back({part.link, part.X_LP});
-  manipulator_ = std::make_unique<MannequinManipulator>(
-      entity.figure, entity.robot, hands, MannequinManipulator::Locks{moved_by.lock_trunk, moved_by.lock_pelvis},
-      accepted_, std::move(parts));
+  if (kind == Kind::kHead) {
+    manipulator_ = std::make_unique<MannequinHead>(entity.figure, entity.robot, moved_by.lock_trunk, std::move(parts));
+    return true;
+  }
+  const Hands both = moved_by.hands_apart ? Hands::kBothApart : Hands::kBoth;
+  const Hands hands = kind == Kind::kLeftHand ? Hands::kLeft : kind == Kind::kRightHand ? Hands::kRight : both;
+  const MannequinManipulator::Locks locks{moved_by.lock_trunk, moved_by.lock_pelvis, moved_by.on_seat,
+                                          moved_by.may_step};
+  manipulator_ =
+      std::make_unique<MannequinManipulator>(entity.figure, entity.robot, hands, locks, accepted_, std::move(parts));
   return true;
 }
 

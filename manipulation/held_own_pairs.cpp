@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a held robot is checked against itself.
+// What of a held robot or mannequin is checked against itself.
 #include <algorithm>
 
 #include "manipulation/held_entity.h"
+#include "manipulation/mannequin_own_pairs.h"
 #include "manipulation/own_pairs.h"
 
 namespace hapticell::manipulation {
@@ -35,20 +36,24 @@ std::vector<Pose> HeldEntity::restPoses(const workcell::Entity& entity) const {
 void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOptions& options,
                                 const config::Configuration& configuration) {
   first_own_ = static_cast<std::uint32_t>(pairs_.size());
-  const bool robot = entity.robot && entity.kind != workcell::EntityKind::kMannequin;
-  if (!robot || !entity.checked || !configuration.robot.self_collision) return;
+  const bool body = entity.kind == workcell::EntityKind::kMannequin;
+  if (!entity.robot || !entity.checked || !configuration.robot.self_collision) return;
   if (options.on_contact == workcell::OnContact::kPass) return;
   std::vector<OwnPart> parts;
   for (const MovedPart& part : moved_parts_) parts.push_back({std::max(0, part.link), !isMember(part.owner)});
-  const std::vector<Pose> X_EP = restPoses(entity);
+  std::vector<Pose> X_EP = restPoses(entity);
+  // A body has no rest in which all is apart: what overlaps as it is taken (an arm on the thigh) is left out instead.
+  if (body) manipulator_->partPoses(accepted_, X_EP);
   std::vector<std::string> touching;
   for (const OwnPair& own : ownPairs(*entity.robot, parts)) {
     const MovedPart &first = moved_parts_[own.first], &second = moved_parts_[own.second];
     const bool links = isMember(first.owner) && isMember(second.owner);
+    if (body && links && !isOwnPairOfMannequin(first.name, second.name)) continue;
+    if (body && !links) continue;  // A tool lies in the hand, and its hand's fingers about it.
     const auto& a = first.part->mesh.collider;
     const auto& b = second.part->mesh.collider;
     if (links && collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
-      touching.push_back(first.name + " with " + second.name);
+      if (!body) touching.push_back(first.name + " with " + second.name);
       continue;
     }
     HeldPair pair{toldAs(second.owner),

@@ -31,7 +31,8 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
                                                 {"whole", Kind::kWhole},
                                                 {"left_hand", Kind::kLeftHand},
                                                 {"right_hand", Kind::kRightHand},
-                                                {"both_hands", Kind::kBothHands}};
+                                                {"both_hands", Kind::kBothHands},
+                                                {"head", Kind::kHead}};
   for (const auto& [word, kind] : words) {
     if (text == word) return MovedBy{kind};
   }
@@ -42,12 +43,12 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
   }
   return unknown("moved_by", text,
                  "tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
-                 "right_hand or both_hands");
+                 "right_hand, both_hands or head");
 }
 
 Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {
   MovedBy locked = moved_by;
-  locked.lock_trunk = locked.lock_pelvis = false;
+  locked.lock_trunk = locked.lock_pelvis = locked.on_seat = false;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
@@ -55,8 +56,10 @@ Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {
       locked.lock_trunk = true;
     } else if (word == "pelvis") {
       locked.lock_pelvis = true;
+    } else if (word == "seat") {
+      locked.on_seat = true;
     } else if (word != "feet" && word != "none") {
-      return unknown("lock", word, "trunk, feet, pelvis or none");
+      return unknown("lock", word, "trunk, feet, pelvis, seat or none");
     }
     begin = end + 1;
   }

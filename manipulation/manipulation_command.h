@@ -30,6 +30,7 @@ struct MovedBy {
     kLeftHand,         ///< Mannequins: the hand's grip; the body follows.
     kRightHand,
     kBothHands,  ///< Mannequins: what both hands hold, rigidly.
+    kHead,       ///< Mannequins: the head between its eyes; neck and trunk follow.
   };
   Kind kind = Kind::kDefault;
   std::string frame = {};  ///< kFrame only.
@@ -40,14 +41,18 @@ struct MovedBy {
   /// What yields at a singularity, as `robot.at_singularity` says it; empty: as configured.
   std::string at_singularity = {};
   bool lock_trunk = false;   ///< Mannequins drawn by a hand: pelvis and spine do not move.
-  bool lock_pelvis = false;  ///< The pelvis does not move. Feet always stand.
+  bool lock_pelvis = false;  ///< The pelvis does not move. Feet stand unless they may step.
+  bool on_seat = false;      ///< As lock_pelvis, and the seat bears the body: the feet need not be under it.
+  bool hands_apart = false;  ///< kBothHands: each hand goes by the stylus's motion about its own grip; else as one.
+  bool may_step = false;     ///< The feet may be put elsewhere where the hand is not reached from where they stand.
 };
 
 /// tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, right_hand,
-/// both_hands; anything else is an error that lists them.
+/// both_hands, head; anything else is an error that lists them.
 Expected<MovedBy> parseMovedBy(const std::string& text);
 
-/// "trunk", "feet", "pelvis", several with commas between, or "none": sets the locks of `moved_by`. Feet stand anyway.
+/// "trunk", "feet", "pelvis", "seat", several with commas between, or "none": sets the locks of `moved_by`. Feet stand
+/// anyway.
 Expected<void> parseLock(const std::string& text, MovedBy& moved_by);
 
 enum class ScaleLevel { kRough, kMedium, kFine, kScreen, kNumber };

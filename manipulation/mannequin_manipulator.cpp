@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/assertion.h"
-#include "mannequin/body_shape.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/hand_differential.h"
 
@@ -18,9 +16,11 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr int kMostTicks = 12;     ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
-constexpr int kProbeTicks = 16;    ///< To find out how far the reach goes.
-constexpr double kArrived = 2e-5;  ///< m
+constexpr int kMostTicks = 12;       ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
+constexpr int kProbeTicks = 16;      ///< To find out how far the reach goes.
+constexpr double kArrived = 2e-5;    ///< m
+constexpr double kStepsFrom = 1e-3;  ///< m that must be missing before the feet go along.
+constexpr double kMostStep = 0.01;   ///< m a proposal.
 
 double errorOf(const mannequin::PostureResult& result) {
   return std::max({result.hand_position_error[0], result.hand_position_error[1], 0.1 * result.hand_orientation_error[0],
@@ -33,52 +33,45 @@ MannequinManipulator::MannequinManipulator(std::shared_ptr<const mannequin::Figu
                                            std::shared_ptr<const kinematics::RobotModel> model, Hands hands,
                                            const Locks& locks, const EntityConfiguration& taken,
                                            std::vector<Part> parts)
-    : figure_(std::move(figure)),
-      model_(std::move(model)),
-      solver_(*figure_),
+    : MannequinBody(std::move(figure), std::move(model), std::move(parts)),
+      solver_(this->figure()),
       hands_(hands),
-      locks_(locks),
-      parts_(std::move(parts)) {
-  const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, postureOf(taken));
+      locks_(locks) {
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(this->figure(), postureOf(taken));
   const Pose left = mannequin::handPose(pose, Side::kLeft), right = mannequin::handPose(pose, Side::kRight);
   const std::array<Pose, 2> hand = {left, right};
   Pose X_WM = hand[static_cast<std::size_t>(driven())];
-  if (hands_ == Hands::kBoth) {
+  if (isBoth()) {
     X_WM.p = 0.5 * (left.p + right.p);
   } else {
-    X_WM.p = X_WM * figure_->p_HandGrip[static_cast<std::size_t>(driven())];
+    X_WM.p = X_WM * this->figure().p_HandGrip[static_cast<std::size_t>(driven())];
   }
-  for (std::size_t i = 0; i < 2; ++i) X_MH_[i] = X_WM.inverse() * hand[i];
-  X_WF_ = {mannequin::footPose(pose, Side::kLeft), mannequin::footPose(pose, Side::kRight)};
-  for (const Part& part : parts_) {
-    PartPlace place;
-    std::size_t body = static_cast<std::size_t>(std::max(0, mannequin::bodyOfLink(*model_, std::max(0, part.link))));
-    for (; body >= mannequin::kSegmentCount; body = mannequin::parentBody(body)) ++place.phalanges;
-    place.segment = static_cast<Segment>(body);
-    places_.push_back(place);
+  for (std::size_t i = 0; i < 2; ++i) {
+    X_MH_[i] = X_WM.inverse() * hand[i];
+    p_MH_W_[i] = hand[i].p - X_WM.p;
   }
+  X_WF_ = feetOf(postureOf(taken));
 }
 
 Side MannequinManipulator::driven() const {
   return hands_ == Hands::kRight ? Side::kRight : Side::kLeft;
 }
 
-Posture MannequinManipulator::postureOf(const EntityConfiguration& configuration) const {
-  return mannequin::toPosture(*figure_, {configuration.X_WE, configuration.joints});
+MannequinManipulator::Feet MannequinManipulator::feetOf(const Posture& posture) const {
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(figure(), posture);
+  return {mannequin::footPose(pose, Side::kLeft), mannequin::footPose(pose, Side::kRight)};
 }
 
-EntityConfiguration MannequinManipulator::configurationOf(const Posture& posture) const {
-  mannequin::ModelConfiguration model = mannequin::toModel(*figure_, posture);
-  return {model.X_WE, std::move(model.joints)};
-}
-
-mannequin::PostureTask MannequinManipulator::taskFor(const Pose& X_WM) const {
+mannequin::PostureTask MannequinManipulator::taskFor(const Pose& X_WM, const Feet& X_WF) const {
   mannequin::PostureTask task;
   task.trunk_locked = locks_.trunk;
-  task.pelvis_locked = locks_.pelvis;
-  task.feet = {X_WF_[0], X_WF_[1]};
+  task.pelvis_locked = locks_.pelvis || locks_.on_seat;
+  task.balance = !locks_.on_seat;
+  task.feet = {X_WF[0], X_WF[1]};
   if (hands_ == Hands::kBoth) {
     task.held = mannequin::HeldObject{X_WM, X_MH_};
+  } else if (hands_ == Hands::kBothApart) {
+    for (std::size_t i = 0; i < 2; ++i) task.hands[i] = Pose{X_WM.p + p_MH_W_[i], X_WM.q * X_MH_[i].q};
   } else {
     task.hands[static_cast<std::size_t>(driven())] = X_WM * X_MH_[static_cast<std::size_t>(driven())];
   }
@@ -86,14 +79,14 @@ mannequin::PostureTask MannequinManipulator::taskFor(const Pose& X_WM) const {
 }
 
 Pose MannequinManipulator::movedFrame(const EntityConfiguration& configuration) const {
-  const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, postureOf(configuration));
-  return mannequin::handPose(pose, driven()) * X_MH_[static_cast<std::size_t>(driven())].inverse();
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(figure(), postureOf(configuration));
+  const Pose hand = mannequin::handPose(pose, driven());
+  const std::size_t i = static_cast<std::size_t>(driven());
+  if (hands_ == Hands::kBothApart) return {hand.p - p_MH_W_[i], glm::normalize(hand.q * glm::conjugate(X_MH_[i].q))};
+  return hand * X_MH_[i].inverse();
 }
 
-EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
-                                                  double /*duration_s*/) const {
-  const mannequin::PostureTask task = taskFor(X_WM);
-  Posture posture = postureOf(from);
+Posture MannequinManipulator::follow(const mannequin::PostureTask& task, Posture posture, dvec3* missing) const {
   double before = 1e9;
   for (int i = 0; i < kMostTicks; ++i) {
     const mannequin::PostureResult result = solver_.follow(task, posture);
@@ -102,67 +95,47 @@ EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& fro
     if (error < kArrived || error > 0.999 * before) break;
     before = error;
   }
-  return configurationOf(posture);
-}
-
-EntityConfiguration MannequinManipulator::between(const EntityConfiguration& from, const EntityConfiguration& to,
-                                                  double s) const {
-  return configurationOf(mannequin::interpolate(postureOf(from), postureOf(to), s));
-}
-
-void MannequinManipulator::partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const {
-  HAPTICELL_DEMAND(X_WP.size() == parts_.size());
-  std::vector<Pose> X_EL;
-  kinematics::forwardKinematics(*model_, configuration.joints, X_EL);
-  for (std::size_t k = 0; k < X_WP.size(); ++k) {
-    X_WP[k] = configuration.X_WE * X_EL[static_cast<std::size_t>(std::max(0, parts_[k].link))] * parts_[k].X_LP;
+  if (missing != nullptr) {
+    const mannequin::FigurePose pose = mannequin::forwardKinematics(figure(), posture);
+    const std::size_t i = static_cast<std::size_t>(driven());
+    const Pose wanted = task.held ? task.held->X_WO * task.held->X_OH[i] : *task.hands[i];
+    *missing = wanted.p - mannequin::handPose(pose, driven()).p;
   }
+  return posture;
 }
 
-void MannequinManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
-                                      std::span<const PartSphere> spheres, std::span<double> bounds) const {
-  HAPTICELL_DEMAND(spheres.size() == parts_.size() && bounds.size() == parts_.size());
-  const Posture start = postureOf(from), end = postureOf(to);
-  const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, start);
-  const auto turns = mannequin::turnsBetween(start, end);
-  const double slid = glm::length(end.X_WR.p - start.X_WR.p);
-  const double fingers = std::abs(end[mannequin::Dof::kLeftFingersCurl] - start[mannequin::Dof::kLeftFingersCurl]);
-  double turned = fingers;
-  for (const double turn : turns) turned += turn;
-  std::vector<Pose> X_WP(parts_.size());
-  partPoses(from, X_WP);
-  // A point turns about a joint with the lever it has at the start, plus what both may come apart meanwhile.
-  const double loose = 2.0 * (slid + 2.0 * turned * figure_->body[mannequin::Dimension::kStature]);
-  for (std::size_t k = 0; k < bounds.size(); ++k) {
-    const dvec3 centre = X_WP[k] * spheres[k].p_PS;
-    bounds[k] = slid + fingers * places_[k].phalanges * (spheres[k].radius + 0.1);
-    for (Segment s = places_[k].segment;; s = *mannequin::segmentInfo(s).parent) {
-      const double lever = glm::length(centre - pose[s].p_WS) + spheres[k].radius + loose;
-      bounds[k] += turns[mannequin::indexOf(s)] * lever;
-      if (!mannequin::segmentInfo(s).parent) break;
-    }
-  }
-}
-
-double MannequinManipulator::turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const {
-  double turned = 0.0;
-  for (const double turn : mannequin::turnsBetween(postureOf(from), postureOf(to))) turned += turn;
-  return turned;
+EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
+                                                  double /*duration_s*/) const {
+  const Posture start = postureOf(from);
+  if (!locks_.may_step) return configurationOf(follow(taskFor(X_WM, X_WF_), start, nullptr));
+  Feet feet = feetOf(start);
+  dvec3 missing(0.0);
+  Posture posture = follow(taskFor(X_WM, feet), start, &missing);
+  // The feet go along the floor with what is missing, and a little further: an arm need not stay stretched.
+  const dvec3 along(missing.x, missing.y, 0.0);
+  const double length = glm::length(along);
+  if (length < kStepsFrom) return configurationOf(posture);
+  const dvec3 step = std::min(1.0, kMostStep / length) * along;
+  for (Pose& foot : feet) foot.p += step;
+  posture.X_WR.p += step;
+  return configurationOf(follow(taskFor(X_WM, feet), posture, nullptr));
 }
 
 std::vector<PartDifferential> MannequinManipulator::differentiate(const EntityConfiguration& configuration) const {
   const Pose X_WM = movedFrame(configuration);
-  const auto segments = mannequin::differentiateHand(*figure_, postureOf(configuration), taskFor(X_WM), driven(), X_WM);
-  std::vector<Pose> X_WP(parts_.size());
+  const Feet feet = locks_.may_step ? feetOf(postureOf(configuration)) : X_WF_;
+  const auto segments =
+      mannequin::differentiateHand(figure(), postureOf(configuration), taskFor(X_WM, feet), driven(), X_WM);
+  std::vector<Pose> X_WP(parts().size());
   partPoses(configuration, X_WP);
-  const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, postureOf(configuration));
-  std::vector<PartDifferential> parts;
-  for (std::size_t k = 0; k < parts_.size(); ++k) {
-    const Segment segment = places_[k].segment;
-    const bool moved_hand = segment == mannequin::armSegment(driven(), Segment::kLeftHand) ||
-                            (hands_ == Hands::kBoth && segment == Segment::kRightHand);
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(figure(), postureOf(configuration));
+  std::vector<PartDifferential> result;
+  for (std::size_t k = 0; k < parts().size(); ++k) {
+    const Segment segment = places()[k].segment;
+    const bool moved_hand =
+        segment == mannequin::armSegment(driven(), Segment::kLeftHand) || (isBoth() && segment == Segment::kRightHand);
     if (moved_hand) {
-      parts.push_back(rigidDifferential(X_WM.p, X_WP[k].p));
+      result.push_back(rigidDifferential(X_WM.p, X_WP[k].p));
       continue;
     }
     PartDifferential part;
@@ -172,26 +145,27 @@ std::vector<PartDifferential> MannequinManipulator::differentiate(const EntityCo
       const Twist& twist = segments[mannequin::indexOf(segment)][i];
       part.velocity[i] = {twist.linear + glm::cross(twist.angular, arm), twist.angular};
     }
-    parts.push_back(part);
+    result.push_back(part);
   }
-  return parts;
+  return result;
 }
 
 std::vector<MotionLimit> MannequinManipulator::limits(const EntityConfiguration& configuration, double zone,
                                                       double) const {
+  if (locks_.may_step) return {};  // The floor has no end.
   const Posture posture = postureOf(configuration);
-  const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, posture);
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(figure(), posture);
   const Pose X_WM = movedFrame(configuration);
   const dvec3 shoulder = pose[mannequin::armSegment(driven(), Segment::kLeftUpperArm)].p_WS;
   const dvec3 hand = mannequin::handPose(pose, driven()).p;
   const double distance = glm::length(hand - shoulder);
-  const double arm = figure_->upperArmLength() + figure_->forearmLength();
+  const double arm = figure().upperArmLength() + figure().forearmLength();
   // Well bent arms have room.
   if (distance < 1e-6 || (arm - distance > zone)) return {};
   const dvec3 outward = (hand - shoulder) / distance;
   Pose probe = X_WM;
   probe.p += zone * outward;
-  const mannequin::PostureTask task = taskFor(probe);
+  const mannequin::PostureTask task = taskFor(probe, X_WF_);
   Posture reached = posture;
   double missing = zone;
   for (int i = 0; i < kProbeTicks && missing > 1e-4; ++i) {

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "manipulation/manipulator.h"
+#include "manipulation/mannequin_body.h"
 #include "mannequin/posture_solver.h"
 
 namespace hapticell::manipulation {
 
-/// A mannequin drawn by a hand, or by what both hands hold: the arms, the trunk and the legs follow, feet standing.
+/// A mannequin drawn by a hand, or by what both hands hold: the arms, the trunk and the legs follow, feet standing (or
+/// going along where they may).
 ///
-/// The moved frame is the grip of the hand, or the middle between both hands. Part poses come from the figure's model
-/// (mannequin/figure_model.h). Its reach is felt as a limit: how far the figure could follow outward is asked of the
-/// solver.
-class MannequinManipulator final : public Manipulator {
+/// The moved frame is the grip of the hand, or the middle between both hands. Its reach is felt as a limit: how far the
+/// figure could follow outward is asked of the solver.
+class MannequinManipulator final : public MannequinBody {
  public:
-  enum class Hands { kLeft, kRight, kBoth };
+  enum class Hands {
+    kLeft,
+    kRight,
+    kBoth,       ///< What both hold keeps its place in both.
+    kBothApart,  ///< Each goes by the same motion, turning about its own grip.
+  };
   struct Locks {
     bool trunk = false;
     bool pelvis = false;
-  };
-
-  /// A moved part: a link's own shape, or what hangs on the link (a part in the hand).
-  struct Part {
-    int link = 0;
-    Pose X_LP;
+    bool on_seat = false;   ///< The pelvis does not move, and the feet need not bear the body.
+    bool may_step = false;  ///< The feet go along, over the floor, where the hands would not be reached.
   };
 
   /// `figure` and `model` belong together. `taken` is how the figure stands when it is taken: that is how both hands go
@@ -33,35 +34,23 @@ class MannequinManipulator final : public Manipulator {
 
   Pose movedFrame(const EntityConfiguration& configuration) const override;
   EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
-  EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
-  void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
-  void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
-                  std::span<double> bounds) const override;
-  double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;
   std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
  private:
-  /// Where a part hangs in the figure: the segment, and for a finger how many of its bones come before.
-  struct PartPlace {
-    mannequin::Segment segment = mannequin::Segment::kPelvis;
-    int phalanges = 0;
-  };
-
-  mannequin::Posture postureOf(const EntityConfiguration& configuration) const;
-  EntityConfiguration configurationOf(const mannequin::Posture& posture) const;
-  mannequin::PostureTask taskFor(const Pose& X_WM) const;
+  using Feet = std::array<Pose, 2>;
+  Feet feetOf(const mannequin::Posture& posture) const;
+  mannequin::PostureTask taskFor(const Pose& X_WM, const Feet& X_WF) const;
+  mannequin::Posture follow(const mannequin::PostureTask& task, mannequin::Posture posture, dvec3* missing) const;
+  bool isBoth() const { return hands_ == Hands::kBoth || hands_ == Hands::kBothApart; }
   mannequin::Side driven() const;
 
-  std::shared_ptr<const mannequin::Figure> figure_;
-  std::shared_ptr<const kinematics::RobotModel> model_;
   mannequin::PostureSolver solver_;
   Hands hands_;
   Locks locks_;
-  std::array<Pose, 2> X_MH_;  ///< Left and right hand in the moved frame.
-  std::array<Pose, 2> X_WF_;  ///< Where the feet stand.
-  std::vector<Part> parts_;
-  std::vector<PartPlace> places_;
+  std::array<Pose, 2> X_MH_;     ///< Left and right hand in the moved frame.
+  std::array<dvec3, 2> p_MH_W_;  ///< The same places by the axes of the cell: where hands go apart.
+  Feet X_WF_;                    ///< Where the feet stand.
 };
 
 }  // namespace hapticell::manipulation

@@ -48,6 +48,7 @@ Expected<std::optional<Pose>> fixedFrame(const std::vector<std::shared_ptr<const
     case Kind::kLeftHand:
     case Kind::kRightHand:
     case Kind::kBothHands:
+    case Kind::kHead:
       break;
   }
   return makeError(refusal("moved", "the motion of a hand alone", "a mannequin's whole posture (moved: whole)"));

@@ -55,6 +55,8 @@ std::string wordOf(const MovedBy& moved_by, bool is_robot) {
       return "left_hand";
     case MovedBy::Kind::kRightHand:
       return "right_hand";
+    case MovedBy::Kind::kHead:
+      return "head";
     case MovedBy::Kind::kBothHands:
       return "both_hands";
   }

@@ -33,7 +33,8 @@ struct RenameEntity {
 };
 
 /// Gives an entity the shape that its file holds now; name, placement, colour and flags stay. A solid gets the mesh of
-/// `fresh`, a robot its model, with the positions of joints of the same name. A collision proxy is made no more.
+/// `fresh`, a robot its model, with the positions of joints of the same name, a mannequin its figure (another size). A
+/// collision proxy is made no more.
 struct ReplaceShape {
   EntityId id = 0;
   Entity fresh;  ///< Of the same kind; its source becomes the entity's.
@@ -183,6 +184,15 @@ struct RemoveTrajectory {
   std::string name;
 };
 
+/// Adds a work task, or puts it in the place of the one called `before` (empty: of its own name).
+struct SetWorkTask {
+  ergonomics::WorkTask task;
+  std::string before = {};
+};
+struct RemoveWorkTask {
+  std::string name;
+};
+
 struct SetView {
   std::optional<SavedView> view;
 };
@@ -191,7 +201,7 @@ using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, ReplaceShape
                              SetJoints, SetConfiguration, SetProperties, SetFrames, SetTool, SetTools, SetNamedPoses,
                              ChooseTool, Attach, Detach, MakeMechanism, EditMechanism, DissolveMechanism, AddPairSet,
                              EditPairSet, RemovePairSet, SetPairRules, AddGuide, EditGuide, RemoveGuide, AddTrajectory,
-                             RenameTrajectory, RemoveTrajectory, SetView>;
+                             RenameTrajectory, RemoveTrajectory, SetWorkTask, RemoveWorkTask, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

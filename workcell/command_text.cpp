@@ -42,6 +42,8 @@ class Describer {
     return "Change pair " + c.rules[0].first + " and " + c.rules[0].second;
   }
   std::string operator()(const RemovePairSet& c) const { return "Remove pair set " + c.name; }
+  std::string operator()(const SetWorkTask& c) const { return "Change task " + c.task.name; }
+  std::string operator()(const RemoveWorkTask& c) const { return "Remove task " + c.name; }
   std::string operator()(const SetView&) const { return "Change view"; }
   std::string operator()(const SetProperties& c) const {
     if (c.visible) return (*c.visible ? "Show " : "Hide ") + name(c.id);

@@ -13,6 +13,7 @@
 #include "workcell/guide_format.h"
 #include "workcell/mechanism_format.h"
 #include "workcell/source_format.h"
+#include "workcell/work_task_format.h"
 
 namespace hapticell::workcell {
 
@@ -61,6 +62,7 @@ class StateReader {
     const Json* sets = fields.array("pair_sets");
     const Json* rules = fields.array("pair_rules");
     const Json* guides = fields.array("guides");
+    const Json* tasks = fields.array("work_tasks");
     readView(fields);
     readTrajectories(fields);
     if (!error_) fields.warnAboutOthers(diagnostics_);
@@ -73,6 +75,7 @@ class StateReader {
     for (std::size_t k = 0; sets && k < sets->size() && !error_; ++k) readPairSet((*sets)[k], k);
     for (std::size_t k = 0; rules && k < rules->size() && !error_; ++k) readPairRule((*rules)[k], k);
     for (std::size_t k = 0; guides && k < guides->size() && !error_; ++k) readGuide((*guides)[k], k);
+    for (std::size_t k = 0; tasks && k < tasks->size() && !error_; ++k) readWorkTask((*tasks)[k], k);
     if (error_) return makeError(*error_);
     return std::move(state_);
   }
@@ -258,6 +261,19 @@ class StateReader {
     if (!added) context_.failIn(place, added.error());
   }
 
+  void readWorkTask(const Json& json, std::size_t index) {
+    ergonomics::WorkTask task = workTaskFromJson(json, index, error_, diagnostics_);
+    if (error_) return;
+    const std::string place = "task '" + task.name + "'";
+    if (state_.findWorkTask(task.name)) {
+      error_ = Error{"", place, "a second one of that name", "names that are all different", ""};
+      return;
+    }
+    // As with sets: who does it may be missing, the rest of the cell is not.
+    if (const auto added = apply(SetWorkTask{std::move(task)}, state_, 0); !added)
+      diagnostics_.warn(place + " is left out: " + added.error().message());
+  }
+
   void readView(FieldReader& fields) {
     const Json* json = fields.object("view");
     if (!json) return;
@@ -306,6 +322,8 @@ Json jsonFromState(const DocumentState& state, const fs::path& folder) {
   for (const PairRule& rule : state.pair_rules) json["pair_rules"].push_back(jsonFromPairRule(rule));
   if (!state.guides.empty()) json["guides"] = Json::array();
   for (const Guide& guide : state.guides) json["guides"].push_back(jsonFromGuide(guide));
+  if (!state.work_tasks.empty()) json["work_tasks"] = Json::array();
+  for (const auto& task : state.work_tasks) json["work_tasks"].push_back(jsonFromWorkTask(task));
   if (state.view) {
     const dvec3 eye = state.view->p_WEye, target = state.view->p_WTarget;
     json["view"] = {{"eye", {eye.x, eye.y, eye.z}}, {"target", {target.x, target.y, target.z}}};

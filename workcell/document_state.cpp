@@ -43,6 +43,22 @@ const Entity* DocumentState::findByName(std::string_view name) const {
   return nullptr;
 }
 
+const ergonomics::WorkTask* DocumentState::findWorkTask(std::string_view name) const {
+  for (const ergonomics::WorkTask& task : work_tasks) {
+    if (task.name == name) return &task;
+  }
+  return nullptr;
+}
+
+const ergonomics::WorkTask* DocumentState::workTaskOf(std::string_view mannequin) const {
+  const ergonomics::WorkTask* anybody = nullptr;
+  for (const ergonomics::WorkTask& task : work_tasks) {
+    if (!task.mannequin.empty() && task.mannequin == mannequin) return &task;
+    if (task.mannequin.empty() && !anybody) anybody = &task;
+  }
+  return anybody;
+}
+
 const Guide* DocumentState::findGuide(std::string_view name) const {
   for (const Guide& guide : guides) {
     if (guide.name == name) return &guide;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mannequin/ergonomics/work_task.h"
 #include "workcell/entity.h"
 #include "workcell/guide.h"
 
@@ -37,6 +38,7 @@ struct DocumentState {
   std::vector<PairSet> pair_sets;                       ///< Names unique.
   std::vector<PairRule> pair_rules;                     ///< At most one for each two sides.
   std::vector<Guide> guides;                            ///< Names unique; each bound to an entity that is there.
+  std::vector<ergonomics::WorkTask> work_tasks;         ///< What mannequins do here; names unique.
   std::optional<SavedView> view;
   std::vector<TrajectoryReference> trajectories;
 
@@ -46,6 +48,9 @@ struct DocumentState {
   const PairSet* findPairSet(std::string_view name) const;
   const Guide* findGuide(std::string_view name) const;
   const TrajectoryReference* findTrajectory(std::string_view name) const;
+  const ergonomics::WorkTask* findWorkTask(std::string_view name) const;
+  /// The first task that names the mannequin, else the first that names none; null where there is neither.
+  const ergonomics::WorkTask* workTaskOf(std::string_view mannequin) const;
 };
 
 /// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "geometry/shapes.h"
+#include "mannequin/body_request_text.h"
 #include "mannequin/figure_model.h"
 #include "workcell/mesh_care.h"
 #include "workcell/mesh_reader.h"
@@ -202,21 +203,9 @@ Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnos
 }
 
 Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin <= what.size();) {
-    const std::size_t end = std::min(what.find(':', begin), what.size());
-    words.push_back(what.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  const bool known_sex = words.size() == 3 && (words[1] == "male" || words[1] == "female");
-  const std::optional<double> percentile = known_sex ? parseNumber(words[2]) : std::nullopt;
-  if (!percentile) {
-    return makeError({what, "", "no mannequin", "mannequin:SEX:PERCENTILE, such as mannequin:female:5", ""});
-  }
-  const mannequin::Sex sex = words[1] == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
-  const Expected<double> stature = mannequin::statureOfPercentile(sex, *percentile);
+  const Expected<mannequin::BodyRequest> request = mannequin::parseBodyRequest(what);
   Expected<mannequin::Figure> figure =
-      stature ? mannequin::makeFigure({sex, *stature}) : Expected<mannequin::Figure>(makeError(stature.error()));
+      request ? mannequin::makeFigure(*request) : Expected<mannequin::Figure>(makeError(request.error()));
   if (!figure) {
     Error error = figure.error();
     error.file = what;

@@ -39,6 +39,8 @@ Expected<EntityId> perform(const RemoveGuide& command, StateEdit& edit);
 Expected<EntityId> perform(const AddTrajectory& command, StateEdit& edit);
 Expected<EntityId> perform(const RenameTrajectory& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit);
+Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit);
+Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit);
 Expected<EntityId> perform(const SetView& command, StateEdit& edit);
 
 /// Whether the entity that `entity` hangs on is there, with the link that it names.

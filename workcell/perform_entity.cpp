@@ -78,6 +78,7 @@ Expected<EntityId> perform(const RemoveEntity& command, StateEdit& edit) {
     std::erase_if(edit.state().pair_rules, [&](const PairRule& r) { return r.first == name || r.second == name; });
     edit.releaseAllFrom(name);
     std::erase_if(edit.state().guides, [&](const Guide& g) { return g.entity == name || g.surface == name; });
+    std::erase_if(edit.state().work_tasks, [&](const auto& task) { return task.mannequin == name; });
   }
   std::erase_if(edit.state().entities,
                 [&](const auto& other) { return std::find(family.begin(), family.end(), other->id) != family.end(); });
@@ -103,6 +104,9 @@ Expected<EntityId> perform(const RenameEntity& command, StateEdit& edit) {
     if (guide.entity == before) guide.entity = command.name;
     if (guide.surface == before) guide.surface = command.name;
   }
+  for (auto& task : edit.state().work_tasks) {
+    if (task.mannequin == before) task.mannequin = command.name;
+  }
   for (const auto& near : std::vector(edit.state().entities)) {
     if (near->parent == before) edit.change(near->id, [&](Entity& changed) { changed.parent = command.name; });
     if (near->attachment.to != before) continue;
@@ -115,13 +119,18 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   if (!entity) return makeError(entity.error());
   const Entity& before = **entity;
-  const bool fits = before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
+  const bool fits =
+      before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
   if (!fits) return makeError(refusal(inQuotes(before.name), "another kind of thing", "a shape of the kind it has"));
   Entity changed = before;
   changed.source = command.fresh.source;
   changed.unloaded.reset();
   changed.mesh = command.fresh.mesh;
   changed.proxy = {};
+  if (command.fresh.figure) {
+    changed.figure = command.fresh.figure;
+    changed.mass = command.fresh.mass;
+  }
   if (command.fresh.robot) {
     changed.robot = command.fresh.robot;
     changed.joints = jointsFor(*changed.robot, before);

@@ -133,6 +133,42 @@ Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit) {
   return EntityId{0};
 }
 
+Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
+  if (auto checked = checkName("the task's name", command.task.name); !checked) return makeError(checked.error());
+  const std::string place = "task " + inQuotes(command.task.name);
+  if (auto checked = ergonomics::checkWorkTask(command.task); !checked) {
+    return makeError(refusal(place, checked.error().place + " " + checked.error().found, checked.error().expected));
+  }
+  if (!command.task.mannequin.empty()) {
+    const Entity* entity = edit.state().findByName(command.task.mannequin);
+    if (!entity || entity->kind != EntityKind::kMannequin)
+      return makeError(refusal(place, "no mannequin " + inQuotes(command.task.mannequin), "the name of one"));
+  }
+  auto& tasks = edit.state().work_tasks;
+  const std::string& before = command.before.empty() ? command.task.name : command.before;
+  const auto called = [&](const std::string& name) {
+    return std::find_if(tasks.begin(), tasks.end(), [&](const auto& task) { return task.name == name; });
+  };
+  const auto found = called(before);
+  if (found == tasks.end() && !command.before.empty())
+    return makeError(refusal("", "no task " + inQuotes(before), "the name of one"));
+  if (before != command.task.name && called(command.task.name) != tasks.end())
+    return makeError(taken(command.task.name));
+  if (found == tasks.end()) {
+    tasks.push_back(command.task);
+  } else {
+    *found = command.task;
+  }
+  return EntityId{0};
+}
+
+Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit) {
+  const auto removed =
+      std::erase_if(edit.state().work_tasks, [&](const auto& task) { return task.name == command.name; });
+  if (removed == 0) return makeError(refusal("", "no task " + inQuotes(command.name), "the name of one"));
+  return EntityId{0};
+}
+
 Expected<EntityId> perform(const SetView& command, StateEdit& edit) {
   edit.state().view = command.view;
   return EntityId{0};

@@ -25,6 +25,19 @@ class HoldChoice : public QObject {
     bool operator==(const Robot&) const = default;
   };
   const Robot& robot() const { return robot_; }
+  /// What of a mannequin does not move while a hand or the head is drawn.
+  struct Locks {
+    bool trunk = false, pelvis = false, seat = false;
+    bool feet = true;          ///< False: they may step.
+    bool hands_apart = false;  ///< Of both hands: each goes its own way, else they hold one thing.
+    bool operator==(const Locks&) const = default;
+  };
+  const Locks& locks() const { return locks_; }
+  void setLocks(const Locks& locks) {
+    if (locks == locks_) return;
+    locks_ = locks;
+    emit changed();
+  }
   void set(Kind kind, const std::string& frame = {}) {
     if (kind == kind_ && frame == frame_) return;
     kind_ = kind;
@@ -40,11 +53,19 @@ class HoldChoice : public QObject {
   }
   /// All of it, as the manipulation loop takes it.
   manipulation::MovedBy movedBy() const {
-    return {.kind = kind_,
-            .frame = frame_,
-            .keep_tcp = robot_.keep_tcp,
-            .with_axes = robot_.with_axes,
-            .at_singularity = robot_.at_singularity};
+    manipulation::MovedBy moved_by{.kind = kind_,
+                                   .frame = frame_,
+                                   .keep_tcp = robot_.keep_tcp,
+                                   .with_axes = robot_.with_axes,
+                                   .at_singularity = robot_.at_singularity};
+    // Anything else has no trunk to lock and is refused with one.
+    if (kind_ < Kind::kWhole) return moved_by;
+    moved_by.lock_trunk = locks_.trunk;
+    moved_by.lock_pelvis = locks_.pelvis;
+    moved_by.on_seat = locks_.seat;
+    moved_by.hands_apart = locks_.hands_apart;
+    moved_by.may_step = !locks_.feet;
+    return moved_by;
   }
 
  signals:
@@ -54,6 +75,7 @@ class HoldChoice : public QObject {
   Kind kind_ = Kind::kDefault;
   std::string frame_;
   Robot robot_;
+  Locks locks_;
 };
 
 }  // namespace hapticell::app

@@ -7,8 +7,10 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/ergonomics/ergonomics_docks.h"
 #include "app/guides/guides_panel.h"
 #include "app/host/host.h"
+#include "app/mannequin/mannequin_docks.h"
 #include "app/panels/collisions_panel.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/messages_panel.h"
@@ -100,6 +102,8 @@ void addPanels(Host& host) {
   host.window().resizeDocks({workcell_dock, properties_dock}, {556, 414}, Qt::Vertical);
   addBottomDocks(host);
   addRobotDocks(host);
+  addMannequinDocks(host);
+  addErgonomicsDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   every(kRefreshMilliseconds, workcell, [&host, workcell, properties] {

@@ -168,8 +168,7 @@ void WorkcellTreeModel::updateMarks() {
 }
 
 Mark WorkcellTreeModel::markOf(const Node& node) const {
-  if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp || node.kind == Kind::kFrame)
-    return Mark::kNone;
+  if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp || node.kind == Kind::kFrame) return Mark::kNone;
   Mark mark = Mark::kNone;
   for (const auto& pair : snapshot_->pairs) {
     const Mark of_pair = pair.contact ? Mark::kContact : pair.near_miss ? Mark::kNearMiss : Mark::kNone;
@@ -302,6 +301,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
           return QStringLiteral("folder");
         case Kind::kEntity:
           if (entity && entity->kind == workcell::EntityKind::kAssembly) return QStringLiteral("folder");
+          if (entity && entity->kind == workcell::EntityKind::kMannequin) return QStringLiteral("mannequin");
           return entity && entity->robot ? QStringLiteral("robot") : QStringLiteral("cube");
         case Kind::kTcp:
         case Kind::kFrame:

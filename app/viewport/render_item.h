@@ -31,6 +31,14 @@ enum class Ghost : std::uint8_t {
   kNone,
   kFree,     ///< Screen door in the selection colour, dashed lines.
   kTouches,  ///< The same in the contact colour: it could not stand there.
+  kOwn,      ///< The same in the item's own colour: a zone, a volume.
+};
+
+/// How one link is drawn in place of its own colour: a score, with a pattern as its second cue.
+struct LinkLook {
+  std::array<float, 3> color{0.7f, 0.7f, 0.7f};
+  std::uint8_t pattern = 0;  ///< As RenderItem::pattern.
+  bool operator==(const LinkLook&) const = default;
 };
 
 /// One mesh to draw: a solid, or a shape of a robot's link.
@@ -45,6 +53,7 @@ struct RenderItem {
   std::uint32_t state = kPlain;
   bool casts_shadow = true;
   Ghost ghost = Ghost::kNone;  ///< Ghosts are neither picked nor marked and cast no shadow.
+  std::uint8_t pattern = 0;    ///< Over the colour: 0 plain, 1 hatched, 2 cross-hatched (scores).
   bool over_scene = false;     ///< Drawn over all that would hide it: the stylus must always be found.
 };
 

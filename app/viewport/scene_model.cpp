@@ -107,6 +107,32 @@ void SceneModel::setGhosts(std::vector<GhostPose> ghosts) {
   ++revision_;
 }
 
+void SceneModel::setLinkLooks(workcell::EntityId entity, std::map<int, LinkLook> looks) {
+  const auto known = looks_.find(entity);
+  if (known == looks_.end() ? looks.empty() : known->second == looks) return;
+  if (looks.empty()) {
+    looks_.erase(entity);
+  } else {
+    looks_[entity] = std::move(looks);
+  }
+  ++revision_;
+}
+
+void SceneModel::setExtras(const std::string& owner, std::vector<RenderItem> extras) {
+  if (extras.empty() && !extras_.contains(owner)) return;
+  for (RenderItem& item : extras) {
+    item.bounds_M = item.mesh->bounds();
+    item.entity = 0;
+    item.casts_shadow = false;
+  }
+  if (extras.empty()) {
+    extras_.erase(owner);
+  } else {
+    extras_[owner] = std::move(extras);
+  }
+  ++revision_;
+}
+
 void SceneModel::setPlayed(std::vector<GhostPose> played) {
   if (played == played_) return;
   played_ = std::move(played);
@@ -196,6 +222,13 @@ void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderI
   appendShapes(entity, placement_W(entity), joints(entity), items);
   for (std::size_t i = first; i < items.size(); ++i) {
     const int link = items[i].link;
+    const auto looks = looks_.find(entity.id);
+    if (looks != looks_.end()) {
+      if (const auto look = looks->second.find(link); look != looks->second.end()) {
+        items[i].color = look->second.color;
+        items[i].pattern = look->second.pattern;
+      }
+    }
     items[i].state = marks(entity, link < 0 ? std::string() : entity.robot->links[static_cast<std::size_t>(link)].name);
   }
 }
@@ -222,6 +255,7 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   for (const workcell::Entity& entity : entities_)
     if (entity.visible) appendItems(entity, result);
   for (const GhostPose& ghost : ghosts_) appendGhost(ghost, result);
+  for (const auto& [owner, extras] : extras_) result.insert(result.end(), extras.begin(), extras.end());
   if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
   for (const bool band : {false, true}) {
     RenderItem item;

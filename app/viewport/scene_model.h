@@ -38,6 +38,11 @@ class SceneModel {
   /// Ghosts of entities, drawn beside the entities themselves.
   void setGhosts(std::vector<GhostPose> ghosts);
   const std::vector<GhostPose>& ghosts() const { return ghosts_; }
+  /// Links of an entity, by index, that are not drawn in their own colour. Empty: all are.
+  void setLinkLooks(workcell::EntityId entity, std::map<int, LinkLook> looks);
+  /// Shapes beside the document's, kept by `owner` until it gives others (none: takes them away): zones, volumes,
+  /// bodies of other sizes. They are not picked; their meshes' bounds are found here.
+  void setExtras(const std::string& owner, std::vector<RenderItem> extras);
   /// Entities that are shown elsewhere than they stand: a motion that is played. Empty ends it.
   void setPlayed(std::vector<GhostPose> played);
 
@@ -83,6 +88,8 @@ class SceneModel {
   workcell::EntityId hovered_ = 0;
   std::vector<GhostPose> ghosts_;
   std::vector<GhostPose> played_;
+  std::map<workcell::EntityId, std::map<int, LinkLook>> looks_;
+  std::map<std::string, std::vector<RenderItem>> extras_;
   StylusMesh stylus_;
   std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds>
       mesh_bounds_;  // Millions of vertices: once.

@@ -67,6 +67,7 @@ void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item
   }
   const fvec3 albedo = linear(item.color);
   program.setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
+  program.setUniformValue("pattern", static_cast<float>(item.pattern));
   gl_.glUniform1ui(program.uniformLocation("id"), id | item.state << 24);
   if (item.state & kContact) {
     const fvec3& hatch = frame.colors.set_colors[(item.state >> kSetColorShift) % kSetColors].contact;
@@ -140,7 +141,10 @@ void SurfacePass::drawGhosts(const Frame& frame, const FrameView& view, GpuMeshC
   gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (const RenderItem& item : frame.items) {
     if (!is_ghost(item)) continue;
-    const fvec3& color = item.ghost == Ghost::kTouches ? frame.colors.contact : frame.colors.selected;
+    const fvec3 own(item.color[0], item.color[1], item.color[2]);
+    const fvec3& color = item.ghost == Ghost::kOwn       ? own
+                         : item.ghost == Ghost::kTouches ? frame.colors.contact
+                                                         : frame.colors.selected;
     program->setUniformValue("hatch_color", color.x, color.y, color.z);
     drawItem(*program, item, 0, frame, view, meshes);
   }
@@ -178,7 +182,10 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
     program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y),
                               static_cast<float>(eye.z));
     const bool ghost = item.ghost != Ghost::kNone;
-    const fvec3& ghostly = item.ghost == Ghost::kTouches ? frame.colors.contact : frame.colors.selected;
+    const fvec3 own(item.color[0], item.color[1], item.color[2]);
+    const fvec3& ghostly = item.ghost == Ghost::kOwn       ? own
+                           : item.ghost == Ghost::kTouches ? frame.colors.contact
+                                                           : frame.colors.selected;
     program_->setUniformValue("line_color", ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)
                                                   : QVector4D(color.x, color.y, color.z, color.w));
     program_->setUniformValue("dash", static_cast<float>(ghost ? 9.0 * frame.pixel_ratio : 0.0));

@@ -11,7 +11,7 @@ namespace hapticell::app {
 /// press keeps the pointer until the last button is up.
 class ToolChain final : public PointerTool {
  public:
-  enum Place { kHandles, kMotion, kModule };
+  enum Place { kHandles, kFigure, kMotion, kModule };
   /// Null takes it away. The tool must outlive its being set.
   void set(Place place, PointerTool* tool) {
     if (active_ == tools_[place]) active_ = nullptr;
@@ -52,7 +52,7 @@ class ToolChain final : public PointerTool {
   }
 
  private:
-  std::array<PointerTool*, 3> tools_{};
+  std::array<PointerTool*, 4> tools_{};
   PointerTool* active_ = nullptr;
 };
 

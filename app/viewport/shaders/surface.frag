@@ -12,6 +12,7 @@ uniform sampler2DShadow shadow_map;
 uniform uint id;
 uniform vec3 hatch_color;       // sRGB; of ghosts all is in it.
 uniform float pixel_ratio;
+uniform float pattern;          // Of a score: 0 plain, 1 hatched, 2 cross-hatched.
 layout(location = 0) out vec4 color;
 layout(location = 1) out uint identity;
 
@@ -42,6 +43,12 @@ void main() {
   light += 0.55 * max(dot(n, to_eye), 0.0);
   vec3 linear = albedo * light * 0.31831;
   vec3 shown = sqrt(linear);
+  if (pattern > 0.5) {
+    float period = 7.0 * pixel_ratio;
+    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, period) / period;
+    float cross = pattern > 1.5 ? mod(gl_FragCoord.x - gl_FragCoord.y, period) / period : 1.0;
+    if (min(stripe, cross) < 0.24) shown *= 0.42;
+  }
 #ifdef HATCHED
   {
     float period = 8.0 * pixel_ratio;

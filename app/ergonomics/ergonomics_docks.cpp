@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/ergonomics_docks.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QScrollArea>
+#include <QTimer>
+
+#include "app/ergonomics/ergonomics_panel.h"
+#include "app/ergonomics/live_scores.h"
+#include "app/ergonomics/motion_scores_model.h"
+#include "app/ergonomics/report_panel.h"
+#include "app/ergonomics/score_painting.h"
+#include "app/ergonomics/time_panel.h"
+#include "app/ergonomics/work_task_panel.h"
+#include "app/ergonomics/workplace_panel.h"
+#include "app/host/actions.h"
+#include "app/host/host.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/panels/form.h"
+#include "app/style/dock_title_bar.h"
+#include "app/viewport/viewport_widget.h"
+#include "mannequin/body_shape.h"
+#include "mannequin/figure_model.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kFrameMilliseconds = 33;
+
+QScrollArea* scrolled(QWidget* content, int width) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(width);
+  scroll->setWidget(content);
+  return scroll;
+}
+
+/// What of the window is the ergonomics'; owned by the window.
+class ErgonomicsDocks : public QObject {
+ public:
+  explicit ErgonomicsDocks(Host& host) : QObject(&host.window()), host_(host), context_(host), scores_(context_) {
+    panel_ = new ErgonomicsPanel(context_, scores_);
+    dock_ = addDock("dockErgonomics", tr("Ergonomics"), scrolled(panel_, 420), Qt::RightDockWidgetArea);
+    task_ =
+        addDock("dockWorkTask", tr("Task data"), scrolled(new WorkTaskPanel(context_), 332), Qt::RightDockWidgetArea);
+    report_panel_ = new ReportPanel(context_, scores_, motion_);
+    report_ = addDock("dockReport", tr("Report"), report_panel_, Qt::RightDockWidgetArea);
+    time_ = addDock("dockErgonomicsTime", tr("Ergonomics over time"), new TimePanel(context_, scores_, motion_),
+                    Qt::BottomDockWidgetArea);
+    workplace_ = addDock("dockWorkplace", tr("Workplace search"), scrolled(new WorkplacePanel(context_, scores_), 332),
+                         Qt::RightDockWidgetArea);
+    connect(panel_, &ErgonomicsPanel::taskWanted, this, [this] { bringToFront(task_); });
+    connect(panel_, &ErgonomicsPanel::reportWanted, this, [this] { bringToFront(report_); });
+    connect(panel_, &ErgonomicsPanel::searchWanted, this, [this] { bringToFront(workplace_); });
+    connect(panel_, &ErgonomicsPanel::addWanted, this, [this] {
+      if (auto* add = host_.window().findChild<QAction*>("actionAddMannequin")) add->trigger();
+    });
+    connect(panel_, &ErgonomicsPanel::methodChanged, this, &ErgonomicsDocks::colour);
+    connect(panel_, &ErgonomicsPanel::bodyChosen, this, &ErgonomicsDocks::showBodies);
+    connect(&scores_, &LiveScores::changed, this, [this] {
+      colour();
+      showBodies();
+    });
+    addMenu();
+    auto* timer = new QTimer(this);
+    connect(timer, &QTimer::timeout, this, [this] { look(); });
+    timer->start(kFrameMilliseconds);
+  }
+
+ private:
+  QDockWidget* addDock(const char* name, const QString& title, QWidget* content, Qt::DockWidgetArea area) {
+    QDockWidget* dock = makeDock(QLatin1String(name), title, content);
+    auto* onto = area == Qt::BottomDockWidgetArea ? host_.window().findChild<QDockWidget*>("dockCollisions") : nullptr;
+    host_.addDock(dock, area, onto);
+    dock->hide();
+    return dock;
+  }
+
+  void addMenu() {
+    QMenu* menu = nullptr;
+    for (QAction* action : host_.window().menuBar()->actions())
+      if (action->text() == QObject::tr("Mannequin")) menu = action->menu();
+    if (!menu) return;
+    menu->addSeparator();
+    const auto entry = [&](const char* name, const QString& text, QDockWidget* dock) {
+      QAction* action = makeAction(&host_.window(), {name, text, {}, {}, {}});
+      host_.window().addAction(action);
+      menu->addAction(action);
+      connect(action, &QAction::triggered, this, [this, dock] { bringToFront(dock); });
+    };
+    entry("actionErgonomics", tr("Ergonomics, live"), dock_);
+    entry("actionErgonomicsTime", tr("Ergonomics over time"), time_);
+    entry("actionWorkTask", tr("Task data…"), task_);
+    entry("actionErgonomicsReport", tr("Ergonomics report…"), report_);
+    entry("actionWorkplace", tr("Search the workplace…"), workplace_);
+  }
+
+  bool isWanted() const { return isSeen(*panel_) || isSeen(*report_panel_) || isSeen(*task_->widget()); }
+
+  void look() {
+    const bool wanted = isWanted() || isSeen(*time_->widget()) || isSeen(*workplace_->widget());
+    if (wanted) scores_.look();
+    if (isWanted() == coloured_) return;
+    coloured_ = !coloured_;
+    colour();
+    showBodies();
+  }
+
+  void colour() {
+    const workcell::Entity* entity = context_.entity();
+    SceneModel& scene = host_.viewport().scene();
+    if (last_ != 0 && (!entity || entity->id != last_)) scene.setLinkLooks(last_, {});
+    last_ = entity ? entity->id : 0;
+    if (!entity || scores_.isEmpty()) return;
+    std::map<int, LinkLook> looks;
+    if (coloured_) {
+      const Theme& theme = themeOf(panel_->palette());
+      const auto bands = ergonomics::segmentBands(scores_.scores(), panel_->method());
+      for (int link = 0; link < static_cast<int>(entity->robot->links.size()); ++link) {
+        int body = mannequin::bodyOfLink(*entity->robot, link);
+        if (body < 0) continue;
+        auto segment = static_cast<std::size_t>(body);
+        while (segment >= mannequin::kSegmentCount) segment = mannequin::parentBody(segment);
+        looks[link] = lookOf(bands[segment], theme);
+      }
+    }
+    scene.setLinkLooks(last_, std::move(looks));
+    host_.viewport().refresh();
+  }
+
+  /// The chosen body of another size as a ghost at the same task.
+  void showBodies() {
+    std::vector<RenderItem> items;
+    const int body = panel_->chosenBody();
+    if (coloured_ && body >= 0 && static_cast<std::size_t>(body) < scores_.bodies().size()) {
+      const auto& at = scores_.bodies()[static_cast<std::size_t>(body)];
+      auto& model = models_[body];
+      if (!model) model = mannequin::figureModel(at.figure);
+      const auto stands = mannequin::toModel(at.figure, at.posture);
+      std::vector<Pose> X_EL;
+      kinematics::forwardKinematics(*model, stands.joints, X_EL);
+      for (std::size_t i = 0; i < model->links.size(); ++i) {
+        for (const auto& shape : model->links[i].visuals) {
+          RenderItem item;
+          item.mesh = shape.mesh;
+          item.X_WM = stands.X_WE * X_EL[i] * shape.X_LS;
+          item.ghost = at.is_reached ? Ghost::kFree : Ghost::kTouches;
+          items.push_back(std::move(item));
+        }
+      }
+    }
+    host_.viewport().scene().setExtras("bodies", std::move(items));
+    host_.viewport().refresh();
+  }
+
+  void bringToFront(QDockWidget* dock) {
+    const auto& snapshot = host_.snapshot();
+    if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) return;
+    dock->show();
+    dock->raise();
+  }
+
+  Host& host_;
+  MannequinContext context_;
+  LiveScores scores_;
+  MotionScoresModel motion_;
+  ErgonomicsPanel* panel_;
+  ReportPanel* report_panel_;
+  QDockWidget *dock_, *task_, *report_, *time_, *workplace_;
+  std::map<int, std::shared_ptr<const kinematics::RobotModel>> models_;
+  workcell::EntityId last_ = 0;
+  bool coloured_ = false;
+};
+
+}  // namespace
+
+void addErgonomicsDocks(Host& host) {
+  new ErgonomicsDocks(host);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/ergonomics_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/ergonomics/height_strips.h"
+#include "app/ergonomics/live_scores.h"
+#include "app/ergonomics/score_columns.h"
+#include "app/ergonomics/sub_score_table.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/mannequin/mannequin_edits.h"
+#include "app/panels/form.h"
+#include "app/style/segmented.h"
+
+namespace hapticell::app {
+
+using ergonomics::ColourMethod;
+
+ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent)
+    : QWidget(parent), context_(context), scores_(scores) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 10, 12, 10);
+  column->setSpacing(8);
+  empty_ = new QWidget;
+  auto* nothing = new QVBoxLayout(empty_);
+  auto* words = makeLabel(tr("No mannequin is in the cell, so there is nobody to score."), TextRole::kText, true);
+  words->setWordWrap(true);
+  auto* add = new QPushButton(tr("Add mannequin"));
+  add->setProperty("main", true);
+  connect(add, &QPushButton::clicked, this, &ErgonomicsPanel::addWanted);
+  nothing->addWidget(words);
+  nothing->addWidget(add, 0, Qt::AlignLeft);
+  column->addWidget(empty_);
+  content_ = new QWidget;
+  auto* rows = new QVBoxLayout(content_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(8);
+  column->addWidget(content_);
+  column->addStretch(1);
+  auto* head = new QHBoxLayout;
+  methods_ = new Segmented({tr("RULA"), tr("REBA"), tr("OWAS"), tr("EN 1005-4, ISO 11226")});
+  methods_->setObjectName("segmentsMethod");
+  methods_->setCurrent(0);
+  task_ = new QPushButton(tr("Task data…"));
+  task_->setObjectName("buttonTaskData");
+  auto* report = new QPushButton(tr("Report…"));
+  report->setObjectName("buttonReport");
+  head->addWidget(methods_, 1);
+  head->addWidget(task_);
+  head->addWidget(report);
+  rows->addLayout(head);
+  live_ = makeLabel({}, TextRole::kSecond, true);
+  live_->setObjectName("labelLive");
+  rows->addWidget(live_);
+  columns_ = new ScoreColumns(scores_);
+  rows->addWidget(columns_);
+  auto* box = new QFrame;
+  box->setFrameShape(QFrame::StyledPanel);
+  auto* inside = new QVBoxLayout(box);
+  inside->setContentsMargins(10, 8, 10, 8);
+  title_ = makeLabel({}, TextRole::kSection);
+  title_->setObjectName("labelWhyTitle");
+  why_ = makeLabel({}, TextRole::kText);
+  why_->setObjectName("labelWhy");
+  why_->setWordWrap(true);
+  inside->addWidget(title_);
+  inside->addWidget(why_);
+  auto* buttons = new QHBoxLayout;
+  show_posture_ = new QPushButton(tr("Show this posture"));
+  show_posture_->setObjectName("buttonShowPosture");
+  show_posture_->setProperty("main", true);
+  auto* search = new QPushButton(tr("Search the workplace…"));
+  search->setObjectName("buttonSearchWorkplace");
+  buttons->addWidget(show_posture_);
+  buttons->addWidget(search);
+  buttons->addStretch(1);
+  inside->addLayout(buttons);
+  rows->addWidget(box);
+  sums_ = makeLabel({}, TextRole::kSecond, true);
+  sums_->setObjectName("labelSums");
+  sums_->setWordWrap(true);
+  rows->addWidget(makeLabel(tr("Sub-scores of the worse side"), TextRole::kSecond, true));
+  sub_scores_ = new SubScoreTable;
+  rows->addWidget(sub_scores_);
+  rows->addWidget(sums_);
+  lift_ = makeLabel({}, TextRole::kSecond);
+  lift_->setObjectName("labelLift");
+  lift_->setWordWrap(true);
+  rows->addWidget(lift_);
+  missing_ = makeLabel({}, TextRole::kSecond);
+  missing_->setObjectName("labelPartial");
+  missing_->setWordWrap(true);
+  rows->addWidget(missing_);
+  rows->addWidget(makeLabel(tr("Height of the work and RULA, four bodies"), TextRole::kSecond, true));
+  heights_ = new HeightStrips(scores_);
+  rows->addWidget(heights_);
+  connect(methods_, &Segmented::chosen, this, [this](int i) {
+    method_ = static_cast<ColourMethod>(i);
+    columns_->setMethod(method_);
+    showScores();
+    emit methodChanged();
+  });
+  connect(task_, &QPushButton::clicked, this, &ErgonomicsPanel::taskWanted);
+  connect(report, &QPushButton::clicked, this, &ErgonomicsPanel::reportWanted);
+  connect(search, &QPushButton::clicked, this, &ErgonomicsPanel::searchWanted);
+  connect(show_posture_, &QPushButton::clicked, this, &ErgonomicsPanel::takeBetterPosture);
+  connect(columns_, &ScoreColumns::chose, this, &ErgonomicsPanel::bodyChosen);
+  connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showScores);
+  connect(&scores_, &LiveScores::adviceChanged, this, &ErgonomicsPanel::showAdvice);
+  showScores();
+}
+
+int ErgonomicsPanel::chosenBody() const {
+  return columns_->chosen();
+}
+
+void ErgonomicsPanel::takeBetterPosture() {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || !context_.isFree() || !scores_.advice() || !scores_.advice()->better) return;
+  context_.host().documentModel().executeAll(tr("Better posture of %1").arg(shown(entity->name)),
+                                             {postureCommand(*entity, scores_.advice()->better->posture)});
+}
+
+void ErgonomicsPanel::showScores() {
+  const bool any = !scores_.isEmpty();
+  empty_->setVisible(!any);
+  content_->setVisible(any);
+  if (!any) return;
+  const auto& scores = scores_.scores();
+  live_->setText(tr("live, both sides, %1 µs a posture · left RULA %2, right %3 · EAWS outline %4 points")
+                     .arg(scores_.microseconds(), 0, 'f', 0)
+                     .arg(scores.sides[0].rula_score)
+                     .arg(scores.sides[1].rula_score)
+                     .arg(scores.eaws_points, 0, 'f', 0));
+  columns_->update();
+  sub_scores_->setRows(subScoreRows(scores, method_));
+  QString sums;
+  if (method_ == ColourMethod::kRula || method_ == ColourMethod::kReba) {
+    const bool rula = method_ == ColourMethod::kRula;
+    const ergonomics::Rula by_rula;
+    const ergonomics::Reba by_reba;
+    const ergonomics::ScoredMethod* method = &by_rula;
+    if (!rula) method = &by_reba;
+    std::vector<int> values;
+    const auto& side = scores.worse();
+    for (std::size_t i = 0; i < method->subScores().size(); ++i)
+      values.push_back(rula ? side.rula[i].value_or(method->subScores()[i].least)
+                            : side.reba[i].value_or(method->subScores()[i].least));
+    const auto evaluation = method->evaluate(values);
+    for (const auto& sum : evaluation.sums)
+      sums += QString::fromLatin1(sum.name.data(), static_cast<qsizetype>(sum.name.size())).replace('_', ' ') +
+              QStringLiteral(" %1, ").arg(sum.value);
+    sums += tr("final %1. Bound rule: an inner boundary belongs to the lower class.").arg(evaluation.score);
+  }
+  sums_->setText(sums);
+  sums_->setVisible(!sums.isEmpty());
+  lift_->setVisible(scores_.task().is_lift);
+  if (scores_.task().is_lift) {
+    const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
+    const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores, scores_.task());
+    lift_->setText(!lift                 ? tr("NIOSH: %1").arg(shown(lift.error().message()))
+                   : lift->lifting_index ? tr("NIOSH: limit %1 kg, lifting index %2")
+                                               .arg(lift->recommended_weight_limit_kg, 0, 'f', 1)
+                                               .arg(*lift->lifting_index, 0, 'f', 2)
+                                         : tr("NIOSH: no load is acceptable here"));
+  }
+  QStringList missing;
+  for (const auto& name : scores.missing) missing << shown(ergonomics::word(name, shownLanguage()));
+  missing_->setText(tr("The scores are partial: %1 not entered. Task data… completes them.").arg(missing.join(", ")));
+  missing_->setVisible(!missing.isEmpty());
+  showAdvice();
+}
+
+void ErgonomicsPanel::showAdvice() {
+  if (scores_.isEmpty()) return;
+  const auto& scores = scores_.scores();
+  const workcell::Entity* entity = context_.entity();
+  title_->setText(
+      tr("%1: why %2, and what brings it down").arg(entity ? shown(entity->name) : QString()).arg(scores.rula()));
+  const QString advice = scores_.adviceText();
+  why_->setText(shown(ergonomics::whySentence(scores, shownLanguage())) + ' ' +
+                (advice.isEmpty() ? tr("What brings it down is told once the figure rests.") : advice));
+  show_posture_->setEnabled(scores_.advice() && scores_.advice()->better && context_.isFree());
+  heights_->update();
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "mannequin/ergonomics/posture_scores.h"
+
+class QLabel;
+class QPushButton;
+
+namespace hapticell::app {
+
+class HeightStrips;
+class LiveScores;
+class MannequinContext;
+class ScoreColumns;
+class Segmented;
+class SubScoreTable;
+
+/// The scores while the hand is dragged: method, four bodies, why, sub-scores, and the scores by height of the work.
+class ErgonomicsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent = nullptr);
+  ergonomics::ColourMethod method() const { return method_; }
+  int chosenBody() const;
+
+ signals:
+  void methodChanged();
+  void taskWanted();
+  void searchWanted();
+  void reportWanted();
+  void addWanted();
+  void bodyChosen(int body);
+
+ private:
+  void showScores();
+  void showAdvice();
+  void takeBetterPosture();
+  MannequinContext& context_;
+  LiveScores& scores_;
+  ergonomics::ColourMethod method_ = ergonomics::ColourMethod::kRula;
+  QWidget *empty_, *content_;
+  Segmented* methods_;
+  QLabel *live_, *title_, *why_, *sums_, *lift_, *missing_;
+  ScoreColumns* columns_;
+  SubScoreTable* sub_scores_;
+  HeightStrips* heights_;
+  QPushButton *show_posture_, *task_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/live_scores.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/mannequin/beside.h"
+#include "app/mannequin/mannequin_context.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kRestMilliseconds = 350;
+constexpr int kBodiesMilliseconds = 90;                           // Four bodies are solved ten times a second at most.
+constexpr double kLowest = -0.30, kHighest = 0.30, kRise = 0.03;  // m
+constexpr double kSameStature = 0.0006;                           // m
+
+bool samePosture(const mannequin::Posture& a, const mannequin::Posture& b) {
+  return a.angles == b.angles && a.X_WR.p == b.X_WR.p && a.X_WR.q == b.X_WR.q;
+}
+
+double workHeight(const mannequin::Figure& figure, const mannequin::Posture& posture) {
+  const auto pose = mannequin::forwardKinematics(figure, posture);
+  const auto active = ergonomics::activeHands(pose, posture);
+  double height = 0.0, count = 0.0;
+  for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+    if (!active[static_cast<std::size_t>(side)]) continue;
+    height += (mannequin::handPose(pose, side) * figure.p_HandGrip[static_cast<std::size_t>(side)]).z;
+    count += 1.0;
+  }
+  return height / std::max(1.0, count);
+}
+
+/// The rise whose worst body fares best; of equal ones the nearest to where it is.
+std::optional<double> bestRise(const LiveScores::Advice& advice) {
+  std::optional<double> best;
+  int least = 99;
+  for (std::size_t i = 0; i < advice.rises.size(); ++i) {
+    int worst = 0;
+    for (const auto& scores : advice.by_height) worst = std::max(worst, scores[i] == 0 ? 99 : scores[i]);
+    if (worst < least || (worst == least && best && std::abs(advice.rises[i]) < std::abs(*best) - 1e-9)) {
+      least = worst;
+      best = advice.rises[i];
+    }
+  }
+  return least < 99 ? best : std::nullopt;
+}
+
+}  // namespace
+
+LiveScores::LiveScores(MannequinContext& context, QObject* parent)
+    : QObject(parent), context_(context), figures_(mannequin::boundaryFigures()) {
+  rests_.setSingleShot(true);
+  rests_.setInterval(kRestMilliseconds);
+  connect(&rests_, &QTimer::timeout, this, &LiveScores::advise);
+}
+
+int LiveScores::ownBody() const {
+  if (!figure_) return -1;
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    const mannequin::Figure& other = figures_[i].figure;
+    const double off = other.body[mannequin::Dimension::kStature] - figure_->body[mannequin::Dimension::kStature];
+    if (other.sex == figure_->sex && std::abs(off) < kSameStature) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void LiveScores::look() {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity) {
+    if (isEmpty()) return;
+    scores_.reset();
+    bodies_.clear();
+    advice_.reset();
+    figure_.reset();
+    emit changed();
+    return;
+  }
+  const mannequin::Posture posture = context_.posture();
+  const auto* given = context_.host().documentModel().document().state().workTaskOf(entity->name);
+  const ergonomics::WorkTask task = given ? *given : ergonomics::WorkTask{};
+  const bool same = figure_ == entity->figure && scores_ && samePosture(posture, posture_) && task == task_ &&
+                    has_task_ == (given != nullptr);
+  if (same && !bodies_late_) return;
+  figure_ = entity->figure;
+  posture_ = posture;
+  task_ = task;
+  has_task_ = given != nullptr;
+  score();
+}
+
+void LiveScores::score() {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto pose = mannequin::forwardKinematics(*figure_, posture_);
+  scores_ = ergonomics::scorePosture(*figure_, posture_, pose, task_);
+  const double took = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  microseconds_ = microseconds_ <= 0.0 ? took : 0.9 * microseconds_ + 0.1 * took;
+  bodies_late_ = since_bodies_.isValid() && since_bodies_.elapsed() < kBodiesMilliseconds;
+  if (!bodies_late_) {
+    bodies_ = ergonomics::atSameTask(figures_, *figure_, posture_, task_);
+    since_bodies_.start();
+  }
+  advice_.reset();
+  ++question_;
+  rests_.start();
+  emit changed();
+}
+
+void LiveScores::advise() {
+  if (isEmpty()) return;
+  if (asking_) return rests_.start();
+  asking_ = true;
+  runBeside(
+      this,
+      [figure = figure_, posture = posture_, task = task_, figures = figures_] {
+        Advice advice;
+        advice.better = ergonomics::betterPlace(*figure, posture, task);
+        for (double rise = kLowest; rise < kHighest + 1e-9; rise += kRise) advice.rises.push_back(rise);
+        advice.by_height = ergonomics::scoresByHeight(figures, *figure, posture, task, advice.rises);
+        advice.best_rise = bestRise(advice);
+        advice.target_height = workHeight(*figure, posture);
+        return advice;
+      },
+      [this, question = question_](Advice advice) {
+        asking_ = false;
+        if (question != question_) return;
+        advice_ = std::move(advice);
+        emit adviceChanged();
+      });
+}
+
+QString LiveScores::adviceText() const {
+  if (!advice_) return {};
+  if (!advice_->better) {
+    if (scores().worse().rula_level <= 1) return tr("Nothing needs to change.");
+    return tr("No shift of the work by up to 400 mm lowers the level for this body.");
+  }
+  const dvec3 shift = advice_->better->shift_W;
+  const QString millimetres = QString::number(1000.0 * glm::length(shift), 'f', 0);
+  const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
+  const double forward = glm::dot(shift, ahead);
+  const QString how = std::abs(shift.z) > 1e-6
+                          ? (shift.z < 0.0 ? tr("Lowering the work by %1 mm") : tr("Raising the work by %1 mm"))
+                      : forward < -0.5 * glm::length(shift) ? tr("Bringing the work %1 mm nearer")
+                      : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 mm further away")
+                                                            : tr("Moving the work %1 mm to the side");
+  return tr("%1 gives RULA %2.").arg(how.arg(millimetres)).arg(advice_->better->score);
+}
+
+ergonomics::Language shownLanguage() {
+  return QLocale().language() == QLocale::French ? ergonomics::Language::kFrench : ergonomics::Language::kEnglish;
+}
+
+QString shown(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+}  // namespace hapticell::app

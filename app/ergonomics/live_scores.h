@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "mannequin/ergonomics/body_sizes.h"
+#include "mannequin/ergonomics/score_words.h"
+
+namespace hapticell::app {
+
+class MannequinContext;
+
+/// The scores of the mannequin as it stands, at every frame in which it moves: all methods, both sides, four bodies at
+/// the same task; and, once it rests, what would bring the score down. GUI thread; what takes long runs beside it.
+class LiveScores : public QObject {
+  Q_OBJECT
+ public:
+  explicit LiveScores(MannequinContext& context, QObject* parent = nullptr);
+
+  /// Looks whether anything moved and scores it; to be called at each frame.
+  void look();
+  bool isEmpty() const { return !scores_.has_value(); }
+  const ergonomics::PostureScores& scores() const { return *scores_; }
+  const mannequin::Posture& posture() const { return posture_; }
+  const std::shared_ptr<const mannequin::Figure>& figure() const { return figure_; }
+  /// The document's task of this mannequin; where it has none, one in which nothing is entered.
+  const ergonomics::WorkTask& task() const { return task_; }
+  bool hasTask() const { return has_task_; }
+  const std::vector<ergonomics::BodyAtTask>& bodies() const { return bodies_; }
+  /// Which of bodies() is of the mannequin's own size; -1: none.
+  int ownBody() const;
+  /// What scoring one posture by all methods took, microseconds (smoothed).
+  double microseconds() const { return microseconds_; }
+
+  /// Of the posture at rest.
+  struct Advice {
+    std::optional<ergonomics::BetterPlace> better;
+    std::vector<double> rises;                ///< m
+    std::vector<std::vector<int>> by_height;  ///< RULA of each body; 0: out of reach.
+    std::optional<double> best_rise;          ///< With the least worst score, nearest to now.
+    double target_height = 0.0;               ///< m, of the active hands now.
+  };
+  const std::optional<Advice>& advice() const { return advice_; }
+  /// "Lowering the work by 70 mm gives RULA 4."
+  QString adviceText() const;
+
+ signals:
+  void changed();
+  void adviceChanged();
+
+ private:
+  void score();
+  void advise();
+  MannequinContext& context_;
+  std::shared_ptr<const mannequin::Figure> figure_;
+  mannequin::Posture posture_;
+  ergonomics::WorkTask task_;
+  bool has_task_ = false;
+  std::optional<ergonomics::PostureScores> scores_;
+  std::vector<ergonomics::BodyAtTask> bodies_;
+  std::vector<mannequin::NamedFigure> figures_;
+  std::optional<Advice> advice_;
+  double microseconds_ = 0.0;
+  QTimer rests_;
+  QElapsedTimer since_bodies_;
+  std::uint64_t question_ = 0;
+  bool asking_ = false, bodies_late_ = false;
+};
+
+/// The language that scores are told in: the system's where it is French.
+ergonomics::Language shownLanguage();
+QString shown(const std::string& text);
+
+}  // namespace hapticell::app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/motion_scores_model.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/mannequin/beside.h"
+
+namespace hapticell::app {
+namespace {
+
+std::vector<int> rulaOf(const mannequin::Figure& figure, const std::vector<mannequin::Posture>& postures,
+                        const ergonomics::WorkTask& task) {
+  std::vector<int> scores;
+  scores.reserve(postures.size());
+  mannequin::FigurePose pose;
+  for (const mannequin::Posture& posture : postures) {
+    mannequin::forwardKinematics(figure, posture, pose);
+    scores.push_back(ergonomics::scorePosture(figure, posture, pose, task).rula());
+  }
+  return scores;
+}
+
+}  // namespace
+
+Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::read(const std::string& path,
+                                                                                   const mannequin::Figure& figure,
+                                                                                   const ergonomics::WorkTask& task) {
+  const auto clip = mannequin::readMotionFile(path);
+  if (!clip) return makeError(clip.error());
+  auto motion = std::make_shared<Motion>();
+  auto own = mannequin::retarget(figure, *clip);
+  if (!own) return makeError(own.error());
+  if (own->postures.empty()) return makeError({path, "frames", "none", "a motion", ""});
+  motion->own = rulaOf(figure, own->postures, task);
+  motion->worst = static_cast<int>(std::max_element(motion->own.begin(), motion->own.end()) - motion->own.begin());
+  motion->seconds = own->frame_time * static_cast<double>(own->postures.size());
+  motion->postures = std::move(own->postures);
+  const auto bodies = mannequin::boundaryFigures();
+  for (std::size_t i = 0; i < motion->bands.size(); ++i) {
+    const auto same = mannequin::retarget(bodies[i].figure, *clip);
+    if (!same) return makeError(same.error());
+    for (const int score : rulaOf(bodies[i].figure, same->postures, task))
+      motion->bands[i].push_back(ergonomics::bandOfRula(score));
+  }
+  return std::shared_ptr<const Motion>(std::move(motion));
+}
+
+void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequin::Figure> figure,
+                             const ergonomics::WorkTask& task) {
+  if (busy_ || !figure) return;
+  busy_ = true;
+  emit changed();
+  runBeside(
+      this, [path = path.toStdString(), figure, task] { return read(path, *figure, task); },
+      [this, path](Expected<std::shared_ptr<const Motion>> motion) {
+        busy_ = false;
+        if (motion) {
+          motion_ = std::move(*motion);
+          name_ = QFileInfo(path).completeBaseName();
+        } else {
+          emit failed(QString::fromStdString(motion.error().message()));
+        }
+        emit changed();
+      });
+}
+
+double MotionScoresModel::shareAbove(std::size_t body) const {
+  const auto& all = bands(body);
+  const auto high = std::count_if(all.begin(), all.end(), [](int band) { return band >= 2; });
+  return all.empty() ? 0.0 : static_cast<double>(high) / static_cast<double>(all.size());
+}
+
+std::vector<ergonomics::ReportBlock::Strip> MotionScoresModel::strips() const {
+  std::vector<ergonomics::ReportBlock::Strip> strips;
+  if (!motion_) return strips;
+  const char* const names[]{"P5 woman", "P50 woman", "P50 man", "P95 man"};
+  for (std::size_t i = 0; i < 4; ++i) strips.push_back(ergonomics::stripOf(names[i], bands(i)));
+  return strips;
+}
+
+}  // namespace hapticell::app

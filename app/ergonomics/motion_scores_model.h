@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "mannequin/ergonomics/posture_report.h"
+#include "mannequin/retarget.h"
+
+namespace hapticell::app {
+
+/// A recorded motion on the four bodies and on the mannequin itself, scored frame by frame. GUI thread; reading and
+/// scoring run beside it.
+class MotionScoresModel : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+  /// Begins to read a BVH or AMC file (the ASF beside it) and to score it with the task. `figure` is the mannequin's.
+  void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
+  bool isEmpty() const { return !motion_; }
+  bool isBusy() const { return busy_; }
+  QString name() const { return name_; }
+  double seconds() const { return motion_ ? motion_->seconds : 0.0; }
+  int frames() const { return motion_ ? static_cast<int>(motion_->postures.size()) : 0; }
+  /// On the mannequin, about the origin.
+  const mannequin::Posture& posture(int frame) const { return motion_->postures[static_cast<std::size_t>(frame)]; }
+  /// RULA bands of body 0 to 3 (P5F to P95M), one a frame.
+  const std::vector<int>& bands(std::size_t body) const { return motion_->bands[body]; }
+  /// Share of the time in the two higher bands.
+  double shareAbove(std::size_t body) const;
+  /// The first frame of the highest RULA of the own body.
+  int worstFrame() const { return motion_ ? motion_->worst : 0; }
+  int rulaAt(int frame) const { return motion_->own[static_cast<std::size_t>(frame)]; }
+  std::vector<ergonomics::ReportBlock::Strip> strips() const;
+
+ signals:
+  void changed();
+  void failed(const QString& why);
+
+ private:
+  struct Motion {
+    std::vector<mannequin::Posture> postures;
+    std::array<std::vector<int>, 4> bands;
+    std::vector<int> own;
+    double seconds = 0.0;
+    int worst = 0;
+  };
+  static Expected<std::shared_ptr<const Motion>> read(const std::string& path, const mannequin::Figure& figure,
+                                                      const ergonomics::WorkTask& task);
+  std::shared_ptr<const Motion> motion_;
+  QString name_;
+  bool busy_ = false;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/report_panel.h"
+
+#include <QComboBox>
+#include <QDate>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/ergonomics/live_scores.h"
+#include "app/ergonomics/motion_scores_model.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/mannequin/beside.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/panels/form.h"
+#include "app/style/icon.h"
+#include "app/style/segmented.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kDrawMilliseconds = 300;
+
+}  // namespace
+
+ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, const MotionScoresModel& motion,
+                         QWidget* parent)
+    : QWidget(parent), context_(context), scores_(scores), motion_(motion) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 10, 12, 10);
+  column->setSpacing(8);
+  auto* line = new QHBoxLayout;
+  auto* save = new QPushButton(icon("save"), tr("PDF, HTML, CSV…"));
+  save->setObjectName("buttonWriteReport");
+  save->setProperty("main", true);
+  language_ = new QComboBox;
+  language_->setObjectName("comboReportLanguage");
+  language_->addItems({tr("English"), tr("French")});
+  language_->setAccessibleName(tr("Language of the report"));
+  language_->setCurrentIndex(shownLanguage() == ergonomics::Language::kFrench ? 1 : 0);
+  line->addWidget(save);
+  line->addStretch(1);
+  line->addWidget(language_);
+  column->addLayout(line);
+  auto* second = new QHBoxLayout;
+  kind_ = new Segmented({tr("Posture"), tr("Task")});
+  kind_->setObjectName("segmentsReport");
+  kind_->setCurrent(0);
+  which_ = makeLabel({}, TextRole::kSecond, true);
+  auto* next = new QPushButton(tr("Next page"));
+  next->setObjectName("buttonNextPage");
+  second->addWidget(kind_);
+  second->addStretch(1);
+  second->addWidget(which_);
+  second->addWidget(next);
+  column->addLayout(second);
+  page_ = new QLabel;
+  page_->setObjectName("labelReportPage");
+  page_->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
+  page_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
+  page_->setMinimumHeight(300);
+  column->addWidget(page_, 1);
+  wait_.setSingleShot(true);
+  wait_.setInterval(kDrawMilliseconds);
+  connect(&wait_, &QTimer::timeout, this, &ReportPanel::draw);
+  connect(save, &QPushButton::clicked, this, &ReportPanel::chooseFile);
+  connect(language_, &QComboBox::activated, this, &ReportPanel::drawLater);
+  connect(kind_, &Segmented::chosen, this, [this] {
+    shown_page_ = 1;
+    draw();
+  });
+  connect(next, &QPushButton::clicked, this, [this] {
+    shown_page_ = shown_page_ % pages_ + 1;
+    draw();
+  });
+  connect(&scores_, &LiveScores::changed, this, &ReportPanel::drawLater);
+  connect(&scores_, &LiveScores::adviceChanged, this, &ReportPanel::drawLater);
+}
+
+ergonomics::Report ReportPanel::report() const {
+  ergonomics::PostureReportInput input;
+  const workcell::Entity* entity = context_.entity();
+  if (scores_.isEmpty() || !entity) return {};
+  input.language = language_->currentIndex() == 1 ? ergonomics::Language::kFrench : ergonomics::Language::kEnglish;
+  const QLocale locale(input.language == ergonomics::Language::kFrench ? QLocale::French : QLocale::English);
+  input.subtitle = (context_.host().documentModel().title() + ", " + shown(entity->name)).toStdString();
+  input.date = locale.toString(QDate::currentDate(), "d MMM yyyy").toStdString();
+  input.source = input.language == ergonomics::Language::kFrench ? "Comme elle se tient dans la cellule."
+                                                                 : "As it stands in the cell.";
+  input.figure = *scores_.figure();
+  input.posture = scores_.posture();
+  input.task = scores_.task();
+  input.bodies = scores_.bodies();
+  input.advice = scores_.adviceText().toStdString();
+  input.history = motion_.strips();
+  input.history_seconds = motion_.seconds();
+  return kind_->current() == 1 ? ergonomics::taskReport(input) : ergonomics::postureReport(input);
+}
+
+bool ReportPanel::write(const QString& path) {
+  if (scores_.isEmpty()) return false;
+  const auto written = ergonomics::writeReport(report(), path.toStdString());
+  if (written) {
+    context_.host().messages().tell(Severity::kInformation, tr("The report is written"), path);
+  } else {
+    context_.host().messages().tell(Severity::kProblem, tr("The report was not written"),
+                                    shown(written.error().message()));
+  }
+  return written.has_value();
+}
+
+void ReportPanel::chooseFile() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Write the report"), "report.pdf",
+                                   tr("PDF (*.pdf);;HTML (*.html);;Comma-separated values (*.csv);;JSON (*.json)"));
+  if (!path.isEmpty()) write(path);
+}
+
+void ReportPanel::drawLater() {
+  if (isSeen(*this) && !wait_.isActive()) wait_.start();
+}
+
+void ReportPanel::draw() {
+  if (scores_.isEmpty()) {
+    page_->setText(tr("Nobody to report on: add a mannequin."));
+    return;
+  }
+  if (drawing_) {
+    again_ = true;
+    return;
+  }
+  drawing_ = true;
+  const double ratio = devicePixelRatioF();
+  struct Drawn {
+    ergonomics::ReportPicture picture;
+    int pages = 1;
+  };
+  runBeside(
+      this,
+      [report = report(), page = shown_page_, width = static_cast<int>(ratio * std::max(200, page_->width() - 4))] {
+        Drawn drawn;
+        drawn.pages = ergonomics::reportPages(report);
+        drawn.picture = ergonomics::drawReportPage(report, std::min(page, drawn.pages), width);
+        return drawn;
+      },
+      [this, ratio](Drawn drawn) {
+        drawing_ = false;
+        pages_ = drawn.pages;
+        shown_page_ = std::min(shown_page_, pages_);
+        which_->setText(tr("Page %1 of %2").arg(shown_page_).arg(pages_));
+        const auto* bytes = static_cast<const uchar*>(static_cast<const void*>(drawn.picture.pixels.data()));
+        QImage image = QImage(bytes, drawn.picture.width, drawn.picture.height, QImage::Format_RGB32).copy();
+        image.setDevicePixelRatio(ratio);
+        page_->setPixmap(QPixmap::fromImage(image));
+        if (again_) {
+          again_ = false;
+          draw();
+        }
+      });
+}
+
+void ReportPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  drawLater();
+}
+
+void ReportPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  wait_.start();
+}
+
+}  // namespace hapticell::app

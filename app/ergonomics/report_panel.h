@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include "mannequin/ergonomics/posture_report.h"
+
+class QComboBox;
+class QLabel;
+
+namespace hapticell::app {
+
+class LiveScores;
+class MannequinContext;
+class MotionScoresModel;
+class Segmented;
+
+/// The report's page as it will be written, and its buttons: a posture's page or a task's, English or French, to PDF,
+/// HTML, CSV or JSON.
+class ReportPanel : public QWidget {
+  Q_OBJECT
+ public:
+  ReportPanel(MannequinContext& context, const LiveScores& scores, const MotionScoresModel& motion,
+              QWidget* parent = nullptr);
+  /// By the ending; false and a message where it cannot be.
+  bool write(const QString& path);
+  ergonomics::Report report() const;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void draw();
+  void drawLater();
+  void chooseFile();
+  MannequinContext& context_;
+  const LiveScores& scores_;
+  const MotionScoresModel& motion_;
+  Segmented* kind_;
+  QComboBox* language_;
+  QLabel *page_, *which_;
+  int shown_page_ = 1, pages_ = 1;
+  bool drawing_ = false, again_ = false;
+  QTimer wait_;
+};
+
+}  // namespace hapticell::app

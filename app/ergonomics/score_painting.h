@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QRectF>
+#include <vector>
+
+#include "app/style/theme.h"
+#include "app/viewport/render_item.h"
+
+class QPainter;
+
+namespace hapticell::app {
+
+/// A patch in a band's colour (0 to 3) with its pattern: hatched from the third, cross-hatched the fourth.
+void paintBand(QPainter& painter, const QRectF& area, int band, const Theme& theme);
+
+/// How a body segment of that band is drawn.
+LinkLook lookOf(int band, const Theme& theme);
+
+/// One line of coloured pieces; `bands` are equally long, -1 leaves a gap.
+void paintStrip(QPainter& painter, const QRectF& area, const std::vector<int>& bands, const Theme& theme);
+
+}  // namespace hapticell::app

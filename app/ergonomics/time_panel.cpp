@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/time_panel.h"
+
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/ergonomics/live_scores.h"
+#include "app/ergonomics/motion_scores_model.h"
+#include "app/ergonomics/score_painting.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/mannequin/mannequin_edits.h"
+#include "app/panels/form.h"
+#include "app/viewport/viewport_widget.h"
+#include "mannequin/figure_model.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kNames = 92, kShares = 96, kTop = 26, kLine = 26, kStrip = 18, kPlayMilliseconds = 33;
+const std::array<const char*, 4> kBodies{
+    QT_TRANSLATE_NOOP("ScoreHistory", "P5 woman"), QT_TRANSLATE_NOOP("ScoreHistory", "P50 woman"),
+    QT_TRANSLATE_NOOP("ScoreHistory", "P50 man"), QT_TRANSLATE_NOOP("ScoreHistory", "P95 man")};
+
+}  // namespace
+
+TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, MotionScoresModel& motion, QWidget* parent)
+    : QWidget(parent), context_(context), scores_(scores), motion_(motion) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 12, 8);
+  auto* line = new QHBoxLayout;
+  auto* open_button = new QPushButton(tr("Open motion…"));
+  open_button->setObjectName("buttonOpenMotion");
+  play_ = new QPushButton(tr("Play"));
+  play_->setObjectName("buttonPlayMotion");
+  play_->setCheckable(true);
+  worst_ = new QPushButton(tr("Worst frame"));
+  worst_->setObjectName("buttonWorstFrame");
+  take_ = new QPushButton(tr("Take this posture"));
+  take_->setObjectName("buttonTakeFrame");
+  name_ = makeLabel({}, TextRole::kSection);
+  name_->setObjectName("labelMotion");
+  at_ = makeLabel({}, TextRole::kSecond, true);
+  at_->setObjectName("labelFrame");
+  line->addWidget(open_button);
+  line->addWidget(play_);
+  line->addWidget(worst_);
+  line->addWidget(take_);
+  line->addWidget(name_);
+  line->addWidget(at_, 1);
+  column->addLayout(line);
+  history_ = new ScoreHistory(motion_);
+  column->addWidget(history_, 1);
+  clock_.setInterval(kPlayMilliseconds);
+  connect(open_button, &QPushButton::clicked, this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a recorded motion"), {},
+                                                      tr("Motions (*.bvh *.amc);;All files (*)"));
+    if (!path.isEmpty()) open(path);
+  });
+  connect(play_, &QPushButton::clicked, this, &TimePanel::play);
+  connect(worst_, &QPushButton::clicked, this, [this] { setFrame(motion_.worstFrame()); });
+  connect(take_, &QPushButton::clicked, this, &TimePanel::takePosture);
+  connect(history_, &ScoreHistory::frameChosen, this, &TimePanel::setFrame);
+  connect(&motion_, &MotionScoresModel::changed, this, &TimePanel::showMotion);
+  connect(&motion_, &MotionScoresModel::failed, this, [this](const QString& why) {
+    context_.host().messages().tell(Severity::kWarning, tr("The motion cannot be shown"), why);
+  });
+  connect(&clock_, &QTimer::timeout, this, [this] {
+    if (motion_.isEmpty()) return play(false);
+    const double rate = motion_.frames() / std::max(1e-3, motion_.seconds());
+    const int step = std::max(1, static_cast<int>(std::lround(rate * kPlayMilliseconds / 1000.0)));
+    if (frame_ + step >= motion_.frames()) play(false);
+    setFrame(std::min(frame_ + step, motion_.frames() - 1));
+  });
+  showMotion();
+}
+
+void TimePanel::open(const QString& path) {
+  motion_.open(path, scores_.figure(), scores_.task());
+}
+
+void TimePanel::showMotion() {
+  const bool any = !motion_.isEmpty();
+  for (QPushButton* button : {play_, worst_, take_}) button->setEnabled(any);
+  name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
+  at_->setText(any ? QString() : tr("Open a recording (BVH, AMC) to score each of its frames."));
+  frame_ = std::min(frame_, std::max(0, motion_.frames() - 1));
+  history_->setFrame(frame_);
+  history_->update();
+}
+
+void TimePanel::setFrame(int frame) {
+  if (motion_.isEmpty()) return;
+  frame_ = std::clamp(frame, 0, motion_.frames() - 1);
+  history_->setFrame(frame_);
+  const double at = motion_.seconds() * frame_ / motion_.frames();
+  const double worst = motion_.seconds() * motion_.worstFrame() / motion_.frames();
+  at_->setText(
+      tr("%1 s, RULA %2, worst frame %3 s").arg(at, 0, 'f', 2).arg(motion_.rulaAt(frame_)).arg(worst, 0, 'f', 2));
+  showPlayed(true);
+}
+
+void TimePanel::showPlayed(bool on) {
+  const workcell::Entity* entity = context_.entity();
+  std::vector<GhostPose> played;
+  if (on && entity && !motion_.isEmpty() && !context_.isHeld()) {
+    const auto posture = placedHere(*entity, motion_.posture(frame_));
+    const auto stands = mannequin::toModel(*entity->figure, posture);
+    played.push_back({entity->id, stands.X_WE, stands.joints});
+  }
+  context_.host().viewport().scene().setPlayed(std::move(played));
+  context_.host().viewport().refresh();
+}
+
+void TimePanel::play(bool on) {
+  play_->setChecked(on);
+  play_->setText(on ? tr("Pause") : tr("Play"));
+  if (on && frame_ + 1 >= motion_.frames()) frame_ = 0;
+  on ? clock_.start() : clock_.stop();
+}
+
+void TimePanel::takePosture() {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || motion_.isEmpty() || !context_.isFree()) return;
+  play(false);
+  showPlayed(false);
+  context_.host().documentModel().executeAll(tr("Posture of %1 at frame %2").arg(motion_.name()).arg(frame_ + 1),
+                                             {postureCommand(*entity, placedHere(*entity, motion_.posture(frame_)))});
+}
+
+void TimePanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (motion_.isEmpty()) return;
+  play(false);
+  showPlayed(false);
+}
+
+ScoreHistory::ScoreHistory(const MotionScoresModel& motion, QWidget* parent) : QWidget(parent), motion_(motion) {
+  setObjectName("scoreHistory");
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumHeight(kTop + 4 * kLine);
+  setAccessibleName(tr("RULA along the motion, four bodies"));
+}
+
+QRectF ScoreHistory::area() const {
+  return {kNames, kTop, std::max(10.0, width() - kNames - kShares - 4.0), 4.0 * kLine};
+}
+
+void ScoreHistory::setFrame(int frame) {
+  frame_ = frame;
+  update();
+}
+
+void ScoreHistory::chooseAt(double x) {
+  if (motion_.isEmpty()) return;
+  const double share = std::clamp((x - area().left()) / area().width(), 0.0, 1.0);
+  emit frameChosen(static_cast<int>(share * (motion_.frames() - 1) + 0.5));
+}
+
+void ScoreHistory::mousePressEvent(QMouseEvent* event) {
+  chooseAt(event->position().x());
+}
+void ScoreHistory::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() & Qt::LeftButton) chooseAt(event->position().x());
+}
+
+void ScoreHistory::keyPressEvent(QKeyEvent* event) {
+  const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  if (step == 0 || motion_.isEmpty()) return QWidget::keyPressEvent(event);
+  emit frameChosen(std::clamp(frame_ + step, 0, motion_.frames() - 1));
+}
+
+void ScoreHistory::paintEvent(QPaintEvent*) {
+  if (motion_.isEmpty()) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Theme& theme = themeOf(palette());
+  painter.setFont(textFont(TextRole::kSecond));
+  const QRectF all = area();
+  painter.setPen(theme.text2);
+  for (int i = 0; i <= 6; ++i) {
+    const double x = all.left() + all.width() * i / 6.0;
+    painter.drawLine(QPointF(x, kTop - 6), QPointF(x, kTop - 2));
+    painter.drawText(QRectF(x - 40, 2, 80, 16), Qt::AlignCenter,
+                     tr("%1 s").arg(motion_.seconds() * i / 6.0, 0, 'f', 1));
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double top = kTop + kLine * static_cast<double>(i);
+    painter.setPen(theme.text1);
+    painter.drawText(QRectF(0, top, kNames - 6, kStrip), Qt::AlignLeft | Qt::AlignVCenter, tr(kBodies[i]));
+    paintStrip(painter, QRectF(all.left(), top, all.width(), kStrip), motion_.bands(i), theme);
+    painter.setPen(theme.text1);
+    painter.drawText(QRectF(all.right() + 8, top, kShares - 4, kStrip), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("%1 % at 5–7").arg(100.0 * motion_.shareAbove(i), 0, 'f', 0));
+  }
+  const double x = all.left() + all.width() * frame_ / std::max(1, motion_.frames() - 1);
+  painter.setPen(QPen(theme.force, 2));
+  painter.drawLine(QPointF(x, kTop - 8), QPointF(x, kTop + 4 * kLine - 4));
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/workplace_panel.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/ergonomics/live_scores.h"
+#include "app/ergonomics/score_painting.h"
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/mannequin/beside.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/panels/form.h"
+#include "app/style/value_field.h"
+
+namespace hapticell::app {
+
+WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scores, QWidget* parent)
+    : QWidget(parent), context_(context), scores_(scores) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* what = addSection(*column, tr("What may be moved, with the hands' targets"));
+  station_ = new QListWidget;
+  station_->setObjectName("listStation");
+  station_->setMaximumHeight(130);
+  what->addWidget(station_);
+  QVBoxLayout* how = addSection(*column, tr("How far"));
+  const auto field = [&](const char* name, const QString& words, double least, double most, double value) {
+    auto* made = new ValueField({tr("mm"), 0, least, most, 10.0});
+    made->setObjectName(name);
+    made->setValue(value);
+    addRow(*how, words, made);
+    return made;
+  };
+  rise_ = field("fieldRise", tr("Up, down ±"), 0.0, 600.0, 200.0);
+  away_ = field("fieldAway", tr("To, fro ±"), 0.0, 600.0, 160.0);
+  step_ = field("fieldStep", tr("In steps of"), 5.0, 200.0, 40.0);
+  sit_ = new QCheckBox(tr("Try sitting as well"));
+  sit_->setObjectName("checkSit");
+  how->addWidget(sit_);
+  auto* line = new QHBoxLayout;
+  search_ = new QPushButton(tr("Search"));
+  search_->setObjectName("buttonStartSearch");
+  search_->setProperty("main", true);
+  cancel_ = new QPushButton(tr("Cancel"));
+  cancel_->setObjectName("buttonCancelSearch");
+  line->addWidget(search_);
+  line->addWidget(cancel_);
+  how->addLayout(line);
+  bar_ = new QProgressBar;
+  bar_->setTextVisible(false);
+  bar_->setMaximumHeight(6);
+  how->addWidget(bar_);
+  QVBoxLayout* found = addSection(*column, tr("Worst RULA of four bodies"));
+  view_ = new WorkplaceView;
+  found->addWidget(view_);
+  result_ = makeLabel({}, TextRole::kText);
+  result_->setObjectName("labelSearch");
+  result_->setWordWrap(true);
+  found->addWidget(result_);
+  take_ = new QPushButton(tr("Put it there"));
+  take_->setObjectName("buttonTakePlace");
+  found->addWidget(take_, 0, Qt::AlignLeft);
+  column->addStretch(1);
+  poll_.setInterval(100);
+  connect(&poll_, &QTimer::timeout, this, [this] { bar_->setValue(static_cast<int>(100.0 * run_->progress)); });
+  connect(search_, &QPushButton::clicked, this, &WorkplacePanel::search);
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    if (run_) run_->cancel = true;
+  });
+  connect(take_, &QPushButton::clicked, this, &WorkplacePanel::take);
+  connect(view_, &WorkplaceView::chose, this, &WorkplacePanel::showMap);
+  connect(&context_, &MannequinContext::documentChanged, this, &WorkplacePanel::fillStation);
+  fillStation();
+  showMap();
+}
+
+WorkplacePanel::~WorkplacePanel() {
+  if (run_) run_->cancel = true;
+}
+
+void WorkplacePanel::fillStation() {
+  const auto& entities = context_.host().documentModel().document().state().entities;
+  std::vector<const workcell::Entity*> wanted;
+  for (const auto& entity : entities)
+    if (entity->mesh && entity->attachment.to.empty() && !entity->locked) wanted.push_back(entity.get());
+  bool same = station_->count() == static_cast<int>(wanted.size());
+  for (int i = 0; same && i < station_->count(); ++i)
+    same = station_->item(i)->text().toStdString() == wanted[static_cast<std::size_t>(i)]->name;
+  if (same) return;
+  const auto chosen = station();
+  station_->clear();
+  for (const workcell::Entity* entity : wanted) {
+    auto* item = new QListWidgetItem(QString::fromStdString(entity->name), station_);
+    item->setData(Qt::UserRole, static_cast<qulonglong>(entity->id));
+    const bool on = std::find(chosen.begin(), chosen.end(), entity->id) != chosen.end();
+    item->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
+std::vector<workcell::EntityId> WorkplacePanel::station() const {
+  std::vector<workcell::EntityId> ids;
+  for (int i = 0; i < station_->count(); ++i)
+    if (station_->item(i)->checkState() == Qt::Checked)
+      ids.push_back(station_->item(i)->data(Qt::UserRole).toULongLong());
+  return ids;
+}
+
+void WorkplacePanel::search() {
+  const workcell::Entity* entity = context_.entity();
+  if (busy_ || !entity) return;
+  manipulation::WorkplaceQuestion question;
+  question.entities = context_.host().documentModel().document().snapshotEntities();
+  question.mannequin = entity->id;
+  question.station = station();
+  question.task = scores_.isEmpty() ? ergonomics::WorkTask{} : scores_.task();
+  question.rise_to = rise_->value() / 1000.0;
+  question.rise_from = -question.rise_to;
+  question.away_to = away_->value() / 1000.0;
+  question.away_from = -question.away_to;
+  question.rise_step = question.away_step = step_->value() / 1000.0;
+  question.may_sit = sit_->isChecked();
+  const dvec3 ahead = context_.posture().X_WR.rotate({1.0, 0.0, 0.0});
+  ahead_W_ = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
+  searched_ = question.station;
+  run_ = std::make_shared<Run>();
+  busy_ = true;
+  map_.reset();
+  view_->setMap(nullptr);
+  poll_.start();
+  showMap();
+  runBeside(
+      this,
+      [question = std::move(question), run = run_] {
+        return manipulation::searchWorkplace(
+            question, [&run](double share) { run->progress = share; }, run->cancel);
+      },
+      [this](Expected<manipulation::WorkplaceMap> map) {
+        busy_ = false;
+        poll_.stop();
+        bar_->setValue(map ? 100 : 0);
+        if (map) {
+          map_ = std::move(*map);
+          view_->setMap(&*map_);
+        } else {
+          context_.host().messages().tell(Severity::kWarning, tr("The workplace was not searched"),
+                                          shown(map.error().message()));
+        }
+        showMap();
+      });
+}
+
+void WorkplacePanel::showMap() {
+  search_->setEnabled(!busy_);
+  cancel_->setEnabled(busy_);
+  const int cell = view_->chosen();
+  take_->setEnabled(map_ && cell >= 0 && map_->cells[static_cast<std::size_t>(cell)].worst > 0);
+  if (busy_) return result_->setText(tr("Trying every placement with four bodies…"));
+  if (!map_) return result_->setText(tr("Choose what may be moved, then search."));
+  QString text = map_->is_complete ? QString() : tr("Cancelled: the map is not complete. ");
+  if (cell < 0) {
+    result_->setText(text + tr("No placement suits all four bodies."));
+    return;
+  }
+  const auto& place = map_->cells[static_cast<std::size_t>(cell)];
+  const auto millimetres = [](double metres) { return QString::number(1000.0 * metres + 0.0, 'f', 0); };
+  text += tr("%1 mm up, %2 mm away, %3: ")
+              .arg(millimetres(place.rise), millimetres(place.away), place.is_seated ? tr("sitting") : tr("standing"));
+  text += place.worst > 0 ? tr("worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).")
+                                .arg(place.worst)
+                                .arg(place.rula[0])
+                                .arg(place.rula[1])
+                                .arg(place.rula[2])
+                                .arg(place.rula[3])
+                          : shown(place.why) + '.';
+  result_->setText(text);
+}
+
+void WorkplacePanel::take() {
+  if (!map_ || view_->chosen() < 0) return;
+  const auto& place = map_->cells[static_cast<std::size_t>(view_->chosen())];
+  const auto& document = context_.host().documentModel().document();
+  std::vector<workcell::Command> commands;
+  for (const workcell::EntityId id : searched_) {
+    const workcell::Entity* entity = document.find(id);
+    if (!entity) continue;
+    Pose there = entity->X_WE;
+    there.p += place.away * ahead_W_ + dvec3(0.0, 0.0, place.rise);
+    commands.emplace_back(workcell::SetPlacement{id, there});
+  }
+  if (!commands.empty()) context_.host().documentModel().executeAll(tr("Move the workplace"), commands);
+}
+
+WorkplaceView::WorkplaceView(QWidget* parent) : QWidget(parent) {
+  setObjectName("workplaceMap");
+  setAccessibleName(tr("Worst RULA by height and distance"));
+}
+
+void WorkplaceView::setMap(const manipulation::WorkplaceMap* map) {
+  map_ = map;
+  chosen_ = map ? map->best : -1;
+  update();
+}
+
+QRectF WorkplaceView::rectOf(std::size_t cell) const {
+  constexpr double kLeft = 52.0, kBottom = 34.0;
+  const double columns = static_cast<double>(map_->aways.size()), rows = static_cast<double>(map_->rises.size());
+  const std::size_t each = map_->aways.size() * map_->rises.size();
+  const std::size_t stances = std::max<std::size_t>(1, map_->cells.size() / each);
+  const double wide = (width() - kLeft - 4.0) / static_cast<double>(stances);
+  const std::size_t stance = cell / each, row = cell % each / map_->aways.size(), column = cell % map_->aways.size();
+  const double w = (wide - 8.0) / columns, h = (height() - kBottom) / rows;
+  return {kLeft + wide * static_cast<double>(stance) + w * static_cast<double>(column),
+          h * (rows - 1.0 - static_cast<double>(row)), w, h};
+}
+
+void WorkplaceView::mousePressEvent(QMouseEvent* event) {
+  if (!map_) return;
+  for (std::size_t i = 0; i < map_->cells.size(); ++i) {
+    if (!rectOf(i).contains(event->position())) continue;
+    chosen_ = static_cast<int>(i);
+    update();
+    emit chose(chosen_);
+  }
+}
+
+void WorkplaceView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Theme& theme = themeOf(palette());
+  painter.setFont(textFont(TextRole::kKeyCap));
+  if (!map_ || map_->cells.empty()) {
+    painter.setPen(theme.text3);
+    painter.drawText(rect(), Qt::AlignCenter, tr("No map yet"));
+    return;
+  }
+  for (std::size_t i = 0; i < map_->cells.size(); ++i) {
+    const auto& cell = map_->cells[i];
+    const QRectF box = rectOf(i).adjusted(1, 1, -1, -1);
+    if (cell.worst > 0) {
+      paintBand(painter, box, ergonomics::bandOfRula(cell.worst), theme);
+      painter.setPen(QColor(0x1A, 0x20, 0x27));
+      if (box.width() > 12 && box.height() > 12) painter.drawText(box, Qt::AlignCenter, QString::number(cell.worst));
+    } else {
+      painter.setPen(theme.line);
+      painter.drawRect(box);
+      painter.drawLine(box.topLeft(), box.bottomRight());
+    }
+    if (static_cast<int>(i) == chosen_) {
+      painter.setPen(QPen(theme.force, 2.5));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(box);
+    }
+  }
+  painter.setPen(theme.text2);
+  for (const std::size_t row : {std::size_t{0}, map_->rises.size() - 1}) {
+    const QRectF box = rectOf(row * map_->aways.size());
+    painter.drawText(QRectF(0, box.top(), 48, box.height()), Qt::AlignRight | Qt::AlignVCenter,
+                     tr("%1 mm").arg(1000.0 * map_->rises[row], 0, 'f', 0));
+  }
+  for (const std::size_t column : {std::size_t{0}, map_->aways.size() - 1}) {
+    const QRectF box = rectOf(column);
+    painter.drawText(QRectF(box.center().x() - 40, height() - 32, 80, 14), Qt::AlignCenter,
+                     tr("%1 mm").arg(1000.0 * map_->aways[column], 0, 'f', 0));
+  }
+  painter.drawText(QRectF(52, height() - 16, width() - 52, 14), Qt::AlignCenter, tr("further away"));
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "manipulation/mannequin_workplace.h"
+
+class QCheckBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace hapticell::app {
+
+class LiveScores;
+class MannequinContext;
+class ValueField;
+class WorkplaceView;
+
+/// Finds where a table (and what is on it) should stand so that the worst score over four bodies is least: what may
+/// move, how far, standing or sitting; a map of the result, and a button that puts it there as one step of undo.
+class WorkplacePanel : public QWidget {
+  Q_OBJECT
+ public:
+  WorkplacePanel(MannequinContext& context, const LiveScores& scores, QWidget* parent = nullptr);
+  ~WorkplacePanel() override;
+  bool isBusy() const { return busy_; }
+  const std::optional<manipulation::WorkplaceMap>& map() const { return map_; }
+
+ private:
+  void fillStation();
+  void search();
+  void showMap();
+  void take();
+  std::vector<workcell::EntityId> station() const;
+  MannequinContext& context_;
+  const LiveScores& scores_;
+  QListWidget* station_;
+  ValueField *rise_, *away_, *step_;
+  QCheckBox* sit_;
+  QPushButton *search_, *cancel_, *take_;
+  QProgressBar* bar_;
+  QLabel* result_;
+  WorkplaceView* view_;
+  std::optional<manipulation::WorkplaceMap> map_;
+  dvec3 ahead_W_{1.0, 0.0, 0.0};
+  std::vector<workcell::EntityId> searched_;
+  struct Run {
+    std::atomic<bool> cancel{false};
+    std::atomic<double> progress{0.0};
+  };
+  std::shared_ptr<Run> run_;
+  QTimer poll_;
+  bool busy_ = false;
+};
+
+/// The placements as coloured squares: height up, distance across; the chosen one is framed.
+class WorkplaceView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit WorkplaceView(QWidget* parent = nullptr);
+  void setMap(const manipulation::WorkplaceMap* map);
+  int chosen() const { return chosen_; }
+  QSize sizeHint() const override { return {308, 240}; }
+  QSize minimumSizeHint() const override { return {240, 220}; }
+
+ signals:
+  void chose(int cell);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  QRectF rectOf(std::size_t cell) const;
+  const manipulation::WorkplaceMap* map_ = nullptr;
+  int chosen_ = -1;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCoreApplication>
+#include <QObject>
+#include <QPointer>
+#include <QThreadPool>
+#include <memory>
+#include <utility>
+
+namespace hapticell::app {
+
+/// Does `work` in a thread of Qt's pool and hands what it gives to `then` in the GUI thread; nothing where `owner` is
+/// gone by then. For work of a tenth of a second that needs no progress.
+template <class Work, class Then>
+void runBeside(QObject* owner, Work work, Then then) {
+  QThreadPool::globalInstance()->start(
+      [owner = QPointer<QObject>(owner), work = std::move(work), then = std::move(then)]() mutable {
+        auto result = std::make_shared<decltype(work())>(work());
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [owner, then = std::move(then), result]() mutable {
+              if (owner) then(std::move(*result));
+            },
+            Qt::QueuedConnection);
+      });
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "mannequin/anthropometry.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace hapticell::app {
+
+class MannequinContext;
+class Segmented;
+class ValueField;
+
+/// Size of the chosen mannequin: the four boundary figures, sex, percentile, stature, mass, and single measures of
+/// one's own. Each change is one step of undo; the feet stay where they stand.
+class BodySize : public QWidget {
+  Q_OBJECT
+ public:
+  explicit BodySize(MannequinContext& context, QWidget* parent = nullptr);
+  void showNow();
+
+ private:
+  void addMeasures();
+  void showMeasure();
+  void ask(const mannequin::BodyRequest& request);
+  void begin();
+  mannequin::BodyRequest present() const;
+  MannequinContext& context_;
+  Segmented *boundary_, *sex_;
+  ValueField *stature_, *mass_, *measure_;
+  QComboBox* dimension_;
+  QSlider* percentile_;
+  QLabel* percentile_text_;
+  QTimer wait_;
+  mannequin::BodyRequest wanted_;
+  bool busy_ = false, again_ = false;
+};
+
+}  // namespace hapticell::app

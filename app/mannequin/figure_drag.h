@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <memory>
+#include <optional>
+
+#include "manipulation/held_entity.h"
+#include "manipulation/manipulation_command.h"
+
+namespace hapticell::app {
+
+class MannequinContext;
+
+/// Draws the mannequin by a hand, both hands or the head to where the mouse wants it, in a thread of its own: through
+/// the same held entity that the stylus moves, so that nothing is entered and limits, feet and balance hold. All
+/// between begin() and end() is one step of undo. GUI thread.
+class FigureDrag : public QObject {
+  Q_OBJECT
+ public:
+  explicit FigureDrag(MannequinContext& context, QObject* parent = nullptr);
+  ~FigureDrag() override;
+
+  /// Takes the mannequin as it stands. `text` names the step.
+  void begin(const QString& text, const manipulation::MovedBy& moved_by);
+  /// Where the moved frame shall be; the newest counts.
+  void moveTo(const Pose& X_WM);
+  /// Ends it where it stands; `keep` false takes all back.
+  void end(bool keep = true);
+  bool isOpen() const { return open_; }
+  bool isBusy() const { return busy_; }
+
+  /// How the last motion ended.
+  struct Reach {
+    double short_m = 0.0;  ///< From the moved frame to where it was wanted.
+    std::string obstacle;  ///< What it would touch; empty: nothing is in the way.
+    Pose X_WM;             ///< Where the moved frame is.
+  };
+  const std::optional<Reach>& reach() const { return reach_; }
+
+ signals:
+  void moved();
+  void ended();
+
+ private:
+  struct Work;
+  void pump();
+  void take(const manipulation::EntityConfiguration& stands, const Reach& reach);
+  void refuse(const QString& why);
+  void finish();
+  MannequinContext& context_;
+  std::shared_ptr<Work> work_;
+  workcell::EntityId entity_ = 0;
+  std::optional<Pose> wanted_;
+  std::optional<Reach> reach_;
+  bool open_ = false, busy_ = false, ending_ = false, keep_ = true;
+  QThreadPool pool_;
+};
+
+/// Pose of what a hand or the head is drawn by: the grip, the middle between both hands, the point between the eyes.
+Pose movedFrame_W(const workcell::Entity& entity, const manipulation::EntityConfiguration& stands,
+                  manipulation::MovedBy::Kind kind);
+
+}  // namespace hapticell::app

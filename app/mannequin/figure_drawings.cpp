@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mannequin/figure_drawings.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/selection.h"
+#include "app/mannequin/beside.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/panels/form.h"
+#include "app/viewport/viewport_widget.h"
+#include "manipulation/mannequin_sight.h"
+#include "mannequin/reach_envelope.h"
+#include "mannequin/support_polygon.h"
+#include "mannequin/work_zones.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kRestMilliseconds = 400, kMeridians = 18;
+constexpr double kSightLength = 1.4;  // m
+
+using mannequin::Side;
+using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
+
+RenderItem volume(Mesh mesh, const std::array<float, 3>& color) {
+  RenderItem item;
+  item.mesh = std::move(mesh);
+  item.color = color;
+  item.ghost = Ghost::kOwn;
+  return item;
+}
+
+std::array<float, 3> rgb(const QColor& color) {
+  return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
+}
+
+}  // namespace
+
+FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWidget(parent), context_(context) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  addSwitches(*column);
+  balance_ = makeLabel({}, TextRole::kSecond, true);
+  balance_->setObjectName("labelBalance");
+  column->addWidget(balance_);
+  eyes_ = new QPushButton(tr("Through its eyes"));
+  eyes_->setObjectName("buttonEyes");
+  sight_ = new QPushButton(tr("Does it see the selection?"));
+  sight_->setObjectName("buttonSees");
+  sight_->setToolTip(tr("Casts rays from its eyes to the part that was chosen last"));
+  column->addWidget(sideBySide({eyes_, sight_}));
+  seen_ = makeLabel({}, TextRole::kSecond);
+  seen_->setObjectName("labelSees");
+  seen_->setWordWrap(true);
+  column->addWidget(seen_);
+  rests_.setSingleShot(true);
+  rests_.setInterval(kRestMilliseconds);
+  connect(&rests_, &QTimer::timeout, this, &FigureDrawings::askReach);
+  connect(eyes_, &QPushButton::clicked, this, &FigureDrawings::lookThroughEyes);
+  connect(sight_, &QPushButton::clicked, this, &FigureDrawings::askSight);
+}
+
+void FigureDrawings::addSwitches(QVBoxLayout& column) {
+  const std::array<QString, kKinds> words{tr("Reach of the arms"), tr("Reach with the trunk"),
+                                          tr("Working zones (as EN ISO 14738)"), tr("What it sees"),
+                                          tr("Centre of mass and support")};
+  for (std::size_t i = 0; i < switches_.size(); ++i) {
+    auto* button = switches_[i] = new QPushButton(words[i]);
+    button->setObjectName(QStringLiteral("draw%1").arg(i));
+    button->setProperty("switch", true);
+    button->setCheckable(true);
+    connect(button, &QPushButton::clicked, this, [this] {
+      figure_.reset();  // Looks at it anew.
+      showNow();
+    });
+    column.addWidget(button);
+  }
+}
+
+bool FigureDrawings::isOn(Kind kind) const {
+  return switches_[kind]->isChecked();
+}
+
+void FigureDrawings::showNow() {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity) {
+    if (!figure_) return;
+    figure_.reset();
+    context_.host().viewport().scene().setExtras("figure", {});
+    context_.host().viewport().setCurves("figure", {});
+    return;
+  }
+  const mannequin::Posture posture = context_.posture();
+  const bool same = figure_ == entity->figure && posture.angles == posture_.angles &&
+                    posture.X_WR.p == posture_.X_WR.p && posture.X_WR.q == posture_.X_WR.q;
+  if (same) return;
+  figure_ = entity->figure;
+  posture_ = posture;
+  reach_.clear();
+  ++question_;
+  if (isOn(kReach) || isOn(kTrunkReach)) rests_.start();
+  drawVolumes();
+  drawBalance();
+}
+
+void FigureDrawings::drawVolumes() {
+  const Theme& theme = themeOf(palette());
+  std::vector<RenderItem> items;
+  for (const auto& [kind, meshes] : reach_) {
+    for (const Mesh& mesh : meshes) items.push_back(volume(mesh, rgb(kind == kReach ? theme.selection : theme.axis_z)));
+  }
+  if (isOn(kZones)) {
+    for (const auto zone : {mannequin::WorkZone::kPreferred, mannequin::WorkZone::kAcceptable}) {
+      const bool preferred = zone == mannequin::WorkZone::kPreferred;
+      items.push_back(volume(std::make_shared<geometry::TriangleMesh>(mannequin::workZone(*figure_, posture_, zone)),
+                             rgb(preferred ? theme.guide : theme.near_miss)));
+    }
+  }
+  if (isOn(kSight)) {
+    const auto pose = mannequin::forwardKinematics(*figure_, posture_);
+    for (const auto zone :
+         {mannequin::VisionZone::kPreferred, mannequin::VisionZone::kEyes, mannequin::VisionZone::kHead}) {
+      const std::size_t tone = zone == mannequin::VisionZone::kPreferred ? 1
+                               : zone == mannequin::VisionZone::kEyes    ? 0
+                                                                         : 2;
+      items.push_back(volume(std::make_shared<geometry::TriangleMesh>(
+                                 mannequin::visionVolume(*figure_, pose, posture_.gaze, zone, kSightLength)),
+                             rgb(theme.score[tone])));
+    }
+  }
+  context_.host().viewport().scene().setExtras("figure", std::move(items));
+  context_.host().viewport().refresh();
+}
+
+void FigureDrawings::drawBalance() {
+  const auto pose = mannequin::forwardKinematics(*figure_, posture_);
+  const dvec3 com = mannequin::centerOfMass(*figure_, pose);
+  const auto support =
+      mannequin::supportPolygon(*figure_, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
+  const double margin = support.margin(glm::dvec2(com));
+  balance_->setText(margin >= 0.0 ? tr("Balance: %1 mm inside the soles").arg(1000.0 * margin, 0, 'f', 0)
+                                  : tr("Out of balance by %1 mm").arg(-1000.0 * margin, 0, 'f', 0));
+  std::vector<SceneCurve> curves;
+  if (isOn(kBalance)) {
+    double floor = 1e9;
+    for (const Side side : {Side::kLeft, Side::kRight})
+      floor = std::min(floor, (mannequin::footPose(pose, side) * dvec3(0.0, 0.0, figure_->sole.z)).z);
+    const auto role = margin >= 0.0 ? SceneCurve::Role::kSelection : SceneCurve::Role::kLimit;
+    SceneCurve outline{{}, role, SceneCurve::Style::kSolid, 2.0, {}};
+    for (std::size_t i = 0; i <= support.count && support.count > 0; ++i) {
+      const glm::dvec2& p = support.points[i % support.count];
+      outline.points_W.emplace_back(p.x, p.y, floor + 0.002);
+    }
+    const dvec3 below(com.x, com.y, floor + 0.002);
+    curves.push_back(outline);
+    curves.push_back({{com, below}, role, SceneCurve::Style::kDashed, 1.5, {}});
+    curves.push_back({{com}, role, SceneCurve::Style::kSolid, 2.0, tr("centre of mass").toStdString()});
+    curves.push_back(
+        {{below}, role, SceneCurve::Style::kSolid, 2.0, tr("%1 mm").arg(1000.0 * margin, 0, 'f', 0).toStdString()});
+  }
+  context_.host().viewport().setCurves("figure", std::move(curves));
+}
+
+void FigureDrawings::askReach() {
+  if (!figure_) return;
+  if (asking_) return rests_.start();
+  asking_ = true;
+  const bool arms = isOn(kReach), trunk = isOn(kTrunkReach);
+  using Found = std::map<int, std::vector<Mesh>>;
+  runBeside(
+      this,
+      [figure = figure_, posture = posture_, arms, trunk] {
+        Found found;
+        for (const int kind : {static_cast<int>(kReach), static_cast<int>(kTrunkReach)}) {
+          if (!(kind == kReach ? arms : trunk)) continue;
+          for (const Side side : {Side::kLeft, Side::kRight})
+            found[kind].push_back(std::make_shared<geometry::TriangleMesh>(
+                mannequin::reachEnvelope(*figure, posture, side, {kind == kTrunkReach, kMeridians})));
+        }
+        return found;
+      },
+      [this, question = question_](Found found) {
+        asking_ = false;
+        if (question != question_) return;
+        reach_ = std::move(found);
+        drawVolumes();
+      });
+}
+
+void FigureDrawings::lookThroughEyes() {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity) return;
+  const mannequin::Posture posture = context_.posture();
+  const auto pose = mannequin::forwardKinematics(*entity->figure, posture);
+  const Pose eyes = mannequin::eyePose(*entity->figure, pose, posture.gaze);
+  constexpr double kAhead = 0.8, kBefore = 0.11;  // m; before the face, which would else be in the picture.
+  const dvec3 forward = eyes.rotate({0.0, 0.0, -1.0});
+  ViewportWidget& viewport = context_.host().viewport();
+  Camera camera = viewport.camera().looking(eyes.p + kBefore * forward, eyes.p + kAhead * forward);
+  camera.perspective = true;
+  viewport.setCamera(camera);
+}
+
+void FigureDrawings::askSight() {
+  const workcell::Entity* entity = context_.entity();
+  const workcell::Entity* target = context_.target();
+  if (!entity || !target) return seen_->setText(tr("Click a part first, then ask."));
+  const workcell::Document& document = context_.host().documentModel().document();
+  struct Answer {
+    manipulation::TargetSight sight;
+    std::shared_ptr<const manipulation::PreparedScene> scene;
+  };
+  runBeside(
+      this,
+      [entities = document.snapshotEntities(), mannequin = *entity, posture = context_.posture(), id = target->id,
+       previous = scene_] {
+        Answer answer;
+        answer.scene = manipulation::PreparedScene::prepare(entities, {}, {}, previous.get());
+        answer.sight = manipulation::sightOfTarget(*answer.scene, mannequin, posture, id);
+        return answer;
+      },
+      [this, name = QString::fromStdString(target->name)](Answer answer) {
+        scene_ = answer.scene;
+        const auto& sight = answer.sight;
+        QString text = tr("%1: %2 % seen, %3 mm away, %4")
+                           .arg(name)
+                           .arg(100.0 * sight.seen, 0, 'f', 0)
+                           .arg(1000.0 * sight.distance, 0, 'f', 0)
+                           .arg(QString::fromLatin1(mannequin::wordOf(sight.zone)));
+        if (!sight.hidden_by.empty()) text += tr(", hidden by %1").arg(QString::fromStdString(sight.hidden_by));
+        if (sight.clearance > 0.0) text += tr(", %1 mm clear").arg(1000.0 * sight.clearance, 0, 'f', 0);
+        seen_->setText(text + '.');
+      });
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <map>
+#include <memory>
+
+#include "geometry/triangle_mesh.h"
+#include "manipulation/prepared_scene.h"
+#include "mannequin/posture.h"
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class MannequinContext;
+
+/// What is drawn about the mannequin in the scene, with its switches: how far its hands get, working zones, what it
+/// sees, its balance; the view through its eyes; and whether it sees what was chosen last. GUI thread; surfaces that
+/// take long are made beside it once the figure rests.
+class FigureDrawings : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FigureDrawings(MannequinContext& context, QWidget* parent = nullptr);
+  void showNow();
+
+ private:
+  enum Kind { kReach, kTrunkReach, kZones, kSight, kBalance, kKinds };
+  void addSwitches(QVBoxLayout& column);
+  void drawVolumes();
+  void drawBalance();
+  void askReach();
+  void askSight();
+  void lookThroughEyes();
+  bool isOn(Kind kind) const;
+  MannequinContext& context_;
+  std::array<QPushButton*, kKinds> switches_{};
+  QPushButton *eyes_, *sight_;
+  QLabel *balance_, *seen_;
+  mannequin::Posture posture_;
+  std::shared_ptr<const mannequin::Figure> figure_;
+  std::map<int, std::vector<std::shared_ptr<const geometry::TriangleMesh>>> reach_;  ///< By kind: left, right.
+  QTimer rests_;
+  std::uint64_t question_ = 0;
+  bool asking_ = false;
+  std::shared_ptr<const manipulation::PreparedScene> scene_;  ///< Of the last look at a target.
+};
+
+}  // namespace hapticell::app

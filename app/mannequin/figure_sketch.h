@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "app/viewport/render_item.h"
+#include "mannequin/figure_outline.h"
+
+namespace hapticell::app {
+
+/// How a body of the sketch is filled.
+using BodyFill = std::function<LinkLook(std::size_t body)>;
+
+/// Draws the figure with QPainter into a rectangle, feet at its bottom; a pixel means `metres_per_pixel`, or what fits.
+/// `flesh` is kept by the caller.
+void drawFigure(QPainter& painter, const QRectF& area, const std::vector<mannequin::OutlinePart>& parts,
+                const BodyFill& fill, const QColor& line);
+
+/// A pattern of a score as a brush: plain, hatched, cross-hatched in the fill's darker tone.
+void fillWithPattern(QPainter& painter, const QPainterPath& path, const QColor& color, int pattern);
+
+/// The figure in its present posture, with what the stylus holds in the selection colour.
+class FigureSketch : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FigureSketch(QWidget* parent = nullptr);
+  void setFigure(std::shared_ptr<const mannequin::Figure> figure);
+  void setPosture(const mannequin::Posture& posture);
+  /// Bodies drawn in the selection colour.
+  void setHeld(std::vector<std::size_t> bodies);
+  QSize sizeHint() const override { return {132, 190}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::shared_ptr<const mannequin::Figure> figure_;
+  std::vector<mannequin::Flesh> flesh_;
+  mannequin::Posture posture_;
+  std::vector<std::size_t> held_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mannequin/hand_gizmo.h"
+
+#include <cmath>
+
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/mannequin/figure_drag.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+using Kind = manipulation::MovedBy::Kind;
+constexpr double kPixels = 84.0;        // Of an arrow.
+constexpr double kShortShown = 1.5e-3;  // m
+
+}  // namespace
+
+HandGizmo::HandGizmo(MannequinContext& context, FigureDrag& drag, QObject* parent)
+    : QObject(parent), context_(context), figure_(drag) {
+  connect(&context_.host().viewport(), &ViewportWidget::cameraChanged, this, &HandGizmo::showNow);
+  connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &HandGizmo::showNow);
+  connect(&figure_, &FigureDrag::moved, this, &HandGizmo::showNow);
+  connect(&figure_, &FigureDrag::ended, this, &HandGizmo::showNow);
+}
+
+HandGizmo::~HandGizmo() = default;
+
+Kind HandGizmo::kind() const {
+  const Kind chosen = context_.host().holdChoice().kind();
+  const bool ours = chosen == Kind::kLeftHand || chosen == Kind::kRightHand || chosen == Kind::kBothHands ||
+                    chosen == Kind::kHead || chosen == Kind::kWhole;
+  return ours ? chosen : Kind::kRightHand;
+}
+
+Pose HandGizmo::frame_W() const {
+  const workcell::Entity& entity = *context_.entity();
+  const SceneModel& scene = context_.host().viewport().scene();
+  return movedFrame_W(entity, {scene.placement_W(entity), scene.joints(entity)}, kind());
+}
+
+bool HandGizmo::isReady() const {
+  return on_ && context_.entity() && context_.isFree();
+}
+
+Gizmo HandGizmo::gizmoNow(const Camera& camera, const ViewSize& view) const {
+  Gizmo gizmo;
+  gizmo.X_WG.p = frame_W().p;
+  gizmo.size = kPixels * camera.metresPerPixel(gizmo.X_WG.p, view);
+  return gizmo;
+}
+
+void HandGizmo::setOn(bool on) {
+  if (on == on_) return;
+  on_ = on;
+  if (!on) cancel();
+  over_.reset();
+  showNow();
+}
+
+void HandGizmo::showNow() {
+  ViewportWidget& viewport = context_.host().viewport();
+  std::vector<SceneCurve> curves;
+  if (isReady()) {
+    const ViewSize view{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+    curves = gizmoNow(viewport.camera(), view).curves(drag_ ? drag_->handle : over_);
+    const QString text = drag_ ? reachText(figure_, kind()) : QString();
+    if (!text.isEmpty())
+      curves.push_back({{frame_W().p}, SceneCurve::Role::kLimit, SceneCurve::Style::kSolid, 2.0, text.toStdString()});
+  }
+  viewport.setCurves("hand", std::move(curves));
+  viewport.refresh();
+}
+
+bool HandGizmo::press(const PointerEvent& event) {
+  if (!isReady() || event.button != Qt::LeftButton || figure_.isOpen()) return false;
+  const Gizmo gizmo = gizmoNow(event.camera, event.size);
+  const auto handle = gizmo.hit(event.pixel, event.camera, event.size);
+  const auto from = handle ? gizmo.valueOf(*handle, event.camera.rayThrough(event.pixel, event.size)) : std::nullopt;
+  if (!from) return false;
+  drag_ = Drag{gizmo, *handle, *from, frame_W()};
+  manipulation::MovedBy moved_by = context_.host().holdChoice().movedBy();
+  moved_by.kind = kind();
+  moved_by.frame.clear();
+  figure_.begin(
+      tr("Draw the %1 of %2").arg(nameOfHeld(kind()).toLower(), QString::fromStdString(context_.entity()->name)),
+      moved_by);
+  showNow();
+  return true;
+}
+
+bool HandGizmo::move(const PointerEvent& event) {
+  if (!on_) return false;
+  if (!drag_) {
+    const auto before = over_;
+    over_ = isReady() ? gizmoNow(event.camera, event.size).hit(event.pixel, event.camera, event.size) : std::nullopt;
+    if (over_ != before) showNow();
+    return over_.has_value();
+  }
+  const auto value = drag_->gizmo.valueOf(drag_->handle, event.camera.rayThrough(event.pixel, event.size));
+  if (value) figure_.moveTo(drag_->gizmo.dragged(drag_->handle, drag_->from, *value, drag_->X_WM));
+  return true;
+}
+
+bool HandGizmo::release(const PointerEvent& event) {
+  if (!drag_ || event.button != Qt::LeftButton) return false;
+  drag_.reset();
+  figure_.end();
+  showNow();
+  return true;
+}
+
+bool HandGizmo::cancel() {
+  if (!drag_) return false;
+  drag_.reset();
+  figure_.end(false);
+  showNow();
+  return true;
+}
+
+QString HandGizmo::hint() const {
+  if (drag_) return tr("Esc takes the drag back");
+  if (!over_) return {};
+  return over_->turns ? tr("Drag to turn it; the body follows") : tr("Drag to move it; the body follows");
+}
+
+QString nameOfHeld(Kind kind) {
+  switch (kind) {
+    case Kind::kLeftHand:
+      return HandGizmo::tr("Left hand");
+    case Kind::kBothHands:
+      return HandGizmo::tr("Both hands");
+    case Kind::kHead:
+      return HandGizmo::tr("Head");
+    case Kind::kRightHand:
+      return HandGizmo::tr("Right hand");
+    default:
+      return HandGizmo::tr("Whole figure");
+  }
+}
+
+QString reachText(const FigureDrag& drag, Kind kind) {
+  if (!drag.reach() || drag.reach()->short_m < kShortShown) return {};
+  if (!drag.reach()->obstacle.empty()) {
+    return HandGizmo::tr("%1 is held up by %2, %3 mm short of the target")
+        .arg(nameOfHeld(kind), QString::fromStdString(drag.reach()->obstacle))
+        .arg(1000.0 * drag.reach()->short_m, 0, 'f', 0);
+  }
+  return HandGizmo::tr("%1 is %2 mm short of the target")
+      .arg(nameOfHeld(kind))
+      .arg(1000.0 * drag.reach()->short_m, 0, 'f', 0);
+}
+
+}  // namespace hapticell::app

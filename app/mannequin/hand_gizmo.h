@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/robot/gizmo.h"
+#include "app/viewport/pointer_tool.h"
+#include "manipulation/manipulation_command.h"
+
+namespace hapticell::app {
+
+class FigureDrag;
+class MannequinContext;
+
+/// Drags what of the mannequin is chosen (a hand, both, the head, the whole figure) with the mouse, along or about the
+/// axes of the cell. The body follows; where the target is out of reach it says by how many millimetres. Escape takes a
+/// drag back.
+class HandGizmo final : public QObject, public PointerTool {
+  Q_OBJECT
+ public:
+  HandGizmo(MannequinContext& context, FigureDrag& drag, QObject* parent = nullptr);
+  ~HandGizmo() override;
+
+  void setOn(bool on);
+  void showNow();
+  bool cancel();
+
+  bool press(const PointerEvent& event) override;
+  bool move(const PointerEvent& event) override;
+  bool release(const PointerEvent& event) override;
+  bool wheel(const PointerEvent&) override { return false; }
+  QString hint() const override;
+
+ private:
+  manipulation::MovedBy::Kind kind() const;
+  Pose frame_W() const;
+  bool isReady() const;
+  Gizmo gizmoNow(const Camera& camera, const ViewSize& view) const;
+  MannequinContext& context_;
+  FigureDrag& figure_;
+  bool on_ = false;
+  std::optional<Gizmo::Handle> over_;
+  struct Drag {
+    Gizmo gizmo;
+    Gizmo::Handle handle;
+    double from = 0.0;
+    Pose X_WM;
+  };
+  std::optional<Drag> drag_;
+};
+
+/// "Right hand is 62 mm short of the target", "Right hand touches Bench"; empty: it is where it was wanted.
+QString reachText(const FigureDrag& drag, manipulation::MovedBy::Kind kind);
+/// "Right hand".
+QString nameOfHeld(manipulation::MovedBy::Kind kind);
+
+}  // namespace hapticell::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <vector>
+
+#include "mannequin/skeleton.h"
+
+class QComboBox;
+
+namespace hapticell::app {
+
+class JointRow;
+class MannequinContext;
+
+/// All 56 joints of the mannequin with their limits, by part of the body: a drag of a row is one step of undo. What
+/// limits of shoulders and hips hold together (the coupled ones) stops a row too.
+class JointList : public QWidget {
+  Q_OBJECT
+ public:
+  explicit JointList(MannequinContext& context, QWidget* parent = nullptr);
+  void showNow();
+
+ private:
+  void showPart(int part);
+  void moveTo(mannequin::Dof dof, double radians);
+  MannequinContext& context_;
+  QComboBox* part_;
+  struct Row {
+    mannequin::Dof dof;
+    JointRow* row;
+  };
+  std::vector<Row> rows_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "mannequin/posture.h"
+#include "workcell/entity.h"
+
+namespace hapticell::app {
+
+class Host;
+
+/// The mannequin that the panels of this folder and of the ergonomics are about: the selected one, else the one that
+/// was selected last, else the first of the cell. GUI thread.
+class MannequinContext : public QObject {
+  Q_OBJECT
+ public:
+  explicit MannequinContext(Host& host, QObject* parent = nullptr);
+
+  Host& host() const { return host_; }
+  /// As the document has it; null while there is none.
+  const workcell::Entity* entity() const;
+  /// The posture now, a running hold or a played motion included. Only while there is one.
+  mannequin::Posture posture() const;
+  /// The solid or robot that was selected last: what it looks at. Null while there is none.
+  const workcell::Entity* target() const;
+  bool isHeld() const;
+  /// False while it is held or locked: nothing may be set then.
+  bool isFree() const;
+
+ signals:
+  void mannequinChanged();  ///< Another one, or of another size, name or lock.
+  void documentChanged();   ///< Anything in the document.
+
+ private:
+  void follow();
+  Host& host_;
+  workcell::EntityId id_ = 0, target_ = 0;
+  std::shared_ptr<const workcell::Entity> seen_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mannequin/mannequin_panel.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/mannequin/body_size.h"
+#include "app/mannequin/figure_drag.h"
+#include "app/mannequin/figure_sketch.h"
+#include "app/mannequin/hand_gizmo.h"
+#include "app/mannequin/joint_list.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/mannequin/mannequin_edits.h"
+#include "app/panels/form.h"
+#include "app/style/icon.h"
+#include "app/style/segmented.h"
+#include "app/style/theme.h"
+#include "mannequin/hand_shape.h"
+
+namespace hapticell::app {
+namespace {
+
+using Kind = manipulation::MovedBy::Kind;
+using mannequin::Side;
+
+constexpr std::array<Kind, 5> kKinds{Kind::kWhole, Kind::kLeftHand, Kind::kRightHand, Kind::kBothHands, Kind::kHead};
+
+/// Bodies of what is held, for the sketch.
+std::vector<std::size_t> bodiesOf(Kind kind) {
+  using S = mannequin::Segment;
+  std::vector<std::size_t> bodies;
+  const auto add = [&](S first, S last) {
+    for (std::size_t i = mannequin::indexOf(first); i <= mannequin::indexOf(last); ++i) bodies.push_back(i);
+  };
+  if (kind == Kind::kWhole) add(S::kPelvis, S::kRightToes);
+  if (kind == Kind::kLeftHand || kind == Kind::kBothHands) add(S::kLeftUpperArm, S::kLeftHand);
+  if (kind == Kind::kRightHand || kind == Kind::kBothHands) add(S::kRightUpperArm, S::kRightHand);
+  if (kind == Kind::kHead) add(S::kLowerNeck, S::kHead);
+  return bodies;
+}
+
+}  // namespace
+
+MannequinPanel::MannequinPanel(MannequinContext& context, FigureDrag& drag, QWidget* parent)
+    : QWidget(parent), context_(context), drag_(drag) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  addEmptyState(*column);
+  content_ = new QWidget;
+  column->addWidget(content_);
+  column->addStretch(1);
+  auto* inside = new QVBoxLayout(content_);
+  inside->setContentsMargins(0, 0, 0, 0);
+  inside->setSpacing(0);
+  addHolding(*inside);
+  QVBoxLayout* size = addSection(*inside, tr("Size, ANSUR II"));
+  size_ = new BodySize(context_);
+  size->addWidget(size_);
+  addHands(*inside);
+  addReach(*inside);
+  addPostures(*inside);
+  drawings_ = addSection(*inside, tr("Shown in the scene"));
+  QVBoxLayout* joints = addSection(*inside, tr("Joints, with their limits"));
+  joints_ = new JointList(context_);
+  joints->addWidget(joints_);
+  connect(&context_, &MannequinContext::mannequinChanged, this, &MannequinPanel::showMannequin);
+  connect(&context_, &MannequinContext::documentChanged, this, &MannequinPanel::showNow);
+  connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &MannequinPanel::showNow);
+  connect(&drag_, &FigureDrag::moved, this, &MannequinPanel::showReach);
+  connect(&drag_, &FigureDrag::ended, this, &MannequinPanel::showNow);
+  showMannequin();
+}
+
+void MannequinPanel::addEmptyState(QVBoxLayout& column) {
+  empty_ = new QWidget;
+  auto* rows = new QVBoxLayout(empty_);
+  rows->setContentsMargins(24, 48, 24, 24);
+  rows->setSpacing(8);
+  auto* picture = new QLabel;
+  picture->setPixmap(icon("mannequin").pixmap(48, 48));
+  picture->setAlignment(Qt::AlignCenter);
+  rows->addWidget(picture);
+  auto* title = makeLabel(tr("No mannequin in the cell"), TextRole::kPanelState);
+  title->setAlignment(Qt::AlignCenter);
+  rows->addWidget(title);
+  auto* how = makeLabel(tr("Add a person of any size with Ctrl+Shift+M: it stands on the floor, and its hands follow "
+                           "the stylus or the mouse."),
+                        TextRole::kText, true);
+  how->setWordWrap(true);
+  how->setAlignment(Qt::AlignCenter);
+  rows->addWidget(how);
+  auto* add = new QPushButton(tr("Add mannequin"));
+  add->setObjectName("buttonAddMannequin");
+  add->setProperty("main", true);
+  connect(add, &QPushButton::clicked, this, &MannequinPanel::addWanted);
+  rows->addSpacing(8);
+  rows->addWidget(add, 0, Qt::AlignHCenter);
+  column.addWidget(empty_);
+}
+
+void MannequinPanel::addHolding(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  name_ = makeLabel({}, TextRole::kPanelState);
+  name_->setObjectName("labelMannequin");
+  body_ = makeLabel({}, TextRole::kSecond, true);
+  body_->setObjectName("labelBody");
+  section->addWidget(name_);
+  section->addWidget(body_);
+  auto* line = new QHBoxLayout;
+  line->setSpacing(12);
+  sketch_ = new FigureSketch;
+  line->addWidget(sketch_, 1);
+  auto* choices = new QVBoxLayout;
+  choices->setSpacing(4);
+  choices->addWidget(makeLabel(tr("Held by the stylus"), TextRole::kSecond, true));
+  const std::array<QString, 5> words{tr("Whole figure"), tr("Left hand"), tr("Right hand"), tr("Both hands"),
+                                     tr("Head, gaze")};
+  const std::array<const char*, 5> icons{"mannequin", "hand", "hand", "hands", "eye"};
+  for (std::size_t i = 0; i < holds_.size(); ++i) {
+    auto* button = holds_[i] = new QToolButton;
+    button->setObjectName(QStringLiteral("hold%1").arg(i));
+    button->setText(words[i]);
+    button->setIcon(icon(QLatin1String(icons[i])));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setMinimumHeight(26);
+    connect(button, &QToolButton::clicked, this, [this, i] { hold(kKinds[i]); });
+    choices->addWidget(button);
+  }
+  choices->addSpacing(4);
+  choices->addWidget(makeLabel(tr("Locked"), TextRole::kSecond, true));
+  const std::array<QString, 4> locks{tr("Trunk"), tr("Pelvis"), tr("Feet"), tr("On a seat")};
+  for (std::size_t i = 0; i < locks_.size(); ++i) {
+    auto* lock = locks_[i] = new QPushButton(locks[i]);
+    lock->setObjectName(QStringLiteral("lock%1").arg(i));
+    lock->setProperty("switch", true);
+    lock->setCheckable(true);
+    connect(lock, &QPushButton::clicked, this, [this, i](bool on) { setLock(static_cast<int>(i), on); });
+    choices->addWidget(lock);
+  }
+  locks_[2]->setToolTip(tr("Off: the figure may step to where the hand is reached"));
+  locks_[3]->setToolTip(tr("The pelvis stays on the seat, which bears the body"));
+  line->addLayout(choices);
+  section->addLayout(line);
+}
+
+void MannequinPanel::addHands(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  grasp_ = new Segmented({tr("Power"), tr("Pinch"), tr("Flat"), tr("Point")});
+  grasp_->setObjectName("segmentsGrasp");
+  addRow(*section, tr("Grasp"), grasp_);
+  curl_ = new QSlider(Qt::Horizontal);
+  curl_->setObjectName("sliderCurl");
+  curl_->setRange(0, 90);
+  addRow(*section, tr("Finger curl"), curl_);
+  two_hands_ = new Segmented({tr("Each its own"), tr("Hold one thing")});
+  two_hands_->setObjectName("segmentsTwoHands");
+  addRow(*section, tr("Two hands"), two_hands_);
+  part_ = new QComboBox;
+  part_->setObjectName("comboCarried");
+  part_->setMinimumWidth(80);
+  part_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  carry_ = new QPushButton;
+  carry_->setObjectName("buttonCarry");
+  auto* pair = new QWidget;
+  auto* line = new QHBoxLayout(pair);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->addWidget(part_, 1);
+  line->addWidget(carry_);
+  addRow(*section, tr("In the hand"), pair);
+  connect(grasp_, &Segmented::chosen, this, &MannequinPanel::setGrasp);
+  connect(curl_, &QSlider::sliderMoved, this, &MannequinPanel::setCurl);
+  connect(curl_, &QSlider::sliderPressed, this,
+          [this] { context_.host().documentModel().beginStep(tr("Curl fingers")); });
+  connect(curl_, &QSlider::sliderReleased, this, [this] { context_.host().documentModel().endStep(); });
+  connect(two_hands_, &Segmented::chosen, this, [this](int i) {
+    HoldChoice::Locks locks = context_.host().holdChoice().locks();
+    locks.hands_apart = i == 0;
+    context_.host().holdChoice().setLocks(locks);
+  });
+  connect(carry_, &QPushButton::clicked, this, &MannequinPanel::carry);
+  connect(part_, &QComboBox::activated, this, &MannequinPanel::showHands);
+}
+
+void MannequinPanel::addReach(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  auto* line = new QHBoxLayout;
+  reach_mark_ = new QLabel;
+  reach_mark_->setFixedWidth(18);
+  reach_ = makeLabel({}, TextRole::kText);
+  reach_->setObjectName("labelReach");
+  reach_->setWordWrap(true);
+  line->addWidget(reach_mark_, 0, Qt::AlignTop);
+  line->addWidget(reach_, 1);
+  section->addLayout(line);
+  reach_advice_ = makeLabel({}, TextRole::kSecond, true);
+  reach_advice_->setObjectName("labelReachAdvice");
+  reach_advice_->setWordWrap(true);
+  section->addWidget(reach_advice_);
+}
+
+void MannequinPanel::addPostures(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, {});
+  postures_ = new QPushButton(tr("Postures…"));
+  postures_->setObjectName("buttonPostures");
+  mirror_ = new QPushButton(tr("Mirror"));
+  mirror_->setObjectName("buttonMirror");
+  swap_ = new QPushButton(tr("Swap hands"));
+  swap_->setObjectName("buttonSwapHands");
+  section->addWidget(sideBySide({postures_, mirror_, swap_}));
+  connect(postures_, &QPushButton::clicked, this, [this] { openPostureMenu(); });
+  const auto change = [this](const QString& text, auto&& edit) {
+    const workcell::Entity* entity = context_.entity();
+    if (!entity || !context_.isFree()) return;
+    context_.host().documentModel().executeAll(text, {postureCommand(*entity, edit(postureOf(*entity)))});
+  };
+  connect(mirror_, &QPushButton::clicked, this, [this, change] {
+    change(tr("Mirror %1").arg(name_->text()), [](const mannequin::Posture& p) { return mannequin::mirror(p); });
+  });
+  connect(swap_, &QPushButton::clicked, this, [this, change] {
+    change(tr("Swap hands of %1").arg(name_->text()),
+           [](const mannequin::Posture& p) { return mannequin::swapHands(p); });
+  });
+}
+
+void MannequinPanel::hold(Kind kind) {
+  context_.host().holdChoice().set(kind);
+  showHolding();
+}
+
+void MannequinPanel::setLock(int which, bool on) {
+  HoldChoice::Locks locks = context_.host().holdChoice().locks();
+  bool* const flags[4]{&locks.trunk, &locks.pelvis, &locks.feet, &locks.seat};
+  *flags[which] = on;
+  context_.host().holdChoice().setLocks(locks);
+}
+
+std::vector<Side> MannequinPanel::chosenHands() const {
+  const Kind kind = context_.host().holdChoice().kind();
+  if (kind == Kind::kLeftHand) return {Side::kLeft};
+  if (kind == Kind::kBothHands) return {Side::kLeft, Side::kRight};
+  return {Side::kRight};
+}
+
+void MannequinPanel::setGrasp(int index) {
+  static constexpr std::array<const char*, 4> kGrasps{"power", "pinch", "flat", "pointing"};
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || !context_.isFree()) return;
+  mannequin::Posture posture = postureOf(*entity);
+  for (const Side side : chosenHands()) mannequin::setGrasp(posture, side, kGrasps[static_cast<std::size_t>(index)]);
+  context_.host().documentModel().executeAll(tr("Grasp of %1").arg(name_->text()), {postureCommand(*entity, posture)});
+}
+
+void MannequinPanel::setCurl(int degrees) {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || !context_.isFree()) return;
+  mannequin::Posture posture = postureOf(*entity);
+  for (const Side side : chosenHands())
+    posture[mannequin::armDof(side, mannequin::Dof::kLeftFingersCurl)] = degrees / 57.295779513082323;
+  context_.host().documentModel().execute(postureCommand(*entity, posture));
+}
+
+void MannequinPanel::carry() {
+  const workcell::Entity* entity = context_.entity();
+  const workcell::Entity* part = context_.host().documentModel().document().find(part_->currentData().toULongLong());
+  if (!entity || !part) return;
+  DocumentModel& document = context_.host().documentModel();
+  if (part->attachment.to == entity->name) {
+    document.execute(workcell::Detach{part->id});
+  } else {
+    document.execute(workcell::Attach{part->id, entity->id, handLink(chosenHands().front())});
+  }
+  showHands();
+}
+
+void MannequinPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  showNow();
+}
+
+void MannequinPanel::showMannequin() {
+  const workcell::Entity* entity = context_.entity();
+  empty_->setVisible(!entity);
+  content_->setVisible(entity != nullptr);
+  if (!entity) return;
+  name_->setText(QString::fromStdString(entity->name));
+  body_->setText(QString::fromStdString(bodyText(*entity->figure)));
+  sketch_->setFigure(entity->figure);
+  showNow();
+}
+
+void MannequinPanel::showNow() {
+  if (!context_.entity() || !isVisible()) return;
+  sketch_->setPosture(context_.posture());
+  showHolding();
+  showHands();
+  showReach();
+  size_->showNow();
+  joints_->showNow();
+  for (QPushButton* button : {postures_, mirror_, swap_}) button->setEnabled(context_.isFree());
+}
+
+void MannequinPanel::showHolding() {
+  const HoldChoice& choice = context_.host().holdChoice();
+  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i]->setChecked(choice.kind() == kKinds[i]);
+  const std::array<bool, 4> on{choice.locks().trunk, choice.locks().pelvis, choice.locks().feet, choice.locks().seat};
+  for (std::size_t i = 0; i < locks_.size(); ++i) locks_[i]->setChecked(on[i]);
+  two_hands_->setCurrent(choice.locks().hands_apart ? 0 : 1);
+  sketch_->setHeld(bodiesOf(choice.kind()));
+}
+
+void MannequinPanel::showHands() {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity) return;
+  const auto& entities = context_.host().documentModel().document().state().entities;
+  std::vector<const workcell::Entity*> solids;
+  for (const auto& one : entities)
+    if (one->mesh) solids.push_back(one.get());
+  bool same = part_->count() == static_cast<int>(solids.size());
+  for (std::size_t i = 0; same && i < solids.size(); ++i)
+    same = part_->itemData(static_cast<int>(i)).toULongLong() == solids[i]->id &&
+           part_->itemText(static_cast<int>(i)).toStdString() == solids[i]->name;
+  if (!same) {
+    const qulonglong before = part_->currentData().toULongLong();
+    part_->clear();
+    for (const workcell::Entity* solid : solids)
+      part_->addItem(QString::fromStdString(solid->name), static_cast<qulonglong>(solid->id));
+    part_->setCurrentIndex(std::max(0, part_->findData(before)));
+  }
+  const workcell::Entity* part = context_.host().documentModel().document().find(part_->currentData().toULongLong());
+  const bool carried = part && part->attachment.to == entity->name;
+  carry_->setText(carried ? tr("Let go") : tr("Take"));
+  carry_->setToolTip(carried ? tr("It stays where it is") : tr("It goes with the hand and is checked with it"));
+  carry_->setEnabled(part != nullptr && context_.isFree());
+  if (!curl_->isSliderDown()) {
+    const double curl = context_.posture()[mannequin::armDof(chosenHands().front(), mannequin::Dof::kLeftFingersCurl)];
+    curl_->setValue(static_cast<int>(curl * 57.295779513082323 + 0.5));
+  }
+}
+
+void MannequinPanel::showReach() {
+  const HoldChoice& choice = context_.host().holdChoice();
+  QString text = reachText(drag_, choice.kind()), advice;
+  const auto& snapshot = context_.host().snapshot();
+  if (context_.isHeld() && snapshot && !snapshot->limits.empty() && snapshot->limits.front().holds)
+    text = QString::fromStdString(snapshot->limits.front().text);
+  if (!text.isEmpty() && drag_.reach() && drag_.reach()->obstacle.empty()) {
+    advice = choice.locks().trunk
+                 ? tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 mm closer.")
+                 : tr("At full reach. Move it %1 mm closer, or let the feet step.");
+    advice = advice.arg(10.0 * std::ceil(100.0 * drag_.reach()->short_m + 0.8), 0, 'f', 0);
+  }
+  const bool any = !text.isEmpty();
+  reach_mark_->setPixmap(any ? icon("limit", themeOf(palette()).limit).pixmap(16, 16) : QPixmap());
+  reach_->setText(any ? text : tr("Drag the arrows at the hand, or take it with the stylus."));
+  reach_->setForegroundRole(any ? QPalette::WindowText : kQuietText);
+  reach_advice_->setText(advice);
+  reach_advice_->setVisible(!advice.isEmpty());
+}
+
+}  // namespace hapticell::app

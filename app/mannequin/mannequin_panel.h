@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "manipulation/manipulation_command.h"
+#include "mannequin/skeleton.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QToolButton;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class BodySize;
+class FigureDrag;
+class FigureSketch;
+class JointList;
+class MannequinContext;
+class Segmented;
+
+/// The dock of the mannequin: what of it the stylus holds, what is locked, its size, its hands, its posture, its
+/// joints, and how far the hand is from where it was wanted.
+class MannequinPanel : public QWidget {
+  Q_OBJECT
+ public:
+  MannequinPanel(MannequinContext& context, FigureDrag& drag, QWidget* parent = nullptr);
+  /// Ten times a second and after changes.
+  void showNow();
+  /// The section that the drawings put their switches into.
+  QVBoxLayout& drawings() { return *drawings_; }
+  /// Takes a posture of a file; what is wrong with it stands in the messages.
+  bool openPostureFile(const QString& path);
+  /// By its ending: .json, .x3d (H-Anim) or .bvh (one frame).
+  bool savePostureFile(const QString& path);
+
+ signals:
+  void addWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void addEmptyState(QVBoxLayout& column);
+  void addHolding(QVBoxLayout& column);
+  void addHands(QVBoxLayout& column);
+  void addPostures(QVBoxLayout& column);
+  void addReach(QVBoxLayout& column);
+  void showMannequin();
+  void showHolding();
+  void showHands();
+  void showReach();
+  void hold(manipulation::MovedBy::Kind kind);
+  void setLock(int which, bool on);
+  void takePosture(const QString& name);
+  void openPostureMenu();
+  void openPosture();
+  void savePosture();
+  void setGrasp(int index);
+  void setCurl(int degrees);
+  void carry();
+  std::vector<mannequin::Side> chosenHands() const;
+  MannequinContext& context_;
+  FigureDrag& drag_;
+  QWidget *empty_, *content_;
+  QLabel *name_, *body_, *reach_mark_, *reach_, *reach_advice_;
+  FigureSketch* sketch_;
+  std::array<QToolButton*, 5> holds_{};
+  std::array<QPushButton*, 4> locks_{};
+  BodySize* size_;
+  Segmented *grasp_, *two_hands_;
+  QSlider* curl_;
+  QComboBox* part_;
+  QPushButton *carry_, *postures_, *mirror_, *swap_;
+  JointList* joints_;
+  QVBoxLayout* drawings_;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// `ergonomics posture`, `en1005`, `iso11226`, `eaws` and `workplace`: what needs a figure, zones, or a whole cell.
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/ergonomics_input.h"
+#include "cli/ergonomics_posture_input.h"
+#include "manipulation/mannequin_workplace.h"
+#include "mannequin/ergonomics/posture_report.h"
+#include "mannequin/figure_model.h"
+#include "mannequin/posture_file.h"
+#include "workcell/document_io.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using namespace ergonomics;
+
+struct PostureOptions {
+  std::string cell, mannequin;
+  std::string sex = "male", posture = "standing", task;
+  std::optional<double> percentile, stature, mass;
+  std::vector<std::string> reports;
+  std::string language = "en", date;
+  std::string input;
+  std::vector<std::string> station;
+  std::vector<double> rise{-0.2, 0.2, 0.04}, away{-0.12, 0.2, 0.04};
+  bool sit = false;
+  std::optional<double> fail_over;
+};
+
+/// Who is scored, in which posture, at which task.
+struct Subject {
+  PostureReportInput input;
+  std::shared_ptr<const workcell::DocumentState> state{};
+  workcell::EntityId id = 0;
+  std::vector<std::string> warnings{};  ///< Of reading the cell.
+};
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  char text[16];
+  return std::strftime(text, sizeof text, "%Y-%m-%d", &parts) > 0 ? text : "";
+}
+
+Expected<Subject> subjectOfCell(const PostureOptions& options) {
+  Diagnostics notes;
+  const auto document = workcell::loadDocument(options.cell, notes);
+  if (!document) return tl::unexpected(document.error());
+  const workcell::DocumentState& state = document->state();
+  const workcell::Entity* found = nullptr;
+  for (const auto& entity : state.entities) {
+    const bool wanted = options.mannequin.empty() ? !found : entity->name == options.mannequin;
+    if (entity->figure && wanted) found = entity.get();
+  }
+  if (!found)
+    return makeError({options.cell, "--mannequin",
+                      options.mannequin.empty() ? "no mannequin in the cell" : "'" + options.mannequin + "'",
+                      "the name of a mannequin of the cell", ""});
+  Subject subject;
+  subject.state = std::make_shared<workcell::DocumentState>(state);
+  subject.id = found->id;
+  subject.warnings = notes.warnings;
+  subject.input.figure = *found->figure;
+  subject.input.posture = mannequin::toPosture(*found->figure, {found->X_WE, found->joints});
+  if (const WorkTask* task = state.workTaskOf(found->name)) subject.input.task = *task;
+  subject.input.subtitle = options.cell + ", " + found->name;
+  subject.input.source = "As it stands in the cell.";
+  return subject;
+}
+
+Expected<Subject> subjectOfFigure(const PostureOptions& options) {
+  mannequin::BodyRequest request;
+  if (options.sex != "male" && options.sex != "female")
+    return makeError({"", "--sex", "'" + options.sex + "'", "male or female", ""});
+  request.sex = options.sex == "male" ? mannequin::Sex::kMale : mannequin::Sex::kFemale;
+  if (options.percentile.has_value() == options.stature.has_value())
+    return makeError({"", "", options.stature ? "both --percentile and --stature" : "no size",
+                      "--cell, or one of --percentile and --stature", ""});
+  const auto stature = options.stature ? Expected<double>(*options.stature)
+                                       : mannequin::statureOfPercentile(request.sex, *options.percentile);
+  if (!stature) return tl::unexpected(stature.error());
+  request.stature = *stature;
+  request.mass = options.mass;
+  const auto figure = mannequin::makeFigure(request);
+  if (!figure) return tl::unexpected(figure.error());
+  Subject subject;
+  subject.input.figure = *figure;
+  if (const auto known = mannequin::libraryPosture(*figure, options.posture)) {
+    subject.input.posture = *known;
+  } else {
+    bool has_root = false;
+    const auto read = mannequin::readPosture(options.posture, &has_root);
+    if (!read) return tl::unexpected(read.error());
+    subject.input.posture = has_root ? *read : mannequin::onFloor(*figure, *read);
+  }
+  subject.input.subtitle = options.posture;
+  subject.input.source = options.posture;
+  return subject;
+}
+
+Expected<Subject> subjectOf(const PostureOptions& options) {
+  auto subject = options.cell.empty() ? subjectOfFigure(options) : subjectOfCell(options);
+  if (!subject) return subject;
+  if (!options.task.empty()) {
+    const auto given = readErgonomicsInput(options.task);
+    if (!given) return tl::unexpected(given.error());
+    const auto task = workTaskInput(*given);
+    if (!task) return tl::unexpected(task.error());
+    subject->input.task = *task;
+  }
+  subject->input.language = options.language == "fr" ? Language::kFrench : Language::kEnglish;
+  subject->input.date = options.date.empty() ? today() : options.date;
+  return subject;
+}
+
+Expected<void> writeReports(const PostureOptions& options, PostureReportInput& input) {
+  if (options.reports.empty()) return {};
+  input.bodies = atSameTask(mannequin::boundaryFigures(), input.figure, input.posture, input.task);
+  const Report page = postureReport(input);
+  for (const std::string& file : options.reports) {
+    if (auto written = writeReport(page, file); !written) return written;
+  }
+  return {};
+}
+
+ExitStatus failed(const Error& error) {
+  report(error);
+  return ExitStatus::kBadInput;
+}
+
+ExitStatus runPosture(const PostureOptions& options, const ResultWriter& writer) {
+  auto subject = subjectOf(options);
+  if (!subject) return failed(subject.error());
+  const auto pose = mannequin::forwardKinematics(subject->input.figure, subject->input.posture);
+  const PostureScores scores = scorePosture(subject->input.figure, subject->input.posture, pose, subject->input.task);
+  if (auto written = writeReports(options, subject->input); !written) return failed(written.error());
+  ordered_json document = postureScoresReport(subject->input, scores);
+  if (subject->input.task.is_lift)
+    document["niosh"] = liftOfPosture(subject->input.figure, pose, scores, subject->input.task);
+  if (!subject->warnings.empty()) document["warnings"] = subject->warnings;
+  if (auto written = writer.write(document); !written) return failed(written.error());
+  return options.fail_over && scores.rula() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+ExitStatus runZones(const std::string& method, const PostureOptions& options, const ResultWriter& writer) {
+  const auto input = readErgonomicsInput(options.input);
+  if (!input) return failed(input.error());
+  const auto judged = method == "eaws" ? eawsReport(*input) : zonesReport(method, *input);
+  if (!judged) return failed(judged.error());
+  if (auto written = writer.write(*judged); !written) return failed(written.error());
+  const auto& level = (*judged)["level"];
+  return options.fail_over && level.get<double>() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+Expected<manipulation::WorkplaceQuestion> questionOf(const PostureOptions& options, const Subject& subject) {
+  manipulation::WorkplaceQuestion question;
+  for (const auto& entity : subject.state->entities) question.entities.push_back(*entity);
+  question.mannequin = subject.id;
+  for (const std::string& name : options.station) {
+    const workcell::Entity* entity = subject.state->findByName(name);
+    if (!entity) return makeError({options.cell, "--station", "'" + name + "'", "names of entities of the cell", ""});
+    question.station.push_back(entity->id);
+  }
+  question.task = subject.input.task;
+  question.rise_from = options.rise[0], question.rise_to = options.rise[1], question.rise_step = options.rise[2];
+  question.away_from = options.away[0], question.away_to = options.away[1], question.away_step = options.away[2];
+  question.may_sit = options.sit;
+  return question;
+}
+
+ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& writer) {
+  if (options.cell.empty()) return failed({"", "--cell", "not given", "a workcell with a mannequin at its task", ""});
+  const auto subject = subjectOf(options);
+  if (!subject) return failed(subject.error());
+  const auto question = questionOf(options, *subject);
+  if (!question) return failed(question.error());
+  const std::atomic<bool> cancel{false};
+  const auto map = manipulation::searchWorkplace(*question, {}, cancel);
+  if (!map) return failed(map.error());
+  if (auto written = writer.write(workplaceReport(*map)); !written) return failed(written.error());
+  const bool good = map->best >= 0 &&
+                    (!options.fail_over || map->cells[static_cast<std::size_t>(map->best)].worst <= *options.fail_over);
+  return options.fail_over && !good ? ExitStatus::kCheckFound : ExitStatus::kDone;
+}
+
+void addSubject(CLI::App& app, PostureOptions& options) {
+  app.add_option("--cell", options.cell, "A workcell: its mannequin, as it stands, with its task data");
+  app.add_option("--mannequin", options.mannequin, "Name of the mannequin of the cell (default: the first)");
+  app.add_option("--sex", options.sex, "male or female, without a cell");
+  app.add_option("--percentile", options.percentile, "Percentile of stature, without a cell");
+  app.add_option("--stature", options.stature, "m, without a cell");
+  app.add_option("--mass", options.mass, "kg, without a cell");
+  app.add_option("--posture", options.posture, "A posture file, or a name of the library, without a cell");
+  app.add_option("--task", options.task, "Task data as JSON: a file, the text itself, or -");
+}
+
+}  // namespace
+
+void addErgonomicsPostureCommands(CLI::App& ergonomics, Action& chosen) {
+  const auto options = std::make_shared<PostureOptions>();
+  CLI::App* posture = ergonomics.add_subcommand("posture", "Score a mannequin's posture by all methods, with a report");
+  addSubject(*posture, *options);
+  posture->add_option("--report", options->reports,
+                      "Writes a report: .pdf, .html, .csv or .json; several may be given");
+  posture->add_option("--language", options->language, "en or fr, of the report")->check(CLI::IsMember({"en", "fr"}));
+  posture->add_option("--date", options->date, "As printed in the report (default: today)");
+  posture->add_option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");
+  posture->callback(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runPosture(*options, writer); }; });
+  for (const auto& [name, description] :
+       {std::pair{"en1005", "EN 1005-4 zones of a posture, from angles"},
+        std::pair{"iso11226", "ISO 11226 zones and holding times of a static posture, from angles"},
+        std::pair{"eaws", "Points of the EAWS posture section (an outline), from shares of the cycle"}}) {
+    CLI::App* zones = ergonomics.add_subcommand(name, description);
+    zones->add_option("--input", options->input, "JSON: a file, the text itself, or - for standard input")->required();
+    zones->add_option("--fail-over", options->fail_over, "Exit with 1 where the level is over this");
+    zones->callback([options, &chosen, method = std::string(name)] {
+      chosen = [options, method](ResultWriter& writer) { return runZones(method, *options, writer); };
+    });
+  }
+  CLI::App* workplace = ergonomics.add_subcommand("workplace", "Where a table should stand for four bodies");
+  addSubject(*workplace, *options);
+  workplace->add_option("--station", options->station, "Entities that move with the targets, with commas between")
+      ->delimiter(',')
+      ->required();
+  workplace->add_option("--rise", options->rise, "From,to,step upwards, m")->delimiter(',')->expected(3);
+  workplace->add_option("--away", options->away, "From,to,step away from the mannequin, m")
+      ->delimiter(',')
+      ->expected(3);
+  workplace->add_flag("--sit", options->sit, "Try sitting as well");
+  workplace->add_option("--fail-over", options->fail_over, "Exit with 1 where no placement is this good");
+  workplace->callback(
+      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runWorkplace(*options, writer); }; });
+}
+
+}  // namespace hapticell::cli

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/ergonomics_posture_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "workcell/work_task_format.h"
+
+namespace hapticell::cli {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using namespace ergonomics;
+
+std::string shortText(const json& value) {
+  std::string text = value.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+/// Reads fields by name and refuses the rest.
+class Fields {
+ public:
+  explicit Fields(const json& input) : input_(input) {
+    if (!input.is_object()) fail("", shortText(input), "an object with fields");
+  }
+
+  void number(const char* name, double& target, double least, double most, bool required) {
+    asked_.emplace_back(name);
+    if (error_ || !input_.is_object()) return;
+    const auto found = input_.find(name);
+    if (found == input_.end()) {
+      if (required) fail(name, "not given", "a number of degrees");
+      return;
+    }
+    const bool good = found->is_number() && std::isfinite(found->get<double>()) && found->get<double>() >= least &&
+                      found->get<double>() <= most;
+    if (!good) return fail(name, shortText(*found), rangeText(least, most));
+    target = found->get<double>();
+  }
+
+  void flag(const char* name, bool& target) {
+    asked_.emplace_back(name);
+    if (error_ || !input_.is_object()) return;
+    const auto found = input_.find(name);
+    if (found == input_.end()) return;
+    if (!found->is_boolean()) return fail(name, shortText(*found), "true or false");
+    target = found->get<bool>();
+  }
+
+  std::optional<Error> finish() {
+    if (error_ || !input_.is_object()) return error_;
+    for (const auto& [name, value] : input_.items()) {
+      if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
+        std::string listed;
+        for (const auto& one : asked_) listed += (listed.empty() ? "one of " : ", ") + one;
+        fail(name, "there is no field of this name", listed);
+      }
+    }
+    return error_;
+  }
+
+ private:
+  static std::string rangeText(double least, double most) {
+    char text[64];
+    std::snprintf(text, sizeof text, "a number, %g to %g", least, most);
+    return text;
+  }
+  void fail(const std::string& field, const std::string& found, const std::string& expected) {
+    if (!error_) error_ = Error{"", field, found, expected, ""};
+  }
+
+  const json& input_;
+  std::vector<std::string> asked_;
+  std::optional<Error> error_;
+};
+
+ordered_json partsOf(const PartVerdicts& verdicts) {
+  ordered_json parts = ordered_json::array();
+  for (const PartVerdict& part : verdicts.parts) {
+    ordered_json entry{{"part", part.part}, {"angle_deg", part.angle}, {"zone", nameOf(part.zone)}};
+    if (!part.condition.empty()) entry["condition"] = part.condition;
+    if (part.holding_time_min) entry["holding_time_min"] = *part.holding_time_min;
+    parts.push_back(std::move(entry));
+  }
+  return parts;
+}
+
+int levelOf(Zone zone) {
+  return zone == Zone::kAcceptable ? 1 : zone == Zone::kConditional ? 2 : 3;
+}
+
+template <class Values>
+ordered_json subScoresOf(const ScoredMethod& method, const Values& values) {
+  ordered_json result = ordered_json::object();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ordered_json& value = result[std::string(method.subScores()[i].name)];
+    if (values[i]) value = *values[i];
+  }
+  return result;
+}
+
+ordered_json sideOf(const SideScores& side) {
+  const Rula rula;
+  const Reba reba;
+  return {{"rula",
+           {{"score", side.rula_score},
+            {"level", side.rula_level},
+            {"level_meaning", rula.levelName(side.rula_level)},
+            {"sub_scores", subScoresOf(rula, side.rula)}}},
+          {"reba",
+           {{"score", side.reba_score},
+            {"level", side.reba_level},
+            {"level_meaning", reba.levelName(side.reba_level)},
+            {"sub_scores", subScoresOf(reba, side.reba)}}},
+          {"en1005", {{"zone", nameOf(side.en1005.worst)}, {"parts", partsOf(side.en1005)}}},
+          {"iso11226", {{"zone", nameOf(side.iso11226.worst)}, {"parts", partsOf(side.iso11226)}}}};
+}
+
+}  // namespace
+
+Expected<WorkTask> workTaskInput(const json& input) {
+  std::optional<Error> error;
+  Diagnostics diagnostics;
+  ordered_json named = input;
+  if (named.is_object() && !named.contains("name")) named["name"] = "Task";
+  WorkTask task = workcell::workTaskFromJson(named, 0, error, diagnostics);
+  if (error) return makeError(*error);
+  if (!diagnostics.warnings.empty())
+    return makeError({"", "task", diagnostics.warnings.front(), "the fields of docs/formats.md", ""});
+  if (auto good = checkWorkTask(task); !good) return makeError(good.error());
+  return task;
+}
+
+Expected<ordered_json> zonesReport(const std::string& method, const json& input) {
+  MeasuredPosture posture;
+  PostureUse use;
+  double gaze = 0.0, head = 0.0;
+  const bool is_en = method == "en1005";
+  Fields fields(input);
+  fields.number("trunk_flexion", posture.trunk_flexion, -90.0, 180.0, true);
+  fields.number("trunk_twist", posture.trunk_twist, -180.0, 180.0, true);
+  fields.number("trunk_side_bend", posture.trunk_side_bend, -90.0, 90.0, true);
+  fields.number("upper_arm_flexion", posture.upper_arm_flexion, -120.0, 240.0, true);
+  fields.number("upper_arm_abduction", posture.upper_arm_abduction, -90.0, 180.0, false);
+  if (is_en) {
+    fields.number("gaze_below_horizontal", gaze, -90.0, 90.0, true);
+  } else {
+    fields.number("head_inclination", head, -90.0, 180.0, true);
+    fields.number("shoulder_raised_deg", posture.girdle_elevation, -20.0, 60.0, false);
+  }
+  fields.number("movements_per_min", use.movements_per_min, 0.0, 300.0, false);
+  fields.flag("static", use.is_static);
+  fields.flag("trunk_supported", use.trunk_supported);
+  fields.flag("arm_supported", use.arm_supported);
+  if (const auto error = fields.finish()) return makeError(*error);
+  const PartVerdicts verdicts = is_en ? en1005(posture, gaze, use) : iso11226(posture, head, use);
+  ordered_json report{{"method", is_en ? "EN 1005-4" : "ISO 11226"},
+                      {"source", is_en ? "EN 1005-4:2005" : "ISO 11226:2000"},
+                      {"score", nameOf(verdicts.worst)},
+                      {"level", levelOf(verdicts.worst)},
+                      {"parts", partsOf(verdicts)}};
+  ordered_json drivers = ordered_json::array();
+  for (const PartVerdict& part : verdicts.parts) {
+    if (part.zone == verdicts.worst && part.zone != Zone::kAcceptable) drivers.push_back({{"input", part.part}});
+  }
+  report["drivers"] = std::move(drivers);
+  report["assumptions"] = {"a boundary angle belongs to the lower zone",
+                           "an arm behind the body counts as raised over 60 deg"};
+  return report;
+}
+
+Expected<ordered_json> eawsReport(const json& input) {
+  std::array<double, kEawsPostureCount> shares{};
+  Fields fields(input);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < kEawsPostureCount; ++i) names.emplace_back(nameOf(static_cast<EawsPosture>(i)));
+  for (std::size_t i = 0; i < kEawsPostureCount; ++i) fields.number(names[i].c_str(), shares[i], 0.0, 1.0, false);
+  if (const auto error = fields.finish()) return makeError(*error);
+  double sum = 0.0;
+  for (const double share : shares) sum += share;
+  if (sum > 1.0 + 1e-9) {
+    return makeError(
+        {"", "shares", std::to_string(sum) + " in all", "shares of the cycle that add up to at most 1", ""});
+  }
+  const double points = eawsPosturePoints(shares);
+  return ordered_json{{"method", "EAWS posture section (outline)"},
+                      {"source", "EAWS form 1.3.6, posture lines only; line 14 left out"},
+                      {"score", points},
+                      {"level", eawsLevel(points)},
+                      {"complete", false},
+                      {"assumptions", {"forces, loads, extra points and upper limbs are not covered"}}};
+}
+
+ordered_json postureScoresReport(const PostureReportInput& input, const PostureScores& scores) {
+  ordered_json report{{"method", "all"}, {"score", scores.rula()}, {"level", scores.worse().rula_level}};
+  report["stature"] = input.figure.body[mannequin::Dimension::kStature];
+  report["mass"] = input.figure.totalMass();
+  report["left"] = sideOf(scores.sides[0]);
+  report["right"] = sideOf(scores.sides[1]);
+  report["owas"] = {{"code", scores.owasCode()},
+                    {"category", scores.owas_category},
+                    {"category_meaning", Owas().levelName(scores.owas_category)}};
+  report["eaws_outline"] = {{"posture", nameOf(scores.eaws)}, {"points_if_held_all_the_time", scores.eaws_points}};
+  report["joint_comfort"] = scores.comfort;
+  report["partial"] = !scores.missing.empty();
+  report["missing"] = scores.missing;
+  const MainDriver driver = mainDriver(scores, Language::kEnglish);
+  report["drivers"] = {{{"input", driver.part}, {"reason", driver.reason}, {"score", driver.score}}};
+  if (const auto better = betterPlace(input.figure, input.posture, input.task)) {
+    report["better_place"] = {{"shift", {better->shift_W.x, better->shift_W.y, better->shift_W.z}},
+                              {"rula", better->score}};
+  } else {
+    report["better_place"] = nullptr;
+  }
+  report["assumptions"] = assumptionsOf(scores, input.task, Language::kEnglish);
+  return report;
+}
+
+ordered_json liftOfPosture(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
+                           const PostureScores& scores, const WorkTask& task) {
+  const auto lift = scoreLift(figure, pose, scores, task);
+  if (!lift) return {{"refused", lift.error().message()}};
+  ordered_json report{{"recommended_weight_limit_kg", lift->recommended_weight_limit_kg}};
+  report["lifting_index"] = lift->lifting_index ? ordered_json(*lift->lifting_index) : ordered_json(nullptr);
+  return report;
+}
+
+ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
+  ordered_json report{{"bodies", {"P5F", "P50F", "P50M", "P95M"}}};
+  const auto cellJson = [](const manipulation::WorkplaceCell& cell) {
+    ordered_json entry{{"rise", cell.rise},
+                       {"away", cell.away},
+                       {"seated", cell.is_seated},
+                       {"worst", cell.worst},
+                       {"rula", cell.rula}};
+    if (!cell.why.empty()) entry["why_not"] = cell.why;
+    return entry;
+  };
+  report["best"] = map.best >= 0 ? cellJson(map.cells[static_cast<std::size_t>(map.best)]) : ordered_json(nullptr);
+  report["placements"] = ordered_json::array();
+  for (const auto& cell : map.cells) report["placements"].push_back(cellJson(cell));
+  return report;
+}
+
+}  // namespace hapticell::cli

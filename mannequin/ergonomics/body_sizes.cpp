@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/ergonomics/body_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hapticell::ergonomics {
+namespace {
+
+using mannequin::Dof;
+using mannequin::Figure;
+using mannequin::FigurePose;
+using mannequin::Posture;
+using mannequin::Segment;
+using mannequin::Side;
+
+constexpr double kRaised = 0.35;                 ///< rad that an upper arm is off the trunk's line.
+constexpr double kBent = 0.45;                   ///< rad of elbow flexion.
+constexpr double kStep = 0.01, kFarthest = 0.4;  ///< m
+
+double reachLeft(const Figure& figure, const FigurePose& pose, const std::array<bool, 2>& active) {
+  double left = 1e9;
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    if (!active[static_cast<std::size_t>(side)]) continue;
+    const dvec3 shoulder = pose[armSegment(side, Segment::kLeftUpperArm)].p_WS;
+    const double distance = glm::length(mannequin::handPose(pose, side).p - shoulder);
+    left = std::min(left, figure.upperArmLength() + figure.forearmLength() - distance);
+  }
+  return std::max(0.0, left);
+}
+
+dvec3 feetMiddle(const FigurePose& pose) {
+  return 0.5 * (mannequin::footPose(pose, Side::kLeft).p + mannequin::footPose(pose, Side::kRight).p);
+}
+
+BodyAtTask solveFor(const Figure& from, const Posture& posture, const Figure& figure, const WorkTask& task) {
+  BodyAtTask body;
+  body.figure = figure;
+  const Posture start = standingAt(from, posture, figure);
+  const auto active = activeHands(mannequin::forwardKinematics(from, posture), posture);
+  const auto result = mannequin::PostureSolver(figure).solve(taskAt(from, posture, figure, dvec3(0.0)), start);
+  body.posture = result.posture;
+  body.is_reached = result.status == mannequin::PostureStatus::kSolved;
+  body.short_m = body.is_reached ? 0.0 : std::max(result.hand_position_error[0], result.hand_position_error[1]);
+  const FigurePose pose = mannequin::forwardKinematics(figure, body.posture);
+  body.reach_left_m = reachLeft(figure, pose, active);
+  body.scores = scorePosture(figure, body.posture, pose, task);
+  return body;
+}
+
+}  // namespace
+
+std::array<bool, 2> activeHands(const FigurePose& pose, const Posture& posture) {
+  std::array<bool, 2> active{};
+  const dvec3 down = glm::normalize(pose[Segment::kPelvis].p_WS - pose[Segment::kLowerNeck].p_WS);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const dvec3 upper =
+        pose[armSegment(side, Segment::kLeftForearm)].p_WS - pose[armSegment(side, Segment::kLeftUpperArm)].p_WS;
+    const double raised = std::acos(std::clamp(glm::dot(glm::normalize(upper), down), -1.0, 1.0));
+    active[static_cast<std::size_t>(side)] = raised > kRaised || posture[armDof(side, Dof::kLeftElbowFlexion)] > kBent;
+  }
+  if (!active[0] && !active[1]) active[1] = true;
+  return active;
+}
+
+Posture standingAt(const Figure& from, const Posture& posture, const Figure& figure) {
+  const FigurePose pose = mannequin::forwardKinematics(from, posture);
+  Posture result = posture;
+  const dvec3 shift = feetMiddle(pose) - feetMiddle(mannequin::forwardKinematics(figure, result));
+  result.X_WR.p += dvec3(shift.x, shift.y, 0.0);
+  const double floor = posture.X_WR.p.z - mannequin::onFloor(from, posture).X_WR.p.z;
+  result = mannequin::onFloor(figure, result);
+  result.X_WR.p.z += floor;
+  return result;
+}
+
+mannequin::PostureTask taskAt(const Figure& from, const Posture& posture, const Figure& figure, const dvec3& shift_W) {
+  const FigurePose pose = mannequin::forwardKinematics(from, posture);
+  const auto active = activeHands(pose, posture);
+  mannequin::PostureTask task;
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const std::size_t i = static_cast<std::size_t>(side);
+    if (!active[i]) continue;
+    const Pose hand = mannequin::handPose(pose, side);
+    const dvec3 grip = hand * from.p_HandGrip[i] + shift_W;
+    task.hands[i] = Pose{grip - hand.rotate(figure.p_HandGrip[i]), hand.q};
+  }
+  if (looksSeated(from, pose)) {
+    task.pelvis_locked = true;
+    task.balance = false;
+  }
+  return task;
+}
+
+std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bodies, const Figure& figure,
+                                   const Posture& posture, const WorkTask& task) {
+  std::vector<BodyAtTask> result;
+  for (const mannequin::NamedFigure& body : bodies) {
+    result.push_back(solveFor(figure, posture, body.figure, task));
+    result.back().name = body.name;
+  }
+  return result;
+}
+
+std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedFigure>& bodies, const Figure& figure,
+                                             const Posture& posture, const WorkTask& task,
+                                             const std::vector<double>& rises) {
+  std::vector<std::vector<int>> scores;
+  for (const mannequin::NamedFigure& body : bodies) {
+    const mannequin::PostureSolver solver(body.figure);
+    Posture last = standingAt(figure, posture, body.figure);
+    scores.emplace_back();
+    for (const double rise : rises) {
+      const auto found = solver.solve(taskAt(figure, posture, body.figure, dvec3(0.0, 0.0, rise)), last);
+      const bool reached = found.status == mannequin::PostureStatus::kSolved;
+      if (reached) last = found.posture;
+      const FigurePose pose = mannequin::forwardKinematics(body.figure, found.posture);
+      scores.back().push_back(reached ? scorePosture(body.figure, found.posture, pose, task).rula() : 0);
+    }
+  }
+  return scores;
+}
+
+std::optional<BetterPlace> betterPlace(const Figure& figure, const Posture& posture, const WorkTask& task) {
+  const FigurePose pose = mannequin::forwardKinematics(figure, posture);
+  const Rula rula;
+  const int level = rula.levelOf(scorePosture(figure, posture, pose, task).rula());
+  const dvec3 ahead = posture.X_WR.rotate({1.0, 0.0, 0.0});
+  const dvec3 forward = glm::normalize(dvec3(ahead.x, ahead.y, 1e-9)), left = glm::cross(dvec3(0, 0, 1), forward);
+  const std::array<dvec3, 6> ways{dvec3(0, 0, -1), dvec3(0, 0, 1), -forward, forward, left, -left};
+  const mannequin::PostureSolver solver(figure);
+  std::array<Posture, 6> last;
+  last.fill(posture);
+  for (double far = kStep; far < kFarthest; far += kStep) {
+    std::optional<BetterPlace> best;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      const auto found = solver.solve(taskAt(figure, posture, figure, far * ways[i]), last[i]);
+      if (found.status != mannequin::PostureStatus::kSolved) continue;
+      last[i] = found.posture;
+      const int score =
+          scorePosture(figure, found.posture, mannequin::forwardKinematics(figure, found.posture), task).rula();
+      if (rula.levelOf(score) < level && (!best || score < best->score))
+        best = BetterPlace{far * ways[i], score, found.posture};
+    }
+    if (best) return best;
+  }
+  return std::nullopt;
+}
+
+}  // namespace hapticell::ergonomics

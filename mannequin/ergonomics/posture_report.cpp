@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/ergonomics/posture_report.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "mannequin/figure_outline.h"
+
+namespace hapticell::ergonomics {
+namespace {
+
+using mannequin::Dimension;
+using mannequin::Side;
+using Cell = ReportBlock::Cell;
+
+std::string format(const char* form, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, form, value);
+  return text;
+}
+
+/// Writes one report; keeps the language.
+class Writer {
+ public:
+  explicit Writer(const PostureReportInput& input)
+      : input_(input),
+        pose_(mannequin::forwardKinematics(input.figure, input.posture)),
+        scores_(scorePosture(input.figure, input.posture, pose_, input.task)) {}
+
+  Report posture() const {
+    Report report = head("Posture assessment");
+    report.beside = {body(), task()};
+    report.result = std::to_string(scores_.rula());
+    report.result_band = bandOfRula(scores_.rula());
+    report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
+    report.blocks.push_back(methods());
+    if (!input_.bodies.empty()) report.blocks.push_back(bodies());
+    report.blocks.push_back(drives());
+    if (!input_.history.empty()) report.blocks.push_back(history());
+    report.blocks.push_back(subScores());
+    report.blocks.push_back(zones());
+    report.blocks.push_back(limits());
+    report.blocks.push_back({say("Source of the posture"), {input_.source}});
+    report.blocks.push_back(joints());
+    return report;
+  }
+
+  Report taskPage() const {
+    Report report = head("Task assessment");
+    report.beside = {body(), task()};
+    report.result = std::to_string(scores_.rula());
+    report.result_band = bandOfRula(scores_.rula());
+    report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
+    report.blocks.push_back(methods());
+    if (!input_.history.empty()) report.blocks.push_back(history());
+    if (!input_.bodies.empty()) report.blocks.push_back(bodies());
+    if (input_.task.is_lift) report.blocks.push_back(lifting());
+    report.blocks.push_back(limits());
+    return report;
+  }
+
+ private:
+  Language language() const { return input_.language; }
+  std::string say(std::string_view english) const { return word(english, language()); }
+
+  Report head(std::string_view title) const {
+    Report report;
+    report.title = say(title);
+    report.subtitle = input_.subtitle;
+    report.date = input_.date;
+    report.language = language() == Language::kFrench ? "fr" : "en";
+    report.picture = reportPicture(input_.figure, input_.posture, scores_, ColourMethod::kRula);
+    report.signatures = {say("Assessed by"), say("Date"), say("Signature")};
+    return report;
+  }
+
+  ReportBlock body() const {
+    ReportBlock block{say("Body"), {}};
+    const auto& figure = input_.figure;
+    const double stature = figure.body[Dimension::kStature];
+    block.lines.push_back(say(figure.sex == mannequin::Sex::kMale ? "man" : "woman") + ", P" +
+                          format("%.0f", mannequin::percentileOfStature(figure.sex, stature)) + ", ANSUR II");
+    block.lines.push_back(say("Stature") + " " + format("%.0f mm", 1000.0 * stature) + ", " +
+                          format("%.0f kg", figure.totalMass()));
+    return block;
+  }
+
+  std::string known(const std::optional<double>& value, const char* form) const {
+    return value ? format(form, *value) : say("not entered");
+  }
+
+  ReportBlock task() const {
+    const WorkTask& task = input_.task;
+    const bool fr = language() == Language::kFrench;
+    ReportBlock block{say("Task"), {task.name}};
+    block.lines.push_back((fr ? "Charge gauche " : "Load left ") + known(task.load_kg[0], "%.1f kg") +
+                          (fr ? ", droite " : ", right ") + known(task.load_kg[1], "%.1f kg"));
+    block.lines.push_back((fr ? "Répétitions " : "Repetitions ") + known(task.repetitions_per_min, "%.1f / min") +
+                          (fr ? ", durée " : ", shift ") + known(task.duration_h, "%.1f h"));
+    std::string held = fr ? "Posture tenue plus d'une minute : " : "Held for over a minute: ";
+    held += !task.is_static ? say("not entered") : *task.is_static ? (fr ? "oui" : "yes") : (fr ? "non" : "no");
+    block.lines.push_back(held);
+    if (!task.note.empty()) block.lines.push_back(task.note);
+    return block;
+  }
+
+  ReportBlock methods() const {
+    ReportBlock block{say("Result"), {}, {say("Method"), say("left"), say("right"), say("Level"), "Standard"}};
+    const auto& left = scores_.sides[0];
+    const auto& right = scores_.sides[1];
+    block.rows.push_back({{"RULA"},
+                          {std::to_string(left.rula_score), bandOfRula(left.rula_score)},
+                          {std::to_string(right.rula_score), bandOfRula(right.rula_score)},
+                          {rulaAdvice(scores_.rula(), language())},
+                          {"McAtamney & Corlett 1993"}});
+    block.rows.push_back({{"REBA"},
+                          {std::to_string(left.reba_score), bandOfReba(left.reba_score)},
+                          {std::to_string(right.reba_score), bandOfReba(right.reba_score)},
+                          {rebaAdvice(scores_.reba(), language())},
+                          {"Hignett & McAtamney 2000"}});
+    const Cell owas{std::to_string(scores_.owasCode()), bandOfOwas(scores_.owas_category)};
+    block.rows.push_back(
+        {{"OWAS"}, owas, owas, {owasAdvice(scores_.owas_category, language())}, {"Karhu, Kansi & Kuorinka 1977"}});
+    block.rows.push_back({{"EN 1005-4"},
+                          zoneCell(left.en1005),
+                          zoneCell(right.en1005),
+                          {zoneWord(std::max(left.en1005.worst, right.en1005.worst))},
+                          {"EN 1005-4:2005"}});
+    block.rows.push_back({{"ISO 11226"},
+                          zoneCell(left.iso11226),
+                          zoneCell(right.iso11226),
+                          {zoneWord(std::max(left.iso11226.worst, right.iso11226.worst))},
+                          {"ISO 11226:2000"}});
+    const int eaws = eawsLevel(scores_.eaws_points) - 1;
+    const Cell points{format("%.0f", scores_.eaws_points), eaws == 0 ? 0 : eaws == 1 ? 1 : 3};
+    block.rows.push_back(
+        {{"EAWS"}, points, points, {std::string(nameOf(scores_.eaws))}, {"1.3.6, posture outline only"}});
+    return block;
+  }
+
+  Cell zoneCell(const PartVerdicts& verdicts) const {
+    const int band = verdicts.worst == Zone::kAcceptable ? 0 : verdicts.worst == Zone::kConditional ? 1 : 3;
+    return {"", band};
+  }
+  std::string zoneWord(Zone zone) const { return say(nameOf(zone)); }
+
+  ReportBlock bodies() const {
+    ReportBlock block{say("Four bodies at the same task"),
+                      {},
+                      {say("Body size"), "RULA", "REBA", "OWAS", say("Driver"), say("Reach")}};
+    for (const BodyAtTask& body : input_.bodies) {
+      const MainDriver driver = mainDriver(body.scores, language());
+      const std::string reach = body.is_reached
+                                    ? format("%.0f mm", 1000.0 * body.reach_left_m)
+                                    : say("not reached, short by") + format(" %.0f mm", 1000.0 * body.short_m);
+      block.rows.push_back({{body.name + format(", %.0f mm", 1000.0 * body.figure.body[Dimension::kStature])},
+                            {std::to_string(body.scores.rula()), bandOfRula(body.scores.rula())},
+                            {std::to_string(body.scores.reba()), bandOfReba(body.scores.reba())},
+                            {std::to_string(body.scores.owasCode()), bandOfOwas(body.scores.owas_category)},
+                            {driver.part + " " + driver.reason},
+                            {reach}});
+    }
+    return block;
+  }
+
+  ReportBlock drives() const {
+    ReportBlock block{say("What drives the score"), {whySentence(scores_, language())}};
+    if (!input_.advice.empty()) block.lines.push_back(input_.advice);
+    return block;
+  }
+
+  ReportBlock history() const {
+    ReportBlock block{say("Over the recorded motion"), {}};
+    block.strips = input_.history;
+    block.scale_first = "0 s";
+    block.scale_last = format("%.1f s", input_.history_seconds);
+    return block;
+  }
+
+  ReportBlock subScores() const {
+    ReportBlock block{
+        say("Sub-scores"),
+        {},
+        {"RULA, " + say("Part"), say("Score"), say("Reason"), "REBA, " + say("Part"), say("Score"), say("Reason")}};
+    const SideScores& side = scores_.worse();
+    const Side which = scores_.worseSide();
+    const Rula rula;
+    const Reba reba;
+    for (std::size_t i = 0; i < Rula::kCount; ++i) {
+      std::vector<Cell> row;
+      const auto r = static_cast<Rula::Index>(i);
+      row.push_back({rulaPart(r, which, language())});
+      row.push_back(side.rula[i]
+                        ? Cell{std::to_string(*side.rula[i]), bandOfSubScore(rula.subScores()[i], *side.rula[i])}
+                        : Cell{"-"});
+      row.push_back({rulaReason(side, r, language())});
+      if (i < Reba::kCount) {
+        const auto e = static_cast<Reba::Index>(i);
+        row.push_back({rebaPart(e, which, language())});
+        row.push_back(side.reba[i]
+                          ? Cell{std::to_string(*side.reba[i]), bandOfSubScore(reba.subScores()[i], *side.reba[i])}
+                          : Cell{"-"});
+        row.push_back({rebaReason(side, e, language())});
+      } else {
+        row.insert(row.end(), 3, Cell{});
+      }
+      block.rows.push_back(std::move(row));
+    }
+    return block;
+  }
+
+  ReportBlock zones() const {
+    ReportBlock block{say("Zones by part"), {}, {"", say("Part"), say("Angle"), say("Zone"), say("Condition")}};
+    const SideScores& side = scores_.worse();
+    const auto add = [&](const char* standard, const PartVerdicts& verdicts) {
+      for (const PartVerdict& part : verdicts.parts) {
+        std::string condition(part.condition);
+        if (part.holding_time_min) condition = format("%.1f min", *part.holding_time_min);
+        const int band = part.zone == Zone::kAcceptable ? 0 : part.zone == Zone::kConditional ? 1 : 3;
+        block.rows.push_back({{standard},
+                              {std::string(part.part)},
+                              {format("%.0f°", part.angle)},
+                              {zoneWord(part.zone), band},
+                              {condition}});
+      }
+    };
+    add("EN 1005-4", side.en1005);
+    add("ISO 11226", side.iso11226);
+    return block;
+  }
+
+  ReportBlock lifting() const {
+    ReportBlock block{say("Lifting"), {}};
+    const auto lift = scoreLift(input_.figure, pose_, scores_, input_.task);
+    if (!lift) {
+      block.lines.push_back("NIOSH: " + lift.error().message());
+      return block;
+    }
+    block.lines.push_back("NIOSH (DHHS 94-110, rev. 9/2021): RWL " +
+                          format("%.1f kg", lift->recommended_weight_limit_kg) +
+                          (lift->lifting_index ? ", LI " + format("%.2f", *lift->lifting_index) : std::string()));
+    block.columns = {"HM", "VM", "DM", "AM", "FM", "CM"};
+    block.rows.push_back({{format("%.3f", lift->hm)},
+                          {format("%.3f", lift->vm)},
+                          {format("%.3f", lift->dm)},
+                          {format("%.3f", lift->am)},
+                          {format("%.3f", lift->fm)},
+                          {format("%.3f", lift->cm)}});
+    return block;
+  }
+
+  ReportBlock limits() const {
+    return {say("Method and limits of this report"), assumptionsOf(scores_, input_.task, language())};
+  }
+
+  ReportBlock joints() const {
+    ReportBlock block{say("Joint angles"), {}, {say("Joint"), "°", say("Joint"), "°", say("Joint"), "°"}};
+    constexpr std::size_t kRows = (mannequin::kDofCount + 2) / 3;
+    for (std::size_t r = 0; r < kRows; ++r) {
+      std::vector<Cell> row;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t i = c * kRows + r;
+        if (i >= mannequin::kDofCount) continue;
+        row.push_back({mannequin::dofInfo(static_cast<mannequin::Dof>(i)).name});
+        row.push_back({format("%.1f", 57.295779513082323 * input_.posture.angles[i] + 0.0)});
+      }
+      block.rows.push_back(std::move(row));
+    }
+    return block;
+  }
+
+  const PostureReportInput& input_;
+  mannequin::FigurePose pose_;
+  PostureScores scores_;
+};
+
+}  // namespace
+
+Report postureReport(const PostureReportInput& input) {
+  return Writer(input).posture();
+}
+
+Report taskReport(const PostureReportInput& input) {
+  return Writer(input).taskPage();
+}
+
+std::vector<ReportShape> reportPicture(const mannequin::Figure& figure, const mannequin::Posture& posture,
+                                       const PostureScores& scores, ColourMethod method) {
+  const auto bands = segmentBands(scores, method);
+  std::vector<ReportShape> shapes;
+  const auto flesh = mannequin::fleshOf(figure);
+  std::size_t group = 0;
+  for (const auto& part : mannequin::outlineOf(figure, posture, flesh, mannequin::OutlineView::besides(posture))) {
+    for (const auto& outline : part.shapes) shapes.push_back({outline, bands[part.body], group});
+    ++group;
+  }
+  return shapes;
+}
+
+ReportBlock::Strip stripOf(const std::string& name, const std::vector<int>& bands) {
+  ReportBlock::Strip strip{name, {}};
+  const double share = bands.empty() ? 0.0 : 1.0 / static_cast<double>(bands.size());
+  for (const int band : bands) {
+    if (!strip.pieces.empty() && strip.pieces.back().second == band) {
+      strip.pieces.back().first += share;
+    } else {
+      strip.pieces.emplace_back(share, band);
+    }
+  }
+  return strip;
+}
+
+}  // namespace hapticell::ergonomics

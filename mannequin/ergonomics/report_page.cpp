@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reports as A4 pages, drawn with cairo: PDF, and pictures for a preview.
+#include <cairo-pdf.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "mannequin/ergonomics/report.h"
+
+namespace hapticell::ergonomics {
+namespace {
+
+constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;  // Points.
+constexpr double kFoot = 96.0;                                       // Kept free for the signatures on the last page.
+constexpr double kInner = kWidth - 2.0 * kMargin;
+constexpr const char* kFont = "Roboto";
+
+struct SurfaceEnd {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+struct ContextEnd {
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceEnd>;
+using Context = std::unique_ptr<cairo_t, ContextEnd>;
+
+/// Lays the report out from top to bottom, page after page. `page_begins` gives what the page is drawn on.
+class PagePainter {
+ public:
+  explicit PagePainter(const Report& report) : report_(report) {}
+  virtual ~PagePainter() = default;
+
+  int paint() {
+    begin();
+    header();
+    top();
+    for (const ReportBlock& block : report_.blocks) paintBlock(block, kMargin, kInner);
+    signatures();
+    finishPage(page_);
+    return page_;
+  }
+
+ protected:
+  virtual cairo_t* contextOf(int page) = 0;
+  virtual void finishPage(int /*page*/) {}
+
+ private:
+  void begin() {
+    cr_ = contextOf(++page_);
+    y_ = kMargin;
+    cairo_set_source_rgb(cr_, 1, 1, 1);
+    cairo_paint(cr_);
+    ink();
+  }
+  void ink() { cairo_set_source_rgb(cr_, 0.10, 0.125, 0.153); }
+  void quiet() { cairo_set_source_rgb(cr_, 0.27, 0.32, 0.365); }
+
+  void font(double size, bool bold = false) {
+    cairo_select_font_face(cr_, kFont, CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cr_, size);
+  }
+
+  double widthOf(const std::string& text) {
+    cairo_text_extents_t extents;
+    cairo_text_extents(cr_, text.c_str(), &extents);
+    return extents.x_advance;
+  }
+
+  void show(double x, double y, const std::string& text) {
+    cairo_move_to(cr_, x, y);
+    cairo_show_text(cr_, text.c_str());
+  }
+
+  std::vector<std::string> wrapped(const std::string& text, double width) {
+    std::vector<std::string> lines;
+    std::string line;
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(' ', begin), text.size());
+      const std::string next = text.substr(begin, end - begin);
+      const std::string longer = line.empty() ? next : line + " " + next;
+      if (!line.empty() && widthOf(longer) > width) {
+        lines.push_back(line);
+        line = next;
+      } else {
+        line = longer;
+      }
+      begin = end + 1;
+    }
+    if (!line.empty()) lines.push_back(line);
+    return lines;
+  }
+
+  void need(double height) {
+    if (y_ + height <= kHeight - kMargin) return;
+    finishPage(page_);
+    begin();
+  }
+
+  void rule(double x, double width, double thickness, double shade) {
+    cairo_set_source_rgb(cr_, shade, shade, shade);
+    cairo_set_line_width(cr_, thickness);
+    cairo_move_to(cr_, x, y_);
+    cairo_line_to(cr_, x + width, y_);
+    cairo_stroke(cr_);
+    ink();
+  }
+
+  void header() {
+    font(16, true);
+    show(kMargin, y_ + 12, report_.title);
+    font(9);
+    quiet();
+    show(kMargin + kInner - widthOf(report_.date), y_ + 12, report_.date);
+    show(kMargin, y_ + 27, report_.subtitle);
+    ink();
+    y_ += 36;
+    rule(kMargin, kInner, 1.4, 0.1);
+    y_ += 14;
+  }
+
+  /// The picture at the left, blocks beside it, and the one number.
+  void top() {
+    const double width = report_.picture.empty() ? 0.0 : 190.0, height = report_.picture.empty() ? 0.0 : 218.0;
+    const double start = y_;
+    if (width > 0.0) picture(kMargin, y_, width, height);
+    const double x = kMargin + (width > 0.0 ? width + 20.0 : 0.0);
+    for (const ReportBlock& block : report_.beside) paintBlock(block, x, kMargin + kInner - x);
+    if (!report_.result.empty() || !report_.result_words.empty()) {
+      font(26, true);
+      show(x, y_ + 24, report_.result);
+      double right = x + widthOf(report_.result) + (report_.result.empty() ? 0.0 : 10.0);
+      if (report_.result_band >= 0) {
+        patch(right, y_ + 9, 30, 16, report_.result_band);
+        right += 40;
+      }
+      font(10, true);
+      show(right, y_ + 21, report_.result_words);
+      y_ += 36;
+    }
+    y_ = std::max(y_, start + height + 6.0);
+  }
+
+  void fill(int band) {
+    if (band < 0) {
+      cairo_set_source_rgb(cr_, 0.785, 0.805, 0.828);
+    } else {
+      const auto color = bandColor(band);
+      cairo_set_source_rgb(cr_, color[0], color[1], color[2]);
+    }
+  }
+
+  /// Fills the current path in the band's colour and pattern and forgets it.
+  void fillPath(int band) {
+    fill(band);
+    cairo_fill_preserve(cr_);
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    cairo_path_extents(cr_, &x0, &y0, &x1, &y1);
+    if (band >= 2) {
+      cairo_save(cr_);
+      cairo_clip(cr_);
+      cairo_set_source_rgb(cr_, 0.35, 0.165, 0.063);
+      cairo_set_line_width(cr_, 0.8);
+      const double height = y1 - y0;
+      for (double x = x0 - height; x < x1; x += 4.0) {
+        cairo_move_to(cr_, x, y1);
+        cairo_line_to(cr_, x + height, y0);
+        if (band == 3) {
+          cairo_move_to(cr_, x, y0);
+          cairo_line_to(cr_, x + height, y1);
+        }
+      }
+      cairo_stroke(cr_);
+      cairo_restore(cr_);
+    }
+    cairo_new_path(cr_);
+    ink();
+  }
+
+  void patch(double x, double y, double width, double height, int band) {
+    cairo_rectangle(cr_, x, y, width, height);
+    fillPath(band);
+  }
+
+  void picture(double x, double y, double width, double height) {
+    cairo_set_source_rgb(cr_, 0.933, 0.945, 0.957);
+    cairo_rectangle(cr_, x, y, width, height);
+    cairo_fill(cr_);
+    glm::dvec2 low(1e9), high(-1e9);
+    for (const ReportShape& shape : report_.picture) {
+      for (const auto& p : shape.outline) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+      }
+    }
+    const double scale = std::min((width - 16.0) / (high.x - low.x), (height - 16.0) / (high.y - low.y));
+    const double x0 = x + 0.5 * width - 0.5 * scale * (low.x + high.x), y0 = y + height - 8.0 + scale * low.y;
+    const auto& shapes = report_.picture;
+    for (std::size_t first = 0; first < shapes.size();) {
+      std::size_t last = first;
+      cairo_new_path(cr_);
+      for (; last < shapes.size() && shapes[last].group == shapes[first].group; ++last) {
+        for (std::size_t i = 0; i < shapes[last].outline.size(); ++i) {
+          const auto& p = shapes[last].outline[i];
+          if (i == 0) {
+            cairo_move_to(cr_, x0 + scale * p.x, y0 - scale * p.y);
+          } else {
+            cairo_line_to(cr_, x0 + scale * p.x, y0 - scale * p.y);
+          }
+        }
+        cairo_close_path(cr_);
+      }
+      cairo_set_line_width(cr_, 1.6);
+      ink();
+      cairo_stroke_preserve(cr_);
+      fillPath(shapes[first].band);
+      first = last;
+    }
+  }
+
+  void paintBlock(const ReportBlock& block, double x, double width) {
+    font(9.5, true);
+    need(28);
+    show(x, y_ + 9, block.heading);
+    y_ += 14;
+    font(9);
+    for (const std::string& line : block.lines) {
+      for (const std::string& piece : wrapped(line, width)) {
+        need(12);
+        font(9);
+        show(x, y_ + 8.5, piece);
+        y_ += 11.5;
+      }
+    }
+    if (!block.rows.empty()) table(block, x, width);
+    if (!block.strips.empty()) strips(block, x, width);
+    y_ += 8;
+  }
+
+  void table(const ReportBlock& block, double x, double width) {
+    std::size_t count = block.columns.size();
+    for (const auto& row : block.rows) count = std::max(count, row.size());
+    std::vector<double> widths(count, 0.0);
+    font(9, true);
+    for (std::size_t i = 0; i < block.columns.size(); ++i) widths[i] = widthOf(block.columns[i]) + 10.0;
+    font(9);
+    for (const auto& row : block.rows) {
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        widths[i] = std::max(widths[i], widthOf(row[i].text) + 10.0 + (row[i].band >= 0 ? 22.0 : 0.0));
+      }
+    }
+    double sum = 0.0;
+    for (const double one : widths) sum += one;
+    // Too wide: the last column gives; else all share what is left.
+    if (sum > width) {
+      widths.back() = std::max(60.0, widths.back() - (sum - width));
+    } else {
+      for (double& one : widths) one += (width - sum) / static_cast<double>(count);
+    }
+    if (!block.columns.empty()) {
+      font(9, true);
+      double at = x;
+      for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        show(at, y_ + 9, block.columns[i]);
+        at += widths[i];
+      }
+      y_ += 13;
+      rule(x, width, 0.9, 0.1);
+    }
+    for (const auto& row : block.rows) tableRow(row, widths, x, width);
+  }
+
+  void tableRow(const std::vector<ReportBlock::Cell>& row, const std::vector<double>& widths, double x, double width) {
+    font(9);
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      cells.push_back(wrapped(row[i].text, widths[i] - 8.0 - (row[i].band >= 0 ? 22.0 : 0.0)));
+      lines = std::max(lines, cells.back().size());
+    }
+    const double height = 3.0 + 11.5 * static_cast<double>(lines);
+    need(height + 2);
+    double at = x;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      double left = at;
+      if (row[i].band >= 0) {
+        patch(left, y_ + 3.5, 17, 8, row[i].band);
+        left += 22;
+      }
+      font(9);
+      for (std::size_t k = 0; k < cells[i].size(); ++k)
+        show(left, y_ + 11 + 11.5 * static_cast<double>(k), cells[i][k]);
+      at += widths[i];
+    }
+    y_ += height + 1;
+    rule(x, width, 0.4, 0.74);
+  }
+
+  void strips(const ReportBlock& block, double x, double width) {
+    constexpr double kName = 84.0, kTall = 13.0;
+    for (const auto& strip : block.strips) {
+      need(kTall + 4);
+      font(9);
+      show(x, y_ + 10, strip.name);
+      double at = x + kName;
+      for (const auto& [share, band] : strip.pieces) {
+        const double wide = share * (width - kName);
+        cairo_rectangle(cr_, at, y_ + 1, wide, kTall);
+        fillPath(band);
+        at += wide;
+      }
+      y_ += kTall + 4;
+    }
+    quiet();
+    font(8);
+    show(x + kName, y_ + 8, block.scale_first);
+    show(x + width - widthOf(block.scale_last), y_ + 8, block.scale_last);
+    ink();
+    y_ += 12;
+  }
+
+  void signatures() {
+    if (report_.signatures.empty()) return;
+    if (y_ > kHeight - kFoot) need(kHeight);
+    y_ = kHeight - kMargin - 16;
+    const double each = (kInner - 30.0) / static_cast<double>(report_.signatures.size());
+    double at = kMargin;
+    for (const std::string& name : report_.signatures) {
+      rule(at, each - 8.0, 0.8, 0.1);
+      font(8.5);
+      show(at, y_ + 11, name);
+      at += each + 15.0;
+    }
+  }
+
+  const Report& report_;
+  cairo_t* cr_ = nullptr;
+  int page_ = 0;
+  double y_ = 0.0;
+};
+
+class PdfPainter final : public PagePainter {
+ public:
+  PdfPainter(const Report& report, cairo_t* context) : PagePainter(report), context_(context) {}
+
+ protected:
+  cairo_t* contextOf(int) override { return context_; }
+  void finishPage(int) override { cairo_show_page(context_); }
+
+ private:
+  cairo_t* context_;
+};
+
+/// One page onto `context`, the others nowhere.
+class OnePagePainter final : public PagePainter {
+ public:
+  OnePagePainter(const Report& report, int wanted, cairo_t* context)
+      : PagePainter(report),
+        wanted_(wanted),
+        context_(context),
+        surface_(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, nullptr)),
+        nowhere_(cairo_create(surface_.get())) {}
+
+ protected:
+  cairo_t* contextOf(int page) override { return page == wanted_ && context_ ? context_ : nowhere_.get(); }
+
+ private:
+  int wanted_;
+  cairo_t* context_;
+  Surface surface_;
+  Context nowhere_;
+};
+
+}  // namespace
+
+Expected<void> writeReportPdf(const Report& report, const std::filesystem::path& file) {
+  Surface surface(cairo_pdf_surface_create(file.c_str(), kWidth, kHeight));
+  if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) {
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, report.title.c_str());
+    const Context context(cairo_create(surface.get()));
+    PdfPainter(report, context.get()).paint();
+    cairo_surface_finish(surface.get());
+  }
+  if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) return {};
+  return makeError({file.string(), "", "it cannot be written", "a folder that is there, with room", ""});
+}
+
+ReportPicture drawReportPage(const Report& report, int page, int width) {
+  ReportPicture picture;
+  picture.width = std::clamp(width, 1, 4000);
+  picture.height = static_cast<int>(std::lround(picture.width * kHeight / kWidth));
+  picture.pixels.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
+  auto* bytes = static_cast<unsigned char*>(static_cast<void*>(picture.pixels.data()));
+  const Surface surface(cairo_image_surface_create_for_data(bytes, CAIRO_FORMAT_ARGB32, picture.width, picture.height,
+                                                            4 * picture.width));
+  const Context context(cairo_create(surface.get()));
+  cairo_scale(context.get(), picture.width / kWidth, picture.width / kWidth);
+  OnePagePainter(report, page, context.get()).paint();
+  cairo_surface_flush(surface.get());
+  return picture;
+}
+
+int reportPages(const Report& report) {
+  return OnePagePainter(report, -1, nullptr).paint();
+}
+
+}  // namespace hapticell::ergonomics

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// The docks of the ergonomics in the whole window under a virtual display: real clicks, through MannequinPage.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QListWidget>
+#include <filesystem>
+#include <fstream>
+
+#include "app/ergonomics/report_panel.h"
+#include "app/ergonomics/sub_score_table.h"
+#include "app/ergonomics/time_panel.h"
+#include "app/ergonomics/workplace_panel.h"
+#include "geometry/shapes.h"
+#include "mannequin/motion_writer.h"
+#include "tests/app/mannequin_page.h"
+
+namespace hapticell::app {
+namespace {
+
+struct ErgonomicsPage : MannequinPage {
+  bool open() {
+    if (!addMannequin()) return false;
+    bringDock("actionErgonomics");
+    return until([this] { return !rows().empty(); }, kPatience);
+  }
+  std::vector<SubScoreTable::Row> rows() { return find<SubScoreTable>("subScores")->rows(); }
+  const ergonomics::WorkTask* task() { return document().document().state().workTaskOf("Operator"); }
+};
+
+TEST(ErgonomicsDock, ScoresFollowThePosture) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  EXPECT_TRUE(page.words("labelPartial").contains("not entered"));
+  const QString before = page.words("labelWhyTitle");
+  page.bringDock("actionMannequinPanel");
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_overhead"));
+  page.bringDock("actionErgonomics");
+  EXPECT_TRUE(page.until([&] { return page.words("labelWhyTitle") != before; }, ErgonomicsPage::kPatience));
+  EXPECT_TRUE(page.words("labelWhy").contains("upper arm"));
+  EXPECT_TRUE(page.until(
+      [&] { return page.words("labelWhy").contains("gives RULA") || page.words("labelWhy").contains("No shift"); },
+      ErgonomicsPage::kPatience));
+  page.segment("segmentsMethod", 1);
+  EXPECT_EQ(page.rows().size(), 9u) << "REBA";
+  page.segment("segmentsMethod", 2);
+  EXPECT_EQ(page.rows().size(), 4u) << "OWAS";
+  page.segment("segmentsMethod", 3);
+  EXPECT_EQ(page.rows().size(), 10u) << "EN 1005-4 and ISO 11226";
+}
+
+TEST(ErgonomicsDock, TheBetterPostureIsTakenAsOneStep) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.bringDock("actionMannequinPanel");
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_overhead"));
+  page.bringDock("actionErgonomics");
+  auto* button = page.find<QPushButton>("buttonShowPosture");
+  ASSERT_TRUE(page.until([&] { return button->isEnabled(); }, ErgonomicsPage::kPatience));
+  EXPECT_TRUE(page.clickForStep("buttonShowPosture"));
+}
+
+TEST(TaskData, IsEnteredKeptWithTheCellAndUndone) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.click("buttonTaskData");
+  EXPECT_TRUE(page.isShown("dockWorkTask"));
+  ASSERT_TRUE(page.typeForStep("fieldLoadRight", "2.4"));
+  ASSERT_NE(page.task(), nullptr);
+  EXPECT_NEAR(*page.task()->load_kg[1], 2.4, 1e-9);
+  EXPECT_FALSE(page.task()->repetitions_per_min.has_value());
+  ASSERT_TRUE(page.segmentForStep("segmentsStatic", 1));
+  EXPECT_EQ(page.task()->is_static, false);
+  ASSERT_TRUE(page.segmentForStep("segmentsGrip", 2));
+  EXPECT_EQ(page.task()->grip, ergonomics::Grip::kFair);
+  ASSERT_TRUE(page.typeForStep("fieldRepetitions", "5"));
+  page.bringDock("actionErgonomics");
+  EXPECT_TRUE(page.until([&] { return !page.find<QLabel>("labelPartial")->isVisible(); }, ErgonomicsPage::kPatience));
+  for (int i = 0; i < 4; ++i) page.trigger("actionUndo");
+  EXPECT_EQ(page.task(), nullptr);
+}
+
+TEST(TaskData, PresetsFillEverything) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.click("buttonTaskData");
+  auto* presets = page.find<QComboBox>("comboTaskPreset");
+  presets->setFocus();
+  QTest::keyClick(presets, Qt::Key_End);
+  QTest::keyClick(presets, Qt::Key_Return);
+  page.settle();
+  ASSERT_NE(page.task(), nullptr);
+  EXPECT_TRUE(page.task()->is_lift);
+  EXPECT_EQ(page.task()->mannequin, "Operator");
+}
+
+TEST(ReportDock, ShowsThePageAndWritesFiles) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.click("buttonReport");
+  auto* shown = page.find<QLabel>("labelReportPage");
+  EXPECT_TRUE(page.until([&] { return !shown->pixmap(Qt::ReturnByValue).isNull(); }, ErgonomicsPage::kPatience));
+  auto* panel = page.window().findChild<ReportPanel*>();
+  ASSERT_NE(panel, nullptr);
+  const auto folder = std::filesystem::temp_directory_path() / "hapticell_report_dock_test";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"report.pdf", "report.html", "report.csv", "report.json"}) {
+    EXPECT_TRUE(panel->write(QString::fromStdString((folder / name).string())));
+    EXPECT_GT(std::filesystem::file_size(folder / name), 1000u) << name;
+  }
+  EXPECT_FALSE(panel->write("/nowhere/report.pdf"));
+  std::filesystem::remove_all(folder);
+  page.segment("segmentsReport", 1);
+  EXPECT_EQ(panel->report().title, "Task assessment");
+}
+
+TEST(TimeDock, ScoresAMotionAndTakesAFrame) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.bringDock("actionErgonomicsTime");
+  const auto figure = *mannequin::makeFigure({});
+  std::vector<mannequin::Posture> postures;
+  const auto from = *mannequin::libraryPosture(figure, "standing"), to = *mannequin::libraryPosture(figure, "stooping");
+  for (int i = 0; i <= 20; ++i) postures.push_back(mannequin::interpolate(from, to, i / 20.0));
+  const auto file = std::filesystem::temp_directory_path() / "hapticell_stoop.bvh";
+  std::ofstream(file) << mannequin::bvhText(figure, postures, 0.1);
+  auto* panel = page.window().findChild<TimePanel*>();
+  panel->open(QString::fromStdString(file.string()));
+  page.until([&] { return page.find<QPushButton>("buttonWorstFrame")->isEnabled(); }, ErgonomicsPage::kPatience);
+  if (page.find<QPushButton>("buttonWorstFrame")->isEnabled()) {
+    page.click("buttonWorstFrame");
+    EXPECT_GT(panel->frame(), 0);
+    EXPECT_TRUE(page.clickForStep("buttonTakeFrame"));
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
+  ErgonomicsPage page;
+  workcell::Entity table;
+  table.name = "Bench";
+  table.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 0.4, 0.04}));
+  table.X_WE.p = {0.0, 1.2, 0.7};
+  const auto bench = page.add(table);
+  ASSERT_TRUE(page.open());
+  page.bringDock("actionMannequinPanel");
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
+  page.click("buttonSearchWorkplace");
+  page.bringDock("actionWorkplace");
+  page.find<QListWidget>("listStation")->item(0)->setCheckState(Qt::Checked);
+  page.type("fieldRise", "100");
+  page.type("fieldAway", "100");
+  page.type("fieldStep", "100");
+  page.click("buttonStartSearch");
+  auto* panel = page.window().findChild<WorkplacePanel*>();
+  ASSERT_TRUE(page.until([&] { return panel->map().has_value(); }, ErgonomicsPage::kPatience));
+  EXPECT_EQ(panel->map()->cells.size(), 9u);
+  if (panel->map()->best >= 0) {
+    const dvec3 before = page.document().document().find(bench)->X_WE.p;
+    ASSERT_TRUE(page.clickForStep("buttonTakePlace"));
+    const auto& best = panel->map()->cells[static_cast<std::size_t>(panel->map()->best)];
+    EXPECT_NEAR(page.document().document().find(bench)->X_WE.p.z - before.z, best.rise, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace hapticell::app

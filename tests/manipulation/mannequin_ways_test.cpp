@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to draw a mannequin besides one hand: head, both hands apart, on a seat, stepping; itself in its way; what it
+// sees; and the search for a workplace.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/shapes.h"
+#include "manipulation/held_entity.h"
+#include "manipulation/mannequin_head.h"
+#include "manipulation/mannequin_manipulator.h"
+#include "manipulation/mannequin_own_pairs.h"
+#include "manipulation/mannequin_sight.h"
+#include "manipulation/mannequin_workplace.h"
+#include "mannequin/figure_model.h"
+#include "workcell/entity_source.h"
+
+namespace hapticell::manipulation {
+namespace {
+
+using Hands = MannequinManipulator::Hands;
+using Kind = MovedBy::Kind;
+
+workcell::Entity worker(const char* posture) {
+  Diagnostics diagnostics;
+  workcell::Entity entity = *workcell::EntityLoader(".").load("mannequin:male:50", 1.0, diagnostics);
+  entity.id = 7;
+  entity.name = "worker";
+  const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+  entity.X_WE = model.X_WE;
+  entity.joints = model.joints;
+  return entity;
+}
+
+workcell::Entity box(workcell::EntityId id, const char* name, const dvec3& size, const dvec3& p_W) {
+  workcell::Entity entity;
+  entity.id = id;
+  entity.name = name;
+  entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox(size));
+  entity.X_WE.p = p_W;
+  return entity;
+}
+
+std::vector<MannequinBody::Part> partsOf(const workcell::Entity& entity) {
+  std::vector<MannequinBody::Part> parts;
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+    if (!entity.robot->links[i].collisions.empty()) parts.push_back({static_cast<int>(i), {}});
+  }
+  return parts;
+}
+
+double placeError(const Pose& a, const Pose& b) {
+  const Twist off = difference(a, b);
+  return std::max(glm::length(off.linear), 0.1 * glm::length(off.angular));
+}
+
+mannequin::FigurePose poseOf(const workcell::Entity& entity, const EntityConfiguration& at) {
+  return mannequin::forwardKinematics(*entity.figure, mannequin::toPosture(*entity.figure, {at.X_WE, at.joints}));
+}
+
+TEST(MannequinHead, FollowsAndItsDifferentialTellsHow) {
+  const workcell::Entity entity = worker("standing");
+  const MannequinHead head(entity.figure, entity.robot, false, partsOf(entity));
+  const EntityConfiguration start{entity.X_WE, entity.joints};
+  Pose wanted = head.movedFrame(start);
+  wanted.p += dvec3(0.04, 0.02, -0.015);
+  EntityConfiguration at = start;
+  for (int i = 0; i < 10; ++i) at = head.propose(at, wanted, 1.0);
+  EXPECT_LT(placeError(head.movedFrame(at), wanted), 1e-3);
+  constexpr double kStep = 1e-3;
+  const auto parts = head.differentiate(at);
+  std::vector<Pose> before(parts.size()), after(parts.size());
+  head.partPoses(at, before);
+  Pose near = head.movedFrame(at);
+  near.p.x += kStep;
+  head.partPoses(head.propose(at, near, 1.0), after);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const dvec3 told = kStep * parts[k].velocity[0].linear;
+    EXPECT_LT(glm::length(after[k].p - before[k].p - told), 2e-4);
+  }
+}
+
+TEST(MannequinHead, ItsEndIsALimit) {
+  const workcell::Entity entity = worker("standing");
+  const MannequinHead head(entity.figure, entity.robot, true, partsOf(entity));
+  EntityConfiguration at{entity.X_WE, entity.joints};
+  Pose far = head.movedFrame(at);
+  far.p.x += 0.5;
+  for (int i = 0; i < 40; ++i) at = head.propose(at, far, 1.0);
+  EXPECT_FALSE(head.limits(at, 0.01, 0.2).empty());
+}
+
+TEST(MannequinManipulator, HandsApartGoTheSameWayAndNothingIsHeldBetween) {
+  const workcell::Entity entity = worker("both_hands_forward");
+  const EntityConfiguration start{entity.X_WE, entity.joints};
+  const MannequinManipulator both(entity.figure, entity.robot, Hands::kBothApart, {}, start, partsOf(entity));
+  Pose wanted = both.movedFrame(start);
+  wanted.p += dvec3(-0.03, 0.02, 0.03);
+  const EntityConfiguration moved = both.propose(start, wanted, 1.0);
+  const auto before = poseOf(entity, start), after = poseOf(entity, moved);
+  for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+    const dvec3 way = mannequin::handPose(after, side).p - mannequin::handPose(before, side).p;
+    EXPECT_LT(glm::length(way - dvec3(-0.03, 0.02, 0.03)), 1e-3);
+  }
+}
+
+TEST(MannequinManipulator, OnASeatThePelvisStays) {
+  const workcell::Entity entity = worker("seated");
+  const EntityConfiguration start{entity.X_WE, entity.joints};
+  MannequinManipulator::Locks locks;
+  locks.on_seat = true;
+  const MannequinManipulator hand(entity.figure, entity.robot, Hands::kRight, locks, start, partsOf(entity));
+  Pose wanted = hand.movedFrame(start);
+  wanted.p += dvec3(0.10, 0.0, 0.15);
+  EntityConfiguration at = start;
+  for (int i = 0; i < 20; ++i) at = hand.propose(at, wanted, 1.0);
+  EXPECT_LT(placeError(hand.movedFrame(at), wanted), 2e-3);
+  EXPECT_LT(placeError(at.X_WE, start.X_WE), 1e-6);
+}
+
+TEST(MannequinManipulator, WithFreeFeetItGoesAlongTheFloor) {
+  const workcell::Entity entity = worker("both_hands_forward");
+  const EntityConfiguration start{entity.X_WE, entity.joints};
+  MannequinManipulator::Locks locks;
+  locks.may_step = true;
+  const MannequinManipulator hand(entity.figure, entity.robot, Hands::kRight, locks, start, partsOf(entity));
+  Pose wanted = hand.movedFrame(start);
+  EntityConfiguration at = start;
+  for (int i = 0; i < 240; ++i) {
+    wanted.p.x += 0.006;  // 1.44 m in all: far beyond the reach of standing feet.
+    at = hand.propose(at, wanted, 1.0);
+  }
+  for (int i = 0; i < 60; ++i) at = hand.propose(at, wanted, 1.0);
+  EXPECT_LT(placeError(hand.movedFrame(at), wanted), 5e-3);
+  const auto before = poseOf(entity, start), after = poseOf(entity, at);
+  for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+    const dvec3 way = mannequin::footPose(after, side).p - mannequin::footPose(before, side).p;
+    EXPECT_GT(way.x, 0.5);
+    EXPECT_LT(std::abs(way.z), 1e-3) << "on the floor";
+  }
+}
+
+TEST(MannequinOwnPairs, HandsMeetTheBodyButNotTheirOwnArm) {
+  EXPECT_TRUE(isOwnPairOfMannequin("l_hand", mannequin::segmentInfo(mannequin::Segment::kThorax).name));
+  EXPECT_TRUE(isOwnPairOfMannequin(mannequin::segmentInfo(mannequin::Segment::kHead).name, "r_hand"));
+  EXPECT_TRUE(isOwnPairOfMannequin("l_hand", "r_hand"));
+  const char* upper = mannequin::segmentInfo(mannequin::Segment::kLeftUpperArm).name;
+  EXPECT_FALSE(isOwnPairOfMannequin("l_hand", upper));
+  EXPECT_FALSE(isOwnPairOfMannequin(upper, mannequin::segmentInfo(mannequin::Segment::kThorax).name));
+}
+
+TEST(HeldMannequin, TheHandStopsAtTheOwnChestAndAtATable) {
+  const workcell::Entity entity = worker("both_hands_forward");
+  const auto scene = PreparedScene::prepare({entity, box(8, "table", {0.6, 0.8, 0.04}, {0.75, 0.0, 0.80})}, {}, {});
+  const config::Configuration configuration;
+  HoldOptions options;
+  options.moved_by.kind = Kind::kRightHand;
+  for (const dvec3 way : {dvec3(-0.6, 0.25, 0.0), dvec3(0.1, 0.0, -0.6)}) {
+    auto held = HeldEntity::take(scene, entity.id, {}, options, configuration);
+    ASSERT_TRUE(held) << held.error().message();
+    MotionMapping mapping;
+    const Pose start = (*held)->movedFrame();
+    mapping.anchor(start, start);
+    bool blocked = false;
+    for (int i = 1; i <= 60; ++i) {
+      Pose wanted = start;
+      wanted.p += (i / 60.0) * way;
+      blocked = (*held)->follow(wanted, mapping, nullptr).blocked || blocked;
+    }
+    EXPECT_TRUE(blocked);
+    std::vector<FreeMotion::PairDistance> near;
+    (*held)->distances(1.0, near);
+    for (const auto& pair : near) EXPECT_FALSE(pair.result.colliding);
+  }
+}
+
+TEST(TargetSight, AWallHidesWhatIsBehindIt) {
+  const workcell::Entity entity = worker("standing");
+  const workcell::Entity target = box(8, "target", dvec3(0.2), {2.0, 0.0, 1.6});
+  const auto posture = mannequin::toPosture(*entity.figure, {entity.X_WE, entity.joints});
+  const auto free = PreparedScene::prepare({entity, target}, {}, {});
+  const TargetSight seen = sightOfTarget(*free, entity, posture, 8);
+  EXPECT_NEAR(seen.seen, 1.0, 1e-12);
+  EXPECT_NEAR(seen.distance, 1.9, 0.15);
+  EXPECT_NE(seen.zone, mannequin::VisionZone::kOutside);
+  const auto walled =
+      PreparedScene::prepare({entity, target, box(9, "wall", {0.02, 2.0, 2.0}, {1.0, 0.0, 1.5})}, {}, {});
+  const TargetSight hidden = sightOfTarget(*walled, entity, posture, 8);
+  EXPECT_NEAR(hidden.seen, 0.0, 1e-12);
+  EXPECT_EQ(hidden.hidden_by, "wall");
+  EXPECT_EQ(hidden.clearance, 0.0);
+}
+
+TEST(WorkplaceSearch, FindsAPlaceRefusesNonsenseAndCanBeCancelled) {
+  WorkplaceQuestion question;
+  question.entities = {worker("both_hands_forward"), box(8, "table", {0.5, 0.8, 0.04}, {0.80, 0.0, 0.60})};
+  question.mannequin = 7;
+  question.station = {8};
+  question.rise_from = question.away_from = -0.1;
+  question.rise_to = question.away_to = 0.1;
+  question.rise_step = question.away_step = 0.1;
+  std::atomic<bool> cancel{false};
+  std::atomic<int> told{0};
+  const auto map = searchWorkplace(
+      question, [&](double) { ++told; }, cancel);
+  ASSERT_TRUE(map) << map.error().message();
+  EXPECT_EQ(map->cells.size(), 9u);
+  EXPECT_EQ(told, 9);
+  EXPECT_TRUE(map->is_complete);
+  ASSERT_GE(map->best, 0);
+  const WorkplaceCell& best = map->cells[static_cast<std::size_t>(map->best)];
+  for (const WorkplaceCell& cell : map->cells) {
+    if (cell.worst > 0) {
+      EXPECT_LE(best.worst, cell.worst);
+    } else {
+      EXPECT_FALSE(cell.why.empty());
+    }
+  }
+  const auto again = searchWorkplace(question, {}, cancel);
+  EXPECT_EQ(again->best, map->best) << "whatever thread took which cell";
+  cancel = true;
+  EXPECT_FALSE(searchWorkplace(question, {}, cancel)->is_complete);
+  cancel = false;
+  question.station = {99};
+  EXPECT_FALSE(searchWorkplace(question, {}, cancel));
+  question.station = {8};
+  question.rise_step = 0.0;
+  EXPECT_FALSE(searchWorkplace(question, {}, cancel));
+}
+
+}  // namespace
+}  // namespace hapticell::manipulation

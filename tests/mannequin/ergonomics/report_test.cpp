@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/ergonomics/report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "mannequin/ergonomics/posture_report.h"
+
+namespace hapticell::ergonomics {
+namespace {
+
+namespace fs = std::filesystem;
+
+PostureReportInput inputFor(Language language) {
+  PostureReportInput input;
+  input.subtitle = "Bench, \"OP30\" <cover>";
+  input.date = "20 Nov 2026";
+  input.source = "A test.";
+  input.language = language;
+  input.figure = *mannequin::makeFigure({mannequin::Sex::kFemale, 1.525});
+  input.posture = *mannequin::libraryPosture(input.figure, "overhead");
+  input.task = workTaskPresets()[2];
+  input.bodies = atSameTask(mannequin::boundaryFigures(), input.figure, input.posture, input.task);
+  input.history = {stripOf("P5 woman", {0, 0, 1, 1, 2, 3, 3, 0})};
+  input.history_seconds = 4.0;
+  return input;
+}
+
+std::string textOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+TEST(Report, SaysBodyTaskScoresDriversAssumptionsStandardsAndSignature) {
+  const std::string html = reportHtml(postureReport(inputFor(Language::kEnglish)));
+  for (const char* word : {"Posture assessment", "1525 mm", "Screwing, nut runner", "RULA", "REBA", "OWAS",
+                           "EN 1005-4:2005", "ISO 11226:2000", "McAtamney", "What drives the score", "Boundaries",
+                           "20 Nov 2026", "Signature", "<svg class=\"figure\"", "r_shoulder_flexion", "P95M"}) {
+    EXPECT_NE(html.find(word), std::string::npos) << word;
+  }
+  EXPECT_NE(html.find("&quot;OP30&quot; &lt;cover&gt;"), std::string::npos) << "text is escaped";
+}
+
+TEST(Report, FrenchHasNoEnglishHeadings) {
+  const Report report = postureReport(inputFor(Language::kFrench));
+  EXPECT_EQ(report.title, "Évaluation de la posture");
+  EXPECT_EQ(report.language, "fr");
+  for (const auto& block : report.blocks) EXPECT_EQ(block.heading.find("Sub-scores"), std::string::npos);
+}
+
+TEST(Report, CsvQuotesAndJsonHoldsTheSame) {
+  const Report report = taskReport(inputFor(Language::kEnglish));
+  const std::string csv = reportCsv(report);
+  EXPECT_NE(csv.find("\"Bench, \"\"OP30\"\" <cover>\""), std::string::npos);
+  EXPECT_NE(reportJson(report).find("hapticell-ergonomics-report"), std::string::npos);
+}
+
+TEST(Report, PdfIsWrittenAndItsPagesAreDrawn) {
+  const Report report = postureReport(inputFor(Language::kEnglish));
+  const fs::path file = fs::temp_directory_path() / "hapticell_report_test.pdf";
+  ASSERT_TRUE(writeReport(report, file));
+  EXPECT_EQ(textOf(file).substr(0, 5), "%PDF-");
+  fs::remove(file);
+  const int pages = reportPages(report);
+  EXPECT_GE(pages, 2);
+  EXPECT_LE(pages, 3);
+  const ReportPicture page = drawReportPage(report, 1, 600);
+  ASSERT_EQ(page.pixels.size(), static_cast<std::size_t>(page.width) * static_cast<std::size_t>(page.height));
+  const auto inked = std::count_if(page.pixels.begin(), page.pixels.end(),
+                                   [](std::uint32_t pixel) { return (pixel & 0xFFu) < 0x80u; });
+  EXPECT_GT(inked, 2000);
+  EXPECT_LT(static_cast<std::size_t>(inked), page.pixels.size() / 3);
+}
+
+TEST(Report, RefusesOtherEndingsAndFoldersThatAreNotThere) {
+  const Report report = taskReport(inputFor(Language::kEnglish));
+  const auto other = writeReport(report, "report.doc");
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().message().find(".pdf"), std::string::npos);
+  for (const char* file : {"/nowhere/report.pdf", "/nowhere/report.html"})
+    EXPECT_FALSE(writeReport(report, file)) << file;
+}
+
+TEST(Report, StripsJoinEqualNeighbours) {
+  const auto strip = stripOf("x", {1, 1, 2, 2, 2, 0});
+  ASSERT_EQ(strip.pieces.size(), 3u);
+  EXPECT_NEAR(strip.pieces[1].first, 0.5, 1e-12);
+  EXPECT_EQ(strip.pieces[1].second, 2);
+}
+
+}  // namespace
+}  // namespace hapticell::ergonomics
