@@ -41,9 +41,10 @@ Expected<MovedBy> parseMovedBy(const std::string& text) {
   if (startsWith(text, kFramePrefix) && text.size() > kFramePrefix.size()) {
     return MovedBy{Kind::kFrame, text.substr(kFramePrefix.size())};
   }
-  return unknown("moved_by", text,
-                 "tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
-                 "right_hand, both_hands or head");
+  return unknown(
+      "moved_by", text,
+      "tcp, tcp_with_axes, base, base_keeping_tcp, self_origin, geometric_center, frame:NAME, whole, left_hand, "
+      "right_hand, both_hands or head");
 }
 
 Expected<void> parseLock(const std::string& text, MovedBy& moved_by) {

@@ -187,7 +187,7 @@ void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
   entity_->setObjectName("comboEntity");
   addRow(*section, tr("Entity"), entity_);
   moved_by_ = new Segmented({tr("TCP"), tr("Base"), tr("Origin"), tr("Centre"), tr("Frame"), tr("Whole"), tr("Left"),
-                             tr("Right"), tr("Both")});
+                             tr("Right"), tr("Both"), tr("Head")});
   moved_by_->setObjectName("segmentsMovedBy");
   addRow(*section, tr("Moved by"), moved_by_);
   moved_frame_ = new QComboBox;
@@ -209,7 +209,7 @@ void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
   });
   connect(moved_by_, &Segmented::chosen, this, [this](int index) {
     const Kind kinds[]{Kind::kTcp,   Kind::kBase,     Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame,
-                       Kind::kWhole, Kind::kLeftHand, Kind::kRightHand,  Kind::kBothHands};
+                       Kind::kWhole, Kind::kLeftHand, Kind::kRightHand,  Kind::kBothHands,       Kind::kHead};
     change([&](auto& settings) {
       settings.moved_by = kinds[index];
       settings.moved_frame = index == 4 ? moved_frame_->currentText().toStdString() : std::string();

@@ -42,7 +42,7 @@ void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, cons
   const bool robot = entity && entity->robot && !mannequin;
   for (int i = 0; i < 4; ++i) moved_by.button(i)->setVisible(!entity || (!mannequin && (i < 2) == robot));
   moved_by.button(4)->setVisible(!mannequin);
-  for (int i = 5; i < 9; ++i) moved_by.button(i)->setVisible(mannequin);
+  for (int i = 5; i < 10; ++i) moved_by.button(i)->setVisible(mannequin);
   const auto index = [&] {
     switch (settings.moved_by) {
       case Kind::kTcp:
@@ -61,6 +61,8 @@ void showMoved(Segmented& moved_by, const VirtualDesktopSettings& settings, cons
         return 7;
       case Kind::kBothHands:
         return 8;
+      case Kind::kHead:
+        return 9;
       default:
         return mannequin ? 5 : robot ? 0 : entity ? 2 : -1;
     }

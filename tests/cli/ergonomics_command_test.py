@@ -48,6 +48,54 @@ def test_ergonomics_marks_what_is_missing(case):
     assert light["partial"] and "force_arm" in light["missing"] and light["score_range"][1] > light["score"]
 
 
+TASK = {"load_left_kg": 0, "load_right_kg": 2.4, "repetitions_per_min": 2, "static": False, "grip": "good", "duration_h": 7}
+
+
+def test_ergonomics_scores_a_mannequins_posture_and_writes_its_report(case):
+    figure = ("--sex", "female", "--percentile", "5", "--posture", "overhead")
+    files = [case.folder / f"report.{ending}" for ending in ("pdf", "html", "csv", "json")]
+    reports = [word for file in files for word in ("--report", file)]
+    found = case.run("ergonomics", "posture", *figure, "--task", json.dumps(TASK), "--date", "20 Nov 2026", *reports)
+    assert not found["partial"] and found["score"] == max(found[side]["rula"]["score"] for side in ("left", "right"))
+    assert abs(found["stature"] - 1.525) < 1e-3 and found["right"]["rula"]["sub_scores"]["upper_arm"] >= 4
+    assert "upper arm" in found["drivers"][0]["input"] and found["drivers"][0]["score"] < found["score"]
+    assert files[0].read_bytes().startswith(b"%PDF-") and "20 Nov 2026" in files[1].read_text()
+    assert json.loads(files[3].read_text())["format"] == "hapticell-ergonomics-report"
+    french = case.folder / "rapport.html"
+    case.run("ergonomics", "posture", *figure, "--language", "fr", "--report", french)
+    assert "Évaluation de la posture" in french.read_text(encoding="utf-8")
+    bare = case.run("ergonomics", "posture", *figure)
+    assert bare["partial"] and "load" in bare["missing"]
+    case.run("ergonomics", "posture", *figure, "--fail-over", "1", expect=1)
+    for bad, name in ((("--report", "report.doc"), ".doc"), (("--task", '{"load_left_kg":"x"}'), "load_left_kg"),
+                      (("--task", '{"lod":1}'), "lod"), (("--percentile", "5", "--stature", "1.6"), "--stature")):
+        assert name in case.run("ergonomics", "posture", *figure[:2], "--posture", "overhead", *(bad if "--stature" in bad else ("--percentile", "5", *bad)),
+                                expect=2)
+
+
+def test_ergonomics_zones_and_eaws(case):
+    angles = {"trunk_flexion": 30, "trunk_twist": 0, "trunk_side_bend": 0, "upper_arm_flexion": 15, "gaze_below_horizontal": 10}
+    zones = ergonomics(case, "en1005", angles)
+    assert zones["level"] == 2 and zones["drivers"][0]["input"] == "trunk forward"
+    assert ergonomics(case, "en1005", dict(angles, static=True), "--fail-over", "2", expect=1)["level"] == 3
+    held = dict(angles, head_inclination=25)
+    del held["gaze_below_horizontal"]
+    iso = ergonomics(case, "iso11226", held)
+    trunk = next(part for part in iso["parts"] if part["part"] == "trunk inclination")
+    assert abs(trunk["holding_time_min"] - 3.25) < 1e-9 and iso["level"] == 2
+    points = ergonomics(case, "eaws", {next(iter(eaws_names(case))): 0.05})
+    assert points["complete"] is False and points["score"] >= 0
+    for method, given, name in (("en1005", dict(angles, trunk=1), "trunk"), ("en1005", {}, "trunk_flexion"),
+                                ("iso11226", dict(held, static=1), "static"), ("iso11226", angles, "head_inclination"),
+                                ("eaws", {"sitting": 1}, "sitting"), ("eaws", [], "object")):
+        assert name in ergonomics(case, method, given, expect=2)
+
+
+def eaws_names(case):
+    message = ergonomics(case, "eaws", {"?": 1}, expect=2)
+    return message.split("one of ")[1].split(", ")
+
+
 def test_ergonomics_refuses_bad_fields_by_name(case):
     scores = {"upper_arm": 4, "lower_arm": 2, "wrist": 3, "wrist_twist": 1, "neck": 3, "trunk": 4, "legs": 2}
     lift = {"load_kg": 12, "h_cm": 25, "v_cm": 55, "d_cm": 95, "asymmetry_deg": 0, "frequency_per_min": 3, "duration_h": 1,
