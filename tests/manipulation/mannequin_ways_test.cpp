@@ -156,7 +156,7 @@ TEST(HeldMannequin, TheHandStopsAtTheOwnChestAndAtATable) {
   const config::Configuration configuration;
   HoldOptions options;
   options.moved_by.kind = Kind::kRightHand;
-  for (const dvec3 way : {dvec3(-0.6, 0.25, 0.0), dvec3(0.1, 0.0, -0.6)}) {
+  for (const dvec3& way : {dvec3(-0.6, 0.25, 0.0), dvec3(0.1, 0.0, -0.6)}) {
     auto held = HeldEntity::take(scene, entity.id, {}, options, configuration);
     ASSERT_TRUE(held) << held.error().message();
     MotionMapping mapping;
