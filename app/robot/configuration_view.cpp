@@ -63,6 +63,10 @@ class ConfigurationDelegate final : public QStyledItemDelegate {
     painter->restore();
   }
 
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index) + QSize(8, 0);  // The margins of paint().
+  }
+
  private:
   static void paintWay(QPainter& painter, ConfigurationModel::Way way, const QPointF& center, const Theme& theme) {
     using Way = ConfigurationModel::Way;

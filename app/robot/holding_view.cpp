@@ -121,6 +121,10 @@ void HoldingView::showNow() {
   showSingularity();
 }
 
+void HoldingView::setFree(bool free) {
+  tool_->setEnabled(free);
+}
+
 void HoldingView::showTools() {
   const workcell::Entity* robot = context_.robot();
   tool_->clear();

@@ -20,6 +20,8 @@ class HoldingView : public QWidget {
   explicit HoldingView(RobotContext& context, QWidget* parent = nullptr);
   /// The newest choices and tools.
   void showNow();
+  /// Tools are chosen only while the robot is neither held nor locked.
+  void setFree(bool free);
 
  signals:
   void toolsWanted();

@@ -264,6 +264,7 @@ void RobotPanel::showRobot() {
 void RobotPanel::showNow() {
   if (!isVisible() || !context_.robot()) return;
   (jogs_->currentIndex() == 0) ? joints_->showNow() : cartesian_->showNow();
+  held_->setFree(context_.isFree());
   home_->setEnabled(context_.isFree());
   poses_->setEnabled(context_.isFree());
   showStop();

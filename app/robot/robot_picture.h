@@ -13,7 +13,8 @@ class RobotPicture {
  public:
   /// The entities alone, seen from the front right above. `size` in device pixels. A null image where there is no
   /// OpenGL 3.3.
-  QImage draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme);
+  /// `nearer`: times as near as a ball about all of it would have it; a wide picture of an arm bears more than 1.
+  QImage draw(std::vector<workcell::Entity> entities, const QSize& size, const Theme& theme, double nearer = 1.0);
 
  private:
   std::optional<PictureRenderer> renderer_;

@@ -11,6 +11,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kHeight = 120;
+constexpr double kNearer = 1.5;
 constexpr int kLaterMilliseconds = 250;
 
 }  // namespace
@@ -49,7 +50,7 @@ void RobotThumbnail::draw() {
   alone.visible = true;
   const double scale = devicePixelRatioF();
   joints_ = robot->joints;
-  picture_ = painter_.draw({std::move(alone)}, (QSizeF(size()) * scale).toSize(), themeOf(palette()));
+  picture_ = painter_.draw({std::move(alone)}, (QSizeF(size()) * scale).toSize(), themeOf(palette()), kNearer);
   picture_.setDevicePixelRatio(scale);
   update();
 }
