@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kHalf = 4;  // Samples to either side that a derivative looks at.
 constexpr std::size_t kLeast = 2 * kHalf + 1;
+constexpr std::size_t kSmooth = 240;  // So many are drawn of few frames, too.
 
 /// Sums of powers of k over a window from -left to right, and of them times the values.
 struct Window {
@@ -83,7 +84,7 @@ dvec3 nearestTurn(const dvec3& turn, const dvec3& before) {
 MotionCurves motionCurves(const Trajectory& trajectory, std::size_t most) {
   MotionCurves curves;
   if (trajectory.size() < 2) return curves;
-  curves.samples = std::clamp(4 * trajectory.size(), kLeast, std::max(most, kLeast));
+  curves.samples = std::clamp(4 * trajectory.size(), std::min(kSmooth, std::max(most, kLeast)), std::max(most, kLeast));
   curves.begin = trajectory[0].t;
   curves.step = trajectory.duration() / static_cast<double>(curves.samples - 1);
   for (const char* name : {"x", "y", "z"})

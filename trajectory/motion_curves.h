@@ -26,7 +26,7 @@ struct MotionCurves {
   double timeOf(std::size_t i) const { return begin + step * static_cast<double>(i); }
 };
 
-/// At most `most` samples (8 at least, no more than 4 a frame and no fewer than the frames allow), values from the
+/// At most `most` samples (four a frame, at least 240 where `most` allows), values from the
 /// motion between frames as poseAt() has it. Derivatives are those of the cubic that fits the samples about each best
 /// (Savitzky & Golay, Analytical Chemistry 36(8), 1964; window of 9), so that a recording's jerk is readable and not
 /// noise alone; the third one at full rate is rmsJerk()'s. Fewer than two frames give no samples.

@@ -17,7 +17,7 @@ namespace {
 using trajectory::MotionCurve;
 
 constexpr double kDegrees = 57.29577951308232;
-constexpr int kLegendRow = 17;
+constexpr int kLegendRow = 17, kLegendTop = 36;  // Above it stands the choice of the curves.
 
 double limitOf(const MotionChart::Limit& limit, MotionChart::Order order) {
   switch (order) {
@@ -240,13 +240,13 @@ void MotionChart::paintCurves(QPainter& painter, const std::vector<Shown>& curve
 void MotionChart::paintLegend(QPainter& painter, const std::vector<Shown>& curves) const {
   const Theme& theme = themeOf(palette());
   painter.setFont(textFont(TextRole::kSecond));
-  const int rows = std::max(1, (height() - 12) / kLegendRow);
+  const int rows = std::max(1, (height() - kLegendTop - 4) / kLegendRow);
   const int columns = (static_cast<int>(curves.size()) + rows - 1) / rows;
   const int width = (static_cast<int>(axis_.left) - 20) / std::max(1, columns);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Shown& one = curves[i];
-    const QRect row(12 + static_cast<int>(i) / rows * width, 6 + static_cast<int>(i) % rows * kLegendRow, width - 8,
-                    kLegendRow);
+    const QRect row(12 + static_cast<int>(i) / rows * width, kLegendTop + static_cast<int>(i) % rows * kLegendRow,
+                    width - 8, kLegendRow);
     painter.setPen(QPen(one.color, 2, one.style));
     painter.drawLine(row.left(), row.center().y(), row.left() + 14, row.center().y());
     const double at = (time_ - curves_->begin) / curves_->step;

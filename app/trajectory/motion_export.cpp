@@ -98,9 +98,9 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         }
         return BackgroundWork::Then([this, names, path, frames = trajectory->size()] {
           const QString line =
-              tr("Written: %1 (%n frame(s)). Tool, base and safety are the controller's own: check them there", nullptr,
-                 static_cast<int>(frames))
-                  .arg(names.join(QStringLiteral(", ")));
+              tr("Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there")
+                  .arg(names.join(QStringLiteral(", ")))
+                  .arg(frames);
           host_.messages().tell(Severity::kInformation, line, QFileInfo(path).absolutePath());
           emit told(line, false);
           emit finished(path, true);
@@ -138,8 +138,8 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
         }
         return BackgroundWork::Then([this, motions, paths] {
           const auto count = static_cast<int>(motions->size());
-          const bool done = list_.add(tr("Import %n motion(s)", nullptr, count), std::move(*motions));
-          if (done) emit told(tr("%n motion(s) imported", nullptr, count), false);
+          const bool done = list_.add(tr("Import motions"), std::move(*motions));
+          if (done) emit told(tr("Motions imported: %1").arg(count), false);
           emit finished(paths.front(), done);
         });
       },

@@ -185,6 +185,8 @@ void MotionList::takeDocument() {
   motions_ = std::move(fresh);
   if (!find(current_)) {
     current_ = motions_.empty() ? std::string() : motions_.back().name;
+    // What a cell was left with last can be played at once.
+    if (!motions_.empty()) motions_.back().played = true;
     emit changed();
     emit currentChanged();
     return;

@@ -86,13 +86,11 @@ void MotionPanel::show() {
                            : tr("No motion yet. Record one, or import a file."));
   } else {
     const auto& trajectory = *motion->trajectory;
-    QStringList words{tr("%n frame(s)", nullptr, static_cast<int>(trajectory.size())),
-                      tr("%1 s").arg(trajectory.duration(), 0, 'f', 2)};
+    QStringList words{tr("frames: %1").arg(trajectory.size()), tr("%1 s").arg(trajectory.duration(), 0, 'f', 2)};
     if (!trajectory.entity.empty()) words << tr("of %1").arg(QString::fromStdString(trajectory.entity));
     if (!trajectory.moved.empty()) words << tr("by %1").arg(QString::fromStdString(trajectory.moved));
-    if (trajectory.hasJoints()) words << tr("%n joint(s)", nullptr, static_cast<int>(trajectory.joint_names.size()));
-    if (!trajectory.touches.empty())
-      words << tr("%n contact(s) felt", nullptr, static_cast<int>(trajectory.touches.size()));
+    if (trajectory.hasJoints()) words << tr("joints: %1").arg(trajectory.joint_names.size());
+    if (!trajectory.touches.empty()) words << tr("contacts felt: %1").arg(trajectory.touches.size());
     facts_->setText(words.join(QStringLiteral(" · ")) +
                     (motion->problem.isEmpty() ? QString() : QStringLiteral("\n") + motion->problem));
   }

@@ -234,9 +234,7 @@ void MotionWork::edit(const QString& word, Edit edit) {
         if (!made) return makeError(made.error());
         Result result;
         result.motions = std::move(*made);
-        result.line =
-            tr("%1: %n motion(s) made; the recording is as it was", nullptr, static_cast<int>(result.motions.size()))
-                .arg(word);
+        result.line = tr("Done as a copy: %1. The recording is as it was").arg(word);
         // An edit of poses needs a robot's joints anew, from where it stood.
         for (Trajectory& motion : result.motions) {
           if (!given->hasJoints() || motion.hasJoints() || motion.empty()) continue;

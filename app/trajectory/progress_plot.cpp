@@ -18,10 +18,10 @@ ProgressPlot::ProgressPlot(QWidget* parent) : QWidget(parent) {
 void ProgressPlot::setAttempts(std::vector<trajectory::TrainingAttempt> attempts, double pass) {
   attempts_ = std::move(attempts);
   pass_ = pass;
-  setAccessibleDescription(attempts_.empty()
-                               ? tr("No run yet")
-                               : tr("%n run(s), the last with %1 points", nullptr, static_cast<int>(attempts_.size()))
-                                     .arg(attempts_.back().score.points, 0, 'f', 0));
+  setAccessibleDescription(attempts_.empty() ? tr("No run yet")
+                                             : tr("Runs: %1, the last with %2 points")
+                                                   .arg(attempts_.size())
+                                                   .arg(attempts_.back().score.points, 0, 'f', 0));
   update();
 }
 

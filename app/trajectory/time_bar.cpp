@@ -147,8 +147,7 @@ void TimeBar::paintDots(QPainter& painter, const TrackRow& row, const QRect& bar
   for (const TrackDot& dot : row.dots) {
     const double x = at.x(dot.t);
     const bool chosen = row.current && frame_ && *frame_ == dot.frame;
-    const bool matters = dot.by_hand || chosen || (dot.mark != CheckMark::kNone && dot.mark != CheckMark::kFree);
-    if (x < at.left - 4 || x > at.right + 4 || (x - last < (matters ? 2.0 : 9.0) && !chosen)) continue;
+    if (x < at.left - 4 || x > at.right + 4 || (x - last < (dot.by_hand ? 3.0 : 10.0) && !chosen)) continue;
     last = x;
     const QColor color = colorOf(dot.mark, theme);
     painter.setPen(QPen(chosen ? theme.selection : color, chosen ? 2.5 : 1.4));

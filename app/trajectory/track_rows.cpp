@@ -94,9 +94,9 @@ QString checkLine(const manipulation::PathCheckResult& check) {
     careful += mark == CheckMark::kCareful;
   }
   QStringList words;
-  if (collisions > 0) words << QObject::tr("%n contact(s)", nullptr, collisions);
-  if (limits > 0) words << QObject::tr("%n limit(s) passed", nullptr, limits);
-  if (careful > 0) words << QObject::tr("%n singular place(s) or change(s) of configuration", nullptr, careful);
+  if (collisions > 0) words << QObject::tr("contacts: %1").arg(collisions);
+  if (limits > 0) words << QObject::tr("limits passed: %1").arg(limits);
+  if (careful > 0) words << QObject::tr("singular places, changes of configuration: %1").arg(careful);
   if (words.isEmpty()) words << QObject::tr("free of contact");
   if (std::isfinite(check.least_clearance) && collisions == 0)
     words << QObject::tr("least gap %1 mm at %2 s")

@@ -313,16 +313,16 @@ void TrainingPanel::show() {
     return;
   }
   const auto& last = session_.attempts.back();
-  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, %n contact(s), "
-                     "smoothness %6 (expert %7).",
-                     nullptr, last.score.contacts)
+  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, contacts: %8, "
+                     "smoothness %6 (expert %7).")
                       .arg(last.score.points, 0, 'f', 0)
                       .arg(last.score.time, 0, 'f', 1)
                       .arg(last.score.expert_time, 0, 'f', 1)
                       .arg(1e3 * last.score.mean_deviation, 0, 'f', 1)
                       .arg(last.score.max_force, 0, 'f', 1)
                       .arg(last.score.smoothness, 0, 'f', 1)
-                      .arg(last.score.expert_smoothness, 0, 'f', 1));
+                      .arg(last.score.expert_smoothness, 0, 'f', 1)
+                      .arg(last.score.contacts));
 }
 
 }  // namespace hapticell::app

@@ -76,9 +76,10 @@ Expected<void> writeTrainingReport(const QString& path, const trajectory::Traini
   painter.drawText(QRect(0, 0, 680, 30), Qt::AlignVCenter, QString::fromStdString(session.exercise));
   painter.setFont(textFont(TextRole::kText));
   painter.drawText(QRect(0, 30, 680, 22), Qt::AlignVCenter,
-                   QObject::tr("%1 · %n run(s) · next help %2 %", nullptr, static_cast<int>(session.attempts.size()))
+                   QObject::tr("%1 · runs: %3 · next help %2 %")
                        .arg(QString::fromStdString(session.trainee))
-                       .arg(100.0 * session.nextHelp(), 0, 'f', 0));
+                       .arg(100.0 * session.nextHelp(), 0, 'f', 0)
+                       .arg(session.attempts.size()));
   ProgressPlot::paint(painter, QRect(0, 62, 676, 190), session.attempts, pass, palette);
   painter.setPen(palette.color(QPalette::WindowText));
   int y = 268;

@@ -225,7 +225,7 @@ class TrajectoryDocks : public QObject {
     }
     list_.add(tr("Record %1").arg(QString::fromStdString(trajectories.front().take)), std::move(named));
     showRecording();
-    panel_->showLine(tr("%n frame(s) recorded", nullptr, static_cast<int>(frames)), false);
+    panel_->showLine(tr("Frames recorded: %1").arg(frames), false);
   }
 
   void showRecording() {

@@ -2,6 +2,7 @@
 #include "app/trajectory/trajectory_panel.h"
 
 #include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -33,6 +34,15 @@ TrajectoryPanel::TrajectoryPanel(Host& host, MotionList& list, MotionPlayer& pla
   column->addWidget(makeTransport());
   column->addWidget(bar_);
   column->addWidget(chart_, 1);
+  // The choice of the curves stands in the chart's own column of names.
+  auto* choice = new QGridLayout(chart_);
+  choice->setContentsMargins(10, 4, 0, 0);
+  choice->setSpacing(4);
+  for (QComboBox* combo : {group_, order_}) combo->setFixedWidth(88);
+  choice->addWidget(group_, 0, 0);
+  choice->addWidget(order_, 0, 1);
+  choice->setColumnStretch(2, 1);
+  choice->setRowStretch(1, 1);
   connectBar();
   connect(&list_, &MotionList::changed, this, &TrajectoryPanel::showMotions);
   connect(&list_, &MotionList::currentChanged, this, [this] {
@@ -90,11 +100,11 @@ QWidget* TrajectoryPanel::makeTransport() {
   group_ = new QComboBox;
   group_->setObjectName("comboCurveGroup");
   group_->setAccessibleName(tr("Curves of"));
-  group_->addItems({tr("Along the path"), tr("x, y, z"), tr("Turn"), tr("Joints")});
+  group_->addItems({tr("Path"), tr("x, y, z"), tr("Turn"), tr("Joints")});
   order_ = new QComboBox;
   order_->setObjectName("comboCurveOrder");
   order_->setAccessibleName(tr("Quantity of the curves"));
-  order_->addItems({tr("Position"), tr("Speed"), tr("Acceleration"), tr("Jerk")});
+  order_->addItems({tr("Position"), tr("Speed"), tr("Accel."), tr("Jerk")});
   order_->setCurrentIndex(1);
   trim_ = button("buttonTrim", "trim", tr("Keep the part between the brackets as a new motion"), tr("Trim"));
   smooth_ = button("buttonSmooth", "smooth", tr("Take the hand's tremor, keep the path"), tr("Smooth…"));
@@ -106,7 +116,7 @@ QWidget* TrajectoryPanel::makeTransport() {
     row->addWidget(widget);
   row->addSpacing(6);
   row->addWidget(info_, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{group_, order_, trim_, smooth_, check_, export_, edit_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{trim_, smooth_, check_, export_, edit_})
     row->addWidget(widget);
   connect(first_, &QToolButton::clicked, this, [this] { player_.seek(player_.playback().begin()); });
   connect(last_, &QToolButton::clicked, this, [this] { player_.seek(player_.playback().end()); });
@@ -210,9 +220,8 @@ void TrajectoryPanel::showRecording(const std::optional<Recording>& recording) {
   }
   bar_->setRecorded(on ? std::optional<double>(recording->seconds) : std::nullopt);
   if (!on) return;
-  info_->setText(
-      tr("%1 s · %n frame(s)", nullptr, static_cast<int>(recording->frames)).arg(recording->seconds, 0, 'f', 1) +
-      (recording->by_hand > 0 ? tr(" · %1 by hand").arg(recording->by_hand) : QString()));
+  info_->setText(tr("%1 s · frames: %2").arg(recording->seconds, 0, 'f', 1).arg(recording->frames) +
+                 (recording->by_hand > 0 ? tr(" · %1 by hand").arg(recording->by_hand) : QString()));
 }
 
 void TrajectoryPanel::showLine(const QString& line, bool careful) {

@@ -152,7 +152,7 @@ TEST(TrajectoryDock, PlaysStepsScrubsAndLoops) {
   page.press("buttonFirst");
   page.find<QComboBox>("comboSpeed")->setCurrentIndex(1);
   page.press("buttonPlay");
-  ASSERT_TRUE(MotionPage::until([&] { return page.shownBox().p.y > 0.19; }, MotionPage::kPatience));
+  ASSERT_TRUE(MotionPage::until([&] { return page.shownBox().p.y == 0.2; }, MotionPage::kPatience)) << "to the end";
   page.press("buttonLoop");
   page.press("buttonPlay");
   ASSERT_TRUE(MotionPage::until([&] { return page.shownBox().p.y > 0.1; }, MotionPage::kPatience));
@@ -177,7 +177,7 @@ TEST(TrajectoryDock, SmoothSimplifyAndEditGiveCopiesThatCanBeUndone) {
   EXPECT_TRUE(page.words("labelMotionResult").contains("jerk")) << page.words("labelMotionResult").toStdString();
   ASSERT_TRUE(page.pressForMotion("buttonSimplify"));
   EXPECT_LT(page.newest().size(), 60u);
-  ASSERT_TRUE(page.pressForMotion("buttonReverse"));
+  ASSERT_TRUE(page.pressForMotion("buttonReverse")) << page.words("labelMotionResult").toStdString();
   EXPECT_NEAR(page.newest()[0].X_WT.p.x, 0.3, 1e-3);
   ASSERT_TRUE(page.pressForMotion("buttonMirror"));
   EXPECT_NEAR(page.newest()[0].X_WT.p.x, 0.3, 1e-3);
