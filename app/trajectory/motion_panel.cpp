@@ -246,13 +246,13 @@ void MotionPanel::addShape(QVBoxLayout& column) {
   mirror_->setAccessibleName(tr("Mirrored on the plane"));
   mirror_->addItems({tr("on X = 0"), tr("on Y = 0"), tr("on Z = 0")});
   mirror_->setCurrentIndex(1);
-  section->addWidget(sideBySide({action("buttonReverse", tr("Reverse"), tr("Backwards in time"),
+  section->addWidget(sideBySide({action("buttonReverseMotion", tr("Reverse"), tr("Backwards in time"),
                                         [this, one] {
                                           work_.edit(tr("reversed"), [one](const auto& given) {
                                             return one(trajectory::reversed(given));
                                           });
                                         }),
-                                 action("buttonMirror", tr("Mirror"), tr("As a partner on the other side would do it"),
+                                 action("buttonMirrorMotion", tr("Mirror"), tr("As a partner on the other side would do it"),
                                         [this, one] {
                                           dvec3 normal(0.0);
                                           normal[mirror_->currentIndex()] = 1.0;

@@ -18,6 +18,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
+#include "app/panels/workcell_panel.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/frame_gizmo.h"
 #include "app/trajectory/motion_export.h"
@@ -126,6 +127,14 @@ class TrajectoryDocks : public QObject {
                    return std::vector<trajectory::Trajectory>{std::move(*made)};
                  });
     });
+    if (auto* tree = host_.window().findChild<WorkcellTreeView*>())
+      connect(tree, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        // The row of a trajectory: it becomes the current one and is played.
+        const std::string name = index.data(Qt::DisplayRole).toString().toStdString();
+        if (index.data(WorkcellTreeModel::kEntityRole).toULongLong() != 0 || !list_.find(name)) return;
+        list_.setCurrent(name);
+        list_.setPlayed(name, true);
+      });
     showTraces();
   }
 

@@ -16,6 +16,9 @@
 #include "app/trajectory/motion_export.h"
 #include "app/trajectory/time_bar.h"
 #include "app/trajectory/track_rows.h"
+#include "app/trajectory/training_panel.h"
+#include "app/trajectory/training_report.h"
+#include "config/configuration.h"
 #include "tests/app/cell_page.h"
 #include "trajectory/trajectory_io.h"
 
@@ -177,9 +180,9 @@ TEST(TrajectoryDock, SmoothSimplifyAndEditGiveCopiesThatCanBeUndone) {
   EXPECT_TRUE(page.words("labelMotionResult").contains("jerk")) << page.words("labelMotionResult").toStdString();
   ASSERT_TRUE(page.pressForMotion("buttonSimplify"));
   EXPECT_LT(page.newest().size(), 60u);
-  ASSERT_TRUE(page.pressForMotion("buttonReverse")) << page.words("labelMotionResult").toStdString();
+  ASSERT_TRUE(page.pressForMotion("buttonReverseMotion")) << page.words("labelMotionResult").toStdString();
   EXPECT_NEAR(page.newest()[0].X_WT.p.x, 0.3, 1e-3);
-  ASSERT_TRUE(page.pressForMotion("buttonMirror"));
+  ASSERT_TRUE(page.pressForMotion("buttonMirrorMotion"));
   EXPECT_NEAR(page.newest()[0].X_WT.p.x, 0.3, 1e-3);
   ASSERT_TRUE(page.pressForMotion("buttonApproach"));
   ASSERT_TRUE(page.pressForMotion("buttonRetime"));
@@ -293,6 +296,59 @@ TEST(TrajectoryDock, ExportsAndReadsBack) {
   const auto again = trajectory::readTrajectory(page.folder().filePath("x.csv").toStdString());
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(trajectory::toCsvText(*again), trajectory::toCsvText(page.newest())) << "bit for bit";
+}
+
+TEST(TrainingDock, AMotionIsTaughtRunAndScored) {
+  MotionPage page;
+  std::vector<std::pair<double, dvec3>> way;
+  for (int i = 0; i <= 50; ++i) way.push_back({0.04 * i, {0.004 * i, 0, 0}});
+  ASSERT_TRUE(page.import(way, "lesson"));
+  page.trigger("actionTraining");
+  auto* panel = page.window().findChild<TrainingPanel*>();
+  ASSERT_NE(panel, nullptr);
+  panel->setResults(page.folder().filePath("ana.htrain"));
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonStartRun")->isEnabled());
+  page.press("buttonTeachMotion");
+  EXPECT_TRUE(page.find<QAbstractButton>("buttonStartRun")->isEnabled());
+  page.press("buttonStartRun");
+  ASSERT_TRUE(panel->isRunning());
+  ASSERT_TRUE(page.window().recording().guide().has_value()) << "the guide is handed to who moves";
+  EXPECT_EQ(page.window().recording().guide()->entity, "box");
+  EXPECT_GT(page.window().recording().guide()->help, 0.0);
+  for (int i = 0; i <= 50 && panel->isRunning(); ++i) {
+    page.window().documentModel().execute(workcell::SetPlacement{page.box(), Pose::translation({0.004 * i, 0.001, 0})});
+    QTest::qWait(40);
+  }
+  ASSERT_TRUE(MotionPage::until([&] { return !panel->isRunning(); }, MotionPage::kPatience)) << "the end ends the run";
+  ASSERT_EQ(panel->session().attempts.size(), 1u);
+  const auto& attempt = panel->session().attempts.front();
+  EXPECT_EQ(attempt.score.completed, 1.0);
+  EXPECT_LT(attempt.score.max_deviation, 0.005);
+  EXPECT_FALSE(page.window().recording().guide().has_value());
+  EXPECT_TRUE(QFile::exists(page.folder().filePath("ana.htrain")));
+  if (attempt.success) {
+    EXPECT_NEAR(panel->session().nextHelp(), 0.8, 1e-9);
+  }
+  for (const char* name : {"results.pdf", "results.csv"}) {
+    const QString path = page.folder().filePath(name);
+    ASSERT_TRUE(writeTrainingReport(path, panel->session(), 60.0).has_value());
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().startsWith(QString(name).endsWith("pdf") ? "%PDF" : "attempt,"));
+  }
+  EXPECT_FALSE(writeTrainingReport("/nowhere/at/all.pdf", panel->session(), 60.0).has_value());
+}
+
+TEST(TrainingDock, AShippedExerciseOpensItsCell) {
+  MotionPage page;
+  page.window().documentModel().clear();
+  auto* panel = page.window().findChild<TrainingPanel*>();
+  const auto folder = config::findShippedFile("exercises");
+  ASSERT_TRUE(folder.has_value());
+  ASSERT_TRUE(panel->openExercise(QString::fromStdString(*folder) + "/door.hexercise"));
+  ASSERT_TRUE(MotionPage::until([&] { return page.document().findByName("door") != nullptr; }, MotionPage::kPatience));
+  EXPECT_TRUE(page.words("labelExercise").contains("handle"));
+  EXPECT_FALSE(panel->openExercise("/nowhere.hexercise"));
 }
 
 }  // namespace
