@@ -99,6 +99,29 @@ class Grid {
     return most;
   }
 
+  /// Largest share of the limits on velocity and acceleration between the grid points, where these speeds are had at
+  /// them. Within a step the path is a cubic: its first derivative is the parabola through the three places known, its
+  /// second a line, so nothing is evaluated again.
+  LimitUse useBetween(const std::vector<double>& speeds) const {
+    LimitUse use;
+    for (std::size_t i = 0; i + 1 < size(); ++i) {
+      const double x0 = speeds[i] * speeds[i], dx = speeds[i + 1] * speeds[i + 1] - x0;
+      const double u = dx / (2.0 * step(i));
+      for (const double f : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) {
+        const double x = std::max(0.0, x0 + f * dx), speed = std::sqrt(x);
+        const double w0 = (1.0 - f) * (1.0 - 2.0 * f), w1 = 4.0 * f * (1.0 - f), w2 = f * (2.0 * f - 1.0);
+        const double *a = first_.data() + 2 * i * dimensions_, *b = second_.data() + 2 * i * dimensions_;
+        for (std::size_t j = 0; j < dimensions_; ++j) {
+          const double slope = w0 * a[j] + w1 * a[dimensions_ + j] + w2 * a[2 * dimensions_ + j];
+          const double bend = (1.0 - f) * b[j] + f * b[2 * dimensions_ + j];
+          use.velocity = std::max(use.velocity, std::abs(slope) * speed / limits_.velocity[j]);
+          use.acceleration = std::max(use.acceleration, std::abs(slope * u + bend * x) / limits_.acceleration[j]);
+        }
+      }
+    }
+    return use;
+  }
+
  private:
   /// Even steps, and the path's own breaks, where its bend kinks; a break takes the place of a step's end nearby.
   void layGrid(const CubicSpline& path, std::size_t points) {
@@ -277,13 +300,11 @@ Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& li
     return makeError(
         {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
   }
+  const LimitUse use = grid.useBetween(*speeds);
   PathTiming timing(grid.s(), std::move(*speeds));
   if (options.start_speed > 0.0 || options.end_speed > 0.0) return timing;
   // Between the places looked at a limit may still be passed by parts in a thousand.
-  MotionLimits without_jerk = limits;
-  without_jerk.jerk.clear();
-  const double dt = timing.duration() / static_cast<double>(4 * grid.size());
-  return stretched(timing, stretchFor(limitUse(path, timing, without_jerk, dt)));
+  return stretched(timing, stretchFor(use));
 }
 
 Expected<PathTiming> jerkLimited(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {

@@ -13,7 +13,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kFrameMilliseconds = 16;
-constexpr std::size_t kMostGhosts = 24;     // Of one motion's swept volume.
+constexpr std::size_t kMostGhosts = 12;     // Of one motion's swept volume.
 constexpr double kGhostApart = 0.02;        // m between two of them, at least.
 constexpr std::size_t kMostStops = 100000;  // Frames of a motion that steps stop at.
 

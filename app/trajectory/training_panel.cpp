@@ -87,6 +87,7 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
   addRow(*section, tr("Name"), trainee_);
   radius_ = new ValueField({tr("mm"), 1, 0.1, 1000, 1});
   radius_->setObjectName("fieldTube");
+  radius_->setValue(20);
   addRow(*section, tr("Tube"), radius_);
   help_ = new ValueField({QStringLiteral("%"), 0, 0, 100, 10});
   help_->setObjectName("fieldHelp");

@@ -52,7 +52,7 @@ Cell cellOf(const std::string& stem) {
   options.moved_by = *parseMovedBy(expert->moved);
   options.axes.mode = AxesMode::kCell;
   options.scale = {ScaleLevel::kNumber, kScales.at(stem)};
-  options.configuration.manipulation.rate_hz = 200;
+  options.configuration.manipulation.rate_hz = 100;
   options.recording = trajectory::RecordingOptions{};
   return cell;
 }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the trajectory panels compute, without a display.
+#include <gtest/gtest.h>
+
+#include "app/trajectory/motion_export.h"
+#include "app/trajectory/motion_work.h"
+#include "app/trajectory/time_axis.h"
+#include "app/trajectory/trace_curves.h"
+#include "app/trajectory/track_rows.h"
+
+namespace hapticell::app {
+namespace {
+
+TEST(TimeAxis, PixelsAndSecondsGoBothWays) {
+  const TimeAxis axis{200, 1000, -1.0, 9.0};
+  EXPECT_DOUBLE_EQ(axis.x(4.0), 600.0);
+  EXPECT_DOUBLE_EQ(axis.t(axis.x(3.21)), 3.21);
+}
+
+TEST(TimeAxis, NamedTicksAreRoundAndFarEnoughApart) {
+  for (const double length : {0.05, 0.7, 3.0, 24.0, 36000.0}) {
+    const TimeAxis axis{200, 1000, 0.0, length};
+    double last = -1e9;
+    int named = 0;
+    for (const auto& tick : axis.ticks()) {
+      if (!tick.named) continue;
+      ++named;
+      EXPECT_GE(axis.x(tick.t) - last, 59.9) << length;
+      last = axis.x(tick.t);
+    }
+    EXPECT_GE(named, 3) << length;
+  }
+}
+
+TEST(TimeAxis, ZoomsAboutATimeAndNeverToNothing) {
+  const TimeAxis axis{200, 1000, 0.0, 10.0};
+  const TimeAxis nearer = axis.zoomed(2.0, 4.0);
+  EXPECT_DOUBLE_EQ(nearer.x(4.0), axis.x(4.0));
+  EXPECT_DOUBLE_EQ(nearer.end - nearer.begin, 5.0);
+  EXPECT_GE(axis.zoomed(1e9, 4.0).end - axis.zoomed(1e9, 4.0).begin, 0.0099);
+}
+
+Motion checkedMotion() {
+  trajectory::Trajectory trajectory;
+  for (int i = 0; i <= 100; ++i) trajectory.addFrame({0.1 * i, Pose::translation({0.01 * i, 0, 0}), i == 50});
+  Motion motion;
+  motion.name = "m";
+  motion.trajectory = std::make_shared<const trajectory::Trajectory>(std::move(trajectory));
+  manipulation::PathCheckResult check;
+  check.findings.push_back({manipulation::PathFinding::Kind::kCollision, 3.0, 4.0, "gripper", "table", 0.0, {}});
+  check.findings.push_back({manipulation::PathFinding::Kind::kSingularity, 3.5, 6.0, "", "", 0.0, {}});
+  motion.check = check;
+  return motion;
+}
+
+TEST(Check, TheStrongestMarkCounts) {
+  const Motion motion = checkedMotion();
+  EXPECT_EQ(markAt(motion, 1.0), CheckMark::kFree);
+  EXPECT_EQ(markAt(motion, 3.7), CheckMark::kCollision);
+  EXPECT_EQ(markAt(motion, 5.0), CheckMark::kCareful);
+  Motion unchecked = motion;
+  unchecked.check.reset();
+  EXPECT_EQ(markAt(unchecked, 3.7), CheckMark::kNone);
+  EXPECT_TRUE(checkLine(*motion.check).contains("contacts: 1"));
+  EXPECT_TRUE(findingText(motion.check->findings[0]).contains("table"));
+}
+
+TEST(Trace, IsColouredWhereTheCheckFoundSomething) {
+  const auto curves = traceCurves(checkedMotion(), 600, {}, 0.0);
+  double contact = 0.0, all = 0.0;
+  bool by_hand = false;
+  for (const SceneCurve& curve : curves) {
+    by_hand = by_hand || (curve.points_W.size() == 1 && std::abs(curve.points_W[0].x - 0.5) < 1e-9);
+    for (std::size_t i = 1; i < curve.points_W.size(); ++i) {
+      const double way = glm::distance(curve.points_W[i], curve.points_W[i - 1]);
+      all += way;
+      if (curve.role == SceneCurve::Role::kContact) contact += way;
+    }
+  }
+  EXPECT_NEAR(all, 1.0, 1e-9);
+  EXPECT_NEAR(contact, 0.1, 0.011);
+  EXPECT_TRUE(by_hand) << "a disc for a frame set by hand";
+}
+
+TEST(Limits, ASolidHasAssumedOnesAndARobotItsOwn) {
+  trajectory::Trajectory solid;
+  EXPECT_EQ(limitsOf({}, solid).velocity.size(), 6u);
+  EXPECT_EQ(limitsOf({}, solid).acceleration[0], 2.0);
+}
+
+TEST(Formats, AreEight) {
+  EXPECT_EQ(motionFormats().size(), 8u);
+}
+
+}  // namespace
+}  // namespace hapticell::app
