@@ -135,7 +135,7 @@ void partAmongMillions(std::size_t triangles) {
                               quaternionFromRotationVector({0.3 * i, 0.2, around})}));
   }
   entities[0].X_WE = {};
-  entities[1].X_WE = {{0.0, 0.0, -0.40}, dquat(1, 0, 0, 0)};
+  entities[1].X_WE = {{0.0, 0.0, -0.26}, dquat(1, 0, 0, 0)};
   const Cell cell = prepared("a part among 19 others", std::move(entities));
   for (const bool in_thread : {false, true}) lead(cell, in_thread, {0.0, 0.0, -0.15});
 }

@@ -13,6 +13,8 @@ BoxTree::BoxTree(const geometry::TriangleMesh& mesh, std::vector<std::uint32_t> 
   TreeParts parts = buildTree(mesh, triangles, control);
   nodes_ = std::move(parts.nodes);
   leaves_ = std::move(parts.leaves);
+  nodes_.shrink_to_fit();
+  leaves_.shrink_to_fit();
 }
 
 BoxTree::BoxTree(AlignedVector<BoxNode> nodes, AlignedVector<LeafBlock> leaves)

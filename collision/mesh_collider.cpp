@@ -58,6 +58,8 @@ std::shared_ptr<const MeshCollider> MeshCollider::build(const geometry::Triangle
   }
   std::shared_ptr<MeshCollider> collider(new MeshCollider);
   collider->mesh_ = shareVertices(mesh);
+  collider->mesh_.vertices.shrink_to_fit();
+  collider->mesh_.triangles.shrink_to_fit();
   CountedTriangles counted = countTriangles(collider->mesh_);
   collider->census_ = counted.census;
   collider->measure(counted.kept);
