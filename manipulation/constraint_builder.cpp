@@ -12,6 +12,7 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr double kSecondsPerWork = 1e-6;
+constexpr std::uint64_t kTurnBoundId = (std::uint64_t{1} << 63) | (std::uint64_t{1} << 62);
 
 /// How far a part can get while the hand stays within the zone: Frobenius norms bound the largest gain.
 double reachOf(const PartDifferential& part, const dvec3& p_WS, double radius, double zone_W, double turn_ahead) {
@@ -110,7 +111,8 @@ void appendTurnBound(const Rest& rest, BuiltConstraints& built) {
   const double angle = rest.turn_ahead * std::min(1.0, built.set.zone_radius / rest.zone_radius);
   haptic::Constraint bound;
   bound.group = built.set.constraints[built.set.count - 1].group + 1;
-  bound.id = (std::uint64_t{1} << 63) | (std::uint64_t{1} << 62);
+  bound.id = kTurnBoundId;
+  built.turn = angle;
   bound.gap = 0.5 * haptic::kRotationLever * angle;
   for (std::size_t i = 3; i < 6; ++i) bound.curvature[packedIndex(i, i)] = -haptic::kRotationLever / angle;
   append(built, bound, {});
@@ -289,6 +291,17 @@ BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span
   appendLimits(inputs.mapping, std::max(group, nextGroup(built)), built);
   appendTurnBound({inputs.mapping, inputs.zone_radius, inputs.turn_ahead}, built);
   return built;
+}
+
+void dropTurnBound(BuiltConstraints& built) {
+  haptic::ConstraintSet& set = built.set;
+  const auto begin = set.constraints.begin(), end = begin + static_cast<std::ptrdiff_t>(set.count);
+  const auto bound = std::find_if(begin, end, [](const haptic::Constraint& c) { return c.id == kTurnBoundId; });
+  if (bound == end) return;
+  built.origins.erase(built.origins.begin() + (bound - begin));
+  std::copy(bound + 1, end, bound);
+  --set.count;
+  built.turn = 0.0;
 }
 
 void pairGaps(const BuiltConstraints& built, const Pose& X_DP, std::span<double> gaps) {

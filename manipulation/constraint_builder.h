@@ -67,6 +67,7 @@ struct BuiltConstraints {
   bool complete = true;             ///< False: see collision::ZoneContacts::complete.
   bool pending = false;             ///< See collision::ZoneContacts::pending.
   bool facets = false;              ///< See collision::ZoneContacts::facets.
+  double turn = 0.0;                ///< rad that the entity may turn in it, where that is bounded: see dropTurnBound().
   double cost = 0.0;                ///< s that such a set takes to make, reckoned and not measured: repeats exactly.
 };
 
@@ -111,6 +112,10 @@ BuiltConstraints buildConstraints(const ConstraintInputs& inputs);
 /// paper's own way, several pairs at once), good for `zone_radius`. What it does not know the exact motion check still
 /// stops.
 BuiltConstraints buildPlainConstraints(const ConstraintInputs& inputs, std::span<const FreeMotion::PairDistance> near);
+
+/// Takes out the row that keeps turning within `turn`: for an entity whose turn follows from its place, so that the
+/// zone bounds both.
+void dropTurnBound(BuiltConstraints& built);
 
 /// Smallest value (hand space, m) of any of a pair's groups for the stylus (or proxy) at X_DP: the entry with the
 /// largest value counts for its group. Infinite for pairs that are not in the set. One entry for each pair.

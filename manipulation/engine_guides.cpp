@@ -18,6 +18,11 @@ constexpr double kEdgeBegins = 0.85;   ///< Of the workspace's half width.
 constexpr double kLeastZone = 0.8e-3;  ///< m of hand: what a set is good for at least.
 constexpr double kLongestStep = 0.1;   ///< s that one step of the drift can stand for.
 
+/// Bound of what a turn of this rate (rad/m) makes of a metre.
+double largestRate(const dmat3& rate) {
+  return std::sqrt(glm::dot(rate[0], rate[0]) + glm::dot(rate[1], rate[1]) + glm::dot(rate[2], rate[2]));
+}
+
 /// As half-spaces of the proxy's metric, for the projection.
 void appendSolverRows(const std::vector<haptic::Constraint>& constraints, std::vector<haptic::SolverRow>& rows) {
   for (const haptic::Constraint& c : constraints) {
@@ -72,10 +77,26 @@ void ManipulationEngine::slaveSet(const Pose& X_WM0) {
     if (!turn) continue;
     const dmat3 R_WD = glm::mat3_cast(mapping_.axes());
     const dmat3 rate_D = mapping_.scale() / mapping_.rotationScale() * (glm::transpose(R_WD) * turn->rate * R_WD);
+    // Its turn is a matter of its place: what bounds one bounds the other, as the zone's edge and not as a thing.
+    if (built_.turn > 0.0) {
+      const double most = built_.turn / std::max(largestRate(rate_D), 1e-9);
+      built_.set.zone_radius = std::min(built_.set.zone_radius, std::max(most, kLeastZone));
+      dropTurnBound(built_);
+    }
     for (std::size_t i = 0; i < built_.set.count; ++i) slaveTurning(rate_D, built_.set.constraints[i]);
     built_.set.X_DR.q = state_->X_DP.q;
     return;
   }
+}
+
+/// How far the entity turns while the hand goes `radius` (m), where a guide turns it by its place; else 0. rad.
+double ManipulationEngine::guidedTurnWithin(double radius) const {
+  double turn = 0.0;
+  for (const workcell::Guide* guide : guidesOfHeld()) {
+    const std::optional<GuidedTurn> guided = guidedTurn(*guide, held_->movedFrame(), movedFrameAtRest());
+    if (guided) turn = std::max(turn, largestRate(guided->rate) * mapping_.scale() * radius);
+  }
+  return turn;
 }
 
 /// Guides go before contacts that are far away: those are left out of the set, which then is good for a smaller zone.

@@ -198,6 +198,7 @@ BuiltConstraints HeldEntity::waiting(ConstraintInputs& inputs, const SetWish& wi
 BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish) {
   ConstraintInputs inputs{*manipulator_,   accepted_, mapping,    X_DProxy,      wish.zone_radius,
                           wish.turn_ahead, parts_,    obstacles_, motion_pairs_, feel_};
+  needed_radius_ = wish.needed_radius;
   if (wish.anew && asked_) {
     search_->drop();
     asked_.reset();
@@ -227,8 +228,8 @@ BuiltConstraints HeldEntity::constraints(const MotionMapping& mapping, const Pos
 }
 
 BuiltConstraints HeldEntity::plainConstraints(ConstraintInputs inputs) {
-  inputs.zone_radius = kPlainZone;
-  motion_->distances(2.0 * kPlainZone * inputs.mapping.scale(), near_);
+  inputs.zone_radius = std::max(kPlainZone, needed_radius_);
+  motion_->distances(2.0 * inputs.zone_radius * inputs.mapping.scale(), near_);
   std::sort(near_.begin(), near_.end(),
             [](const auto& a, const auto& b) { return a.result.distance < b.result.distance; });
   own_.clear();

@@ -112,6 +112,8 @@ class HeldEntity {
     double turn_ahead = 0.1;      ///< rad.
     bool anew = false;            ///< What was asked for before is not wanted any more (another mapping, say).
     bool may_wait = false;        ///< The last set is good yet: while the next is worked out only `pending` is told.
+    double needed_radius = 0.0;   ///< m of hand: what it may go until the set after this one; a set that is only plain
+                                  ///< is given for so far, so that its edge is not met in free air.
   };
   /// `pending`: the contacts are not known yet and another call goes on with it; meanwhile the set is a plain one.
   BuiltConstraints constraints(const MotionMapping& mapping, const Pose& X_DProxy, const SetWish& wish);
@@ -234,6 +236,7 @@ class HeldEntity {
   std::uint32_t first_own_ = 0;  ///< Pairs from here on are of two moved parts.
   std::vector<std::string> notes_;
   std::unique_ptr<Way> way_;
+  double needed_radius_ = 0.0;   ///< See SetWish.
   bool crowded_ = false;         ///< The last complete set was too small to be of use.
   double crowded_radius_ = 0.0;  ///< What it was good for, m of hand.
   Pose X_DCrowded_;              ///< Where that was.

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kFreeZone = 10.0;                              ///< m: nothing held, nothing to be met.
 constexpr double kLeastTurnAhead = 0.06, kMostTurnAhead = 0.4;  ///< rad that a set is good for.
+constexpr double kMostGuidedTurn = 0.6;                         ///< rad, where a guide turns the entity.
 constexpr double kRefreshMoved = 1e-3;                          ///< m in hand space: worth a new set ...
 constexpr double kRefreshAge = 25e-3;                           ///< ... after so many seconds,
 constexpr double kOldestSet = 100e-3;                           ///< and in any case after so many.
@@ -136,8 +137,9 @@ void ManipulationEngine::addLagRow() {
   built_.origins.push_back({});
 }
 
-/// Wide enough for what the hand does until the set after this one is felt: its way there and back and one period.
-double ManipulationEngine::zoneRadius() {
+/// A zone wide enough for what the hand does until the set after this one is felt: its way there and back and one
+/// period.
+void ManipulationEngine::wishZone(HeldEntity::SetWish& wish) {
   while (!on_their_way_.empty() && on_their_way_.front().first <= state_->adopted_set) {
     adopted_ns_ = on_their_way_.front().second;
     on_their_way_.pop_front();
@@ -146,13 +148,15 @@ double ManipulationEngine::zoneRadius() {
   speed_ = std::max(glm::length(state_->v_DS), aged * speed_);
   speed_ns_ = now_ns_;
   const double configured = configuration_.manipulation.zone_radius;
-  if (state_->adopted_set == 0) return configured;
+  wish.zone_radius = configured;
+  if (state_->adopted_set == 0) return;
   const double ahead = seconds(now_ns_ - adopted_ns_) + seconds(now_ns_ - last_set_ns_);
   double coming = 0.0;
   for (const auto& [id, on_its_way] : scripted_) coming = std::max(coming, glm::length(on_its_way.velocity_W));
   // Where the last one had to shrink, asking for more only costs time.
   const double most = std::max(configured, std::min(kWidestZone, 2.0 * built_.set.zone_radius));
-  return std::clamp(kSpeedReserve * (speed_ + coming / mapping_.scale()) * ahead, configured, most);
+  wish.needed_radius = std::min(kWidestZone, kSpeedReserve * (speed_ + coming / mapping_.scale()) * ahead);
+  wish.zone_radius = std::clamp(wish.needed_radius, configured, most);
 }
 
 void ManipulationEngine::updateSet() {
@@ -164,13 +168,16 @@ void ManipulationEngine::updateSet() {
     const Twist since = difference(state_->X_DS, X_DSeen_);
     const double turned = glm::length(since.angular);
     X_DSeen_ = state_->X_DS;
-    const double turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
+    HeldEntity::SetWish wish;
+    wish.turn_ahead = std::clamp(kLeastTurnAhead + 2.0 * turned, kLeastTurnAhead, kMostTurnAhead);
     // A slow hand is content with a small zone, as long as it says everything.
-    const double least = std::clamp(kLeastAhead * glm::length(since.linear), kLeastZone, kMostLeastZone);
-    const bool may_wait = !changed && holdsStill();
-    BuiltConstraints built =
-        held_->constraints(mapping_, state_->X_DP, {zoneRadius(), least, turn_ahead, changed, may_wait});
-    if (built.pending && may_wait) {
+    wish.least_radius = std::clamp(kLeastAhead * glm::length(since.linear), kLeastZone, kMostLeastZone);
+    wish.anew = changed;
+    wish.may_wait = !changed && holdsStill();
+    wishZone(wish);
+    wish.turn_ahead = std::max(wish.turn_ahead, std::min(kMostGuidedTurn, guidedTurnWithin(wish.zone_radius)));
+    BuiltConstraints built = held_->constraints(mapping_, state_->X_DP, wish);
+    if (built.pending && wish.may_wait) {
       set_ns_ = std::exchange(last_set_ns_, before_ns);
       return;
     }

@@ -85,7 +85,7 @@ class ManipulationEngine {
   double scaleInForce() const;
   workcell::EntityId entityAtTip() const;
   void updateSet();
-  double zoneRadius();
+  void wishZone(HeldEntity::SetWish& wish);
   bool needsSet() const;
   bool holdsStill() const;
   void addLagRow();
@@ -95,6 +95,7 @@ class ManipulationEngine {
   void addGuideRows();
   void makeRoom(std::size_t rows);
   void slaveSet(const Pose& X_WM0);
+  double guidedTurnWithin(double radius) const;
   Pose onGuides(const Pose& X_DP) const;
   std::vector<const workcell::Guide*> guidesOfHeld() const;
   Pose movedFrameAtRest() const;

@@ -12,9 +12,7 @@
 #include "app/host/selection.h"
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
-#include "app/virtual_desktop/finger_contact.h"
 #include "app/virtual_desktop/preparation_bar.h"
-#include "mannequin/figure_model.h"
 
 namespace hapticell::app {
 namespace {
@@ -25,8 +23,6 @@ constexpr int kServerPatience = 700;  // Milliseconds without an answer until a 
 constexpr int kLeastPress = 90;       // Milliseconds that a press of the stylus's button lasts at least.
 constexpr double kPenPixels = 150.0;  // As the viewport draws it.
 constexpr int kInputPeriod = 16;      // Milliseconds between two looks at glove and 3-D mouse.
-constexpr double kGloveStep = 0.02;   // rad of a finger that count as a motion.
-constexpr int kGloveRest = 400;       // Milliseconds without one: the hand's pose goes into the document.
 
 }  // namespace
 
@@ -259,24 +255,24 @@ void VirtualDesktopController::takeEntityChoices() {
   change(settings);
 }
 
-void VirtualDesktopController::setOnContact(workcell::OnContact on_contact) {
+/// `set` writes the choice into the command and into the settings alike.
+template <typename Set>
+void VirtualDesktopController::choose(const Set& set) {
   workcell::SetProperties wanted;
   wanted.id = settings_.entity;
-  wanted.on_contact = on_contact;
+  set(wanted);
   if (settings_.entity != 0 && host_.documentModel().execute(wanted)) return;
   VirtualDesktopSettings settings = settings_;
-  settings.on_contact = on_contact;
+  set(settings);
   change(settings);
 }
 
+void VirtualDesktopController::setOnContact(workcell::OnContact on_contact) {
+  choose([on_contact](auto& choices) { choices.on_contact = on_contact; });
+}
+
 void VirtualDesktopController::setForceClass(workcell::ForceClass force_class) {
-  workcell::SetProperties wanted;
-  wanted.id = settings_.entity;
-  wanted.force_class = force_class;
-  if (settings_.entity != 0 && host_.documentModel().execute(wanted)) return;
-  VirtualDesktopSettings settings = settings_;
-  settings.force_class = force_class;
-  change(settings);
+  choose([force_class](auto& choices) { choices.force_class = force_class; });
 }
 
 void VirtualDesktopController::updateStrip() {
@@ -373,92 +369,6 @@ void VirtualDesktopController::takeResults() {
     if (const auto* recorded = std::get_if<manipulation::result::Recorded>(&result))
       host_.recording().deliver(recorded->trajectories);
   }
-}
-
-void VirtualDesktopController::takeInputs() {
-  const double seconds = 1e-9 * static_cast<double>(input_clock_.nsecsElapsed());
-  input_clock_.restart();
-  for (const std::string& sentence : inputs_.takeNews()) {
-    host_.messages().tell(Severity::kInformation, QString::fromStdString(sentence));
-    emit connectionChanged();
-  }
-  driveByMouse(seconds);
-  poseByGlove();
-}
-
-void VirtualDesktopController::driveByMouse(double seconds) {
-  const auto state = inputs_.mouseState();
-  if (!state) return;
-  const std::uint32_t pressed = state->buttons & ~input_buttons_, released = input_buttons_ & ~state->buttons;
-  input_buttons_ = state->buttons;
-  if (pressed & 2u) {  // The second button changes between the view and what is held.
-    const bool view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
-    inputs_.setMouseMoves(view ? InputDevices::MouseMoves::kEntity : InputDevices::MouseMoves::kView);
-    emit connectionChanged();
-  }
-  const bool moves_view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
-  if (!moves_view && ((pressed | released) & 1u)) mouse_.setButton((pressed & 1u) != 0);
-  if (std::all_of(state->motion, state->motion + 6, [](double m) { return m == 0.0; })) return;
-  ViewportWidget& viewport = host_.viewport();
-  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  if (moves_view) {
-    viewport.setCamera(movedByMouse(viewport.camera(), state->motion, seconds, size), false);
-  } else {
-    mouse_.drive(handMotion(state->motion, seconds));
-  }
-}
-
-/// The fingers that touch; while the stylus holds something else the whole hand feels how hard that is pressed.
-void VirtualDesktopController::vibrate(const workcell::Entity* figure, mannequin::Side side) {
-  const double peak = device_ ? device_->peak_force : 0.0;
-  FingerVibration strength{};
-  if (figure && (snapshot_.held == 0 || snapshot_.held == figure->id)) {
-    strength = fingerVibration(snapshot_, figure->id, side, peak);
-  } else if (snapshot_.forces_on && peak > 0.0) {
-    strength.fill(snapshot_.force_n / peak);
-  }
-  inputs_.vibrateGlove(strength);
-}
-
-void VirtualDesktopController::poseByGlove() {
-  const auto angles = inputs_.gloveAngles();
-  if (!angles) return;
-  const workcell::Document& document = host_.documentModel().document();
-  const workcell::Entity* entity = document.find(settings_.entity);
-  if (!entity || !entity->figure) {
-    entity = nullptr;
-    for (const auto& other : document.state().entities) {
-      if (other->figure && !entity) entity = other.get();
-    }
-  }
-  const mannequin::Side side = inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft;
-  vibrate(entity, side);
-  if (!entity || entity->locked) return;
-  const mannequin::ModelConfiguration stands{entity->X_WE, entity->joints};
-  mannequin::Posture posture = mannequin::toPosture(*entity->figure, stands);
-  mannequin::setHandFromGlove(*angles, side, posture);
-  std::vector<double> joints = mannequin::toModel(*entity->figure, posture).joints;
-  const std::vector<double>& before = gloved_ == entity->id ? gloved_joints_ : entity->joints;
-  double moved = 0.0;
-  for (std::size_t i = 0; i < joints.size() && i < before.size(); ++i)
-    moved = std::max(moved, std::abs(joints[i] - before[i]));
-  if (moved > kGloveStep) {
-    gloved_ = entity->id;
-    gloved_joints_ = std::move(joints);
-    glove_rests_.start();
-  } else if (gloved_ == entity->id && glove_rests_.elapsed() > kGloveRest) {
-    // One step of undo for a grasp, not one for each twitch.
-    host_.documentModel().execute(workcell::SetConfiguration{gloved_, entity->X_WE, gloved_joints_});
-    gloved_ = 0;
-  }
-}
-
-manipulation::EntityState VirtualDesktopController::glovedState() const {
-  manipulation::EntityState state;
-  state.id = gloved_;
-  if (const workcell::Entity* entity = host_.documentModel().document().find(gloved_)) state.X_WE = entity->X_WE;
-  state.joints = gloved_joints_;
-  return state;
 }
 
 void VirtualDesktopController::updateMouse() {

@@ -83,6 +83,8 @@ class VirtualDesktopController : public QObject {
   manipulation::EntityState glovedState() const;
   void updateStrip();
   void takeEntityChoices();
+  template <typename Set>
+  void choose(const Set& set);
   Pose cameraPose_W() const;
   dquat axes_W() const;
 

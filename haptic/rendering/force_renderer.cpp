@@ -17,8 +17,10 @@ constexpr double kOffsetDecay = 0.05e-3;                     // m per millisecon
 constexpr double kFadeTime = 0.005;                          // s, of a small offset in contact.
 constexpr double kOffsetGone = 1e-6;                         // m.
 constexpr double kPull = 1e-3;                               // N.
-constexpr double kTrustForce = 0.8;                          // N.
+constexpr double kTrustForce = 0.8;                          // N,
+constexpr double kTrustShare = 0.3;                          // of the stiffness: the zone's edge is no thing to strike.
 constexpr double kQuietFilter = 75.0, kQuickFilter = 100.0;  // Hz, at kSoft and below, and for stiff couplings.
+constexpr double kControllerFilter = 40.0;                   // Hz: it damps more, so its noise must be less.
 constexpr double kSoft = 1000.0;                             // N/m.
 constexpr double kDampingLimit = 8.0;                        // N s/m an entry can ask for.
 constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
@@ -26,8 +28,11 @@ constexpr double kStiffnessTime = 0.1;                       // s for a whole ch
 
 /// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
 /// quicker.
-double lowPassGain(double stiffness, double dt) {
-  const double frequency = std::clamp(kQuietFilter * stiffness / kSoft, kQuietFilter, kQuickFilter);
+double filterFrequency(double stiffness) {
+  return std::clamp(kQuietFilter * stiffness / kSoft, kQuietFilter, kQuickFilter);
+}
+
+double lowPassGain(double frequency, double dt) {
   return 1.0 - std::exp(-2.0 * std::numbers::pi * frequency * dt);
 }
 
@@ -75,7 +80,7 @@ void ForceRenderer::reset(const Pose& X_DS) {
   load_D_ = dvec3(0.0);
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
-  offset_D_ = stretch_D_ = v_stylus_D_ = v_proxy_D_ = {};
+  offset_D_ = stretch_D_ = trust_D_ = v_stylus_D_ = v_slow_D_ = v_proxy_D_ = {};
   yield_ = 0.0;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
@@ -100,7 +105,7 @@ Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
 
 /// From the stylus to the proxy, m. A proxy that is only late pulls at nobody.
 MetricVector ForceRenderer::stretchOf(const ProxyStep& solved, const Pose& X_DS) const {
-  const MetricVector trusted_D = limited(solved.trust_D, kTrustForce / stiffness_);
+  const MetricVector trusted_D = limited(kTrustShare * solved.trust_D, kTrustForce / stiffness_);
   return mover_.way(solved.X_DP, X_DS) + solved.lag_D + trusted_D - solved.trust_D;
 }
 
@@ -111,7 +116,7 @@ ProxyStep ForceRenderer::changeSet(const Pose& X_DS, double dt, SetJump& jump) {
     const MetricVector stretch_before = stretchOf(before, X_DS), stretch_after = stretchOf(solved, X_DS);
     const MetricVector borne_before = borne(stretch_before);
     offset_D_ += borne_before - borne(stretch_after);
-    jump = {mover_.way(solved.X_DP, before.X_DP), stretch_after - stretch_before};
+    jump = {mover_.way(solved.X_DP, before.X_DP), stretch_after - stretch_before, solved.trust_D - before.trust_D};
     set_period_ = std::clamp(since_adoption_, kMillisecond, 0.2);
   }
   current_ = 1 - current_;
@@ -126,12 +131,15 @@ ProxyStep ForceRenderer::changeSet(const Pose& X_DS, double dt, SetJump& jump) {
 /// edge only a capped part was felt. Returns the proxy's step without the jump.
 MetricVector ForceRenderer::takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
                                         const MetricVector& stylus_step, double dt) {
-  const MetricVector proxy_step = mover_.way(solved.X_DP, proxy_) - jump.proxy_D;
+  // The zone's edge is no thing that could be struck: what it holds back counts as gone, so that nothing damps it.
+  const MetricVector held_back = solved.trust_D - trust_D_ - jump.trust_D;
+  const MetricVector proxy_step = mover_.way(solved.X_DP, proxy_) - jump.proxy_D - held_back;
+  trust_D_ = solved.trust_D;
   const MetricVector growth = stretch_D - stretch_D_ - jump.stretch_D + stylus_step;
   stretch_D_ = stretch_D;
-  if (!contact_ || !solved.contact) return proxy_step;
   const MetricVector carried{dt * solved.v_DO, dvec3(0.0)};
   const double allowed = solved.outrun * length(stylus_step - carried) + length(carried) + kJumpAllowance;
+  if (!contact_ || !solved.contact) return limited(proxy_step, allowed);
   const MetricVector excess = growth - limited(growth, allowed);
   if (!(excess == MetricVector{})) {
     const MetricVector borne_before = borne(stretch_D - excess);
@@ -141,9 +149,10 @@ MetricVector ForceRenderer::takeOutJump(const ProxyStep& solved, const MetricVec
 }
 
 void ForceRenderer::filterVelocities(const MetricVector& stylus_step, const MetricVector& proxy_step, double dt) {
-  const double gain = lowPassGain(options_.stiffness, dt);
+  const double gain = lowPassGain(filterFrequency(options_.stiffness), dt);
   v_stylus_D_ += gain * ((1.0 / dt) * stylus_step - v_stylus_D_);
   v_proxy_D_ += gain * ((1.0 / dt) * proxy_step - v_proxy_D_);
+  v_slow_D_ += lowPassGain(kControllerFilter, dt) * ((1.0 / dt) * stylus_step - v_slow_D_);
 }
 
 void ForceRenderer::decayOffset(const ProxyStep& solved, const MetricVector& stylus_step, double dt) {
@@ -156,7 +165,7 @@ void ForceRenderer::decayOffset(const ProxyStep& solved, const MetricVector& sty
   if (solved.contact) {
     decay = std::min(decay, size * dt / kFadeTime);
   } else {
-    decay += std::abs(dot(stylus_step, offset_D_)) / size;
+    decay += std::max(0.0, dot(stylus_step, offset_D_)) / size;  // It is no push to be had for nothing.
   }
   offset_D_ *= 1.0 - std::min(1.0, decay / size);
 }
@@ -187,9 +196,11 @@ MetricVector ForceRenderer::couplingForce(const ProxyStep& solved) const {
   const double damping = solved.contact ? damping_ : 0.0;
   const MetricVector outward = (1.0 / pull) * last_.spring;
   const MetricVector v_rel = v_stylus_D_ - v_proxy_D_;
-  MetricVector controlled = -passivity_.damping() * (v_stylus_D_ - MetricVector{solved.v_DO, dvec3(0.0)});
+  MetricVector controlled = -passivity_.damping() * (v_slow_D_ - MetricVector{solved.v_DO, dvec3(0.0)});
   // It takes on the way out; on the way in it would only press harder and so hold more.
   controlled -= std::max(0.0, dot(controlled, outward)) * outward;
+  // Like friction it ends with what presses, not with a step.
+  controlled = limited(controlled, pull);
   const MetricVector force = last_.spring - damping * v_rel + controlled;
   const double along = dot(force, outward);
   return along < 0.0 ? force - along * outward : force;

@@ -111,9 +111,9 @@ class ForceRenderer {
   MetricVector way(const Pose& X_DB, const Pose& X_DA) const { return mover_.way(X_DB, X_DA); }
 
  private:
-  /// What a change of sets alone does to the proxy and to the stretch of the spring, m.
+  /// What a change of sets alone does to the proxy, to the stretch of the spring and to the trust row's part of it, m.
   struct SetJump {
-    MetricVector proxy_D, stretch_D;
+    MetricVector proxy_D, stretch_D, trust_D;
   };
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
@@ -148,11 +148,13 @@ class ForceRenderer {
   Pose stylus_;
   MetricVector offset_D_;
   MetricVector stretch_D_;  ///< Of the last tick, before it yields.
+  MetricVector trust_D_;    ///< Of the last tick: see ProxyStep::trust_D.
   double yield_ = 0.0;      ///< By how much the spring has yielded, m.
   double force_limit_ = kNoLimit;
   MetricVector v_stylus_D_, v_proxy_D_;
-  HeldSpring last_;    ///< Of the last tick.
-  dvec3 load_D_{0.0};  ///< Of the last tick, N.
+  MetricVector v_slow_D_;  ///< The stylus's for the passivity controller, more filtered.
+  HeldSpring last_;        ///< Of the last tick.
+  dvec3 load_D_{0.0};      ///< Of the last tick, N.
   double stiffness_ = 1000.0;
   double damping_ = 2.0;
   PassivityController passivity_;

@@ -93,6 +93,52 @@ TEST(ForceRenderer, dropsAForceThatANewSetTakesAwaySlowlyThenExactly) {
   EXPECT_LE(ticks, 150);
 }
 
+/// A hand at 0.2 m/s that leaves the zone in free air before the next set has come, and is let go by it.
+TEST(ForceRenderer, meetsTheEdgeOfAZoneWithoutAStep) {
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.05));
+  ConstraintSet set = floorSet(1, 0.0, dvec3(0, 0, 0.05));
+  set.zone_radius = 0.01;
+  ASSERT_EQ(renderer.adopt(set), Adoption::kAdopted);
+  dvec3 before(0.0);
+  double largest = 0.0, worst = 0.0;
+  for (int i = 1; i <= 120; ++i) {
+    const double x = 0.2e-3 * i;
+    if (i == 70) {
+      ASSERT_EQ(renderer.adopt(floorSet(2, 0.0, dvec3(0.0095, 0, 0.05))), Adoption::kAdopted);
+    }
+    const RenderResult result = renderer.tick(at(x, 0, 0.05), kTick);
+    EXPECT_LE(result.force_D.x, 1e-9) << "never pushed on";
+    worst = std::max(worst, glm::length(result.force_D - before));
+    largest = std::max(largest, glm::length(result.force_D));
+    before = result.force_D;
+  }
+  EXPECT_GT(largest, 0.3);
+  EXPECT_LE(largest, 0.8 + 1e-9);
+  EXPECT_LT(worst, 0.1);
+  EXPECT_LT(glm::length(before), 1e-9);
+}
+
+/// The zone's edge stops a proxy that slides on a floor: nothing was struck, so no damper answers either.
+TEST(ForceRenderer, dampsNothingAtTheEdgeOfAZone) {
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.005));
+  ConstraintSet set = floorSet(1);
+  set.zone_radius = 0.02;
+  ASSERT_EQ(renderer.adopt(set), Adoption::kAdopted);
+  dvec3 before = moveTo(renderer, dvec3(0, 0, 0.005), dvec3(0, 0, -0.002)).force_D;
+  double worst = 0.0;
+  bool edge = false;
+  for (int i = 1; i <= 250; ++i) {
+    const RenderResult result = renderer.tick(at(1e-4 * i, 0, -0.002), kTick);
+    worst = std::max(worst, glm::length(result.force_D - before));
+    before = result.force_D;
+    edge = edge || result.at_zone_edge;
+  }
+  EXPECT_TRUE(edge);
+  EXPECT_LT(worst, 0.05);
+}
+
 TEST(ForceRenderer, softensWhereTheMaterialAsksForIt) {
   ConstraintSet set = floorSet(1);
   set.constraints[0].stiffness = 400.0;
