@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.h"
 #include "feel/benchmark.h"
+#include "workcell/mesh_reader.h"
 
 namespace hapticell::cli {
 
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr double kMillimetre = 1e-3;
 
 ordered_json numberOrNull(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
@@ -28,7 +35,23 @@ ordered_json figureJson(const feel::Figure& figure) {
           {"comparison", figure.at_least ? "at least" : "at most"}};
 }
 
-ExitStatus runFeel(feel::BenchmarkOptions options, ResultWriter& writer) {
+Expected<void> readParts(const std::vector<std::string>& files, feel::BenchmarkOptions& options) {
+  for (const std::string& file : files) {
+    Diagnostics diagnostics;
+    workcell::MeshReadOptions how;
+    how.scale = kMillimetre;
+    auto mesh = workcell::readMesh(file, how, diagnostics);
+    if (!mesh) return makeError(mesh.error());
+    options.parts.push_back({std::filesystem::path(file).filename().string(), std::move(*mesh)});
+  }
+  return {};
+}
+
+ExitStatus runFeel(feel::BenchmarkOptions options, const std::vector<std::string>& files, ResultWriter& writer) {
+  if (const auto read = readParts(files, options); !read) {
+    report(read.error());
+    return ExitStatus::kBadInput;
+  }
   options.progress = [](const std::string& what) { std::fprintf(stderr, "feel: %s\n", what.c_str()); };
   const auto figures = feel::runBenchmark(options);
   if (!figures) {
@@ -58,8 +81,11 @@ void addFeelCommand(CLI::App& app, Action& chosen) {
   command->add_option("--only", options->only, "One figure (M4) or part of a scene's name");
   command->add_flag("--full", options->full, "The full counts (minutes)");
   command->add_flag("--timing", options->timing, "Also M7 and M11, by the clock on the wall");
-  command->callback(
-      [options, &chosen] { chosen = [options](ResultWriter& writer) { return runFeel(*options, writer); }; });
+  auto parts = std::make_shared<std::vector<std::string>>();
+  command->add_option("--part", *parts, "A mesh (STL, OBJ, PLY; millimetres) to be felt with a ball besides (M13)");
+  command->callback([options, parts, &chosen] {
+    chosen = [options, parts](ResultWriter& writer) { return runFeel(*options, *parts, writer); };
+  });
 }
 
 }  // namespace hapticell::cli

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "feel/figure.h"
+#include "feel/part_scenes.h"
 #include "geometry/error.h"
 
 namespace hapticell::feel {
 
 struct BenchmarkOptions {
-  std::string only;     ///< A figure ("M4"), or part of a scene's name; empty: all. Case does not matter.
-  bool full = false;    ///< The counts of docs/feel.md instead of reduced ones.
-  bool timing = false;  ///< Also what is measured by the wall clock: M7, M11.
+  std::string only;              ///< A figure ("M4"), or part of a scene's name; empty: all. Case does not matter.
+  bool full = false;             ///< The counts of docs/feel.md instead of reduced ones.
+  bool timing = false;           ///< Also what is measured by the wall clock: M7, M11.
+  std::vector<Part> parts = {};  ///< Felt besides, for M13: steps are reported, energy and penetration judged.
   std::function<void(const std::string& what)> progress = {};  ///< Called by one thread at a time.
 };
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // M13: the same scenes as meshes through the proximity engine, beside exact geometry of the same run.
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "feel/figure_job.h"
 #include "feel/mesh_scenes.h"
+#include "feel/part_scenes.h"
 
 namespace hapticell::feel {
 
 namespace {
 
-constexpr double kSlide = 3.0;  // s.
+constexpr double kSlide = 3.0;   // s.
+constexpr double kFitted = 0.1;  // mm: the ball's own facets are that far inside it.
 
 FeelFigures slide(const MeshCase& of, const ClientRate& rate, bool mesh) {
   SessionSetup setup;
@@ -18,15 +24,20 @@ FeelFigures slide(const MeshCase& of, const ClientRate& rate, bool mesh) {
   return session.figures();
 }
 
-std::vector<Figure> meshFigures(const std::string& name, const ClientRate& rate) {
-  const MeshCase of = makeMeshCase(name);
-  const FeelFigures mesh = slide(of, rate, true), exact = slide(of, rate, false);
+FeelFigures slideClassic(const MeshCase& of, const FeelScene* seen) {
   SessionSetup old;
   old.rate = kRates[0];
   old.classic = true;
+  old.seen = seen;
   FeelSession session(*of.exact, old);
   touchAndSlide(session, *of.exact, kSlide);
-  const FeelFigures classic = session.figures();
+  return session.figures();
+}
+
+std::vector<Figure> meshFigures(const std::string& name, const ClientRate& rate) {
+  const MeshCase of = makeMeshCase(name);
+  const FeelFigures mesh = slide(of, rate, true), exact = slide(of, rate, false);
+  const FeelFigures classic = slideClassic(of, nullptr);
   const std::string at = rateName(rate);
   std::vector<Figure> figures;
   const auto add = [&](const char* id, const char* unit, double value, double limit, double classic_value) {
@@ -43,6 +54,22 @@ std::vector<Figure> meshFigures(const std::string& name, const ClientRate& rate)
   return figures;
 }
 
+/// Nothing exact is known beside these: the force's steps are told, and nothing may be entered or made.
+std::vector<Figure> partFigures(const Part& part, const ClientRate& rate) {
+  const MeshCase of = makePartCase(part);
+  const FeelFigures ours = slide(of, rate, true), classic = slideClassic(of, of.mesh.get());
+  const std::string at = rateName(rate);
+  Figure step{"M13.step", part.name, at, "N/ms", ours.step_n}, energy{"M13.energy", part.name, at, "mJ"};
+  Figure inside{"M13.penetration", part.name, at, "mm", 1e3 * ours.penetration, kFitted};
+  energy.value = 1e3 * ours.energy_min;
+  energy.limit = -0.5;
+  energy.at_least = true;
+  step.classic = classic.step_n;
+  energy.classic = 1e3 * classic.energy_min;
+  inside.classic = 1e3 * classic.penetration;
+  return {step, energy, inside};
+}
+
 }  // namespace
 
 void addMeshJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs) {
@@ -50,6 +77,15 @@ void addMeshJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs) 
     for (const ClientRate& rate : kRates) {
       if (rate.rate_hz > 100.0 && !options.full) continue;  // A thousand queries a second are not virtual.
       jobs.push_back({{"M13"}, name, [name, rate] { return meshFigures(name, rate); }});
+    }
+  }
+  std::vector<Part> parts = freeFormParts();
+  parts.insert(parts.end(), options.parts.begin(), options.parts.end());
+  for (const Part& given : parts) {
+    const auto part = std::make_shared<const Part>(given);  // Jobs are copied.
+    for (const ClientRate& rate : kRates) {
+      if (rate.rate_hz > 100.0) continue;
+      jobs.push_back({{"M13"}, part->name, [part, rate] { return partFigures(*part, rate); }});
     }
   }
 }

@@ -20,11 +20,11 @@ namespace {
 using geometry::TriangleMesh;
 using Pieces = std::shared_ptr<const collision::ConvexPieces>;
 
-constexpr double kBall = 0.005;     // m, radius of the held sphere.
-constexpr double kPeg = 0.01;       // m, radius of the held peg.
-constexpr double kChord = 1e-4;     // m between a chord and its arc, at most,
-constexpr double kTurn = 0.3;       // and rad between two of its ends.
-constexpr double kLength = 0.4;     // m of what is long.
+constexpr double kPeg = 0.01;    // m, radius of the held peg.
+constexpr double kChord = 1e-4;  // m between a chord and its arc, at most,
+constexpr double kTurn = 0.3;    // and rad between two of its ends.
+constexpr double kLength = 0.4;  // m of what is long.
+constexpr int kMostQueries = 50;
 constexpr double kTurnAhead = 0.1;  // rad that a set is good for.
 const Pose kAlongY = Pose::rotation(quaternionFromRotationVector({0.5 * std::numbers::pi, 0.0, 0.0}));
 
@@ -62,7 +62,10 @@ class MeshScene final : public FeelScene {
                                           kTurnAhead, parts_, obstacles_, pairs_, feel_};
     inputs.finder = &finder_;
     inputs.surfaces = surfaces_;
-    return manipulation::buildConstraints(inputs).set;
+    // What is worked out for the first time takes several queries; until then a client holds the set that it has.
+    manipulation::BuiltConstraints built = manipulation::buildConstraints(inputs);
+    for (int more = 0; built.pending && more < kMostQueries; ++more) built = manipulation::buildConstraints(inputs);
+    return built.set;
   }
   double penetration(const Pose&, double) const override { return 0.0; }
   dvec3 handAt(double, double) const override { return dvec3(0.0); }
@@ -84,7 +87,7 @@ class MeshScene final : public FeelScene {
 };
 
 TriangleMesh ball() {
-  return geometry::makeSphere(kBall, segments(kBall));
+  return geometry::makeSphere(kBallRadius, segments(kBallRadius));
 }
 TriangleMesh block() {
   return geometry::makeBox(dvec3(kLength));
@@ -94,7 +97,7 @@ Placed floorAt(double height) {
 }
 Placed roundBar(double radius) {
   Pose X_W = kAlongY;
-  X_W.p = {0.0, 0.0, -kBall - radius};
+  X_W.p = {0.0, 0.0, -kBallRadius - radius};
   return {geometry::makeCylinder(radius, kLength, segments(radius)), X_W};
 }
 
@@ -107,19 +110,19 @@ struct Recipe {
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all{
-      {"mesh sphere on flat wall", ball, [] { return std::vector<Placed>{floorAt(-kBall)}; }, planeScene},
+      {"mesh sphere on flat wall", ball, [] { return std::vector<Placed>{floorAt(-kBallRadius)}; }, planeScene},
       {"mesh sphere on cylinder R50", ball, [] { return std::vector<Placed>{roundBar(0.05)}; },
-       [] { return cylinderScene(0.05 + kBall); }},
+       [] { return cylinderScene(0.05 + kBallRadius); }},
       {"mesh sphere on cylinder R10", ball, [] { return std::vector<Placed>{roundBar(0.01)}; },
-       [] { return cylinderScene(0.01 + kBall); }},
+       [] { return cylinderScene(0.01 + kBallRadius); }},
       {"mesh sphere in bore R15", ball,
        [] {
          return std::vector<Placed>{{geometry::makePipe(0.03, 0.015, kLength, segments(0.015)), kAlongY}};
        },
-       [] { return boreScene(0.015 - kBall); }},
+       [] { return boreScene(0.015 - kBallRadius); }},
       {"mesh sphere in corner", ball,
        [] {
-         const double off = -kBall - 0.5 * kLength;
+         const double off = -kBallRadius - 0.5 * kLength;
          return std::vector<Placed>{{block(), Pose::translation({off, 0, 0})},
                                     {block(), Pose::translation({0, off, 0})},
                                     {block(), Pose::translation({0, 0, off})}};
@@ -163,6 +166,10 @@ MeshCase makeMeshCase(const std::string& name) {
   }
   HAPTICELL_DEMAND(false && "a name of meshCaseNames()");
   return {};
+}
+
+std::unique_ptr<FeelScene> ballAgainst(const std::string& name, const TriangleMesh& part, const Pose& X_WP) {
+  return std::make_unique<MeshScene>(name, ball(), std::vector<Placed>{{part, X_WP}});
 }
 
 }  // namespace hapticell::feel

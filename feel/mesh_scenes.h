@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "feel/scene.h"
+#include "geometry/triangle_mesh.h"
 
 namespace hapticell::feel {
 
@@ -21,5 +22,10 @@ struct MeshCase {
 /// of a mesh is felt here too.
 std::vector<std::string> meshCaseNames();
 MeshCase makeMeshCase(const std::string& name);  ///< One of these names (contract).
+
+/// Radius of the held ball, m.
+inline constexpr double kBallRadius = 0.005;
+/// What a client sees of the ball against this part at X_WP.
+std::unique_ptr<FeelScene> ballAgainst(const std::string& name, const geometry::TriangleMesh& part, const Pose& X_WP);
 
 }  // namespace hapticell::feel

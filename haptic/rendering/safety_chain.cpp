@@ -63,11 +63,15 @@ SafetyChain::SafetyChain(const SafetyOptions& options) : options_(sane(options))
   torque_.slew = options_.slew * kRotationLever;
 }
 
-void SafetyChain::reset() noexcept {
+void SafetyChain::cut() noexcept {
   force_.last = force_.slewed = torque_.last = torque_.slewed = dvec3(0.0);
   gate_ = GateState::kClosed;
   small_ticks_ = 0;
   ramp_ = 0.0;
+}
+
+void SafetyChain::reset() noexcept {
+  cut();
   fade_ = 1.0;
   needs_new_enable_ = false;
 }

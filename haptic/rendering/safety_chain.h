@@ -75,6 +75,10 @@ class SafetyChain {
   /// been false and true again. The force still falls within close_decay.
   void trip() noexcept;
 
+  /// The force has been taken away at once, by something that knows better (motors off, a device that fails): whatever
+  /// comes next begins from nothing, through the gate.
+  void cut() noexcept;
+
   /// As made: no force, gate closed, motors as warm as they were.
   void reset() noexcept;
 

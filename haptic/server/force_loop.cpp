@@ -238,9 +238,14 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   input.link_silence = input.link_open ? std::max(0.0, kSecondsPerNanosecond * static_cast<double>(silence)) : 0.0;
   input.reported_temperature = reading_.motor_temperature;
   safety_result_ = safety_.tick(input);
+  if (device_fault_ || motors_off_) {
+    safety_.cut();
+    safety_result_.force_D = safety_result_.torque_D = dvec3(0.0);
+    safety_result_.gate = GateState::kClosed;
+    safety_result_.ramp = 0.0;
+  }
   const bool engaged = safety_result_.gate != GateState::kClosed && !device_fault_;
   if (engaged != engaged_) device_.setEngaged(engaged_ = engaged);
-  if (device_fault_ || motors_off_) safety_result_.force_D = safety_result_.torque_D = dvec3(0.0);
   const dvec3 command_D = safety_result_.force_D;
   if (device_.write(command_D, safety_result_.torque_D) != DeviceStatus::kOk && !device_fault_) safety_.trip();
   renderer_.noteApplied(command_D, safety_result_.torque_D);

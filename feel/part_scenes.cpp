@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "feel/part_scenes.h"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "collision/mesh_collider.h"
+#include "collision/proximity_query.h"
+#include "geometry/shapes.h"
+
+namespace hapticell::feel {
+
+namespace {
+
+using collision::MeshCollider;
+using geometry::TriangleMesh;
+
+constexpr double kProbe = 0.05e-3;  // m, radius of the ball that measures.
+constexpr double kWay = 0.012;      // m, half of the way over the part.
+constexpr double kNear = 1e-6;      // m: touches.
+constexpr int kMostSteps = 200;
+
+class PartScene final : public FeelScene {
+ public:
+  PartScene(std::string name, std::shared_ptr<const MeshCollider> part)
+      : name_(std::move(name)), query_(MeshCollider::build(geometry::makeSphere(kProbe, 8)), part) {
+    drop(*part);
+  }
+  std::string name() const override { return name_; }
+  const Pose& placement() const { return X_WP_; }
+  ConstraintSet setAt(const Pose& X_DP, double) const override { return emptySet(X_DP); }
+  double penetration(const Pose& X_DP, double) const override {
+    return std::max(0.0, kBallRadius - distanceFrom(X_DP.p, X_WP_));
+  }
+  dvec3 handAt(double t, double press) const override {
+    return {kWay * triangleWave(t, 1.667), 0.3 * kWay * std::sin(2.0 * t), -press};
+  }
+  dvec3 start() const override { return {-kWay, 0.0, 0.012}; }
+
+ private:
+  /// Of a point from the part; 0 inside.
+  double distanceFrom(const dvec3& p_WQ, const Pose& X_WP) const {
+    const collision::DistanceResult found = query_.distance(Pose::translation(p_WQ), X_WP);
+    return found.colliding ? 0.0 : found.distance + kProbe;
+  }
+  /// Lowers the ball onto the part; the place where it touches becomes the origin.
+  void drop(const MeshCollider& part) {
+    const geometry::Bounds& bounds = part.bounds();
+    const Pose X_PM = Pose::translation({-bounds.center().x, -bounds.center().y, -bounds.max.z});
+    dvec3 at(0.0, 0.0, kBallRadius + 1e-3);
+    for (int i = 0; i < kMostSteps && at.z > bounds.min.z - bounds.max.z; ++i) {
+      const double gap = distanceFrom(at, X_PM) - kBallRadius;
+      if (gap < kNear) break;
+      at.z -= gap;
+    }
+    X_WP_ = Pose::translation(X_PM.p - at);
+  }
+
+  std::string name_;
+  mutable collision::ProximityQuery query_;  // One session asks, in its own thread.
+  Pose X_WP_;
+};
+
+/// The block under z = height(x, y), 60 mm square.
+TriangleMesh block(const std::function<double(double, double)>& height, int cells) {
+  constexpr double kHalf = 0.03, kFloor = -0.03;
+  TriangleMesh mesh;
+  const auto row = static_cast<std::uint32_t>(cells + 1);
+  const auto add = [&](bool top) {
+    for (std::uint32_t j = 0; j < row; ++j) {
+      for (std::uint32_t i = 0; i < row; ++i) {
+        const double x = kHalf * (2.0 * i / cells - 1.0), y = kHalf * (2.0 * j / cells - 1.0);
+        mesh.vertices.push_back({x, y, top ? height(x, y) : kFloor});
+      }
+    }
+  };
+  const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  add(true);
+  add(false);
+  const std::uint32_t under = row * row, n = row - 1;
+  for (std::uint32_t j = 0; j < n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * row + i;
+      quad(a, a + 1, a + 1 + row, a + row);
+      quad(under + a, under + a + row, under + a + 1 + row, under + a + 1);
+    }
+  }
+  for (std::uint32_t k = 0; k < n; ++k) {
+    quad(under + k, under + k + 1, k + 1, k);
+    quad(n * row + k, n * row + k + 1, under + n * row + k + 1, under + n * row + k);
+    quad(k * row, (k + 1) * row, under + (k + 1) * row, under + k * row);
+    quad(under + k * row + n, under + (k + 1) * row + n, (k + 1) * row + n, k * row + n);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<Part> freeFormParts() {
+  std::vector<Part> parts;
+  parts.push_back({"mesh sphere on free-form dish",
+                   block([](double x, double y) { return 16.0 * x * x + 11.0 * y * y + 60.0 * x * x * y; }, 30)});
+  parts.push_back({"mesh sphere in trough of 8 degree facets",
+                   block(
+                       [](double x, double) {
+                         const double step = 0.005, left = step * std::floor(x / step), right = left + step;
+                         const auto arc = [](double at) { return 0.035 - std::sqrt(0.035 * 0.035 - at * at); };
+                         return arc(left) + (arc(right) - arc(left)) * (x - left) / step;
+                       },
+                       12)});
+  parts.push_back({"mesh sphere on toothed rack",
+                   block([](double x, double) { return 0.6 * std::abs(std::fmod(std::abs(x), 0.008) - 0.004); }, 60)});
+  return parts;
+}
+
+MeshCase makePartCase(const Part& part) {
+  auto truth = std::make_unique<PartScene>(part.name, MeshCollider::build(part.mesh));
+  auto seen = ballAgainst(part.name, part.mesh, truth->placement());
+  return {part.name, std::move(seen), std::move(truth)};
+}
+
+}  // namespace hapticell::feel
