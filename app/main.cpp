@@ -149,7 +149,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (!options.theme.isEmpty()) configuration->gui.theme = options.theme == "light" ? "light" : "dark";
-  MainWindow window(*configuration);
+  // Pictures show the program as it is shipped.
+  const bool remembers = options.screenshot.isEmpty() && !options.measure;
+  MainWindow window(*configuration, remembers ? hapticell::app::UserSettings::defaultFile() : QString());
   window.resize(options.size);
   window.show();
   openAtStart(window, options.file);

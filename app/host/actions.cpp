@@ -65,6 +65,13 @@ Actions::Actions(QMainWindow& window) {
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
   remove = make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
+  select = make({"actionSelect", tr("Select"), "select", QKeySequence(Qt::Key_Q), {}});
+  move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
+  rotate = make({"actionRotate", tr("Rotate"), "rotate", QKeySequence(Qt::Key_E), {}});
+  snap = make({"actionSnap", tr("Snap to corner, edge, face, frame"), "snap", {}, tr("Snap")});
+  move_by = make({"actionMoveBy", tr("Move by numbers…"), {}, {}, {}});
+  measure = make({"actionMeasure", tr("Measure…"), "measure", QKeySequence(Qt::CTRL | Qt::Key_M), tr("Measure")});
+  select_all = make({"actionSelectAll", tr("Select all"), {}, QKeySequence::SelectAll, {}});
   fit_selection = make({"actionFit", tr("Fit selection"), "fit", QKeySequence(Qt::Key_F), tr("Fit")});
   fit_all = make({"actionFitAll", tr("Fit all"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F), {}});
   front = make({"actionFront", tr("Front"), {}, pad(Qt::Key_1), {}});
@@ -78,8 +85,11 @@ Actions::Actions(QMainWindow& window) {
   dark = make({"actionDark", tr("Dark"), {}, {}, {}});
   light = make({"actionLight", tr("Light"), {}, {}, {}});
   about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
-  for (QAction* action : {perspective, edges, section, side_docks, dark, light}) action->setCheckable(true);
-  for (QAction* action : {perspective, edges, side_docks}) action->setChecked(true);
+  for (QAction* action : {perspective, edges, section, side_docks, dark, light, select, move, rotate, snap})
+    action->setCheckable(true);
+  for (QAction* action : {perspective, edges, side_docks, select}) action->setChecked(true);
+  auto* tools = new QActionGroup(&window);
+  for (QAction* action : {select, move, rotate}) tools->addAction(action);
   auto* themes = new QActionGroup(&window);
   themes->addAction(dark);
   themes->addAction(light);
@@ -97,7 +107,9 @@ Actions::Actions(QMainWindow& window) {
   QMenu* edit = bar->addMenu(tr("Edit"));
   edit->addActions({undo, redo});
   edit->addSeparator();
-  edit->addActions({duplicate, isolate, show_all, mesh_care, remove});
+  edit->addActions({select, move, rotate, snap, move_by, measure});
+  edit->addSeparator();
+  edit->addActions({select_all, duplicate, isolate, show_all, mesh_care, remove});
   QMenu* view = bar->addMenu(tr("View"));
   view->addActions({fit_selection, fit_all});
   view->addSeparator();
@@ -120,11 +132,13 @@ Actions::Actions(QMainWindow& window) {
   tool_bar->setIconSize(QSize(20, 20));
   tool_bar->setFixedHeight(54);
   tool_bar->setFont(textFont(TextRole::kKeyCap));
-  tool_bar->addActions({open, import_mesh, add_robot, save});
+  tool_bar->addActions({open, import_mesh, save});
   tool_bar->addSeparator();
   tool_bar->addActions({undo, redo});
   tool_bar->addSeparator();
-  tool_bar->addActions({fit_selection, isometric, edges, section});
+  tool_bar->addActions({select, move, rotate, snap});
+  tool_bar->addSeparator();
+  tool_bar->addActions({measure, section, fit_selection});
   tool_bar->addSeparator();
 }
 

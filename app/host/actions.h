@@ -31,6 +31,7 @@ struct Actions {
   QAction *new_cell, *open, *save, *save_as, *import_mesh, *add_robot, *add_robot_file, *quit;
   QAction *export_cell, *export_selection, *reload, *pack, *mesh_care, *report_saved, *report_import, *report_other;
   QAction *undo, *redo, *remove, *duplicate, *isolate, *show_all;
+  QAction *select, *move, *rotate, *snap, *move_by, *measure, *select_all;
   QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks;
   QAction *dark, *light;
   QAction* about;

@@ -37,6 +37,13 @@ bool DocumentModel::executeAll(const QString& text, const std::vector<workcell::
   return true;
 }
 
+bool DocumentModel::executeWithin(const std::vector<workcell::Command>& commands) {
+  bool all = true;
+  for (const workcell::Command& command : commands) all = all && document_.execute(command).has_value();
+  emit changed();
+  return all;
+}
+
 void DocumentModel::undo() {
   if (document_.undo()) emit changed();
 }

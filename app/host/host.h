@@ -24,6 +24,7 @@ class HoldChoice;
 class MessageLog;
 class RecordingHub;
 class Selection;
+class UserSettings;
 class ViewportWidget;
 
 /// What the window offers to panels and to modules. Everything here belongs to the GUI thread.
@@ -40,6 +41,8 @@ class Host {
   /// Where recordings are ordered and delivered.
   virtual RecordingHub& recording() = 0;
   virtual const config::Configuration& configuration() const = 0;
+  /// What the user chose for this window and what is remembered of it (layouts, keys, recent files).
+  virtual UserSettings& userSettings() = 0;
 
   /// Takes a dock (see makeDock()) into an area, tabbed onto `onto` where that is given. The Window menu lists it.
   virtual void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto = nullptr) = 0;

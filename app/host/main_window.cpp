@@ -10,20 +10,22 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QToolBar>
+#include <algorithm>
 
-#include "app/import/file_work.h"
 #include "app/host/window_keys.h"
+#include "app/import/file_work.h"
 #include "app/panels/panels.h"
 #include "app/panels/tabbed_docks.h"
+#include "app/panels/tree_edits.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
 
 namespace hapticell::app {
 
-MainWindow::MainWindow(const config::Configuration& configuration, QWidget* parent)
-    : QMainWindow(parent),
-      configuration_(configuration),
+MainWindow::MainWindow(const config::Configuration& configuration, const QString& settings)
+    : configuration_(configuration),
+      settings_(settings),
       viewport_(new ViewportWidget(this)),
       status_(new StatusLine(this)),
       right_docks_(new TabbedDocks(*this)) {
@@ -72,7 +74,8 @@ void MainWindow::connectViewActions() {
   const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
   on(actions_->fit_all, [this] { viewport_->fitAll(); });
   on(actions_->fit_selection, [this] {
-    const auto bounds = viewport_->scene().boundsOf_W(selection_.current());
+    geometry::Bounds bounds;
+    for (const auto id : selection_.all()) bounds.add(viewport_->scene().boundsOf_W(id));
     viewport_->fit(bounds.isEmpty() ? viewport_->scene().bounds_W() : bounds);
   });
   on(actions_->front, [this] { viewport_->setStandardView(StandardView::kFront); });
@@ -103,18 +106,37 @@ void MainWindow::connectScene() {
   connect(&document_, &DocumentModel::refused, this,
           [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
   connect(&document_, &DocumentModel::opened, this, [this] { selection_.set(0); });
-  connect(&selection_, &Selection::changed, this, [this](workcell::EntityId entity) {
-    viewport_->scene().setSelected(entity ? std::vector<workcell::EntityId>{entity}
-                                          : std::vector<workcell::EntityId>{});
+  connect(&messages_, &MessageLog::told, status_, &StatusLine::show);
+  connectSelection();
+}
+
+void MainWindow::connectSelection() {
+  connect(&selection_, &Selection::allChanged, this, [this] {
+    viewport_->scene().setSelected(selection_.all());
     for (QAction* action :
          {actions_->remove, actions_->duplicate, actions_->isolate, actions_->reload, actions_->export_selection})
-      action->setEnabled(entity != 0);
+      action->setEnabled(!selection_.all().empty());
     viewport_->refresh();
   });
-  connect(viewport_, &ViewportWidget::picked, this, [this](workcell::EntityId entity) { selection_.set(entity); });
-  connect(&messages_, &MessageLog::told, status_, &StatusLine::show);
+  constexpr auto kMore = Qt::ControlModifier | Qt::ShiftModifier;
+  connect(viewport_, &ViewportWidget::picked, this, [this](workcell::EntityId entity, Qt::KeyboardModifiers held) {
+    held& kMore ? selection_.toggle(entity) : selection_.set(entity);
+  });
+  connect(viewport_, &ViewportWidget::boxed, this,
+          [this](const std::vector<workcell::EntityId>& entities, Qt::KeyboardModifiers held) {
+            std::vector<workcell::EntityId> all = held & kMore ? selection_.all() : std::vector<workcell::EntityId>{};
+            for (const auto id : entities)
+              if (std::find(all.begin(), all.end(), id) == all.end()) all.push_back(id);
+            selection_.setAll(std::move(all));
+          });
+  connect(actions_->select_all, &QAction::triggered, this, [this] {
+    std::vector<workcell::EntityId> all;
+    for (const auto& entity : document_.document().state().entities)
+      if (entity->visible) all.push_back(entity->id);
+    selection_.setAll(std::move(all), selection_.current());
+  });
   connect(actions_->remove, &QAction::triggered, this, [this] {
-    if (selection_.current() && document_.execute(workcell::RemoveEntity{selection_.current()})) selection_.set(0);
+    if (!selection_.all().empty() && removeEntities(document_, selection_.all())) selection_.set(0);
   });
   for (QAction* action :
        {actions_->remove, actions_->duplicate, actions_->isolate, actions_->reload, actions_->export_selection})
@@ -125,7 +147,10 @@ void MainWindow::documentChanged() {
   viewport_->scene().setEntities(document_.document().snapshotEntities());
   viewport_->scene().setPairSets(document_.document().state().pair_sets);
   viewport_->refresh();
-  if (selection_.current() && !document_.document().find(selection_.current())) selection_.set(0);
+  std::vector<workcell::EntityId> left;
+  for (const auto id : selection_.all())
+    if (document_.document().find(id)) left.push_back(id);
+  selection_.setAll(std::move(left), selection_.current());
   const workcell::Document& document = document_.document();
   const auto setStep = [](QAction* action, bool can, const QString& verb, const std::string& text) {
     action->setEnabled(can);

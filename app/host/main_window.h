@@ -15,6 +15,7 @@
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/host/status_line.h"
+#include "app/host/user_settings.h"
 #include "app/host/view_menus.h"
 #include "app/viewport/viewport_widget.h"
 
@@ -28,7 +29,8 @@ class TabbedDocks;
 class MainWindow : public QMainWindow, public Host {
   Q_OBJECT
  public:
-  explicit MainWindow(const config::Configuration& configuration, QWidget* parent = nullptr);
+  /// `settings` is the file that the user's choices are kept in; empty: they are forgotten.
+  explicit MainWindow(const config::Configuration& configuration, const QString& settings = {});
   ~MainWindow() override;
 
   QMainWindow& window() override { return *this; }
@@ -39,6 +41,7 @@ class MainWindow : public QMainWindow, public Host {
   MessageLog& messages() override { return messages_; }
   RecordingHub& recording() override { return recording_; }
   const config::Configuration& configuration() const override { return configuration_; }
+  UserSettings& userSettings() override { return settings_; }
   void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) override;
   void removeDock(QDockWidget* dock) override;
   void addToToolBar(QWidget* widget) override;
@@ -81,11 +84,13 @@ class MainWindow : public QMainWindow, public Host {
   bool saveDocument(bool ask_where);
   bool mayDiscard();
   void showSavedView();
+  void connectSelection();
   void documentChanged();
   void updateTitle();
   void updateStatus();
 
   config::Configuration configuration_;
+  UserSettings settings_;
   DocumentModel document_;
   Selection selection_;
   HoldChoice hold_choice_;

@@ -35,10 +35,10 @@ void MainWindow::connectFileActions() {
   on(actions_->mesh_care, [this] { files_->showMeshCare(); });
   on(actions_->reload, [this] { files_->reloadSelected(); });
   on(actions_->duplicate, [this] {
-    const Entities copies = duplicateEntities(document_, {selection_.current()});
+    const Entities copies = duplicateEntities(document_, selection_.all());
     if (!copies.empty()) selection_.set(copies.front());
   });
-  on(actions_->isolate, [this] { isolateEntities(document_, {selection_.current()}); });
+  on(actions_->isolate, [this] { isolateEntities(document_, selection_.all()); });
   on(actions_->show_all, [this] { showAll(document_); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->undo, &QAction::triggered, &document_, &DocumentModel::undo);

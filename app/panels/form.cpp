@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "app/style/theme.h"
@@ -57,6 +58,16 @@ QWidget* sideBySide(std::initializer_list<QWidget*> fields) {
   row->setSpacing(6);
   for (QWidget* field : fields) row->addWidget(field, 1);
   return holder;
+}
+
+QScrollArea* scrolledPanel(QWidget* content, int minimum_width) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(minimum_width);
+  scroll->setWidget(content);
+  return scroll;
 }
 
 }  // namespace hapticell::app

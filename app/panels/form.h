@@ -8,6 +8,7 @@
 class QBoxLayout;
 class QHBoxLayout;
 class QLabel;
+class QScrollArea;
 class QVBoxLayout;
 class QWidget;
 
@@ -27,6 +28,9 @@ QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int l
 
 /// True while the user can see it: a dock that lies behind another tab is not, though Qt calls it visible.
 bool isSeen(const QWidget& widget);
+
+/// A panel that scrolls up and down where its dock is too low, never narrower than `minimum_width` pixels.
+QScrollArea* scrolledPanel(QWidget* content, int minimum_width = 332);
 
 /// Fields side by side in one row, equally wide.
 QWidget* sideBySide(std::initializer_list<QWidget*> fields);

@@ -7,11 +7,13 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "app/edit/edit_docks.h"
 #include "app/ergonomics/ergonomics_docks.h"
 #include "app/guides/guides_panel.h"
 #include "app/host/host.h"
 #include "app/mannequin/mannequin_docks.h"
 #include "app/panels/collisions_panel.h"
+#include "app/panels/form.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/messages_panel.h"
 #include "app/panels/properties_panel.h"
@@ -28,16 +30,6 @@ namespace {
 
 constexpr int kRefreshMilliseconds = 100;  // Numbers change at most ten times a second.
 constexpr int kChartMilliseconds = 33;
-
-QScrollArea* scrolled(QWidget* content, int minimum_width) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(minimum_width);
-  scroll->setWidget(content);
-  return scroll;
-}
 
 template <class Slot>
 void every(int milliseconds, QObject* owner, Slot slot) {
@@ -79,8 +71,8 @@ void addBottomDocks(Host& host) {
 QDockWidget* addRightDocks(Host& host) {
   auto* solid = new SolidPanel(host);
   auto* guides = new GuidesPanel(host);
-  QDockWidget* solid_dock = makeDock("dockSolid", QObject::tr("Solid"), scrolled(solid, 332));
-  QDockWidget* guides_dock = makeDock("dockGuides", QObject::tr("Guides"), scrolled(guides, 332));
+  QDockWidget* solid_dock = makeDock("dockSolid", QObject::tr("Solid"), scrolledPanel(solid, 332));
+  QDockWidget* guides_dock = makeDock("dockGuides", QObject::tr("Guides"), scrolledPanel(guides, 332));
   for (QDockWidget* dock : {solid_dock, guides_dock}) host.addDock(dock, Qt::RightDockWidgetArea);
   solid_dock->raise();
   every(kRefreshMilliseconds, solid, [solid, guides] {
@@ -96,7 +88,7 @@ void addPanels(Host& host) {
   auto* workcell = new WorkcellPanel(host);
   auto* properties = new PropertiesPanel(host);
   QDockWidget* workcell_dock = makeDock("dockWorkcell", QObject::tr("Workcell"), workcell);
-  QDockWidget* properties_dock = makeDock("dockProperties", QObject::tr("Properties"), scrolled(properties, 240));
+  QDockWidget* properties_dock = makeDock("dockProperties", QObject::tr("Properties"), scrolledPanel(properties, 240));
   host.addDock(workcell_dock, Qt::LeftDockWidgetArea);
   host.addDock(properties_dock, Qt::LeftDockWidgetArea);
   host.window().resizeDocks({workcell_dock, properties_dock}, {556, 414}, Qt::Vertical);
@@ -104,6 +96,7 @@ void addPanels(Host& host) {
   addRobotDocks(host);
   addMannequinDocks(host);
   addErgonomicsDocks(host);
+  addEditDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
   every(kRefreshMilliseconds, workcell, [&host, workcell, properties] {

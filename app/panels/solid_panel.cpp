@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/edit/moved_entities.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
@@ -191,6 +192,10 @@ const workcell::Entity* SolidPanel::solid() const {
   return entity && entity->kind == workcell::EntityKind::kSolid && entity->mesh ? entity : nullptr;
 }
 
+const workcell::DocumentState& SolidPanel::state() const {
+  return host_.documentModel().document().state();
+}
+
 void SolidPanel::execute(workcell::SetProperties change) {
   if (!solid()) return;
   change.id = solid()->id;
@@ -241,20 +246,10 @@ void SolidPanel::showFeel(const workcell::Entity& solid) {
   for (ValueField* field : place_) field->setEnabled(!solid.locked);
 }
 
-/// The carrier's link, or the entity it stands below; the world where there is neither.
-Pose SolidPanel::parentPose_W(const workcell::Entity& solid) const {
-  const workcell::Document& document = host_.documentModel().document();
-  if (!solid.attachment.to.empty())
-    if (const workcell::Entity* carrier = document.findByName(solid.attachment.to))
-      return workcell::carrierPose(*carrier, solid.attachment.link);
-  const workcell::Entity* parent = document.findByName(solid.parent);
-  return parent ? parent->X_WE : Pose::identity();
-}
-
 void SolidPanel::showPlace(const workcell::Entity& solid) {
   const Pose X_WE = host_.viewport().scene().placement_W(solid);
   const bool in_parent = place_in_->current() == 1;
-  const auto numbers = poseNumbers(in_parent ? parentPose_W(solid).inverse() * X_WE : X_WE);
+  const auto numbers = poseNumbers(in_parent ? parentPose_W(state(), solid).inverse() * X_WE : X_WE);
   for (std::size_t i = 0; i < 6; ++i)
     if (!place_[i]->hasFocus()) place_[i]->setValue(numbers[i]);
 }
@@ -265,7 +260,7 @@ void SolidPanel::place() {
   std::array<double, 6> numbers{};
   for (std::size_t i = 0; i < 6; ++i) numbers[i] = place_[i]->value();
   const Pose typed = poseFromNumbers(numbers);
-  const Pose X_WE = place_in_->current() == 1 ? parentPose_W(*now) * typed : typed;
+  const Pose X_WE = place_in_->current() == 1 ? parentPose_W(state(), *now) * typed : typed;
   if (!host_.documentModel().execute(workcell::SetPlacement{now->id, X_WE})) showPlace(*now);
 }
 

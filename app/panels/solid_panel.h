@@ -43,7 +43,7 @@ class SolidPanel : public QWidget {
   void place();
   void execute(workcell::SetProperties change);
   const workcell::Entity* solid() const;
-  Pose parentPose_W(const workcell::Entity& solid) const;
+  const workcell::DocumentState& state() const;
 
   Host& host_;
   QLabel *nothing_, *title_, *turn_note_, *triangles_;

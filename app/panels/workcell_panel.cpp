@@ -198,10 +198,8 @@ WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
   connect(tree_, &QTreeView::expanded, this, [this](const QModelIndex& index) {
     if (!restoring_) collapsed_.remove(keyOf(index)), expanded_.insert(keyOf(index));
   });
-  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
-    if (!restoring_ && index.isValid()) host_.selection().set(index.data(Role::kEntityRole).toULongLong());
-  });
-  connect(&host_.selection(), &Selection::changed, this, &WorkcellPanel::selectEntity);
+  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &WorkcellPanel::takeSelection);
+  connect(&host_.selection(), &Selection::allChanged, this, &WorkcellPanel::showSelection);
   connect(tree_, &WorkcellTreeView::eyeClicked, this, [this](const QModelIndex& index) {
     model_.setShown(source(index), !index.data(Role::kVisibleRole).toBool());
   });
@@ -231,19 +229,48 @@ void WorkcellPanel::keepExpanded() {
   };
   restore(restore, {});
   restoring_ = false;
-  selectEntity(host_.selection().current());
+  showSelection();
 }
 
-void WorkcellPanel::selectEntity(workcell::EntityId entity) {
-  const QModelIndex now = tree_->currentIndex();
-  if (entity != 0 && now.isValid() && now.data(Role::kEntityRole).toULongLong() == entity) return;
+/// Rows of the tree become the selection; a folder or a link stands for its entity where it has one.
+void WorkcellPanel::takeSelection() {
+  if (restoring_) return;
+  std::vector<workcell::EntityId> ids;
+  for (const QModelIndex& index : tree_->selectionModel()->selectedIndexes()) {
+    const auto id = index.data(Role::kEntityRole).toULongLong();
+    if (id != 0 && std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
+  restoring_ = true;  // What is chosen here stands so already.
+  host_.selection().setAll(std::move(ids), tree_->currentIndex().data(Role::kEntityRole).toULongLong());
+  restoring_ = false;
+}
+
+void WorkcellPanel::showSelection() {
+  if (restoring_) return;
+  const auto rowOf = [this](workcell::EntityId id) { return filter_model_.mapFromSource(model_.indexOf(id)); };
+  const Selection& selection = host_.selection();
+  QItemSelection rows;
+  bool shown = true;
+  std::size_t selected = 0;
+  for (const auto id : selection.all()) {
+    const QModelIndex index = rowOf(id);
+    if (!index.isValid()) continue;
+    rows.select(index, index);
+    ++selected;
+    shown = shown && tree_->selectionModel()->isSelected(index);
+  }
+  const auto now = tree_->selectionModel()->selectedIndexes();
+  // A link's or a folder's row stands for its entity: it stays.
+  const bool of_current = selection.all().size() == 1 && now.size() == 1 &&
+                          now.front().data(Role::kEntityRole).toULongLong() == selection.current();
+  if (of_current || (shown && selected == static_cast<std::size_t>(now.size()) && selected > 0)) return;
+  const bool folder = selected == 0 && now.size() == 1 && now.front().data(Role::kEntityRole).toULongLong() == 0;
+  if (folder) return;
   restoring_ = true;
-  const QModelIndex index = entity ? filter_model_.mapFromSource(model_.indexOf(entity)) : QModelIndex();
-  if (index.isValid()) {
-    tree_->setCurrentIndex(index);
+  tree_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  if (const QModelIndex index = rowOf(selection.current()); index.isValid()) {
+    tree_->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
     tree_->scrollTo(index);
-  } else if (entity == 0 && !(now.isValid() && now.data(Role::kEntityRole).toULongLong() == 0)) {
-    tree_->selectionModel()->clear();
   }
   restoring_ = false;
 }

@@ -51,7 +51,8 @@ class WorkcellPanel : public QWidget {
   void fillMenu(QMenu& menu, const QModelIndex& index);
 
  private:
-  void selectEntity(workcell::EntityId entity);
+  void takeSelection();
+  void showSelection();
   void openMenu(const QPoint& place);
   void addColors(QMenu& menu, const std::vector<workcell::EntityId>& ids);
   void keepExpanded();

@@ -13,6 +13,7 @@
 #include "app/host/actions.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/panels/form.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/library_panel.h"
 #include "app/robot/mechanism_panel.h"
@@ -28,17 +29,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRefreshMilliseconds = 100;
-constexpr int kDockWidth = 332;
-
-QScrollArea* scrolled(QWidget* content) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(kDockWidth);
-  scroll->setWidget(content);
-  return scroll;
-}
 
 /// Docks of one window and what they share; owned by the window.
 class RobotDocks : public QObject {
@@ -116,7 +106,7 @@ class RobotDocks : public QObject {
   }
 
   QDockWidget* addDock(const char* name, const QString& title, QWidget* content) {
-    QDockWidget* dock = makeDock(QLatin1String(name), title, scrolled(content));
+    QDockWidget* dock = makeDock(QLatin1String(name), title, scrolledPanel(content));
     host_.addDock(dock, Qt::RightDockWidgetArea);
     dock->hide();
     return dock;

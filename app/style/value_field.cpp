@@ -2,28 +2,61 @@
 #include "app/style/value_field.h"
 
 #include <QLineEdit>
+#include <QLocale>
 #include <QPainter>
 #include <QWheelEvent>
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 
-ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent), unit_(format.unit) {
+namespace {
+
+using Quantity = ValueField::Quantity;
+constexpr double kDegreesPerRadian = 57.29577951308232;
+constexpr int kKeptDecimals = 7;  // Of lengths (mm) and angles (degrees): other units must not cost accuracy.
+
+struct TypedUnit {
+  const char* name;
+  double factor;  // To mm, or to degrees.
+};
+constexpr TypedUnit kLengths[]{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"\"", 25.4}};
+constexpr TypedUnit kAngles[]{{"\u00b0", 1.0}, {"deg", 1.0}, {"rad", kDegreesPerRadian}};
+
+template <std::size_t kCount>
+std::optional<double> withUnit(const QString& text, const TypedUnit (&units)[kCount]) {
+  for (const TypedUnit& unit : units) {
+    const QString name = QString::fromUtf8(unit.name);
+    if (!text.endsWith(name)) continue;
+    bool read = false;
+    const double value = QLocale::c().toDouble(text.chopped(name.size()).trimmed(), &read);
+    if (read) return unit.factor * value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ValueField::ValueField(const Format& format, QWidget* parent)
+    : QDoubleSpinBox(parent), unit_(format.unit), decimals_(format.decimals), quantity_(format.quantity) {
+  if (quantity_ == Quantity::kByUnit)
+    quantity_ = unit_ == QLatin1String("mm") ? Quantity::kLength
+                : unit_ == QStringLiteral("°") ? Quantity::kAngle
+                                               : Quantity::kPlain;
   setButtonSymbols(NoButtons);
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  setDecimals(format.decimals);
+  setDecimals(quantity_ == Quantity::kPlain ? format.decimals : kKeptDecimals);
   setRange(format.minimum, format.maximum);
   setSingleStep(format.step);
   setKeyboardTracking(false);
   setFocusPolicy(Qt::StrongFocus);
   setFixedHeight(kFieldHeight);
   setLocale(QLocale::c());
-  const int room = unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 4;
-  lineEdit()->setTextMargins(0, 0, room, 0);
+  unitsChanged();
   // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
   connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
@@ -32,10 +65,54 @@ ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(p
   });
 }
 
-QString ValueField::textFromValue(double value) const {
-  const double unit_of_last_place = std::pow(10.0, -decimals());
-  if (std::abs(value) < 0.5 * unit_of_last_place) value = 0.0;
-  return QLocale::c().toString(value, 'f', decimals()).remove(QLatin1Char(','));
+void ValueField::unitsChanged() {
+  const QString unit = shownUnit();
+  lineEdit()->setTextMargins(0, 0, unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + 4, 0);
+  if (!hasFocus()) lineEdit()->setText(textFromValue(value()));
+  update();
+}
+
+QString ValueField::shownUnit() const {
+  if (unit_.isEmpty() || quantity_ == Quantity::kPlain) return unit_;
+  return quantity_ == Quantity::kLength ? unitsNow().lengthUnit() : unitsNow().angleUnit();
+}
+
+double ValueField::shownPerValue() const {
+  if (quantity_ == Quantity::kLength) return unitsNow().perMetre() / 1000.0;
+  if (quantity_ == Quantity::kAngle) return unitsNow().perRadian() / kDegreesPerRadian;
+  return 1.0;
+}
+
+int ValueField::shownDecimals() const {
+  if (quantity_ == Quantity::kPlain) return decimals_;
+  const Units units = unitsNow();
+  const int chosen = quantity_ == Quantity::kLength ? units.length_decimals : units.angle_decimals;
+  return std::max(0, chosen + decimals_ - 1);
+}
+
+QString ValueField::textFromValue(double value) const { return numberText(shownPerValue() * value, shownDecimals()); }
+
+std::optional<double> ValueField::read(const QString& text) const {
+  const QString plain = QString(text).replace(QLatin1Char(','), QLatin1Char('.')).trimmed();
+  bool is_number = false;
+  const double number = QLocale::c().toDouble(plain, &is_number);
+  if (is_number) return number / shownPerValue();
+  if (quantity_ == Quantity::kLength) return withUnit(plain, kLengths);
+  if (quantity_ == Quantity::kAngle) return withUnit(plain, kAngles);
+  return std::nullopt;
+}
+
+double ValueField::valueFromText(const QString& text) const { return read(text).value_or(value()); }
+
+QValidator::State ValueField::validate(QString& text, int&) const {
+  const auto typed = read(text);
+  if (typed) return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+  for (const QChar c : text) {
+    const bool of_number = c.isDigit() || QStringLiteral("+-.,eE ").contains(c);
+    const bool of_unit = quantity_ != Quantity::kPlain && QStringLiteral("mcinradeg\"°").contains(c);
+    if (!of_number && !of_unit) return QValidator::Invalid;
+  }
+  return QValidator::Intermediate;
 }
 
 QSize ValueField::sizeHint() const { return {76, kFieldHeight}; }
@@ -43,10 +120,11 @@ QSize ValueField::minimumSizeHint() const { return {44, kFieldHeight}; }
 
 void ValueField::paintEvent(QPaintEvent* event) {
   QDoubleSpinBox::paintEvent(event);
-  if (unit_.isEmpty()) return;
+  const QString unit = shownUnit();
+  if (unit.isEmpty()) return;
   QPainter painter(this);
   painter.setPen(isEnabled() ? themeOf(palette()).text2 : themeOf(palette()).text3);
-  painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit_);
+  painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit);
 }
 
 void ValueField::wheelEvent(QWheelEvent* event) {

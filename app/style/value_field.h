@@ -2,25 +2,34 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <optional>
 
 namespace hapticell::app {
 
 /// A number with its unit inside the field, right-aligned, fixed decimals, never a minus zero.
 ///
 /// The unit stands in the second text colour. Arrow keys and the wheel (while focused) step it; Enter or leaving the field ends the edit.
+/// Lengths and angles are set and told in mm and degrees, and shown in the units in force (units.h); typed with a unit
+/// behind them ("2 in", "1.5rad") they are taken as that.
 class ValueField : public QDoubleSpinBox {
   Q_OBJECT
  public:
+  enum class Quantity { kByUnit, kPlain, kLength, kAngle };  ///< kByUnit: "mm" is a length, "°" an angle.
   struct Format {
     QString unit;         ///< "mm"; empty for none.
-    int decimals = 1;
+    int decimals = 1;     ///< With the usual units; of lengths and angles as many more or less than 1 as those have.
     double minimum = -1e6, maximum = 1e6, step = 1.0;
+    Quantity quantity = Quantity::kByUnit;
   };
   explicit ValueField(const Format& format, QWidget* parent = nullptr);
 
   QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& place) const override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
+  /// The units in force are others.
+  void unitsChanged();
 
  signals:
   void edited(double value);  ///< The user typed or stepped a new value.
@@ -31,7 +40,13 @@ class ValueField : public QDoubleSpinBox {
   void stepBy(int steps) override;
 
  private:
+  std::optional<double> read(const QString& text) const;
+  QString shownUnit() const;
+  double shownPerValue() const;
+  int shownDecimals() const;
   QString unit_;
+  int decimals_;
+  Quantity quantity_;
   bool typed_ = false;  ///< Since editing began.
 };
 

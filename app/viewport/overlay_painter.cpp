@@ -283,6 +283,14 @@ void paintEmpty(QPainter& painter, const Overlay& overlay) {
                    Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, overlay.empty->how);
 }
 
+void paintBox(QPainter& painter, const Overlay& overlay) {
+  QColor fill = overlay.theme->selection;
+  fill.setAlpha(28);
+  painter.setBrush(fill);
+  painter.setPen(QPen(overlay.theme->selection, 1.5, overlay.box_touching ? Qt::DashLine : Qt::SolidLine));
+  painter.drawRect(*overlay.box);
+}
+
 }  // namespace
 
 QColor markColor(Mark mark, const Theme& theme) {
@@ -340,6 +348,7 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   std::vector<QRectF> pieces{{overlay.cube.center().x - reach, overlay.cube.center().y - reach, 2 * reach, 2 * reach}};
   pieces.emplace_back(0, overlay.size.height - 100, overlay.size.width, 100);
   if (overlay.view_strip) pieces.push_back(overlay.view_strip->box().adjusted(-2, -2, 2, 2));
+  if (overlay.box) pieces.push_back(overlay.box->adjusted(-2, -2, 2, 2));
   if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
   QRectF curves;
   for (const SceneCurve& curve : overlay.curves) curves = curves.united(curveBox(curve, overlay.camera, overlay.size));
@@ -378,6 +387,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
         if (label.key == place.key) paintLabel(painter, label, place, *overlay.theme);
   }
   paintStrip(painter, overlay);
+  if (overlay.box) paintBox(painter, overlay);
   if (overlay.view_strip) overlay.view_strip->paint(painter, *overlay.theme, overlay.view_strip_hover);
   paintQuietText(painter, overlay);
 }

@@ -35,6 +35,8 @@ struct Overlay {
   std::optional<EmptyState> empty;
   const ViewStrip* view_strip = nullptr;
   int view_strip_hover = -1;      ///< Index of its cell, or -1.
+  std::optional<QRectF> box;      ///< Drawn by the mouse to choose what lies in it,
+  bool box_touching = false;      ///< or what it touches: dashed.
   std::size_t missing_parts = 0;  ///< Still being made ready for drawing.
 };
 

@@ -7,11 +7,11 @@
 
 namespace hapticell::app {
 
-/// Tools that share the pointer: the panels' handles in the scene are asked first, then the module's tool. What took a
-/// press keeps the pointer until the last button is up.
+/// Tools that share the pointer: the gizmo of what is selected is asked first, then the panels' handles in the scene,
+/// then the module's tool. What took a press keeps the pointer until the last button is up.
 class ToolChain final : public PointerTool {
  public:
-  enum Place { kHandles, kFigure, kMotion, kModule };
+  enum Place { kGizmo, kHandles, kFigure, kMotion, kModule };
   /// Null takes it away. The tool must outlive its being set.
   void set(Place place, PointerTool* tool) {
     if (active_ == tools_[place]) active_ = nullptr;
@@ -52,7 +52,7 @@ class ToolChain final : public PointerTool {
   }
 
  private:
-  std::array<PointerTool*, 4> tools_{};
+  std::array<PointerTool*, 5> tools_{};
   PointerTool* active_ = nullptr;
 };
 

@@ -2,8 +2,12 @@
 // The pointer over the viewport: turning, shifting, zooming, picking, the view cube.
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "app/viewport/viewport_widget.h"
 
@@ -12,10 +16,19 @@ namespace {
 
 constexpr double kCubeHalfEdge = 31.0;
 constexpr double kClickPixels = 4.0;
+constexpr double kSnapPixels = 12.0;
 constexpr double kZoomPerStep = 0.85;
+constexpr double kZoomPerPixel = 0.992;
 
 glm::dvec2 vec(const QPointF& p) {
   return {p.x(), p.y()};
+}
+
+/// The ray comes so near to the sphere about the item's box.
+bool passesNear(const RenderItem& item, const Ray& ray_W, double room) {
+  const dvec3 to_center = item.X_WM * item.bounds_M.center() - ray_W.origin_W;
+  const dvec3 beside = to_center - glm::dot(to_center, ray_W.direction_W) * ray_W.direction_W;
+  return glm::length(beside) <= item.bounds_M.radius() + room;
 }
 
 }  // namespace
@@ -80,7 +93,10 @@ bool ViewportWidget::pressViewStrip(const QMouseEvent& event) {
 
 void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
-  press_place_ = last_place_ = event->position();
+  last_place_ = event->position();
+  if (isMovingCamera()) return setMotionFor(event->buttons(), event->modifiers(), false);  // Another button joins.
+  press_place_ = event->position();
+  press_button_ = event->button();
   turn_.active = false;
   drag_ = Drag::kNone;
   if (pressViewStrip(*event)) return;
@@ -91,18 +107,40 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
     update();
     return;
   }
-  if (event->button() == Qt::MiddleButton) {
-    drag_ = event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::kPan : Drag::kOrbit;
-    pivot_W_ = pointUnder(event->position());
-    if (!pickAt(event->position())) pivot_W_ = drag_ == Drag::kOrbit ? camera_.target_W : pivot_W_;
-  } else if (event->button() == Qt::LeftButton) {
-    drag_ = over_cube ? Drag::kCube : Drag::kClick;
-    pivot_W_ = camera_.target_W;
-    if (section_ && onSectionHandle(*section_, scene_.bounds_W(), camera_, viewSize(), vec(event->position())))
-      drag_ = Drag::kSection;
-  } else if (event->button() == Qt::RightButton) {
-    emit contextMenuWanted(entityAt(event->position()), event->globalPosition().toPoint());
+  pressFree(*event, over_cube);
+}
+
+void ViewportWidget::pressFree(const QMouseEvent& event, bool over_cube) {
+  const bool left = event.button() == Qt::LeftButton;
+  pivot_W_ = camera_.target_W;
+  if (left && over_cube) {
+    drag_ = Drag::kCube;
+  } else if (left && section_ &&
+             onSectionHandle(*section_, scene_.bounds_W(), camera_, viewSize(), vec(event.position()))) {
+    drag_ = Drag::kSection;
+  } else if (navigation_.motionFor(event.buttons(), event.modifiers())) {
+    pivot_W_ = pointUnder(event.position());
+    setMotionFor(event.buttons(), event.modifiers(), false);
+    if (!pickAt(event.position()) && drag_ == Drag::kOrbit) pivot_W_ = camera_.target_W;
+  } else if (left) {
+    drag_ = Drag::kClick;
+  } else if (event.button() == Qt::RightButton) {
+    drag_ = Drag::kMenu;
   }
+}
+
+void ViewportWidget::setMotionFor(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers, bool after_release) {
+  const auto motion = navigation_.motionFor(buttons, modifiers, after_release);
+  if (!motion) return;
+  drag_ = *motion == ViewMotion::kOrbit ? Drag::kOrbit : *motion == ViewMotion::kPan ? Drag::kPan : Drag::kZoom;
+}
+
+void ViewportWidget::moveCamera(const glm::dvec2& step) {
+  if (drag_ == Drag::kOrbit) camera_.orbit(step, pivot_W_);
+  if (drag_ == Drag::kPan) camera_.pan(step, pivot_W_, viewSize());
+  if (drag_ == Drag::kZoom) camera_.zoom(std::pow(kZoomPerPixel, -step.y), pivot_W_);
+  emit cameraChanged();
+  update();
 }
 
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
@@ -115,14 +153,14 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   const bool far_enough = (event->position() - press_place_).manhattanLength() > kClickPixels;
   switch (drag_) {
     case Drag::kOrbit:
-      camera_.orbit(vec(step), pivot_W_);
-      break;
     case Drag::kPan:
-      camera_.pan(vec(step), pivot_W_, viewSize());
-      break;
+    case Drag::kZoom:
+      return moveCamera(vec(step));
     case Drag::kCube:
-      if (far_enough) camera_.orbit(vec(step), camera_.target_W);
-      break;
+      if (!far_enough) return;
+      camera_.orbit(vec(step), camera_.target_W);
+      emit cameraChanged();
+      return update();
     case Drag::kSection:
       if (!section_) return;
       setSection(draggedSection(*section_, scene_.bounds_W(), camera_, viewSize(), vec(event->position() - step),
@@ -130,14 +168,16 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
       emit sectionMoved();
       return;
     case Drag::kClick:
+      if (far_enough) drag_ = Drag::kBox;
+      return update();
+    case Drag::kBox:
+      return update();
     case Drag::kPick:
+    case Drag::kMenu:
       return;
     case Drag::kNone:
       hover(event->position());
-      return;
   }
-  emit cameraChanged();
-  update();
 }
 
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
@@ -147,17 +187,31 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
     update();
     return;
   }
+  if (isMovingCamera() && event->buttons() != Qt::NoButton)
+    return setMotionFor(event->buttons(), event->modifiers(), true);
   const bool click = (event->position() - press_place_).manhattanLength() <= kClickPixels;
-  const Drag drag = drag_;
-  drag_ = Drag::kNone;
-  if (!click) return;
-  if (drag == Drag::kCube) {
-    if (const auto spot = viewCube().pick(vec(event->position()), camera_); spot && glm::length(*spot) > 0.0)
+  if (click) return releaseClick(*event, drag_ == Drag::kCube);
+  const Drag drag = std::exchange(drag_, Drag::kNone);
+  if (drag != Drag::kBox) return;
+  const QPointF end = event->position();
+  // As CAD programs have it: from the left all that is inside, from the right all that is touched.
+  emit boxed(entitiesIn(QRectF(press_place_, end).normalized(), end.x() < press_place_.x()), event->modifiers());
+  update();
+}
+
+void ViewportWidget::releaseClick(const QMouseEvent& event, bool over_cube) {
+  const Drag drag = std::exchange(drag_, Drag::kNone);
+  const QPointF place = event.position();
+  if (over_cube) {
+    if (const auto spot = viewCube().pick(vec(place), camera_); spot && glm::length(*spot) > 0.0)
       setCamera(camera_.turnedTo(-*spot));
   } else if (drag == Drag::kPick) {
-    if (const auto feature = pick_ ? featureAt(event->position(), pick_->filter) : std::nullopt) answerPick(feature);
-  } else if (drag == Drag::kClick) {
-    emit picked(entityAt(event->position()), event->modifiers());
+    if (const auto feature = pick_ ? featureAt(place, pick_->filter) : std::nullopt) answerPick(feature);
+  } else if (event.button() == Qt::RightButton && press_button_ == Qt::RightButton) {
+    emit contextMenuWanted(entityAt(place), event.globalPosition().toPoint());
+  } else if (event.button() == Qt::LeftButton && press_button_ == Qt::LeftButton && drag != Drag::kNone &&
+             drag != Drag::kSection) {
+    emit picked(entityAt(place), event.modifiers());
   }
 }
 
@@ -177,11 +231,38 @@ void ViewportWidget::wheelEvent(QWheelEvent* event) {
   pointer.size = viewSize();
   if (pick_ || !tools_.wheel(pointer)) {
     turn_.active = false;
-    camera_.zoom(std::pow(kZoomPerStep, steps), pointUnder(event->position()));
+    if (!wheelOfTouchpad(*event))
+      camera_.zoom(std::pow(kZoomPerStep, navigation_.wheel_reversed ? -steps : steps),
+                   navigation_.zoom_to_pointer ? pointUnder(event->position()) : camera_.target_W);
     emit cameraChanged();
   }
   event->accept();
   update();
+}
+
+/// Two fingers on a touchpad; false where they zoom like a wheel.
+bool ViewportWidget::wheelOfTouchpad(const QWheelEvent& event) {
+  if (!navigation_.wheel_turns || event.modifiers().testFlag(Qt::ControlModifier)) return false;
+  const QPointF delta = event.pixelDelta().isNull() ? QPointF(event.angleDelta()) / 3.0 : QPointF(event.pixelDelta());
+  if (event.modifiers().testFlag(Qt::ShiftModifier))
+    camera_.pan(vec(delta), camera_.target_W, viewSize());
+  else
+    camera_.orbit(vec(delta), camera_.target_W);
+  return true;
+}
+
+bool ViewportWidget::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture) {
+    const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+    if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+      turn_.active = false;
+      camera_.zoom(1.0 / std::max(0.1, 1.0 + gesture->value()), pointUnder(gesture->position()));
+      emit cameraChanged();
+      update();
+      return true;
+    }
+  }
+  return QOpenGLWidget::event(event);
 }
 
 void ViewportWidget::hover(const QPointF& position) {
@@ -205,6 +286,26 @@ void ViewportWidget::hover(const QPointF& position) {
     emit hovered(entity);
     update();
   }
+}
+
+std::optional<PickedFeature> ViewportWidget::featureBeside(const QPointF& position,
+                                                           const std::vector<workcell::EntityId>& without,
+                                                           const FeatureFilter& filter) {
+  const Frame frame = makeFrame();
+  const Ray ray_W = camera_.rayThrough(vec(position), viewSize());
+  std::optional<PickedFeature> nearest;
+  double nearest_along = std::numeric_limits<double>::infinity();
+  for (const RenderItem& item : frame.items) {
+    if (item.entity == 0 || item.ghost != Ghost::kNone || item.over_scene) continue;
+    if (std::find(without.begin(), without.end(), item.entity) != without.end()) continue;
+    if (!passesNear(item, ray_W, kSnapPixels * camera_.metresPerPixel(item.X_WM * item.bounds_M.center(), viewSize())))
+      continue;
+    const auto found =
+        picker_.pick({&frame.items, item.entity, item.link, camera_, viewSize(), vec(position), filter, section_});
+    const double along = found ? glm::dot(found->p_WHit - ray_W.origin_W, ray_W.direction_W) : nearest_along;
+    if (along < nearest_along) nearest_along = along, nearest = found;
+  }
+  return nearest;
 }
 
 std::optional<PickedFeature> ViewportWidget::featureAt(const QPointF& position, const FeatureFilter& filter) {
@@ -237,7 +338,8 @@ void ViewportWidget::answerPick(const std::optional<PickedFeature>& feature) {
 }
 
 bool ViewportWidget::pressWhilePicking(const QMouseEvent& event) {
-  if (!pick_ || event.button() == Qt::MiddleButton) return false;
+  const bool plain = event.button() != Qt::MiddleButton && event.modifiers() == Qt::NoModifier;
+  if (!pick_ || (!plain && navigation_.uses(event.button(), event.modifiers()))) return false;
   if (event.button() == Qt::LeftButton) drag_ = Drag::kPick;
   if (event.button() == Qt::RightButton) cancelPick();
   return true;

@@ -285,6 +285,10 @@ Overlay ViewportWidget::makeOverlay() {
   overlay.cube = viewCube();
   overlay.cube_hover = cube_hover_;
   if (scene_.empty()) overlay.empty = empty_;
+  if (drag_ == Drag::kBox) {
+    overlay.box = QRectF(press_place_, last_place_).normalized();
+    overlay.box_touching = last_place_.x() < press_place_.x();
+  }
   overlay.view_strip = &view_strip_;
   overlay.view_strip_hover = view_strip_hover_;
   overlay.missing_parts = renderer_ ? renderer_->missingParts() : 0;

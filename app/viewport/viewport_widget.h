@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "app/viewport/feature_picker.h"
+#include "app/viewport/navigation.h"
 #include "app/viewport/overlay_painter.h"
 #include "app/viewport/pick_request.h"
 #include "app/viewport/scene_model.h"
@@ -19,8 +20,8 @@
 
 namespace hapticell::app {
 
-/// The scene in the window. Middle button turns, with Shift it shifts; the wheel zooms to the cursor; a click picks.
-/// A module may put a PointerTool before these. GUI thread only.
+/// The scene in the window. How the mouse moves the camera is a Navigation; what it leaves free picks: a click one
+/// entity, a drag all in a box. Tools (ToolChain) come before these. GUI thread only.
 class ViewportWidget : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -41,6 +42,8 @@ class ViewportWidget : public QOpenGLWidget {
   const std::optional<SectionPlane>& section() const { return section_; }
   bool edges() const { return edges_; }
   void setMotion(bool on) { motion_ = on; }
+  void setNavigation(const Navigation& navigation) { navigation_ = navigation; }
+  const Navigation& navigation() const { return navigation_; }
   /// Null: no tool. The tool must outlive its being set.
   void setPointerTool(PointerTool* tool, ToolChain::Place place = ToolChain::kModule);
   /// The next click picks a face, an edge or a corner; see PickRequest. A pick that is still open is answered with
@@ -51,6 +54,12 @@ class ViewportWidget : public QOpenGLWidget {
   bool isPicking() const { return pick_.has_value(); }
   /// The face, edge or corner at a place of the widget (pixels at 100 %), at once; nothing beside parts.
   std::optional<PickedFeature> featureAt(const QPointF& position, const FeatureFilter& filter = {});
+  /// The nearest face, edge or corner at a place, looking through the entities of `without`: what a part that is
+  /// dragged may snap to.
+  std::optional<PickedFeature> featureBeside(const QPointF& position, const std::vector<workcell::EntityId>& without,
+                                             const FeatureFilter& filter = {});
+  /// Entities in a box of the widget (pixels at 100 %): wholly inside, or, `touching`, those too that reach into it.
+  std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
   /// Lines over the scene, kept by `owner` until it gives others (none: takes them away).
   void setCurves(const std::string& owner, std::vector<SceneCurve> curves);
   void setStrip(const StripContext& context) { strip_ = context; }
@@ -70,6 +79,8 @@ class ViewportWidget : public QOpenGLWidget {
  signals:
   /// A click on an entity, or on nothing (0).
   void picked(hapticell::workcell::EntityId entity, Qt::KeyboardModifiers modifiers);
+  /// A drag over free space: what lies in the box.
+  void boxed(const std::vector<hapticell::workcell::EntityId>& entities, Qt::KeyboardModifiers modifiers);
   void hovered(hapticell::workcell::EntityId entity);
   void contextMenuWanted(hapticell::workcell::EntityId entity, QPoint global);
   void cameraChanged();
@@ -86,6 +97,7 @@ class ViewportWidget : public QOpenGLWidget {
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -107,6 +119,12 @@ class ViewportWidget : public QOpenGLWidget {
   void hover(const QPointF& position);
   void answerPick(const std::optional<PickedFeature>& feature);
   bool pressWhilePicking(const QMouseEvent& event);
+  void pressFree(const QMouseEvent& event, bool over_cube);
+  void setMotionFor(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers, bool after_release);
+  void moveCamera(const glm::dvec2& step);
+  void releaseClick(const QMouseEvent& event, bool over_cube);
+  bool wheelOfTouchpad(const QWheelEvent& event);
+  bool isMovingCamera() const { return drag_ == Drag::kOrbit || drag_ == Drag::kPan || drag_ == Drag::kZoom; }
   std::vector<SceneCurve> allCurves() const;
   bool pressViewStrip(const QMouseEvent& event);
   ViewCube viewCube() const;
@@ -148,7 +166,9 @@ class ViewportWidget : public QOpenGLWidget {
   int view_strip_hover_ = -1;
   QPointF press_place_, last_place_;
   dvec3 pivot_W_{0.0};
-  enum class Drag { kNone, kOrbit, kPan, kClick, kCube, kPick, kSection } drag_ = Drag::kNone;
+  enum class Drag { kNone, kOrbit, kPan, kZoom, kClick, kBox, kMenu, kCube, kPick, kSection } drag_ = Drag::kNone;
+  Qt::MouseButton press_button_ = Qt::NoButton;
+  Navigation navigation_ = navigationPreset({});
 };
 
 }  // namespace hapticell::app

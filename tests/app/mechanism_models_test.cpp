@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/robot/gizmo.h"
+#include "app/viewport/gizmo.h"
 #include "app/robot/mechanism_draft.h"
 #include "app/robot/mechanism_samples.h"
 #include "geometry/shapes.h"

@@ -7,7 +7,7 @@
 #include <QMouseEvent>
 
 #include "app/panels/pose_text.h"
-#include "app/robot/gizmo.h"
+#include "app/viewport/gizmo.h"
 #include "app/style/segmented.h"
 #include "geometry/shapes.h"
 #include "tests/app/robot_page.h"

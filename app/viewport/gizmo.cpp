@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/robot/gizmo.h"
+#include "app/viewport/gizmo.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hapticell::app {
 namespace {
 
 constexpr double kNearPixels = 8.0;
-constexpr double kRing = 0.75;   // Of the arrows.
-constexpr double kInner = 0.18;  // Arrows begin so far out: the middle is the tool's own.
+constexpr double kMiddlePixels = 11.0;
+constexpr double kMiddleBox = 0.085;  // Half a side, of the arrows.
+constexpr double kRing = 0.75;        // Of the arrows.
+constexpr double kInner = 0.18;       // Arrows begin so far out: the middle is the tool's own.
 constexpr int kRingPoints = 49;
 constexpr double kTwoPi = 6.28318530717958647692;
 constexpr double kEdgeOn = 0.08;  // Sine between ray and plane, or between ray and axis, below which nothing is said.
@@ -56,14 +59,16 @@ std::vector<dvec3> Gizmo::ring_W(int axis) const {
 std::optional<Gizmo::Handle> Gizmo::hit(const glm::dvec2& pixel, const Camera& camera, const ViewSize& view) const {
   std::optional<Handle> found;
   double nearest = kNearPixels;
-  for (int axis = 0; axis < 3; ++axis) {
+  const auto center = middle ? camera.project(X_WG.p, view) : std::nullopt;
+  if (center && glm::length(pixel - *center) < kMiddlePixels) return Handle{kFree, false};
+  for (int axis = 0; axis < 3 && arrows; ++axis) {
     // Arrows before rings where both are near.
     const double arrow =
         distanceToLine(pixel, {X_WG.p + kInner * size * axis_W(axis), X_WG.p + size * axis_W(axis)}, camera, view);
     if (arrow < nearest) nearest = arrow, found = Handle{axis, false};
   }
   if (found) return found;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3 && rings; ++axis)
     if (const double ring = distanceToLine(pixel, ring_W(axis), camera, view); ring < nearest)
       nearest = ring, found = Handle{axis, true};
   return found;
@@ -75,14 +80,24 @@ std::optional<double> Gizmo::valueOf(const Handle& handle, const Ray& ray_W) con
   const double along = glm::dot(a, d);
   if (handle.turns) {
     if (std::abs(along) < kEdgeOn) return std::nullopt;
-    const dvec3 hit = ray_W.origin_W + glm::dot(X_WG.p - ray_W.origin_W, a) / along * d - X_WG.p;
-    return std::atan2(glm::dot(hit, axis_W((handle.axis + 2) % 3)), glm::dot(hit, zero_W(handle.axis)));
+    return valueAt(handle, ray_W.origin_W + glm::dot(X_WG.p - ray_W.origin_W, a) / along * d);
   }
   // The point of the axis that is nearest to the ray.
   const double sine2 = 1.0 - along * along;
   if (sine2 < kEdgeOn * kEdgeOn) return std::nullopt;
   const dvec3 between = X_WG.p - ray_W.origin_W;
   return (along * glm::dot(d, between) - glm::dot(a, between)) / sine2;
+}
+
+double Gizmo::valueAt(const Handle& handle, const dvec3& p_W) const {
+  const dvec3 from_middle = p_W - X_WG.p;
+  if (!handle.turns) return glm::dot(from_middle, axis_W(handle.axis));
+  return std::atan2(glm::dot(from_middle, axis_W((handle.axis + 2) % 3)), glm::dot(from_middle, zero_W(handle.axis)));
+}
+
+dvec3 Gizmo::freePoint_W(const Ray& ray_W, const Camera& camera) const {
+  const dvec3 f = camera.forward_W();
+  return ray_W.origin_W + glm::dot(X_WG.p - ray_W.origin_W, f) / glm::dot(ray_W.direction_W, f) * ray_W.direction_W;
 }
 
 Pose Gizmo::dragged(const Handle& handle, double from, double to, const Pose& X_WT) const {
@@ -94,6 +109,7 @@ Pose Gizmo::dragged(const Handle& handle, double from, double to, const Pose& X_
 
 std::vector<SceneCurve> Gizmo::curves(const std::optional<Handle>& active) const {
   using Role = SceneCurve::Role;
+  constexpr auto kSolid = SceneCurve::Style::kSolid;
   const Role roles[3]{Role::kAxisX, Role::kAxisY, Role::kAxisZ};
   const char* const names[3]{"X", "Y", "Z"};
   std::vector<SceneCurve> curves;
@@ -102,13 +118,24 @@ std::vector<SceneCurve> Gizmo::curves(const std::optional<Handle>& active) const
     const dvec3 tip = X_WG.p + size * axis_W(axis);
     const dvec3 back = X_WG.p + 0.86 * size * axis_W(axis);
     const dvec3 side = 0.05 * size * zero_W(axis);
-    curves.push_back({ring_W(axis), roles[axis], SceneCurve::Style::kSolid, width(true) - 0.5});
-    curves.push_back({{X_WG.p + kInner * size * axis_W(axis), tip},
-                      roles[axis],
-                      SceneCurve::Style::kSolid,
-                      width(false),
-                      names[axis]});
-    curves.push_back({{back + side, tip, back - side}, roles[axis], SceneCurve::Style::kSolid, width(false)});
+    if (rings) {
+      curves.push_back({ring_W(axis), roles[axis], kSolid, width(true) - 0.5});
+      // Without arrows the letter stands where the ring crosses its zero direction.
+      if (!arrows)
+        curves.push_back({{X_WG.p, X_WG.p + kRing * size * axis_W(axis)}, roles[axis], kSolid, 1.2, names[axis]});
+    }
+    if (!arrows) continue;
+    curves.push_back({{X_WG.p + kInner * size * axis_W(axis), tip}, roles[axis], kSolid, width(false), names[axis]});
+    curves.push_back({{back + side, tip, back - side}, roles[axis], kSolid, width(false)});
+  }
+  if (middle) {
+    const dvec3 x = kMiddleBox * size * axis_W(0), y = kMiddleBox * size * axis_W(1), z = kMiddleBox * size * axis_W(2);
+    const bool held = active && active->axis == kFree;
+    for (const auto& [a, b] : {std::pair{x, y}, std::pair{y, z}, std::pair{z, x}})
+      curves.push_back({{X_WG.p + a + b, X_WG.p - a + b, X_WG.p - a - b, X_WG.p + a - b, X_WG.p + a + b},
+                        Role::kSelection,
+                        kSolid,
+                        held ? 2.5 : 1.5});
   }
   return curves;
 }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/edit/edit_docks.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QMainWindow>
+#include <QScrollArea>
+
+#include "app/edit/move_panel.h"
+#include "app/host/host.h"
+#include "app/host/user_settings.h"
+#include "app/panels/form.h"
+#include "app/style/dock_title_bar.h"
+#include "app/style/icon.h"
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+namespace {
+
+/// Gizmo, keys and dock of one window; owned by it.
+class EditDocks : public QObject {
+ public:
+  explicit EditDocks(Host& host) : QObject(&host.window()), host_(host), gizmo_(host, this) {
+    panel_ = new MovePanel(host, gizmo_);
+    QDockWidget* dock = makeDock("dockMove", tr("Move"), scrolledPanel(panel_));
+    dock->setWindowIcon(icon("move"));
+    host.addDock(dock, Qt::RightDockWidgetArea);
+    dock->hide();
+    host.viewport().setPointerTool(&gizmo_, ToolChain::kGizmo);
+    host.viewport().installEventFilter(this);
+    using Mode = EntityGizmo::Mode;
+    take("actionSelect", Mode::kSelect);
+    take("actionMove", Mode::kMove);
+    take("actionRotate", Mode::kRotate);
+    if (auto* snap = host.window().findChild<QAction*>("actionSnap")) {
+      snap->setChecked(gizmo_.snapping());
+      connect(snap, &QAction::toggled, this, [this](bool on) {
+        host_.userSettings().setValue("edit/snap", on);
+        panel_->readSettings();
+      });
+      connect(&host.userSettings(), &UserSettings::changed, snap, [this, snap](const QString& key) {
+        if (key == QLatin1String("edit/snap")) snap->setChecked(host_.userSettings().value(key).toBool());
+      });
+    }
+    if (auto* numbers = host.window().findChild<QAction*>("actionMoveBy"))
+      connect(numbers, &QAction::triggered, dock, [dock] {
+        dock->show();
+        dock->raise();
+      });
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool escape =
+        event->type() == QEvent::KeyPress && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (!escape || host_.viewport().isPicking()) return QObject::eventFilter(watched, event);
+    if (gizmo_.cancel()) return true;
+    if (gizmo_.mode() != EntityGizmo::Mode::kSelect) {
+      gizmo_.setMode(EntityGizmo::Mode::kSelect);
+      return true;
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void take(const char* name, EntityGizmo::Mode mode) {
+    auto* action = host_.window().findChild<QAction*>(name);
+    if (!action) return;
+    connect(action, &QAction::triggered, this, [this, mode] { gizmo_.setMode(mode); });
+    connect(&gizmo_, &EntityGizmo::modeChanged, action,
+            [this, action, mode] { action->setChecked(gizmo_.mode() == mode); });
+  }
+
+  Host& host_;
+  EntityGizmo gizmo_;
+  MovePanel* panel_;
+};
+
+}  // namespace
+
+void addEditDocks(Host& host) {
+  new EditDocks(host);
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/edit/snap.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace hapticell::app {
+namespace {
+
+constexpr double kFramePixels = 10.0;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Snap", text);
+}
+
+}  // namespace
+
+std::optional<SnapPoint> snapAt(ViewportWidget& viewport, const QPointF& position,
+                                const std::vector<workcell::EntityId>& without) {
+  const glm::dvec2 pixel(position.x(), position.y());
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  std::optional<SnapPoint> nearest;
+  double nearest_pixels = kFramePixels;
+  const auto look = [&](const Pose& X_WF, const QString& text) {
+    const auto seen = viewport.camera().project(X_WF.p, size);
+    const double pixels = seen ? glm::length(*seen - pixel) : 2.0 * kFramePixels;
+    if (pixels < nearest_pixels) nearest_pixels = pixels, nearest = SnapPoint{X_WF, text};
+  };
+  for (const workcell::Entity& entity : viewport.scene().entities()) {
+    if (!entity.visible || std::find(without.begin(), without.end(), entity.id) != without.end()) continue;
+    const Pose X_WE = viewport.scene().placement_W(entity);
+    const QString name = QString::fromStdString(entity.name);
+    for (const workcell::Frame& frame : entity.frames)
+      look(X_WE * frame.X_EF, tr("Frame %1 of %2").arg(QString::fromStdString(frame.name), name));
+    if (entity.kind != workcell::EntityKind::kAssembly) look(X_WE, tr("Origin of %1").arg(name));
+  }
+  if (nearest) return nearest;
+  const auto feature = viewport.featureBeside(position, without);
+  if (!feature) return std::nullopt;
+  SnapPoint point{featureFrame_W(*feature), QString::fromStdString(featureText(*feature))};
+  // On a face or an edge the place is the pointer's; an axis or a centre is meant only where it is round.
+  if (feature->kind == FeatureKind::kFace || feature->edge != EdgeShape::kCircle) point.X_WS.p = feature->p_WQ;
+  return point;
+}
+
+}  // namespace hapticell::app

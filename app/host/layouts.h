@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+class QComboBox;
+class QMainWindow;
+
+namespace hapticell::app {
+
+class UserSettings;
+
+/// Named arrangements of the docks: Move, Teach, Ergonomics, Check device. Each is as it was left; until it was touched
+/// it stands as drawn. What is there now, and the window's place, come back at the next start. GUI thread.
+class Layouts : public QObject {
+  Q_OBJECT
+ public:
+  Layouts(QMainWindow& window, UserSettings& settings);
+
+  /// "move", "teach", "ergonomics", "device".
+  static QStringList names();
+  static QString title(const QString& name);
+  const QString& current() const { return current_; }
+  /// Keeps the arrangement that is left, then arranges the other.
+  void choose(const QString& name);
+  /// The current one as it is drawn, whatever was done to it.
+  void reset();
+  /// At start, once all docks are there: window and layout of the last time. False where nothing is remembered.
+  bool restore();
+  /// At the end.
+  void store();
+  /// The choice for the tool bar.
+  QComboBox* makeChoice(QWidget* parent);
+
+ signals:
+  void chosen(const QString& name);
+
+ private:
+  void arrange(const QString& name);
+  void raiseAll(const QStringList& docks);
+  QMainWindow& window_;
+  UserSettings& settings_;
+  QString current_ = QStringLiteral("move");
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <Qt>
+#include <optional>
+#include <vector>
+
+namespace hapticell::app {
+
+/// What a drag does to the camera.
+enum class ViewMotion { kOrbit, kPan, kZoom };
+
+/// Buttons and modifiers held together. `chord`: the last button is pressed (and, `released`, let go again) while the
+/// first is held, as CATIA has it: `buttons` are then those still down.
+struct ViewGesture {
+  Qt::MouseButtons buttons;
+  Qt::KeyboardModifiers modifiers;
+  bool released = false;  ///< Only after another button was pressed and let go while these stayed down.
+  bool operator==(const ViewGesture&) const = default;
+};
+
+/// How mouse and touchpad move the camera: a value, of a preset or the user's own.
+struct Navigation {
+  std::vector<ViewGesture> orbit, pan, zoom;
+  bool wheel_turns = false;  ///< A touchpad's two fingers turn (Shift: shift, Ctrl: zoom) instead of zooming.
+  bool wheel_reversed = false;
+  bool zoom_to_pointer = true;  ///< False: to the middle of the view.
+  bool operator==(const Navigation&) const = default;
+
+  const std::vector<ViewGesture>& of(ViewMotion motion) const;
+  std::vector<ViewGesture>& of(ViewMotion motion);
+  /// What these held buttons mean; nothing: they are free for picking and tools.
+  std::optional<ViewMotion> motionFor(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers,
+                                      bool after_release = false) const;
+  /// True where a press of this button alone (with these modifiers) begins or may begin a motion.
+  bool uses(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const;
+};
+
+/// Names of the presets: "hapticell", "catia", "solidworks", "nx", "freecad", "rviz", "blender", "touchpad".
+const std::vector<QString>& navigationPresets();
+/// "Middle button turns", "CATIA" ...
+QString navigationPresetName(const QString& preset);
+/// The preset of that name; of another name: "hapticell".
+Navigation navigationPreset(const QString& preset);
+
+/// "Shift+Middle"; for menus, hints and settings (English there: `for_file`).
+QString gestureText(const ViewGesture& gesture, bool for_file = false);
+/// Reads gestureText(…, true); nothing where it is none.
+std::optional<ViewGesture> gestureFromText(const QString& text);
+
+/// All of it as one line for the settings, and back; nothing where the line is none.
+QString navigationText(const Navigation& navigation);
+std::optional<Navigation> navigationFromText(const QString& text);
+
+}  // namespace hapticell::app
