@@ -9,9 +9,12 @@
 #include <functional>
 #include <optional>
 
+#include "app/host/language.h"
 #include "app/host/main_window.h"
 #include "app/host/render_command.h"
 #include "app/import/file_work.h"
+#include "app/settings/user_choices.h"
+#include "app/start/recent_files.h"
 #include "app/style/fonts.h"
 #include "app/style/proxy_style.h"
 #include "config/configuration.h"
@@ -25,6 +28,7 @@ struct Options {
   std::optional<hapticell::app::RenderCommand> render;
   QSize size{1600, 900};
   int delay_ms = 1500;
+  QString language;
   bool exit = false, module = true, measure = false;
 };
 
@@ -41,24 +45,29 @@ Options parse(const QApplication& application) {
   parser.setApplicationDescription("Move solids and robots in a CAD workcell, and feel the contacts.");
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("file", "A workcell (*.hcell); without one the demonstration opens.", "[file]");
-  parser.addOptions({{"screenshot", "Saves a picture of the window once it stands still.", "file.png"},
-                     {"exit", "Quits after the screenshot."},
-                     {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
-                     {"measure-frames", "Prints the median time of a frame at each level of detail and quits."},
-                     {"theme", "dark or light.", "name"},
-                     {"size", "Size of the window, or of the picture.", "WIDTHxHEIGHT"},
-                     {"render", "Draws this cell or file into the picture named by -o, without a window.", "file"},
-                     {{"o", "output"}, "The picture that --render makes.", "file.png"},
-                     {"view", "For --render: front, back, right, left, top, bottom, iso or saved.", "name", "iso"},
-                     {"no-floor", "For --render: leaves the floor's grid out."},
-                     {"config", "A hapticell.toml that is read over the shipped one.", "file"},
-                     {"no-module", "Does not start the Virtual Desktop by itself."}});
+  parser.addPositionalArgument(
+      "file", "A workcell (*.hcell); without one the first page is shown, or the cell opened last.", "[file]");
+  parser.addOptions(
+      {{"screenshot", "Saves a picture of the window once it stands still.", "file.png"},
+       {"exit", "Quits after the screenshot."},
+       {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
+       {"measure-frames", "Prints the median time of a frame at each level of detail and quits."},
+       {"theme", "dark or light.", "name"},
+       {"language", "en or fr.", "code"},
+       {"size", "Size of the window, or of the picture.", "WIDTHxHEIGHT"},
+       {"render", "Draws this cell or file into the picture or video named by -o, without a window.", "file"},
+       {{"o", "output"}, "The picture or video that --render makes.", "file"},
+       {"view", "For --render: front, back, right, left, top, bottom, iso or saved.", "name", "iso"},
+       {"seconds", "For --render into a video (mp4, webm, mkv, gif): how long one turn takes.", "s", "8"},
+       {"no-floor", "For --render: leaves the floor's grid out."},
+       {"config", "A hapticell.toml that is read over the shipped one.", "file"},
+       {"no-module", "Does not start the Virtual Desktop by itself."}});
   parser.process(application);
   Options options;
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().first();
   options.screenshot = parser.value("screenshot");
   options.theme = parser.value("theme");
+  options.language = parser.value("language");
   options.configuration = parser.value("config");
   options.exit = parser.isSet("exit");
   options.measure = parser.isSet("measure-frames");
@@ -73,6 +82,7 @@ Options parse(const QApplication& application) {
     render.view = parser.value("view");
     if (size.isValid()) render.size = size;
     render.light = options.theme == "light";
+    render.seconds = qBound(0.04, parser.value("seconds").toDouble(), 600.0);
     render.floor = !parser.isSet("no-floor");
   }
   return options;
@@ -90,7 +100,7 @@ int renderPicture(const hapticell::app::RenderCommand& command) {
   return done ? 0 : 2;
 }
 
-void openAtStart(MainWindow& window, const QString& wanted) {
+void openAtStart(MainWindow& window, const QString& wanted, bool first_page) {
   if (!wanted.isEmpty()) {
     if (wanted.endsWith(".hcell", Qt::CaseInsensitive))
       window.openFile(wanted);
@@ -99,8 +109,13 @@ void openAtStart(MainWindow& window, const QString& wanted) {
     return;
   }
   window.files().offerLeftOver();
+  if (first_page) return window.showStartPage();
+  const QStringList recent = window.recentFiles().files();
   const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
-  if (demo) window.openFile(QString::fromStdString(*demo));
+  if (!recent.isEmpty())
+    window.openFile(recent.front());
+  else if (demo)
+    window.openFile(QString::fromStdString(*demo));
 }
 
 /// Acts once nothing is being read any more and `delay_ms` passed since.
@@ -151,12 +166,19 @@ int main(int argc, char** argv) {
   if (!options.theme.isEmpty()) configuration->gui.theme = options.theme == "light" ? "light" : "dark";
   // Pictures show the program as it is shipped.
   const bool remembers = options.screenshot.isEmpty() && !options.measure;
-  MainWindow window(*configuration, remembers ? hapticell::app::UserSettings::defaultFile() : QString());
+  const QString settings = remembers ? hapticell::app::UserSettings::defaultFile() : QString();
+  if (remembers || !options.language.isEmpty())
+    hapticell::app::installLanguage(options.language.isEmpty()
+                                        ? hapticell::app::languageFrom(hapticell::app::UserSettings(settings))
+                                        : options.language);
+  MainWindow window(*configuration, settings);
+  if (!options.theme.isEmpty()) window.setTheme(options.theme != "light");
   window.resize(options.size);
   window.show();
-  openAtStart(window, options.file);
+  openAtStart(window, options.file, remembers && window.userSettings().value("start/page", true).toBool());
   window.loadModules(hapticell::app::ModuleLoader::defaultFolders());
   if (options.module) window.startModule("Virtual Desktop");
+  window.restoreLayout();
   int status = 0;
   if (!options.screenshot.isEmpty()) {
     whenRead(window, options.delay_ms, [&] {

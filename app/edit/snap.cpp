@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kFramePixels = 10.0;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Snap", text);
-}
+struct Snap {
+  Q_DECLARE_TR_FUNCTIONS(Snap)
+};
 
 }  // namespace
 
@@ -31,8 +31,8 @@ std::optional<SnapPoint> snapAt(ViewportWidget& viewport, const QPointF& positio
     const Pose X_WE = viewport.scene().placement_W(entity);
     const QString name = QString::fromStdString(entity.name);
     for (const workcell::Frame& frame : entity.frames)
-      look(X_WE * frame.X_EF, tr("Frame %1 of %2").arg(QString::fromStdString(frame.name), name));
-    if (entity.kind != workcell::EntityKind::kAssembly) look(X_WE, tr("Origin of %1").arg(name));
+      look(X_WE * frame.X_EF, Snap::tr("Frame %1 of %2").arg(QString::fromStdString(frame.name), name));
+    if (entity.kind != workcell::EntityKind::kAssembly) look(X_WE, Snap::tr("Origin of %1").arg(name));
   }
   if (nearest) return nearest;
   const auto feature = viewport.featureBeside(position, without);

@@ -84,6 +84,11 @@ Actions::Actions(QMainWindow& window) {
   side_docks = make({"actionSideDocks", tr("Side panels"), {}, QKeySequence(Qt::Key_D), {}});
   dark = make({"actionDark", tr("Dark"), {}, {}, {}});
   light = make({"actionLight", tr("Light"), {}, {}, {}});
+  settings = make({"actionSettings", tr("Settings…"), "settings", QKeySequence(Qt::CTRL | Qt::Key_Comma), {}});
+  help = make({"actionHelp", tr("Help on this panel"), "help", QKeySequence(Qt::Key_F1), {}});
+  scene_text = make({"actionSceneText", tr("The scene in words"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
+  first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
+  reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
   about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
   for (QAction* action : {perspective, edges, section, side_docks, dark, light, select, move, rotate, snap})
     action->setCheckable(true);
@@ -96,7 +101,10 @@ Actions::Actions(QMainWindow& window) {
 
   QMenuBar* bar = window.menuBar();
   QMenu* file = bar->addMenu(tr("File"));
-  file->addActions({new_cell, open, save, save_as});
+  file->addActions({new_cell, open});
+  recent = file->addMenu(tr("Open recent"));
+  recent->setObjectName("menuRecent");
+  file->addActions({save, save_as});
   file->addSeparator();
   file->addActions({import_mesh, add_robot, add_robot_file, reload});
   file->addSeparator();
@@ -110,7 +118,9 @@ Actions::Actions(QMainWindow& window) {
   edit->addActions({select, move, rotate, snap, move_by, measure});
   edit->addSeparator();
   edit->addActions({select_all, duplicate, isolate, show_all, mesh_care, remove});
-  QMenu* view = bar->addMenu(tr("View"));
+  edit->addSeparator();
+  edit->addAction(settings);
+  view = bar->addMenu(tr("View"));
   view->addActions({fit_selection, fit_all});
   view->addSeparator();
   view->addActions({front, right, top, isometric});
@@ -121,9 +131,12 @@ Actions::Actions(QMainWindow& window) {
   applications = bar->addMenu(tr("Applications"));
   applications->setToolTipsVisible(true);
   windows = bar->addMenu(tr("Window"));
-  windows->addAction(side_docks);
+  windows->addActions({side_docks, reset_layout});
   windows->addSeparator();
-  bar->addMenu(tr("Help"))->addAction(about);
+  help_menu = bar->addMenu(tr("Help"));
+  help_menu->addActions({help, scene_text, first_page});
+  help_menu->addSeparator();
+  help_menu->addAction(about);
 
   tool_bar = window.addToolBar(tr("Tools"));
   tool_bar->setObjectName("toolMain");

@@ -26,22 +26,30 @@ const std::vector<Drawn>& drawn() {
        {"dockWorkcell", "dockProperties"},
        {"dockCollisions", "dockTrajectory", "dockCurves", "dockErgonomicsTime", "dockMessages", "dockHistory"},
        {"dockVirtualDesktop", "dockSolid", "dockRobot", "dockMannequin", "dockGuides"},
-       296, 272, 344},
+       296,
+       272,
+       344},
       {"teach",
        {"dockWorkcell", "dockProperties"},
        {"dockTrajectory", "dockCurves", "dockCollisions", "dockMessages", "dockHistory"},
        {"dockRobot", "dockVirtualDesktop", "dockGuides", "dockTools"},
-       296, 360, 344},
+       296,
+       360,
+       344},
       {"ergonomics",
        {},
        {"dockErgonomicsTime", "dockTrajectory", "dockCollisions", "dockMessages", "dockHistory"},
        {"dockErgonomics", "dockMannequin", "dockReport"},
-       0, 262, 480},
+       0,
+       262,
+       480},
       {"device",
        {"dockWorkcell"},
        {"dockCurves", "dockMessages"},
        {"dockDeviceCheck", "dockVirtualDesktop"},
-       240, 240, 440}};
+       240,
+       240,
+       440}};
   return all;
 }
 
@@ -139,8 +147,10 @@ QComboBox* Layouts::makeChoice(QWidget* parent) {
   choice->setFixedWidth(128);
   choice->setFocusPolicy(Qt::TabFocus);
   for (const QString& name : names()) choice->addItem(title(name), name);
-  connect(choice, &QComboBox::activated, this, [this, choice](int index) { choose(choice->itemData(index).toString()); });
-  connect(this, &Layouts::chosen, choice, [choice](const QString& name) { choice->setCurrentIndex(choice->findData(name)); });
+  connect(choice, &QComboBox::activated, this,
+          [this, choice](int index) { choose(choice->itemData(index).toString()); });
+  connect(this, &Layouts::chosen, choice,
+          [choice](const QString& name) { choice->setCurrentIndex(choice->findData(name)); });
   return choice;
 }
 

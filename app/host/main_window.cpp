@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -12,14 +13,20 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "app/help/help_dock.h"
 #include "app/host/window_keys.h"
 #include "app/import/file_work.h"
+#include "app/measure/measure_dock.h"
 #include "app/panels/panels.h"
 #include "app/panels/tabbed_docks.h"
 #include "app/panels/tree_edits.h"
+#include "app/settings/settings_dock.h"
+#include "app/start/recent_files.h"
+#include "app/start/start_page.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
+#include "app/views/view_actions.h"
 
 namespace hapticell::app {
 
@@ -28,7 +35,10 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
       settings_(settings),
       viewport_(new ViewportWidget(this)),
       status_(new StatusLine(this)),
-      right_docks_(new TabbedDocks(*this)) {
+      right_docks_(new TabbedDocks(*this)),
+      recent_(new RecentFiles(settings_, this)),
+      start_(new StartPage(*viewport_, settings_, *recent_)),
+      layouts_(*this, settings_) {
   setObjectName("mainWindow");
   setWindowIcon(icon("cell"));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -41,6 +51,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   auto* spacer = new QWidget(this);
   spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   actions_->tool_bar->addWidget(spacer);
+  actions_->tool_bar->addWidget(layouts_.makeChoice(this));
   file_label_ = new QLabel(this);
   file_label_->setContentsMargins(0, 0, 14, 0);
   file_label_->setMinimumHeight(28);
@@ -52,14 +63,18 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   view_menus_ = std::make_unique<ViewMenus>(*actions_, *viewport_);
   connectScene();
   addPanels(*this);
+  addMeasureDock(*this);
+  addViewActions(*this, *actions_->view);
   files_ = std::make_unique<FileWork>(*this);
-  connect(files_.get(), &FileWork::opened, this, [this](const QString&, bool done) {
-    if (done) showSavedView();
-  });
   setAcceptDrops(true);
   connectFileActions();
+  connectStart();
+  addHelp(*this);
   addWindowKeys(*this, *viewport_);
   setTheme(configuration_.gui.theme != "light");
+  addSettings(*this);
+  connect(actions_->dark, &QAction::triggered, this, [this] { settings_.setValue("theme", "dark"); });
+  connect(actions_->light, &QAction::triggered, this, [this] { settings_.setValue("theme", "light"); });
   documentChanged();
 }
 
@@ -84,8 +99,6 @@ void MainWindow::connectViewActions() {
   on(actions_->isometric, [this] { viewport_->setStandardView(StandardView::kIsometric); });
   on(actions_->perspective, [this](bool checked) { viewport_->setPerspective(checked); });
   on(actions_->edges, [this](bool checked) { viewport_->setEdges(checked); });
-  on(actions_->dark, [this] { setTheme(true); });
-  on(actions_->light, [this] { setTheme(false); });
   on(actions_->side_docks, [this](bool checked) {
     for (QDockWidget* dock : findChildren<QDockWidget*>()) {
       const auto area = dockWidgetArea(dock);
@@ -252,6 +265,10 @@ void MainWindow::loadModules(const QStringList& folders) {
   }
 }
 
+void MainWindow::restoreLayout() {
+  layouts_.restore();
+}
+
 bool MainWindow::startModule(const QString& name) {
   if (!modules_) return false;
   for (Module* module : modules_->modules()) {
@@ -285,6 +302,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  layouts_.store();
   files_->autosaver().discard();
   if (modules_)
     for (Module* module : modules_->modules()) module->stop();

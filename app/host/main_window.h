@@ -10,6 +10,7 @@
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
+#include "app/host/layouts.h"
 #include "app/host/message_log.h"
 #include "app/host/module_loader.h"
 #include "app/host/recording_hub.h"
@@ -22,6 +23,8 @@
 namespace hapticell::app {
 
 class FileWork;
+class RecentFiles;
+class StartPage;
 class TabbedDocks;
 
 /// The host window: scene in the middle, docks round it, modules from the Applications menu. It knows of no device and
@@ -61,10 +64,16 @@ class MainWindow : public QMainWindow, public Host {
   void importFiles(const QStringList& paths, bool ask = true);
   FileWork& files() { return *files_; }
   void loadModules(const QStringList& folders);
+  /// The page with samples and recent files, over the scene.
+  void showStartPage();
+  RecentFiles& recentFiles() { return *recent_; }
   /// Starts the module of that name; false when there is none.
   bool startModule(const QString& name);
   void setTheme(bool dark);
   Actions& actions() { return *actions_; }
+  Layouts& layouts() { return layouts_; }
+  /// At start, once the modules' docks are there: window and docks as they were left.
+  void restoreLayout();
   const StatusLine& statusLine() const { return *status_; }
   /// The whole window with the finished picture of the scene.
   QPixmap picture();
@@ -85,6 +94,7 @@ class MainWindow : public QMainWindow, public Host {
   bool mayDiscard();
   void showSavedView();
   void connectSelection();
+  void connectStart();
   void documentChanged();
   void updateTitle();
   void updateStatus();
@@ -99,8 +109,11 @@ class MainWindow : public QMainWindow, public Host {
   ViewportWidget* viewport_;
   StatusLine* status_;
   TabbedDocks* right_docks_;
+  RecentFiles* recent_;
+  StartPage* start_;
   QLabel* file_label_;
   std::unique_ptr<Actions> actions_;
+  Layouts layouts_;
   std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;

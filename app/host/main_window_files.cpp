@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opening, saving, importing: everything of the window that asks for a file.
+#include <QAbstractButton>
 #include <QAction>
+#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -12,6 +14,8 @@
 #include "app/host/main_window.h"
 #include "app/import/file_work.h"
 #include "app/panels/tree_edits.h"
+#include "app/start/recent_files.h"
+#include "app/start/start_page.h"
 
 namespace hapticell::app {
 
@@ -43,6 +47,39 @@ void MainWindow::connectFileActions() {
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->undo, &QAction::triggered, &document_, &DocumentModel::undo);
   connect(actions_->redo, &QAction::triggered, &document_, &DocumentModel::redo);
+}
+
+void MainWindow::connectStart() {
+  connect(files_.get(), &FileWork::opened, this, [this](const QString& path, bool done) {
+    if (!done) return;
+    recent_->add(path);
+    start_->hide();
+    showSavedView();
+  });
+  connect(files_.get(), &FileWork::imported, start_, [this](const QString&, bool done) {
+    if (done) start_->hide();
+  });
+  recent_->fill(*actions_->recent);
+  const auto openAfterAsking = [this](const QString& path) {
+    if (mayDiscard()) openFile(path);
+  };
+  connect(recent_, &RecentFiles::chosen, this, openAfterAsking);
+  connect(start_, &StartPage::fileWanted, this, openAfterAsking);
+  connect(start_, &StartPage::actionWanted, this, [this](const QString& name) {
+    if (name == QLatin1String("actionNew")) start_->hide();
+    if (auto* action = findChild<QAction*>(name)) action->trigger();
+  });
+  connect(actions_->first_page, &QAction::triggered, this, &MainWindow::showStartPage);
+  connect(&layouts_, &Layouts::chosen, this, [this](const QString& name) {
+    // Its dock is made when it is first wanted.
+    auto* check = name == QLatin1String("device") ? findChild<QAbstractButton*>("buttonCheckDevice") : nullptr;
+    if (check && !findChild<QDockWidget*>("dockDeviceCheck")) check->click();
+  });
+  connect(actions_->reset_layout, &QAction::triggered, &layouts_, &Layouts::reset);
+}
+
+void MainWindow::showStartPage() {
+  start_->open();
 }
 
 void MainWindow::importFromDialog() {
@@ -117,6 +154,7 @@ bool MainWindow::saveDocument(bool ask_where) {
                    QString::fromStdString(saved.error().message()));
     return false;
   }
+  recent_->add(path);
   files_->autosaver().discard();
   messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
   return true;

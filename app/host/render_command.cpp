@@ -4,14 +4,21 @@
 #include <QFileInfo>
 #include <QImageWriter>
 #include <QSaveFile>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 
+#include "app/host/video_writer.h"
 #include "app/viewport/picture_renderer.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 
 namespace hapticell::app {
 namespace {
+
+constexpr int kFramesASecond = 25;
+constexpr int kVideoSamples = 6;
 
 struct NamedView {
   const char* name;
@@ -79,6 +86,57 @@ Expected<void> write(const QImage& picture, const QString& output) {
 
 }  // namespace
 
+TurnVideo::TurnVideo(RenderCommand command, SceneModel scene, Camera camera, PictureRenderer renderer)
+    : command_(std::move(command)),
+      scene_(std::move(scene)),
+      camera_(camera),
+      renderer_(std::move(renderer)),
+      // Most formats of video want even sides.
+      size_(command_.size.width() & ~1, command_.size.height() & ~1),
+      count_(std::max(1, static_cast<int>(std::lround(command_.seconds * kFramesASecond)))) {}
+
+TurnVideo::~TurnVideo() = default;
+
+Expected<std::unique_ptr<TurnVideo>> TurnVideo::begin(const RenderCommand& command, const SceneModel& scene,
+                                                      const Camera& camera) {
+  auto renderer = PictureRenderer::make();
+  if (!renderer) return makeError(renderer.error());
+  std::unique_ptr<TurnVideo> video(new TurnVideo(command, scene, camera, std::move(*renderer)));
+  auto writer = VideoWriter::open(command.output, video->size_, kFramesASecond);
+  if (!writer) return makeError(writer.error());
+  video->writer_ = std::move(*writer);
+  return video;
+}
+
+Expected<void> TurnVideo::step() {
+  if (isDone()) return {};
+  Camera turned = camera_;
+  turned.azimuth += 2.0 * glm::pi<double>() * done_ / count_;
+  PictureRenderer::Look look;
+  look.floor = command_.floor;
+  look.samples = kVideoSamples;
+  const auto added =
+      writer_->add(renderer_.draw(scene_, turned, size_, command_.light ? lightTheme() : darkTheme(), look));
+  if (!added) return added;
+  return ++done_ < count_ ? Expected<void>() : writer_->finish();
+}
+
+Expected<void> renderScene(const RenderCommand& command, const SceneModel& scene, const Camera& camera) {
+  if (VideoWriter::isVideo(command.output)) {
+    auto video = TurnVideo::begin(command, scene, camera);
+    if (!video) return makeError(video.error());
+    while (!(*video)->isDone())
+      if (auto stepped = (*video)->step(); !stepped) return stepped;
+    return {};
+  }
+  auto renderer = PictureRenderer::make();
+  if (!renderer) return makeError(renderer.error());
+  PictureRenderer::Look look;
+  look.floor = command.floor;
+  return write(renderer->draw(scene, camera, command.size, command.light ? lightTheme() : darkTheme(), look),
+               command.output);
+}
+
 std::optional<StandardView> viewNamed(const QString& name) {
   for (const NamedView& known : kViews)
     if (name == known.name) return known.view;
@@ -92,12 +150,7 @@ Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
   scene.setEntities(document->snapshotEntities());
   const auto camera = cameraFor(command, *document, scene);
   if (!camera) return makeError(camera.error());
-  auto renderer = PictureRenderer::make();
-  if (!renderer) return makeError(renderer.error());
-  PictureRenderer::Look look;
-  look.floor = command.floor;
-  return write(renderer->draw(scene, *camera, command.size, command.light ? lightTheme() : darkTheme(), look),
-               command.output);
+  return renderScene(command, scene, *camera);
 }
 
 }  // namespace hapticell::app

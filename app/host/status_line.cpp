@@ -8,6 +8,7 @@
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 #include "app/viewport/overlay_painter.h"
 
 namespace hapticell::app {
@@ -122,7 +123,7 @@ void StatusLine::paintEvent(QPaintEvent*) {
       icon(icon_name, color).paint(&painter, QRect(right - wide + 12, height() / 2 - 8, 16, 16));
     right -= wide;
   };
-  cell(QStringLiteral("mm · ° · N"));
+  cell(unitsNow().lengthUnit() + QStringLiteral(" · ") + unitsNow().angleUnit() + QStringLiteral(" · N"));
   if (!sound_.isEmpty()) cell(sound_, sound_on_ ? "sound" : "mute", theme.text2);
   if (!device_.isEmpty()) cell(device_, "check", theme.axis_z);
   right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full);

@@ -16,6 +16,7 @@
 #include "app/panels/pose_text.h"
 #include "app/panels/swatch_row.h"
 #include "app/style/segmented.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
 #include "kinematics/inverse_factory.h"
@@ -69,7 +70,8 @@ PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const c
   rows->setSpacing(6);
   auto* top = new QHBoxLayout;
   block.heading = makeLabel({}, TextRole::kSection);
-  auto* units = makeLabel(tr("X Y Z in mm · A B C in °"), TextRole::kSecond, true);
+  auto* units = makeLabel({}, TextRole::kSecond, true);
+  units->setObjectName("labelPoseUnits");
   top->addWidget(block.heading, 1);
   top->addWidget(units);
   rows->addLayout(top);
@@ -82,7 +84,8 @@ PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const c
     row->addWidget(letter);
     for (std::size_t i = 3 * line; i < 3 * line + 3; ++i) {
       const double range = line == 0 ? 1e6 : 360.0;
-      block.fields[i] = new ValueField({{}, 1, -range, range, 1.0});
+      block.fields[i] = new ValueField(
+          {{}, 1, -range, range, 1.0, line == 0 ? ValueField::Quantity::kLength : ValueField::Quantity::kAngle});
       block.fields[i]->setObjectName(QStringLiteral("field_%1_%2").arg(QLatin1String(name), QLatin1String(axes[i])));
       block.fields[i]->setAccessibleName(QString::fromLatin1(axes[i]) +
                                          (line == 0 ? tr(" in millimetres") : tr(" in degrees")));
@@ -161,6 +164,8 @@ void PropertiesPanel::rebuild() {
   nothing_->setVisible(!now);
   content_->setVisible(now);
   if (!now) return;
+  for (QLabel* units : findChildren<QLabel*>("labelPoseUnits"))
+    units->setText(tr("X Y Z in %1 · A B C in %2").arg(unitsNow().lengthUnit(), unitsNow().angleUnit()));
   const bool robot = now->robot != nullptr;
   tool_.holder->setVisible(robot && !now->tip_link.empty());
   tool_.heading->setText(tr("TCP in world"));

@@ -21,6 +21,7 @@
 #include "app/panels/pose_text.h"
 #include "app/panels/swatch_row.h"
 #include "app/style/segmented.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
 
@@ -224,7 +225,7 @@ void SolidPanel::showTurn(const workcell::Entity& solid) {
   frame_row_->setVisible(index == 2);
   if (index == 2) frame_->setCurrentText(QString::fromStdString(hold.frame()));
   const dvec3 c = centerOf(solid);
-  const QString middle = tr("Geometric centre, %1 mm from own origin").arg(1000.0 * glm::length(c), 0, 'f', 1);
+  const QString middle = tr("Geometric centre, %1 from own origin").arg(lengthText(glm::length(c)));
   turn_note_->setText(index == 1   ? middle
                       : index == 2 ? tr("Own frame %1").arg(frame_->currentText())
                                    : tr("Own origin, as the file has it"));
@@ -281,7 +282,8 @@ void SolidPanel::showMarks() {
     const Pose center = X_WE * Pose::translation(centerOf(*now));
     const bool by_center = hold.kind() == Kind::kGeometricCenter;
     const Pose* taken = by_center ? &center : &X_WE;
-    std::vector<std::pair<Pose, std::string>> marks{{X_WE, "origin"}, {center, "centre"}};
+    std::vector<std::pair<Pose, std::string>> marks{{X_WE, tr("origin").toStdString()},
+                                                    {center, tr("centre").toStdString()}};
     for (const workcell::Frame& frame : now->frames) marks.emplace_back(X_WE * frame.X_EF, frame.name);
     for (std::size_t i = 2; i < marks.size(); ++i)
       if (hold.kind() == Kind::kFrame && marks[i].second == hold.frame()) taken = &marks[i].first;

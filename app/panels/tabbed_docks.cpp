@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QMainWindow>
 #include <QTabBar>
 #include <QTimer>
@@ -26,6 +27,46 @@ QToolButton* cornerButton(QWidget* parent, const QString& icon_name, const QStri
   button->setAccessibleName(tip);
   button->setFocusPolicy(Qt::TabFocus);
   return button;
+}
+
+/// What a dock is known by where there is no room for its name.
+QString iconNameOf(const QString& dock) {
+  static const QHash<QString, QString> names{{"dockVirtualDesktop", "stylus"},
+                                             {"dockSolid", "cube"},
+                                             {"dockRobot", "robot"},
+                                             {"dockMannequin", "person"},
+                                             {"dockGuides", "guide_line"},
+                                             {"dockMove", "move"},
+                                             {"dockMeasure", "measure"},
+                                             {"dockDeviceCheck", "device"},
+                                             {"dockTools", "hand"},
+                                             {"dockMechanism", "guide_hinge"},
+                                             {"dockAddRobot", "plus"},
+                                             {"dockImport", "import"},
+                                             {"dockMesh", "grid"},
+                                             {"dockErgonomics", "person"},
+                                             {"dockReport", "text"},
+                                             {"dockTrajectory", "record"},
+                                             {"dockCurves", "contrast"},
+                                             {"dockCollisions", "contact"},
+                                             {"dockMessages", "message"},
+                                             {"dockHistory", "history"},
+                                             {"dockHelp", "help"}};
+  return names.value(dock, "apps");
+}
+
+/// Names in place of icons, and icons where there is no room for all names (the chosen tab keeps its name).
+void fitTabs(QTabBar& bar, int room) {
+  int wanted = 0;
+  for (int i = 0; i < bar.count(); ++i) wanted += bar.fontMetrics().horizontalAdvance(bar.tabText(i)) + 28;
+  const bool compact = wanted > room;
+  bar.setProperty("compact", compact);
+  bar.setElideMode(Qt::ElideNone);
+  for (int i = 0; i < bar.count(); ++i) {
+    const auto* dock = reinterpret_cast<const QDockWidget*>(bar.tabData(i).value<quintptr>());
+    bar.setTabToolTip(i, bar.tabText(i));
+    bar.setTabIcon(i, compact && dock ? icon(iconNameOf(dock->objectName())) : QIcon());
+  }
 }
 
 }  // namespace
@@ -103,6 +144,7 @@ void TabbedDocks::arrange() {
       bar_->setUsesScrollButtons(true);
     }
   }
+  if (bar_) fitTabs(*bar_, bar_->width() - corner_->sizeHint().width());
   placeCorner();
   arranging_ = false;
 }
@@ -121,7 +163,7 @@ bool TabbedDocks::eventFilter(QObject* watched, QEvent* event) {
   if (watched == bar_) {
     const auto type = event->type();
     if (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide)
-      QTimer::singleShot(0, this, &TabbedDocks::placeCorner);
+      QTimer::singleShot(0, this, type == QEvent::Resize ? &TabbedDocks::arrange : &TabbedDocks::placeCorner);
     if (type == QEvent::Hide) QTimer::singleShot(0, this, &TabbedDocks::arrange);
   }
   return QObject::eventFilter(watched, event);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/panels/tree_edits.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -254,7 +255,7 @@ QString WorkcellTreeModel::accessibleText(const Node& node) const {
   if (!snapshot_ || node.mark != Mark::kNearMiss) return text;
   for (const auto& pair : snapshot_->pairs)
     if (pair.near_miss && (pair.moved == node.entity || pair.other == node.entity))
-      return text + tr(", %1 millimetres").arg(1000.0 * pair.distance, 0, 'f', 1);
+      return text + QStringLiteral(", ") + lengthText(pair.distance);
   return text;
 }
 

@@ -25,6 +25,8 @@ bool isSwitch(const QWidget* widget) { return widget && widget->property("switch
 
 bool isLargeSwitch(const QWidget* widget) { return widget && widget->property("switch").toString() == "large"; }
 
+bool isCompact(const QWidget* widget) { return widget && widget->property("compact").toBool(); }
+
 QColor fieldFrame(const QStyleOption* option) {
   const Theme& theme = themeOf(option->palette);
   return option->state.testFlag(QStyle::State_HasFocus) ? theme.selection : theme.line;
@@ -97,6 +99,15 @@ QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option
     case CT_MenuItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
       if (item && item->menuItemType != QStyleOptionMenuItem::Separator) result.setHeight(qMax(result.height(), 26));
+      break;
+    }
+    case CT_TabBarTab: {
+      const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+      if (!tab || tab->icon.isNull() || !isCompact(widget)) break;
+      // Where there is no room for all names the chosen tab has its name, the others their icons.
+      const bool chosen = tab->state.testFlag(State_Selected);
+      const QString words = plainTabText(tab->text);
+      result.setWidth(chosen ? tab->fontMetrics.horizontalAdvance(words) + 28 : 34);
       break;
     }
     case CT_ItemViewItem: result.setHeight(qMax(result.height(), kRowHeight)); break;
@@ -214,7 +225,8 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
       if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) drawTabShape(painter, tab);
       return;
     case CE_TabBarTabLabel:
-      if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option)) drawTabLabel(painter, tab);
+      if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option))
+        drawTabLabel(painter, tab, isCompact(widget) && !tab->icon.isNull());
       return;
     case CE_MenuBarEmptyArea: painter->fillRect(option->rect, theme.window); return;
     case CE_MenuBarItem: {

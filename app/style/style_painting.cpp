@@ -120,8 +120,23 @@ void drawTabShape(QPainter* painter, const QStyleOptionTab* option) {
   if (selected) painter->fillRect(QRect(option->rect.left(), option->rect.top(), option->rect.width(), 2), theme.selection);
 }
 
-void drawTabLabel(QPainter* painter, const QStyleOptionTab* option) {
+QString plainTabText(const QString& text) {
+  static const QRegularExpression count(QStringLiteral(" \\(\\d+\\)$"));
+  return QString(text).remove(count);
+}
+
+void drawTabLabel(QPainter* painter, const QStyleOptionTab* option, bool compact) {
   const Theme& theme = themeOf(option->palette);
+  if (compact && !has(option, QStyle::State_Selected)) {
+    const QPoint center = option->rect.center() + QPoint(0, 1);
+    option->icon.paint(painter, QRect(center.x() - 8, center.y() - 8, 16, 16));
+    return;
+  }
+  if (compact) {
+    painter->setPen(theme.text1);
+    painter->drawText(option->rect.adjusted(0, 1, 0, 0), Qt::AlignCenter, plainTabText(option->text));
+    return;
+  }
   static const QRegularExpression counted(QStringLiteral("^(.*) \\((\\d+)\\)$"));
   const auto match = counted.match(option->text);
   const QString words = match.hasMatch() ? match.captured(1) : option->text;

@@ -28,7 +28,10 @@ void drawIndicator(QPainter* painter, const QStyleOption* option, bool round);
 void drawTabShape(QPainter* painter, const QStyleOptionTab* option);
 
 /// A tab's words; a number in brackets at the end becomes a badge, nought none.
-void drawTabLabel(QPainter* painter, const QStyleOptionTab* option);
+/// `compact`: only the chosen tab has its name, the others their icon.
+void drawTabLabel(QPainter* painter, const QStyleOptionTab* option, bool compact);
+/// The name without the count at its end.
+QString plainTabText(const QString& text);
 
 /// The little triangle of combo boxes and menus, pointing down.
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/overlay_labels.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 
 namespace hapticell::app {
 namespace {
 
 constexpr std::uint64_t kContactKey = 1, kNearMissKey = 2, kLimitKey = 3;
+
+struct OverlayText {
+  Q_DECLARE_TR_FUNCTIONS(OverlayText)
+};
 
 std::string pairNames(const SceneModel& scene, const manipulation::PairState& pair) {
   return scene.nameOf(pair.moved, pair.moved_part) + " – " + scene.nameOf(pair.other, pair.other_part);
@@ -17,7 +22,7 @@ std::string limitWords(const manipulation::SceneSnapshot& snapshot) {
   const manipulation::LimitState& limit = snapshot.limits.front();
   std::string words = limit.text;
   if (const auto unit = words.find(" deg"); unit != std::string::npos) words.replace(unit, 4, "\u00b0");
-  return limit.holds && snapshot.forces_on ? words + " and pushes back" : words;
+  return limit.holds && snapshot.forces_on ? words + OverlayText::tr(" and pushes back").toStdString() : words;
 }
 
 }  // namespace
@@ -29,7 +34,8 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
   const auto contact =
       std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return p.contact; });
   if (contact != snapshot.pairs.end())
-    labels.push_back({kContactKey, Mark::kContact, "Contact", pairNames(scene, *contact), contact->p_WB});
+    labels.push_back({kContactKey, Mark::kContact, OverlayText::tr("Contact").toStdString(), pairNames(scene, *contact),
+                      contact->p_WB});
   const auto near =
       std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& p) { return !p.contact; });
   // While something touches, a distance that is no near miss would only distract.
@@ -37,7 +43,8 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene) {
     labels.push_back({kNearMissKey, near->near_miss ? Mark::kNearMiss : Mark::kNone, millimetres(near->distance),
                       pairNames(scene, *near), 0.5 * (near->p_WA + near->p_WB)});
   if (!snapshot.limits.empty())
-    labels.push_back({kLimitKey, Mark::kLimit, "Limit", limitWords(snapshot), snapshot.X_WStylus.p});
+    labels.push_back(
+        {kLimitKey, Mark::kLimit, OverlayText::tr("Limit").toStdString(), limitWords(snapshot), snapshot.X_WStylus.p});
   return labels;
 }
 

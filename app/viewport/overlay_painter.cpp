@@ -68,7 +68,7 @@ void paintCubeName(QPainter& painter, const ViewCubeFace& face, bool lit) {
   name_font.setPixelSize(24);
   name_font.setWeight(QFont::Bold);
   QPainterPath name;
-  const QString text = QString::fromLatin1(face.name);
+  const QString text = QObject::tr(face.name);
   if (const double width = textWidth(name_font, text); width > 80.0)
     name_font.setPixelSize(static_cast<int>(24.0 * 80.0 / width));
   name.addText(50.0 - 0.5 * textWidth(name_font, text), 58.5, name_font, text);
@@ -244,8 +244,7 @@ void paintStrip(QPainter& painter, const Overlay& overlay) {
 void paintQuietText(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
   const double cell = floorCell(overlay.camera);
-  const QString grid =
-      cell >= 1.0 ? QStringLiteral("Grid %1 m").arg(cell) : QStringLiteral("Grid %1 mm").arg(cell * 1000.0);
+  const QString grid = cell >= 1.0 ? QObject::tr("Grid %1 m").arg(cell) : QObject::tr("Grid %1 mm").arg(cell * 1000.0);
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   const QString missing = overlay.missing_parts == 0 ? QString()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/picked_feature.h"
 
+#include <QCoreApplication>
 #include <cmath>
 
 #include "app/viewport/strip_text.h"
@@ -23,26 +24,30 @@ dvec3 footOnAxis(const dvec3& p, const dvec3& origin, const dvec3& axis) {
   return origin + glm::dot(p - origin, axis) * axis;
 }
 
-std::string withRadius(const char* name, double radius) {
-  return std::string(name) + ", R " + millimetres(radius);
+struct FeatureText {
+  Q_DECLARE_TR_FUNCTIONS(FeatureText)
+};
+
+std::string withRadius(const QString& name, double radius) {
+  return name.toStdString() + ", R " + millimetres(radius);
 }
 
 std::string faceText(const collision::SurfaceShape& shape) {
   switch (shape.type) {
     case SurfaceType::kPlane:
-      return "Plane";
+      return FeatureText::tr("Plane").toStdString();
     case SurfaceType::kCylinder:
-      return withRadius(shape.side < 0.0 ? "Bore" : "Cylinder", shape.radius);
+      return withRadius(shape.side < 0.0 ? FeatureText::tr("Bore") : FeatureText::tr("Cylinder"), shape.radius);
     case SurfaceType::kCone:
-      return "Cone";
+      return FeatureText::tr("Cone").toStdString();
     case SurfaceType::kSphere:
-      return withRadius("Sphere", shape.radius);
+      return withRadius(FeatureText::tr("Sphere"), shape.radius);
     case SurfaceType::kTorus:
-      return withRadius("Ring", shape.major_radius);
+      return withRadius(FeatureText::tr("Ring"), shape.major_radius);
     case SurfaceType::kFreeForm:
       break;
   }
-  return "Face";
+  return FeatureText::tr("Face").toStdString();
 }
 
 double lengthOf(const std::vector<dvec3>& line) {
@@ -78,11 +83,13 @@ Pose featureFrame_W(const PickedFeature& feature) {
 }
 
 std::string featureText(const PickedFeature& feature) {
-  if (feature.kind == FeatureKind::kVertex) return "Corner";
+  if (feature.kind == FeatureKind::kVertex) return FeatureText::tr("Corner").toStdString();
   if (feature.kind == FeatureKind::kFace) return faceText(feature.surface_W);
-  if (feature.edge == EdgeShape::kCircle) return withRadius("Circle", feature.radius);
+  if (feature.edge == EdgeShape::kCircle) return withRadius(FeatureText::tr("Circle"), feature.radius);
   const double length = feature.outline_W.empty() ? 0.0 : lengthOf(feature.outline_W.front());
-  return std::string(feature.edge == EdgeShape::kLine ? "Edge, " : "Curved edge, ") + millimetres(length);
+  return (feature.edge == EdgeShape::kLine ? FeatureText::tr("Edge, ") : FeatureText::tr("Curved edge, "))
+             .toStdString() +
+         millimetres(length);
 }
 
 }  // namespace hapticell::app

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/section_plane.h"
 
+#include <QObject>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -88,9 +91,7 @@ std::vector<SceneCurve> sectionCurves(const SectionPlane& plane, const geometry:
   // The text stands to the right of the last point: not on the handle.
   const bool leftwards = start_seen && end_seen && end_seen->x < start_seen->x;
   handle.points_W = leftwards ? std::vector{end, start} : std::vector{start, end};
-  char text[48];
-  std::snprintf(text, sizeof text, "Section %c %.1f mm", "XYZ"[axis], 1000.0 * start[axis] + 0.0);
-  handle.text = text;
+  handle.text = QObject::tr("Section %1 %2").arg(QChar('X' + axis)).arg(lengthText(start[axis])).toStdString();
   SceneCurve knob = handle;
   knob.points_W = {end};
   knob.text.clear();

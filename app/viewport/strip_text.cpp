@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/strip_text.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -21,20 +24,26 @@ std::string shortNumber(double value) {
   return fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
 }
 
+/// What stands over the scene, in the window's language.
+struct StripText {
+  Q_DECLARE_TR_FUNCTIONS(StripText)
+};
+
 }  // namespace
 
 std::string millimetres(double metres) {
-  if (!std::isfinite(metres)) return "none";
-  if (std::abs(metres) >= 10.0) return fixed(metres, 2) + " m";
-  return fixed(metres * 1000.0, 1) + " mm";
+  if (!std::isfinite(metres)) return StripText::tr("none").toStdString();
+  const bool usual = unitsNow().length == Units::Length::kMillimetre;
+  if (usual && std::abs(metres) >= 10.0) return fixed(metres, 2) + " m";
+  return lengthText(metres).toStdString();
 }
 
 std::string newtons(double value) {
-  return fixed(value, 1) + " N";
+  return forceText(value).toStdString();
 }
 
 std::string scaleText(double motion_scale) {
-  if (!(motion_scale > 0.0)) return "none";
+  if (!(motion_scale > 0.0)) return StripText::tr("none").toStdString();
   if (motion_scale >= 1.0) return shortNumber(motion_scale) + " : 1";
   return "1 : " + shortNumber(1.0 / motion_scale);
 }
@@ -46,19 +55,27 @@ std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, c
       std::find_if(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return !pair.contact; });
   const bool known = free != snapshot.pairs.end();
   std::vector<StripCell> cells;
-  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : "none near", "free gap"};
+  const auto say = [](const QString& text) { return text.toStdString(); };
+  StripCell gap{Mark::kNone, known ? millimetres(free->distance) : say(StripText::tr("none near")),
+                say(StripText::tr("free gap"))};
   if (known && (free->near_miss || free->distance <= context.near_miss_distance)) gap.mark = Mark::kNearMiss;
   cells.push_back(gap);
-  const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : "off";
-  cells.push_back({contact ? Mark::kContact : Mark::kNone, force, "force"});
+  const std::string force = snapshot.forces_on ? newtons(snapshot.force_n) : say(StripText::tr("off"));
+  cells.push_back({contact ? Mark::kContact : Mark::kNone, force, say(StripText::tr("force"))});
   const std::string name = context.scale_name.empty() ? "" : context.scale_name + " ";
-  cells.push_back({Mark::kNone, name + scaleText(snapshot.motion_scale), "scale"});
-  const char* on_contact = context.on_contact == workcell::OnContact::kStop    ? "Stop"
-                           : context.on_contact == workcell::OnContact::kSlide ? "Slide"
-                                                                               : "Pass";
-  cells.push_back({Mark::kNone, snapshot.stopped ? "Stopped" : on_contact, "on contact"});
-  cells.push_back({Mark::kNone, snapshot.clutched ? "Clutch" : context.free_axes, "free to move"});
-  StripCell edge{Mark::kNone, fixed(snapshot.device_edge_m * 1000.0, 0) + " mm", "to device edge"};
+  cells.push_back({Mark::kNone, name + scaleText(snapshot.motion_scale), say(StripText::tr("scale"))});
+  const QString on_contact = context.on_contact == workcell::OnContact::kStop    ? StripText::tr("Stop")
+                             : context.on_contact == workcell::OnContact::kSlide ? StripText::tr("Slide")
+                                                                                 : StripText::tr("Pass");
+  cells.push_back(
+      {Mark::kNone, say(snapshot.stopped ? StripText::tr("Stopped") : on_contact), say(StripText::tr("on contact"))});
+  cells.push_back({Mark::kNone, snapshot.clutched ? say(StripText::tr("Clutch")) : context.free_axes,
+                   say(StripText::tr("free to move"))});
+  const Units units = unitsNow();
+  const bool usual = units.length == Units::Length::kMillimetre;
+  StripCell edge{Mark::kNone,
+                 usual ? fixed(snapshot.device_edge_m * 1000.0, 0) + " mm" : millimetres(snapshot.device_edge_m),
+                 say(StripText::tr("to device edge"))};
   if (snapshot.device_edge_m < 0.005) edge.mark = Mark::kLimit;
   cells.push_back(edge);
   return cells;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/view_cube.h"
 
+#include <QtGlobal>
 #include <cmath>
 
 namespace hapticell::app {
@@ -16,12 +17,12 @@ struct FaceDefinition {
 
 const std::array<FaceDefinition, 6>& faceDefinitions() {
   static const std::array<FaceDefinition, 6> faces{{
-      {StandardView::kFront, "FRONT", {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-      {StandardView::kBack, "BACK", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
-      {StandardView::kRight, "RIGHT", {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-      {StandardView::kLeft, "LEFT", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
-      {StandardView::kTop, "TOP", {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-      {StandardView::kBottom, "BOTTOM", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+      {StandardView::kFront, QT_TRANSLATE_NOOP("ViewCube", "FRONT"), {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+      {StandardView::kBack, QT_TRANSLATE_NOOP("ViewCube", "BACK"), {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+      {StandardView::kRight, QT_TRANSLATE_NOOP("ViewCube", "RIGHT"), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {StandardView::kLeft, QT_TRANSLATE_NOOP("ViewCube", "LEFT"), {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+      {StandardView::kTop, QT_TRANSLATE_NOOP("ViewCube", "TOP"), {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+      {StandardView::kBottom, QT_TRANSLATE_NOOP("ViewCube", "BOTTOM"), {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
   }};
   return faces;
 }

@@ -81,5 +81,50 @@ TEST(RenderCommand, TellsWhatItCannotDoAndLeavesNoFile) {
   EXPECT_NE(refusal(missing).find("nowhere.hcell"), std::string::npos);
 }
 
+/// A program that stands in for ffmpeg: it writes how many bytes of pictures came into its last argument.
+void writeFakeFfmpeg(const QString& folder, const QString& script) {
+  QFile program(folder + "/ffmpeg");
+  ASSERT_TRUE(program.open(QIODevice::WriteOnly));
+  program.write(script.toUtf8());
+  program.close();
+  ASSERT_TRUE(program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+}
+
+TEST(RenderCommand, AVideoIsEveryPictureOfATurn) {
+  QTemporaryDir folder;
+  const QByteArray path = qgetenv("PATH");
+  writeFakeFfmpeg(folder.path(), "#!/bin/sh\nfor last; do :; done\nwc -c > \"$last\"\n");
+  qputenv("PATH", folder.path().toUtf8() + ":" + path);
+  Diagnostics diagnostics;
+  RenderCommand command = boxTo(folder.filePath("turn.mp4"));
+  command.size = {65, 41};
+  command.seconds = 0.4;
+  const auto done = render(command, diagnostics);
+  qputenv("PATH", path);
+  ASSERT_TRUE(done) << done.error().message();
+  QFile video(command.output);
+  ASSERT_TRUE(video.open(QIODevice::ReadOnly));
+  EXPECT_EQ(video.readAll().trimmed().toInt(), 10 * 64 * 40 * 3) << "ten pictures with even sides";
+}
+
+TEST(RenderCommand, AVideoThatCannotBeWrittenLeavesNoFileAndSaysWhy) {
+  QTemporaryDir folder;
+  const QByteArray path = qgetenv("PATH");
+  Diagnostics diagnostics;
+  RenderCommand command = boxTo(folder.filePath("turn.mp4"));
+  command.size = {64, 40};
+  command.seconds = 0.08;
+  qputenv("PATH", folder.path().toUtf8());
+  const auto missing = render(command, diagnostics);
+  writeFakeFfmpeg(folder.path(), "#!/bin/sh\nwhile read -r line; do :; done\necho 'Unknown encoder' >&2\nexit 1\n");
+  const auto refused = render(command, diagnostics);
+  qputenv("PATH", path);
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message().find("ffmpeg"), std::string::npos);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message().find("Unknown encoder"), std::string::npos) << refused.error().message();
+  EXPECT_FALSE(QFile::exists(command.output));
+}
+
 }  // namespace
 }  // namespace hapticell::app

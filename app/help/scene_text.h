@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "app/viewport/scene_model.h"
+#include "workcell/document_state.h"
+
+namespace hapticell::app {
+
+/// The scene in sentences, for who cannot see it and for reports: how many of what stand in the cell, what is selected
+/// and where, what is held, what touches or nearly does, which limit pushes back. Lines, most urgent first.
+QString sceneText(const workcell::DocumentState& state, const std::vector<workcell::EntityId>& selected,
+                  const SceneModel& scene);
+
+}  // namespace hapticell::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/viewport/scene_model.h"
+#include "collision/distance_result.h"
+#include "collision/mesh_collider.h"
+
+namespace hapticell::app {
+
+/// A mesh where it stands.
+struct PlacedMesh {
+  std::shared_ptr<const geometry::TriangleMesh> mesh;
+  Pose X_WM;
+};
+
+/// The meshes of an entity as the scene shows it now.
+std::vector<PlacedMesh> placedMeshes(const SceneModel& scene, workcell::EntityId entity);
+
+/// Trees of meshes that were measured before, so that the second question is quick. Not shared between threads at once.
+using ColliderCache =
+    std::map<std::shared_ptr<const geometry::TriangleMesh>, std::shared_ptr<const collision::MeshCollider>>;
+
+/// The least distance of two parts, exactly; nothing where one has no mesh or `cancelled` answers true. Builds the
+/// trees that `cache` lacks, so it belongs into a thread of its own.
+std::optional<collision::DistanceResult> partDistance(const std::vector<PlacedMesh>& a,
+                                                      const std::vector<PlacedMesh>& b, ColliderCache& cache,
+                                                      const std::function<bool()>& cancelled = {});
+
+}  // namespace hapticell::app

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QPushButton>
+
+#include "app/viewport/navigation.h"
+
+namespace hapticell::app {
+
+/// Takes a gesture of the mouse: after a click (or Enter) the buttons and modifiers that are then held over it,
+/// together, are what it tells. Escape leaves it as it was.
+class GestureField : public QPushButton {
+  Q_OBJECT
+ public:
+  explicit GestureField(QWidget* parent = nullptr);
+  /// What is shown; several are joined by " or ".
+  void setGestures(const std::vector<ViewGesture>& gestures);
+
+ signals:
+  void recorded(const hapticell::app::ViewGesture& gesture);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void listen(bool on);
+  QString shown_;
+  ViewGesture held_;
+  bool listening_ = false;
+};
+
+}  // namespace hapticell::app

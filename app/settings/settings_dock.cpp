@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/settings/settings_dock.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+#include "app/host/main_window.h"
+#include "app/panels/form.h"
+#include "app/settings/key_map.h"
+#include "app/settings/settings_pages.h"
+#include "app/settings/user_choices.h"
+#include "app/style/dock_title_bar.h"
+#include "app/style/icon.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 520, kList = 148;
+
+QWidget* makeSettings(Host& host, KeyMap& keys) {
+  auto* all = new QWidget;
+  auto* row = new QHBoxLayout(all);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  auto* list = new QListWidget;
+  list->setObjectName("listSettings");
+  list->setAccessibleName(QObject::tr("Pages of the settings"));
+  list->setFixedWidth(kList);
+  auto* pages = new QStackedWidget;
+  const auto add = [&](const QString& title, QWidget* page) {
+    list->addItem(title);
+    pages->addWidget(scrolledPanel(page, 420));
+  };
+  add(QObject::tr("Appearance"), makeAppearancePage(host));
+  add(QObject::tr("Units"), makeUnitsPage(host));
+  add(QObject::tr("Mouse and view"), makeNavigationPage(host));
+  add(QObject::tr("Keys"), makeKeysPage(keys));
+  add(QObject::tr("Feel and files"), makeConfigurationPage(host));
+  QObject::connect(list, &QListWidget::currentRowChanged, pages, &QStackedWidget::setCurrentIndex);
+  list->setCurrentRow(0);
+  row->addWidget(list);
+  row->addWidget(pages, 1);
+  all->setMinimumSize(kList + 440, 360);
+  return all;
+}
+
+}  // namespace
+
+void addSettings(MainWindow& window) {
+  followSettings(window);
+  auto* keys = new KeyMap(window, window.userSettings(), &window);
+  auto* action = window.findChild<QAction*>("actionSettings");
+  if (!action) return;
+  QObject::connect(action, &QAction::triggered, &window, [&window, keys] {
+    auto* dock = window.findChild<QDockWidget*>("dockSettings");
+    if (!dock) {
+      dock = makeDock("dockSettings", QObject::tr("Settings"), makeSettings(window, *keys));
+      dock->setWindowIcon(icon("settings"));
+      window.addDockWidget(Qt::RightDockWidgetArea, dock);
+      dock->setFloating(true);
+      dock->resize(kWidth, kHeight);
+      dock->move(window.geometry().center() - QPoint(kWidth / 2, kHeight / 2));
+    }
+    dock->show();
+    dock->raise();
+    dock->activateWindow();
+  });
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QMenu;
+
+namespace hapticell::app {
+
+class UserSettings;
+
+/// Workcells that were opened or saved last, newest first, at most ten; those that are gone are left out. GUI thread.
+class RecentFiles : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr int kMost = 10;
+  explicit RecentFiles(UserSettings& settings, QObject* parent = nullptr) : QObject(parent), settings_(settings) {}
+  QStringList files() const;
+  void add(const QString& path);
+  void clear();
+  /// Fills the menu whenever it is opened; a choice tells chosen().
+  void fill(QMenu& menu);
+
+ signals:
+  void chosen(const QString& path);
+
+ private:
+  UserSettings& settings_;
+};
+
+}  // namespace hapticell::app

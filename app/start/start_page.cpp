@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/start/start_page.h"
+
+#include <QCheckBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <vector>
+
+#include "app/host/user_settings.h"
+#include "app/panels/form.h"
+#include "app/start/recent_files.h"
+#include "app/start/sample_card.h"
+#include "app/style/icon.h"
+#include "app/style/style_painting.h"
+#include "app/style/theme.h"
+#include "config/configuration.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kMostRecent = 4;
+
+struct Sample {
+  const char* cell;
+  QString title, sentence;
+};
+
+std::vector<Sample> samples() {
+  return {{"demo", StartPage::tr("Robot over a fixture"),
+           StartPage::tr("Lower the part onto its locators and feel what it touches.")},
+          {"car_door", StartPage::tr("A car door on its hinge"),
+           StartPage::tr("Open it by the handle: a guide leads, stops and a detent are felt.")},
+          {"workbench", StartPage::tr("A person at a bench"),
+           StartPage::tr("Pose the mannequin, look at its reach and its posture.")}};
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent)
+    : QFrame(&scene), scene_(scene), settings_(settings), recent_(recent) {
+  setObjectName("startPage");
+  setAccessibleName(tr("First page"));
+  setFocusPolicy(Qt::StrongFocus);
+  hide();
+  scene_.installEventFilter(this);
+}
+
+void StartPage::open() {
+  build();
+  place();
+  show();
+  raise();
+  setFocus(Qt::OtherFocusReason);
+}
+
+void StartPage::build() {
+  delete content_;
+  content_ = new QWidget(this);
+  auto* column = new QVBoxLayout(content_);
+  column->setContentsMargins(24, 20, 24, 16);
+  column->setSpacing(14);
+  column->addWidget(makeLabel(tr("Begin with a sample, or with your own cell"), TextRole::kPanelNumber));
+  addSamples(*column);
+  addOwn(*column);
+  auto* whole = new QVBoxLayout;
+  delete layout();
+  setLayout(whole);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(content_);
+}
+
+void StartPage::addSamples(QVBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(12);
+  for (const Sample& sample : samples()) {
+    const std::string base = std::string("workcells/") + sample.cell;
+    const auto file = config::findShippedFile(base + ".hcell");
+    if (!file) continue;
+    const auto picture = config::findShippedFile(base + ".jpg");
+    auto* card =
+        new SampleCard(picture ? QPixmap(QString::fromStdString(*picture)) : QPixmap(), sample.title, sample.sentence);
+    card->setObjectName(QStringLiteral("sample_") + QLatin1String(sample.cell));
+    connect(card, &QAbstractButton::clicked, this,
+            [this, path = QString::fromStdString(*file)] { emit fileWanted(path); });
+    row->addWidget(card);
+  }
+  row->addStretch(1);
+  column.addLayout(row);
+}
+
+void StartPage::addOwn(QVBoxLayout& column) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(24);
+  auto* begin = new QVBoxLayout;
+  begin->addWidget(makeLabel(tr("Your own"), TextRole::kSection));
+  const auto add = [&](const QString& text, const QString& icon_name, const char* action) {
+    auto* button = new QPushButton(icon(icon_name), text);
+    button->setObjectName(QStringLiteral("start_") + QLatin1String(action));
+    button->setFixedWidth(248);
+    connect(button, &QPushButton::clicked, this, [this, action] { emit actionWanted(QLatin1String(action)); });
+    begin->addWidget(button);
+  };
+  add(tr("Open a workcell…"), "open", "actionOpen");
+  add(tr("Import CAD or a robot…"), "import", "actionImport");
+  add(tr("Begin with an empty cell"), "new", "actionNew");
+  begin->addStretch(1);
+  auto* last = new QVBoxLayout;
+  last->addWidget(makeLabel(tr("Opened last"), TextRole::kSection));
+  const QStringList files = recent_.files();
+  for (const QString& path : files.mid(0, kMostRecent)) {
+    const QFileInfo info(path);
+    auto* button = new QPushButton(icon("cell"), info.completeBaseName());
+    button->setObjectName("start_recent");
+    button->setToolTip(QDir::toNativeSeparators(path));
+    button->setFixedWidth(248);
+    connect(button, &QPushButton::clicked, this, [this, path] { emit fileWanted(path); });
+    last->addWidget(button);
+  }
+  if (files.isEmpty())
+    last->addWidget(makeLabel(tr("Nothing yet. Files can also be dropped here."), TextRole::kSecond, true));
+  last->addStretch(1);
+  row->addLayout(begin);
+  row->addLayout(last);
+  row->addStretch(1);
+  column.addLayout(row);
+  auto* foot = new QHBoxLayout;
+  auto* always = new QCheckBox(tr("Show this page at start"));
+  always->setObjectName("switchStartPage");
+  always->setProperty("switch", true);
+  always->setChecked(settings_.value("start/page", true).toBool());
+  connect(always, &QCheckBox::clicked, this, [this](bool on) { settings_.setValue("start/page", on); });
+  foot->addWidget(always);
+  foot->addStretch(1);
+  foot->addWidget(makeLabel(tr("Esc closes it · F1 helps · ? shows the keys"), TextRole::kSecond, true));
+  column.addLayout(foot);
+}
+
+void StartPage::place() {
+  if (!content_) return;
+  const QSize size = content_->sizeHint().boundedTo(scene_.size() - QSize(16, 16));
+  setGeometry(QRect(QPoint((scene_.width() - size.width()) / 2, (scene_.height() - size.height()) / 2), size));
+}
+
+void StartPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape) return QFrame::keyPressEvent(event);
+  hide();
+  scene_.setFocus();
+}
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &scene_ && event->type() == QEvent::Resize && isVisible()) place();
+  return QFrame::eventFilter(watched, event);
+}
+
+void StartPage::paintEvent(QPaintEvent*) {
+  const Theme& theme = themeOf(palette());
+  QPainter painter(this);
+  drawBox(&painter, rect(), theme.window, theme.line, 6);
+}
+
+}  // namespace hapticell::app

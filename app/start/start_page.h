@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+class RecentFiles;
+class UserSettings;
+
+/// What stands over the empty scene at the start: three sample cells with pictures, what was opened last, and how to
+/// begin with one's own. A part of the viewport, not a window: it goes when a cell is opened or by Escape. GUI thread.
+class StartPage : public QFrame {
+  Q_OBJECT
+ public:
+  StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent);
+  /// Shows it with the newest list, above the scene.
+  void open();
+
+ signals:
+  void fileWanted(const QString& path);
+  /// One of the window's actions by its name: "actionOpen", "actionImport", "actionNew".
+  void actionWanted(const QString& name);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void build();
+  void addSamples(QVBoxLayout& column);
+  void addOwn(QVBoxLayout& column);
+  void place();
+  QWidget& scene_;
+  UserSettings& settings_;
+  RecentFiles& recent_;
+  QWidget* content_ = nullptr;
+};
+
+}  // namespace hapticell::app

@@ -1,0 +1,64 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<TS version="2.1" language="en_GB">
+<context>
+    <name>HaptiCell</name>
+    <message numerus="yes">
+        <source>  ·  %n parts are made ready</source>
+        <translation><numerusform>  ·  %n part is made ready</numerusform><numerusform>  ·  %n parts are made ready</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n are hidden.</source>
+        <translation><numerusform>%n is hidden.</numerusform><numerusform>%n are hidden.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n are locked.</source>
+        <translation><numerusform>%n is locked.</numerusform><numerusform>%n are locked.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n assemblies</source>
+        <translation><numerusform>%n assembly</numerusform><numerusform>%n assemblies</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entities in the cell.</source>
+        <translation><numerusform>%n entity in the cell.</numerusform><numerusform>%n entities in the cell.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints</source>
+        <translation><numerusform>%n joint</numerusform><numerusform>%n joints</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n limits push back.</source>
+        <translation><numerusform>%n limit pushes back.</numerusform><numerusform>%n limits push back.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mannequins</source>
+        <translation><numerusform>%n mannequin</numerusform><numerusform>%n mannequins</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mechanisms</source>
+        <translation><numerusform>%n mechanism</numerusform><numerusform>%n mechanisms</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n robots</source>
+        <translation><numerusform>%n robot</numerusform><numerusform>%n robots</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation><numerusform>%n selected</numerusform><numerusform>%n selected</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n solids</source>
+        <translation><numerusform>%n solid</numerusform><numerusform>%n solids</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n entities</source>
+        <translation><numerusform>Move %n entity</numerusform><numerusform>Move %n entities</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n entities</source>
+        <translation><numerusform>Turn %n entity</numerusform><numerusform>Turn %n entities</numerusform></translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,3960 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<!-- SPDX-License-Identifier: Apache-2.0 -->
+<TS version="2.1" language="fr_FR">
+<context>
+    <name>HaptiCell</name>
+    <message>
+        <source>  (in use)</source>
+        <translation>  (utilisée)</translation>
+    </message>
+    <message>
+        <source>  (yours)</source>
+        <translation>  (la vôtre)</translation>
+    </message>
+    <message numerus="yes">
+        <source>  ·  %n parts are made ready</source>
+        <translation><numerusform>  ·  %n pièce est préparée</numerusform><numerusform>  ·  %n pièces sont préparées</numerusform></translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> et %1 de plus</translation>
+    </message>
+    <message>
+        <source> and pushes back</source>
+        <translation> et repousse</translation>
+    </message>
+    <message>
+        <source> and pushes back on the stylus.</source>
+        <translation> et repousse le stylet.</translation>
+    </message>
+    <message>
+        <source> in degrees</source>
+        <translation> en degrés</translation>
+    </message>
+    <message>
+        <source> in millimetres</source>
+        <translation> en millimètres</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> ou </translation>
+    </message>
+    <message>
+        <source> · %1 left</source>
+        <translation> · reste %1</translation>
+    </message>
+    <message>
+        <source> · Esc: end</source>
+        <translation> · Échap : terminer</translation>
+    </message>
+    <message>
+        <source> · forces off</source>
+        <translation> · efforts coupés</translation>
+    </message>
+    <message>
+        <source> · forces on</source>
+        <translation> · efforts en marche</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 triangles. One unit of the file is one %4%5.</source>
+        <translation>%1 %2, %3 triangles. Une unité du fichier vaut un %4%5.</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 – %4</source>
+        <translation>%1 %2, %3 – %4</translation>
+    </message>
+    <message>
+        <source>%1 (not usable)</source>
+        <translation>%1 (inutilisable)</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 Hz, late %2 ms</source>
+        <translation>%1 Hz, retard %2 ms</translation>
+    </message>
+    <message>
+        <source>%1 Hz, late %2 ms at most in 99 of 100 steps%3</source>
+        <translation>%1 Hz, retard d'au plus %2 ms pour 99 pas sur 100%3</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 N at %2 s</source>
+        <translation>%1 N à %2 s</translation>
+    </message>
+    <message>
+        <source>%1 N were commanded. If nothing was felt: is the device's power on, is its emergency stop released, is it calibrated?</source>
+        <translation>%1 N ont été commandés. Si rien n'a été senti : le périphérique est-il sous tension, son arrêt d'urgence relâché, est-il étalonné ?</translation>
+    </message>
+    <message>
+        <source>%1 a step down</source>
+        <translation>%1 un pas de moins</translation>
+    </message>
+    <message>
+        <source>%1 a step up</source>
+        <translation>%1 un pas de plus</translation>
+    </message>
+    <message>
+        <source>%1 and %2 in all</source>
+        <translation>%1 et %2 au total</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a part of it</source>
+        <translation>%1 ne peut pas en faire partie</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made of that</source>
+        <translation>%1 ne peut pas être fait de cela</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk</source>
+        <translation>%1 a changé sur le disque</translation>
+    </message>
+    <message>
+        <source>%1 continuous</source>
+        <translation>%1 en continu</translation>
+    </message>
+    <message>
+        <source>%1 edges of more than two faces</source>
+        <translation>%1 arêtes de plus de deux faces</translation>
+    </message>
+    <message>
+        <source>%1 edges whose faces look opposite ways</source>
+        <translation>%1 arêtes dont les faces sont opposées</translation>
+    </message>
+    <message>
+        <source>%1 faces were turned outwards.</source>
+        <translation>%1 faces ont été tournées vers l'extérieur.</translation>
+    </message>
+    <message>
+        <source>%1 files of this cell are missing</source>
+        <translation>%1 fichiers de cette cellule manquent</translation>
+    </message>
+    <message>
+        <source>%1 goes to %2</source>
+        <translation>%1 va à %2</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 a des changements non enregistrés.</translation>
+    </message>
+    <message>
+        <source>%1 in all</source>
+        <translation>%1 au total</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from %3: a near miss.</source>
+        <translation>%1 est à %2 de %3 : quasi-contact.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from the next start.</source>
+        <translation>%1 vaudra %2 dès le prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>%1 is as it was</source>
+        <translation>%1 est comme avant</translation>
+    </message>
+    <message>
+        <source>%1 is in the cell</source>
+        <translation>%1 est dans la cellule</translation>
+    </message>
+    <message>
+        <source>%1 is kept</source>
+        <translation>%1 est gardée</translation>
+    </message>
+    <message>
+        <source>%1 is not there or may not be run.</source>
+        <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 est enregistré</translation>
+    </message>
+    <message>
+        <source>%1 is written</source>
+        <translation>%1 est écrit</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm of hand → %2 mm in the cell</source>
+        <translation>%1 mm de main → %2 mm dans la cellule</translation>
+    </message>
+    <message>
+        <source>%1 mm to the edge</source>
+        <translation>%1 mm jusqu'au bord</translation>
+    </message>
+    <message>
+        <source>%1 mm to the edge of the workspace</source>
+        <translation>%1 mm jusqu'au bord de l'espace de travail</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2, %3</source>
+        <translation>%1 mm, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 mm&lt;br&gt;%2°</source>
+        <translation>%1 mm&lt;br&gt;%2°</translation>
+    </message>
+    <message>
+        <source>%1 moved, %2 added, %3 removed. Places: X Y Z in mm, A B C in degrees about z, y, x.</source>
+        <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 solutions inside the limits</source>
+        <translation>%1 solutions sur %2 dans les butées</translation>
+    </message>
+    <message>
+        <source>%1 of %2 triangles are left, off the surface by at most %3.</source>
+        <translation>Il reste %1 triangles sur %2, à %3 au plus de la surface.</translation>
+    </message>
+    <message>
+        <source>%1 of %2:  %3</source>
+        <translation>%1 de %2 :  %3</translation>
+    </message>
+    <message>
+        <source>%1 of many, nearest first</source>
+        <translation>%1 parmi beaucoup, les plus proches d'abord</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 open edges</source>
+        <translation>%1 arêtes ouvertes</translation>
+    </message>
+    <message>
+        <source>%1 over by %2</source>
+        <translation>%1 trop loin de %2</translation>
+    </message>
+    <message>
+        <source>%1 pairs touch as the cell stands: %2. Leave them out of the check?</source>
+        <translation>%1 paires se touchent dans la cellule au repos : %2. Les écarter de la vérification ?</translation>
+    </message>
+    <message>
+        <source>%1 peak</source>
+        <translation>%1 crête</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 takes configuration %2</source>
+        <translation>%1 prend la configuration %2</translation>
+    </message>
+    <message>
+        <source>%1 times, last %2</source>
+        <translation>%1 fois, dernière à %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2, being measured</source>
+        <translation>%1 à %2, mesure en cours</translation>
+    </message>
+    <message>
+        <source>%1 to the flange</source>
+        <translation>%1 jusqu'à la bride</translation>
+    </message>
+    <message>
+        <source>%1 touches %2.</source>
+        <translation>%1 touche %2.</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 triangles</translation>
+    </message>
+    <message>
+        <source>%1 triangles, off the mesh by at most %2</source>
+        <translation>%1 triangles, à %2 au plus du maillage</translation>
+    </message>
+    <message>
+        <source>%1 was not added</source>
+        <translation>%1 n'a pas été ajouté</translation>
+    </message>
+    <message>
+        <source>%1 was not closed in order</source>
+        <translation>%1 ne s'est pas terminé normalement</translation>
+    </message>
+    <message>
+        <source>%1 was not opened</source>
+        <translation>%1 n'a pas été ouvert</translation>
+    </message>
+    <message>
+        <source>%1 was not read again</source>
+        <translation>%1 n'a pas été relu</translation>
+    </message>
+    <message>
+        <source>%1 was not written</source>
+        <translation>%1 n'a pas été écrit</translation>
+    </message>
+    <message>
+        <source>%1 was read with remarks</source>
+        <translation>%1 a été lu avec des remarques</translation>
+    </message>
+    <message>
+        <source>%1 was written with remarks</source>
+        <translation>%1 a été écrit avec des remarques</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · Esc: end</source>
+        <translation>%1 · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm, %4 N peak, %5 N continuous, %6 measured and %7 driven axes</source>
+        <translation>%1 × %2 × %3 mm, crête %4 N, %5 N en continu, %6 axes mesurés et %7 motorisés</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1%2 through %3, %4, %5</source>
+        <translation>%1%2 par %3, %4, %5</translation>
+    </message>
+    <message>
+        <source>%1%2 triangles</source>
+        <translation>%1%2 triangles</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3 %4</source>
+        <translation>%1, %2 à %3 %4</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 through %4, %5, %6</source>
+        <translation>%1, %2, %3 par %4, %5, %6</translation>
+    </message>
+    <message>
+        <source>%1, as the file says</source>
+        <translation>%1, comme le dit le fichier</translation>
+    </message>
+    <message>
+        <source>%1, least distance</source>
+        <translation>%1, distance minimale</translation>
+    </message>
+    <message>
+        <source>%1, not calibrated for you</source>
+        <translation>%1, pas étalonné pour vous</translation>
+    </message>
+    <message>
+        <source>%1, round trip %2 ms</source>
+        <translation>%1, aller-retour %2 ms</translation>
+    </message>
+    <message>
+        <source>%1, undone</source>
+        <translation>%1, annulé</translation>
+    </message>
+    <message>
+        <source>%1, µ %2</source>
+        <translation>%1, µ %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 on %3</source>
+        <translation>%1 : %2 sur %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Choose another place.</source>
+        <translation>%1 : %2. Choisissez une autre place.</translation>
+    </message>
+    <message>
+        <source>%1: one lies inside the other</source>
+        <translation>%1 : l'une est à l'intérieur de l'autre</translation>
+    </message>
+    <message>
+        <source>%1: one of them has no shape to measure.</source>
+        <translation>%1 : l'une d'elles n'a pas de forme à mesurer.</translation>
+    </message>
+    <message>
+        <source>%1: the nearest that %2 comes to is %3 mm away.</source>
+        <translation>%1 : %2 n'approche qu'à %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: they touch or cut each other</source>
+        <translation>%1 : elles se touchent ou se coupent</translation>
+    </message>
+    <message>
+        <source>%1° · %2 mm</source>
+        <translation>%1° · %2 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n are hidden.</source>
+        <translation><numerusform>%n est cachée.</numerusform><numerusform>%n sont cachées.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n are locked.</source>
+        <translation><numerusform>%n est verrouillée.</numerusform><numerusform>%n sont verrouillées.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n assemblies</source>
+        <translation><numerusform>%n assemblage</numerusform><numerusform>%n assemblages</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entities in the cell.</source>
+        <translation><numerusform>%n entité dans la cellule.</numerusform><numerusform>%n entités dans la cellule.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joints</source>
+        <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n limits push back.</source>
+        <translation><numerusform>%n butée repousse.</numerusform><numerusform>%n butées repoussent.</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mannequins</source>
+        <translation><numerusform>%n mannequin</numerusform><numerusform>%n mannequins</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mechanisms</source>
+        <translation><numerusform>%n mécanisme</numerusform><numerusform>%n mécanismes</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n robots</source>
+        <translation><numerusform>%n robot</numerusform><numerusform>%n robots</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n selected</source>
+        <translation><numerusform>%n choisie</numerusform><numerusform>%n choisies</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n solids</source>
+        <translation><numerusform>%n solide</numerusform><numerusform>%n solides</numerusform></translation>
+    </message>
+    <message>
+        <source>, as it says</source>
+        <translation>, comme il le dit</translation>
+    </message>
+    <message>
+        <source>, at most %1</source>
+        <translation>, au plus %1</translation>
+    </message>
+    <message>
+        <source>, firmware %1</source>
+        <translation>, micrologiciel %1</translation>
+    </message>
+    <message>
+        <source>, guessed from the size</source>
+        <translation>, déduit de la taille</translation>
+    </message>
+    <message>
+        <source>, µ %1</source>
+        <translation>, µ %1</translation>
+    </message>
+    <message>
+        <source>-changes.pdf</source>
+        <translation>-changements.pdf</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>. Real-time priority mends it: add the account to the group realtime</source>
+        <translation>. La priorité temps réel y remédie : ajoutez le compte au groupe realtime</translation>
+    </message>
+    <message>
+        <source>. Their parts are kept without a shape; the rest is here. Show a folder that holds them.</source>
+        <translation>. Leurs pièces sont gardées sans forme ; le reste est là. Montrez un dossier qui les contient.</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <translation>/s</translation>
+    </message>
+    <message>
+        <source>0 N</source>
+        <translation>0 N</translation>
+    </message>
+    <message>
+        <source>1 joint</source>
+        <translation>1 articulation</translation>
+    </message>
+    <message>
+        <source>1 joints</source>
+        <translation>1 articulations</translation>
+    </message>
+    <message>
+        <source>3-D mouse</source>
+        <translation>Souris 3D</translation>
+    </message>
+    <message>
+        <source>; it names none itself</source>
+        <translation> ; il n'en nomme aucune</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+Space&lt;/b&gt;&amp;nbsp; turn on</source>
+        <translation>&lt;b&gt;Ctrl+Espace&lt;/b&gt;&amp;nbsp; mettre en marche</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Esc&lt;/b&gt;&amp;nbsp; forces off</source>
+        <translation>&lt;b&gt;Échap&lt;/b&gt;&amp;nbsp; couper les efforts</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>A B C</source>
+        <translation>A B C</translation>
+    </message>
+    <message>
+        <source>A bore, a shaft, a straight or round edge, or the normal of a face</source>
+        <translation>Un alésage, un arbre, une arête droite ou ronde, ou la normale d'une face</translation>
+    </message>
+    <message>
+        <source>A built-in robot was left out</source>
+        <translation>Un robot fourni a été laissé de côté</translation>
+    </message>
+    <message>
+        <source>A car door on its hinge</source>
+        <translation>Une portière sur sa charnière</translation>
+    </message>
+    <message>
+        <source>A click of the left button still chooses; a box is drawn with Ctrl and the left button.</source>
+        <translation>Un clic gauche choisit toujours ; un cadre se trace avec Ctrl et le bouton gauche.</translation>
+    </message>
+    <message>
+        <source>A copy of %1 holds changes that were never saved. What is open is the state as it was saved.</source>
+        <translation>Une copie de %1 contient des changements jamais enregistrés. L'état ouvert est celui qui fut enregistré.</translation>
+    </message>
+    <message>
+        <source>A copy of the chosen one, or at the flange</source>
+        <translation>Une copie de celui choisi, ou à la bride</translation>
+    </message>
+    <message>
+        <source>A face, an edge or a corner: its origin and direction become the tool's</source>
+        <translation>Une face, une arête ou un coin : son origine et sa direction deviennent celles de l'outil</translation>
+    </message>
+    <message>
+        <source>A file of this cell is missing</source>
+        <translation>Un fichier de cette cellule manque</translation>
+    </message>
+    <message>
+        <source>A frame of this solid on picked geometry</source>
+        <translation>Un repère de ce solide sur la géométrie désignée</translation>
+    </message>
+    <message>
+        <source>A guide holds what you move on a line, a plane, a hinge … Select an entity, choose a kind, then pick an edge or a face.</source>
+        <translation>Un guide tient ce que vous déplacez sur une ligne, un plan, une charnière… Choisissez une entité, un genre, puis désignez une arête ou une face.</translation>
+    </message>
+    <message>
+        <source>A joint lets one part move on another. Begin with New joint, or take a sample below.</source>
+        <translation>Une articulation laisse une pièce bouger sur une autre. Commencez par Nouvelle articulation, ou prenez un exemple ci-dessous.</translation>
+    </message>
+    <message>
+        <source>A joint limit is in the way</source>
+        <translation>Une butée d'articulation gêne</translation>
+    </message>
+    <message>
+        <source>A joint limit is in the way of this pose</source>
+        <translation>Une butée d'articulation gêne cette pose</translation>
+    </message>
+    <message>
+        <source>A new workcell</source>
+        <translation>Une nouvelle cellule</translation>
+    </message>
+    <message>
+        <source>A person at a bench</source>
+        <translation>Une personne à un établi</translation>
+    </message>
+    <message>
+        <source>A point of the entity by which the hand holds it</source>
+        <translation>Un point de l'entité par lequel la main la tient</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Autour de</translation>
+    </message>
+    <message>
+        <source>About HaptiCell</source>
+        <translation>À propos de HaptiCell</translation>
+    </message>
+    <message>
+        <source>Across %1</source>
+        <translation>À travers %1</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add a robot</source>
+        <translation>Ajouter un robot</translation>
+    </message>
+    <message>
+        <source>Add robot</source>
+        <translation>Ajouter un robot</translation>
+    </message>
+    <message>
+        <source>Add robot from a file…</source>
+        <translation>Ajouter un robot depuis un fichier…</translation>
+    </message>
+    <message>
+        <source>Add robot…</source>
+        <translation>Ajouter un robot…</translation>
+    </message>
+    <message>
+        <source>Add sample %1</source>
+        <translation>Ajouter l'exemple %1</translation>
+    </message>
+    <message>
+        <source>Add selected</source>
+        <translation>Ajouter la sélection</translation>
+    </message>
+    <message>
+        <source>Against</source>
+        <translation>Contre</translation>
+    </message>
+    <message>
+        <source>Against %1</source>
+        <translation>Contre %1</translation>
+    </message>
+    <message>
+        <source>Against another workcell…</source>
+        <translation>Par rapport à une autre cellule…</translation>
+    </message>
+    <message>
+        <source>Against the imported files…</source>
+        <translation>Par rapport aux fichiers importés…</translation>
+    </message>
+    <message>
+        <source>Against the saved cell…</source>
+        <translation>Par rapport à la cellule enregistrée…</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Toutes %1</translation>
+    </message>
+    <message>
+        <source>All 000</source>
+        <translation>Toutes 000</translation>
+    </message>
+    <message>
+        <source>All as shipped</source>
+        <translation>Toutes comme à la livraison</translation>
+    </message>
+    <message>
+        <source>All faces look outwards already.</source>
+        <translation>Toutes les faces regardent déjà vers l'extérieur.</translation>
+    </message>
+    <message>
+        <source>All makers</source>
+        <translation>Tous les constructeurs</translation>
+    </message>
+    <message>
+        <source>All sets that are on (%1)</source>
+        <translation>Tous les ensembles en service (%1)</translation>
+    </message>
+    <message>
+        <source>All that can be read (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
+        <translation>Tout ce qui se lit (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Angles in</source>
+        <translation>Angles en</translation>
+    </message>
+    <message>
+        <source>Another program started the server at %1; the device is chosen there.</source>
+        <translation>Un autre programme a lancé le serveur à %1 ; le périphérique s'y choisit.</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Apparence</translation>
+    </message>
+    <message>
+        <source>Applications</source>
+        <translation>Applications</translation>
+    </message>
+    <message>
+        <source>Archives (*.zip *.tar.gz)</source>
+        <translation>Archives (*.zip *.tar.gz)</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>As in</source>
+        <translation>Comme dans</translation>
+    </message>
+    <message>
+        <source>As large as it is…</source>
+        <translation>À sa taille…</translation>
+    </message>
+    <message>
+        <source>As shipped</source>
+        <translation>Comme à la livraison</translation>
+    </message>
+    <message>
+        <source>As the entity</source>
+        <translation>Comme l'entité</translation>
+    </message>
+    <message>
+        <source>As the set</source>
+        <translation>Comme l'ensemble</translation>
+    </message>
+    <message>
+        <source>At X</source>
+        <translation>En X</translation>
+    </message>
+    <message>
+        <source>At Y</source>
+        <translation>En Y</translation>
+    </message>
+    <message>
+        <source>At Z</source>
+        <translation>En Z</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Attacher</translation>
+    </message>
+    <message>
+        <source>Axes and scale</source>
+        <translation>Axes et échelle</translation>
+    </message>
+    <message>
+        <source>Axes of</source>
+        <translation>Axes de</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>ARRIÈRE</translation>
+    </message>
+    <message>
+        <source>BOTTOM</source>
+        <translation>DESSOUS</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Base in world</source>
+        <translation>Base dans le monde</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Recommencer</translation>
+    </message>
+    <message>
+        <source>Begin with a sample, or with your own cell</source>
+        <translation>Commencez par un exemple ou par votre propre cellule</translation>
+    </message>
+    <message>
+        <source>Begin with an empty cell</source>
+        <translation>Commencer par une cellule vide</translation>
+    </message>
+    <message>
+        <source>Between centres or axes</source>
+        <translation>Entre centres ou axes</translation>
+    </message>
+    <message>
+        <source>Between the picked places</source>
+        <translation>Entre les endroits désignés</translation>
+    </message>
+    <message>
+        <source>Bore</source>
+        <translation>Alésage</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Les deux</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
+    </message>
+    <message>
+        <source>Bring in as</source>
+        <translation>Importer comme</translation>
+    </message>
+    <message>
+        <source>Built-in robots</source>
+        <translation>Robots fournis</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>By numbers</source>
+        <translation>Par des nombres</translation>
+    </message>
+    <message>
+        <source>Calibrate glove…</source>
+        <translation>Étalonner le gant…</translation>
+    </message>
+    <message>
+        <source>Calibrated for you.</source>
+        <translation>Étalonné pour vous.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Carried by</source>
+        <translation>Porté par</translation>
+    </message>
+    <message>
+        <source>Carried parts</source>
+        <translation>Pièces portées</translation>
+    </message>
+    <message>
+        <source>Carried: goes with the link and collides with it</source>
+        <translation>Portée : suit le corps et entre en collision avec lui</translation>
+    </message>
+    <message>
+        <source>Cartesian</source>
+        <translation>Cartésien</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changer</translation>
+    </message>
+    <message>
+        <source>Change the mechanism</source>
+        <translation>Changer le mécanisme</translation>
+    </message>
+    <message>
+        <source>Changes are not saved</source>
+        <translation>Changements non enregistrés</translation>
+    </message>
+    <message>
+        <source>Changes of %1</source>
+        <translation>Changements de %1</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Vérifier</translation>
+    </message>
+    <message>
+        <source>Check %1 for collision</source>
+        <translation>Vérifier les collisions de %1</translation>
+    </message>
+    <message>
+        <source>Check %1 – %2 again</source>
+        <translation>Vérifier de nouveau %1 – %2</translation>
+    </message>
+    <message>
+        <source>Check device</source>
+        <translation>Vérifier le périphérique</translation>
+    </message>
+    <message>
+        <source>Check device…</source>
+        <translation>Vérifier le périphérique…</translation>
+    </message>
+    <message>
+        <source>Check it</source>
+        <translation>Le vérifier</translation>
+    </message>
+    <message>
+        <source>Check this pair again</source>
+        <translation>Vérifier de nouveau cette paire</translation>
+    </message>
+    <message>
+        <source>Checked for collision</source>
+        <translation>Vérifié pour les collisions</translation>
+    </message>
+    <message>
+        <source>Checked for contact by</source>
+        <translation>Forme de contact</translation>
+    </message>
+    <message>
+        <source>Choose a kind below, then pick its geometry in the scene</source>
+        <translation>Choisissez un genre, puis désignez sa géométrie dans la scène</translation>
+    </message>
+    <message>
+        <source>Choose a row to see it in the scene.</source>
+        <translation>Choisissez une ligne pour la voir dans la scène.</translation>
+    </message>
+    <message>
+        <source>Choose a row, then press its new key.</source>
+        <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Click a bore, a shaft, an edge or a face: its axis becomes the joint's</source>
+        <translation>Cliquez un alésage, un arbre, une arête ou une face : son axe devient celui de l'articulation</translation>
+    </message>
+    <message>
+        <source>Click a face, an edge or a corner: there the tool's point is</source>
+        <translation>Cliquez une face, une arête ou un coin : là est le point de l'outil</translation>
+    </message>
+    <message>
+        <source>Click a part, or draw a box about several.</source>
+        <translation>Cliquez une pièce, ou tracez un cadre autour de plusieurs.</translation>
+    </message>
+    <message>
+        <source>Click a robot or a mechanism in the scene or in the tree, or add one with Ctrl+Shift+I.</source>
+        <translation>Cliquez un robot ou un mécanisme dans la scène ou dans l'arbre, ou ajoutez-en un par Ctrl+Maj+I.</translation>
+    </message>
+    <message>
+        <source>Click entities in the scene; Escape ends</source>
+        <translation>Cliquez des entités dans la scène ; Échap termine</translation>
+    </message>
+    <message>
+        <source>Click one in the scene or in the tree.</source>
+        <translation>Cliquez-en un dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>Click the part in the scene</source>
+        <translation>Cliquez la pièce dans la scène</translation>
+    </message>
+    <message>
+        <source>Click the part that it moves on</source>
+        <translation>Cliquez la pièce sur laquelle elle bouge</translation>
+    </message>
+    <message>
+        <source>Click the part that moves</source>
+        <translation>Cliquez la pièce qui bouge</translation>
+    </message>
+    <message>
+        <source>Click the part that the robot shall carry</source>
+        <translation>Cliquez la pièce que le robot portera</translation>
+    </message>
+    <message>
+        <source>Click to choose for this pair</source>
+        <translation>Cliquez pour choisir pour cette paire</translation>
+    </message>
+    <message>
+        <source>Click where the base shall stand</source>
+        <translation>Cliquez où la base se posera</translation>
+    </message>
+    <message>
+        <source>Close the panel; the Window menu opens it again</source>
+        <translation>Fermer le panneau ; le menu Fenêtre le rouvre</translation>
+    </message>
+    <message>
+        <source>Close the section</source>
+        <translation>Fermer la coupe</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Débrayé</translation>
+    </message>
+    <message>
+        <source>Coarse</source>
+        <translation>Grossier</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Collision</translation>
+    </message>
+    <message>
+        <source>Collision loop, dashed</source>
+        <translation>Boucle de collision, en tirets</translation>
+    </message>
+    <message>
+        <source>Collisions</source>
+        <translation>Collisions</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>Colorer %1</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cône</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Configuration</translation>
+    </message>
+    <message>
+        <source>Configurations</source>
+        <translation>Configurations</translation>
+    </message>
+    <message>
+        <source>Configurations and jogging</source>
+        <translation>Configurations et marche manuelle</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connecter</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Connecté</translation>
+    </message>
+    <message>
+        <source>Connected, simulated</source>
+        <translation>Connecté, simulé</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Constant</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contact</translation>
+    </message>
+    <message>
+        <source>Contact %1</source>
+        <translation>Contact %1</translation>
+    </message>
+    <message>
+        <source>Contact 00</source>
+        <translation>Contact 00</translation>
+    </message>
+    <message>
+        <source>Contacts are only shown: it passes</source>
+        <translation>Les contacts sont seulement montrés : il traverse</translation>
+    </message>
+    <message>
+        <source>Convex hull</source>
+        <translation>Enveloppe convexe</translation>
+    </message>
+    <message>
+        <source>Copies the command that mends it</source>
+        <translation>Copie la commande qui y remédie</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy the command for %1</source>
+        <translation>Copier la commande pour %1</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Coin</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Ctrl snaps to corners, edges, faces and frames · Esc takes it back</source>
+        <translation>Ctrl aimante aux coins, arêtes, faces et repères · Échap annule</translation>
+    </message>
+    <message>
+        <source>Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.</source>
+        <translation>Ctrl+I importe un solide, Ctrl+Maj+I ajoute un robot, Ctrl+O ouvre une cellule.</translation>
+    </message>
+    <message>
+        <source>Ctrl+Space turns them on</source>
+        <translation>Ctrl+Espace les met en marche</translation>
+    </message>
+    <message>
+        <source>Curved edge, </source>
+        <translation>Arête courbe, </translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>Dashed in the scene: the row chosen.</source>
+        <translation>En tirets dans la scène : la ligne choisie.</translation>
+    </message>
+    <message>
+        <source>Decimals</source>
+        <translation>Décimales</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Degrés</translation>
+    </message>
+    <message>
+        <source>Detents</source>
+        <translation>Crans</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Périphérique</translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation>Vérification du périphérique</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Does</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Drag the TCP of %1</source>
+        <translation>Tirer le TCP de %1</translation>
+    </message>
+    <message>
+        <source>Drag the stylus to move it · B %1 · H: follow the mouse</source>
+        <translation>Tirez le stylet pour le déplacer · B %1 · H : suivre la souris</translation>
+    </message>
+    <message>
+        <source>Drag to move</source>
+        <translation>Tirez pour déplacer</translation>
+    </message>
+    <message>
+        <source>Drag to move in the plane of the screen</source>
+        <translation>Tirez pour déplacer dans le plan de l'écran</translation>
+    </message>
+    <message>
+        <source>Drag to move the tool</source>
+        <translation>Tirez pour déplacer l'outil</translation>
+    </message>
+    <message>
+        <source>Drag to turn</source>
+        <translation>Tirez pour tourner</translation>
+    </message>
+    <message>
+        <source>Drag to turn the tool</source>
+        <translation>Tirez pour tourner l'outil</translation>
+    </message>
+    <message>
+        <source>Drag: move · wheel: depth · Ctrl: turn · right button or B %1</source>
+        <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B %1</translation>
+    </message>
+    <message>
+        <source>Dropped: %1 triangles that were there twice.</source>
+        <translation>Écartés : %1 triangles présents deux fois.</translation>
+    </message>
+    <message>
+        <source>Dropped: %1 triangles without area.</source>
+        <translation>Écartés : %1 triangles sans surface.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>Dupliquer %1</translation>
+    </message>
+    <message>
+        <source>Dynamics</source>
+        <translation>Dynamique</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Arête</translation>
+    </message>
+    <message>
+        <source>Edge, </source>
+        <translation>Arête, </translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Edit joints…</source>
+        <translation>Modifier les articulations…</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>End stops, from where it stands now</source>
+        <translation>Butées, à partir d'où il est</translation>
+    </message>
+    <message>
+        <source>Entity</source>
+        <translation>Entité</translation>
+    </message>
+    <message>
+        <source>Ergonomics</source>
+        <translation>Ergonomie</translation>
+    </message>
+    <message>
+        <source>Esc closes it · F1 helps · ? shows the keys</source>
+        <translation>Échap la ferme · F1 aide · ? montre les touches</translation>
+    </message>
+    <message>
+        <source>Esc takes the drag back</source>
+        <translation>Échap annule le glissement</translation>
+    </message>
+    <message>
+        <source>Esc, Space and B keep their meaning: forces off, clutch, stylus button.</source>
+        <translation>Échap, Espace et B gardent leur sens : couper les efforts, débrayer, bouton du stylet.</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Everything against everything</source>
+        <translation>Tout contre tout</translation>
+    </message>
+    <message>
+        <source>Everything. Drag entities here from the tree to narrow it.</source>
+        <translation>Tout. Tirez ici des entités de l'arbre pour le restreindre.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Export cell…</source>
+        <translation>Exporter la cellule…</translation>
+    </message>
+    <message>
+        <source>Export selection…</source>
+        <translation>Exporter la sélection…</translation>
+    </message>
+    <message>
+        <source>FRONT</source>
+        <translation>FACE</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Feel and files</source>
+        <translation>Toucher et fichiers</translation>
+    </message>
+    <message>
+        <source>Feel of this entity</source>
+        <translation>Toucher de cette entité</translation>
+    </message>
+    <message>
+        <source>Felt as the boundary</source>
+        <translation>Senti comme la frontière</translation>
+    </message>
+    <message>
+        <source>Felt at once while it is edited.</source>
+        <translation>Senti aussitôt pendant la modification.</translation>
+    </message>
+    <message>
+        <source>Felt in the class Dynamics</source>
+        <translation>Senti dans la classe Dynamique</translation>
+    </message>
+    <message>
+        <source>Fields also take a number with its unit: 2 in, 0.5 m, 1.57 rad. Files stay as they are.</source>
+        <translation>Les champs acceptent aussi un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers restent tels quels.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Filtrer par nom</translation>
+    </message>
+    <message>
+        <source>Filter by name or state</source>
+        <translation>Filtrer par nom ou état</translation>
+    </message>
+    <message>
+        <source>Filter by what it does or by key</source>
+        <translation>Filtrer par action ou par touche</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Trouver une commande</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>First a face, edge or corner of what moves, then where it shall go</source>
+        <translation>D'abord une face, une arête ou un coin de ce qui bouge, puis où cela doit aller</translation>
+    </message>
+    <message>
+        <source>First column</source>
+        <translation>Première colonne</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>Première page</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Cadrer</translation>
+    </message>
+    <message>
+        <source>Fit all</source>
+        <translation>Tout cadrer</translation>
+    </message>
+    <message>
+        <source>Fit selection</source>
+        <translation>Cadrer la sélection</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fixe</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Options</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Folder %1</source>
+        <translation>Dossier %1</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Suit</translation>
+    </message>
+    <message>
+        <source>For print, 6000 × 4000…</source>
+        <translation>Pour impression, 6000 × 4000…</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Effort</translation>
+    </message>
+    <message>
+        <source>Force and gap over the last 20 seconds</source>
+        <translation>Effort et distance des 20 dernières secondes</translation>
+    </message>
+    <message>
+        <source>Force loop</source>
+        <translation>Boucle d'effort</translation>
+    </message>
+    <message>
+        <source>Force on the hand</source>
+        <translation>Effort sur la main</translation>
+    </message>
+    <message>
+        <source>Force test</source>
+        <translation>Essai d'effort</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Efforts</translation>
+    </message>
+    <message>
+        <source>Forces are off.</source>
+        <translation>Les efforts sont coupés.</translation>
+    </message>
+    <message>
+        <source>Forces are off. Connect again to start it anew.</source>
+        <translation>Les efforts sont coupés. Connectez de nouveau pour repartir.</translation>
+    </message>
+    <message>
+        <source>Forces are on, %1 now.</source>
+        <translation>Les efforts sont en marche, %1 maintenant.</translation>
+    </message>
+    <message>
+        <source>Forces did not come on: the device is not ready.</source>
+        <translation>Les efforts ne sont pas venus : le périphérique n'est pas prêt.</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>Efforts coupés</translation>
+    </message>
+    <message>
+        <source>Forces off at once; with forces off: leave the tool</source>
+        <translation>Efforts coupés aussitôt ; s'ils le sont déjà : quitter l'outil</translation>
+    </message>
+    <message>
+        <source>Forces on</source>
+        <translation>Efforts en marche</translation>
+    </message>
+    <message>
+        <source>Forces on (Ctrl+Space), off (Esc)</source>
+        <translation>Efforts en marche (Ctrl+Espace), coupés (Échap)</translation>
+    </message>
+    <message>
+        <source>Forces wait</source>
+        <translation>Efforts en attente</translation>
+    </message>
+    <message>
+        <source>Forces, N</source>
+        <translation>Efforts, N</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Oublier</translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation>L'oublier</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>Les oublier</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Repère %1 de %2</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Free %1 only</source>
+        <translation>Libérer %1 seul</translation>
+    </message>
+    <message>
+        <source>Free to move</source>
+        <translation>Libre</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>D'un fichier…</translation>
+    </message>
+    <message>
+        <source>From a recording…</source>
+        <translation>D'un enregistrement…</translation>
+    </message>
+    <message>
+        <source>From … to</source>
+        <translation>De … à</translation>
+    </message>
+    <message>
+        <source>From, to</source>
+        <translation>De, à</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Plein écran</translation>
+    </message>
+    <message>
+        <source>Gap, nearest pair</source>
+        <translation>Distance, paire la plus proche</translation>
+    </message>
+    <message>
+        <source>Geometric centre, %1 from own origin</source>
+        <translation>Centre géométrique, à %1 de l'origine propre</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Géométrie</translation>
+    </message>
+    <message>
+        <source>Glove</source>
+        <translation>Gant</translation>
+    </message>
+    <message>
+        <source>Go home</source>
+        <translation>Aller à l'origine</translation>
+    </message>
+    <message>
+        <source>Grid %1 m</source>
+        <translation>Grille %1 m</translation>
+    </message>
+    <message>
+        <source>Grid %1 mm</source>
+        <translation>Grille %1 mm</translation>
+    </message>
+    <message>
+        <source>Guides</source>
+        <translation>Guides</translation>
+    </message>
+    <message>
+        <source>Hand in the device's workspace</source>
+        <translation>Main dans l'espace du périphérique</translation>
+    </message>
+    <message>
+        <source>Handle at</source>
+        <translation>Poignée à</translation>
+    </message>
+    <message>
+        <source>HaptiCell %1
+Move solids and robots in a CAD workcell, and feel the contacts.
+Apache License 2.0</source>
+        <translation>HaptiCell %1
+Déplacez solides et robots dans une cellule de CAO, et sentez les contacts.
+Licence Apache 2.0</translation>
+    </message>
+    <message>
+        <source>HaptiCell %1, driver interface %2, protocol %3, kernel %4</source>
+        <translation>HaptiCell %1, interface de pilotes %2, protocole %3, noyau %4</translation>
+    </message>
+    <message>
+        <source>HaptiCell: the middle button turns</source>
+        <translation>HaptiCell : le bouton du milieu tourne</translation>
+    </message>
+    <message>
+        <source>Haptic</source>
+        <translation>Haptique</translation>
+    </message>
+    <message>
+        <source>Haptic loop</source>
+        <translation>Boucle haptique</translation>
+    </message>
+    <message>
+        <source>Haptics</source>
+        <translation>Haptique</translation>
+    </message>
+    <message>
+        <source>Held along %1</source>
+        <translation>Tenu le long de %1</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Tenu par</translation>
+    </message>
+    <message>
+        <source>Held by the stylus: %1.</source>
+        <translation>Tenu par le stylet : %1.</translation>
+    </message>
+    <message>
+        <source>Held: the hand moves without the entity (clutch)</source>
+        <translation>Tenu : la main bouge sans l'entité (débrayage)</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Help on this panel</source>
+        <translation>Aide sur ce panneau</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Cacher</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>Cacher %1</translation>
+    </message>
+    <message>
+        <source>Hinge</source>
+        <translation>Charnière</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Hit colour</source>
+        <translation>Couleur de contact</translation>
+    </message>
+    <message>
+        <source>Hold an entity with the stylus, move it and feel what it touches</source>
+        <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
+    </message>
+    <message>
+        <source>Hold the hand flat and lay the thumb across under the palm.</source>
+        <translation>Tenez la main à plat et passez le pouce sous la paume.</translation>
+    </message>
+    <message>
+        <source>Hold the hand flat and spread the fingers, the thumb far out.</source>
+        <translation>Tenez la main à plat, écartez les doigts, le pouce loin dehors.</translation>
+    </message>
+    <message>
+        <source>Hold the hand flat, fingers straight and together, the thumb beside the palm.</source>
+        <translation>Tenez la main à plat, doigts droits et joints, le pouce contre la paume.</translation>
+    </message>
+    <message>
+        <source>Hold the stylus with the mouse</source>
+        <translation>Tenir le stylet avec la souris</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>I hold it: next</source>
+        <translation>Je le tiens : suite</translation>
+    </message>
+    <message>
+        <source>I hold it: push</source>
+        <translation>Je le tiens : pousser</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importer %1</translation>
+    </message>
+    <message>
+        <source>Import CAD or a robot…</source>
+        <translation>Importer de la CAO ou un robot…</translation>
+    </message>
+    <message>
+        <source>Import all</source>
+        <translation>Tout importer</translation>
+    </message>
+    <message>
+        <source>Import all %1</source>
+        <translation>Tout importer, %1</translation>
+    </message>
+    <message>
+        <source>Import — %1</source>
+        <translation>Importer — %1</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>In the cell: %1.</source>
+        <translation>Dans la cellule : %1.</translation>
+    </message>
+    <message>
+        <source>Iso</source>
+        <translation>Iso</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoler</translation>
+    </message>
+    <message>
+        <source>Isolate %1</source>
+        <translation>Isoler %1</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>It has no frame yet: the panel Solid makes one</source>
+        <translation>Pas encore de repère : le panneau Solide en crée un</translation>
+    </message>
+    <message>
+        <source>It is locked in place. Unlock it in the tree first.</source>
+        <translation>Verrouillé sur place. Déverrouillez-le d'abord dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>It is out of reach</source>
+        <translation>C'est hors d'atteinte</translation>
+    </message>
+    <message>
+        <source>It moves</source>
+        <translation>Il bouge</translation>
+    </message>
+    <message>
+        <source>It stands below nothing</source>
+        <translation>Il n'est sous rien</translation>
+    </message>
+    <message>
+        <source>It stays where it is</source>
+        <translation>Il reste où il est</translation>
+    </message>
+    <message>
+        <source>Its way is being checked.</source>
+        <translation>Sa voie est vérifiée.</translation>
+    </message>
+    <message>
+        <source>Its way is free.</source>
+        <translation>Sa voie est libre.</translation>
+    </message>
+    <message>
+        <source>Itself</source>
+        <translation>Lui-même</translation>
+    </message>
+    <message>
+        <source>Jog %1 of %2</source>
+        <translation>Marche manuelle de %1 de %2</translation>
+    </message>
+    <message>
+        <source>Jog %1 of the TCP of %2</source>
+        <translation>Marche manuelle de %1 du TCP de %2</translation>
+    </message>
+    <message>
+        <source>Join parts to a mechanism…</source>
+        <translation>Relier des pièces en mécanisme…</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Keep checked</source>
+        <translation>Garder sous vérification</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>Garder cette pose</translation>
+    </message>
+    <message>
+        <source>Keep this pose…</source>
+        <translation>Garder cette pose…</translation>
+    </message>
+    <message>
+        <source>Keep this view</source>
+        <translation>Garder cette vue</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Clavier</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>LEFT</source>
+        <translation>GAUCHE</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Lasted</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Layout as drawn</source>
+        <translation>Disposition d'origine</translation>
+    </message>
+    <message>
+        <source>Leave %1 unchecked</source>
+        <translation>Ne pas vérifier %1</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Écarter</translation>
+    </message>
+    <message>
+        <source>Leave out %1 pairs that touch at rest</source>
+        <translation>Écarter %1 paires qui se touchent au repos</translation>
+    </message>
+    <message>
+        <source>Leave out %1 – %2</source>
+        <translation>Écarter %1 – %2</translation>
+    </message>
+    <message>
+        <source>Leave out a pair that touches at rest</source>
+        <translation>Écarter une paire qui se touche au repos</translation>
+    </message>
+    <message>
+        <source>Leave this pair out</source>
+        <translation>Écarter cette paire</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Lengths in</source>
+        <translation>Longueurs en</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Butée</translation>
+    </message>
+    <message>
+        <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
+        <translation>Ligne : fréquence. Barres : retard pour 99 pas sur 100, pleine hauteur %1 ms</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>Verrouiller %1</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Locked in place</source>
+        <translation>Verrouillé sur place</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+    <message>
+        <source>Log of contacts</source>
+        <translation>Journal des contacts</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Regarder de nouveau</translation>
+    </message>
+    <message>
+        <source>Looking at the mesh</source>
+        <translation>Examen du maillage</translation>
+    </message>
+    <message>
+        <source>Looking for it</source>
+        <translation>Recherche</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Recherche…</translation>
+    </message>
+    <message>
+        <source>Lower stop</source>
+        <translation>Butée basse</translation>
+    </message>
+    <message>
+        <source>Lower the part onto its locators and feel what it touches.</source>
+        <translation>Descendez la pièce sur ses appuis et sentez ce qu'elle touche.</translation>
+    </message>
+    <message>
+        <source>Make a fist, every finger joint bent by a right angle.</source>
+        <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
+    </message>
+    <message>
+        <source>Make the mechanism</source>
+        <translation>Faire le mécanisme</translation>
+    </message>
+    <message>
+        <source>Maker</source>
+        <translation>Constructeur</translation>
+    </message>
+    <message>
+        <source>Mass felt</source>
+        <translation>Masse sentie</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Mesurer</translation>
+    </message>
+    <message>
+        <source>Measure…</source>
+        <translation>Mesurer…</translation>
+    </message>
+    <message>
+        <source>Mechanism</source>
+        <translation>Mécanisme</translation>
+    </message>
+    <message>
+        <source>Mechanism joints</source>
+        <translation>Articulations du mécanisme</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Moyen</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Maillage</translation>
+    </message>
+    <message>
+        <source>Mesh and collision shape…</source>
+        <translation>Maillage et forme de collision…</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Milieu</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Bouton du milieu</translation>
+    </message>
+    <message>
+        <source>Mouse and view</source>
+        <translation>Souris et vue</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n entities</source>
+        <translation><numerusform>Déplacer %n entité</numerusform><numerusform>Déplacer %n entités</numerusform></translation>
+    </message>
+    <message>
+        <source>Move by %1</source>
+        <translation>Déplacer de %1</translation>
+    </message>
+    <message>
+        <source>Move by numbers…</source>
+        <translation>Déplacer par des nombres…</translation>
+    </message>
+    <message>
+        <source>Move by this</source>
+        <translation>Déplacer de cela</translation>
+    </message>
+    <message>
+        <source>Move the TCP of %1</source>
+        <translation>Déplacer le TCP de %1</translation>
+    </message>
+    <message>
+        <source>Move the stylus into free space</source>
+        <translation>Menez le stylet en espace libre</translation>
+    </message>
+    <message>
+        <source>Move the stylus to all sides and press each button once.</source>
+        <translation>Menez le stylet de tous côtés et pressez chaque bouton une fois.</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Déplacé</translation>
+    </message>
+    <message>
+        <source>Moved by</source>
+        <translation>Déplacé par</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bouge</translation>
+    </message>
+    <message>
+        <source>Moves the guide to where the entity is held, turned as it is</source>
+        <translation>Mène le guide où l'entité est tenue, tourné comme elle</translation>
+    </message>
+    <message>
+        <source>Moving the view</source>
+        <translation>Bouger la vue</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>N m</source>
+        <translation>N m</translation>
+    </message>
+    <message>
+        <source>N s/m</source>
+        <translation>N s/m</translation>
+    </message>
+    <message>
+        <source>N/mm</source>
+        <translation>N/mm</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Name of the pose (home replaces home)</source>
+        <translation>Nom de la pose (home remplace home)</translation>
+    </message>
+    <message>
+        <source>Name, maker, kind or payload</source>
+        <translation>Nom, constructeur, genre ou charge</translation>
+    </message>
+    <message>
+        <source>Named poses</source>
+        <translation>Poses nommées</translation>
+    </message>
+    <message>
+        <source>Named poses: go to one, keep this one</source>
+        <translation>Poses nommées : aller à l'une, garder celle-ci</translation>
+    </message>
+    <message>
+        <source>Near colour</source>
+        <translation>Couleur proche</translation>
+    </message>
+    <message>
+        <source>Near miss</source>
+        <translation>Quasi-contact</translation>
+    </message>
+    <message>
+        <source>Near miss %1</source>
+        <translation>Quasi-contact %1</translation>
+    </message>
+    <message>
+        <source>Near miss 00</source>
+        <translation>Quasi-contact 00</translation>
+    </message>
+    <message>
+        <source>Near miss under %1 mm</source>
+        <translation>Quasi-contact sous %1 mm</translation>
+    </message>
+    <message>
+        <source>Never in front of the scene. The newest also stands in the status bar for 8 seconds.</source>
+        <translation>Jamais devant la scène. Le plus récent reste aussi 8 secondes dans la ligne d'état.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>New frame…</source>
+        <translation>Nouveau repère…</translation>
+    </message>
+    <message>
+        <source>New guide</source>
+        <translation>Nouveau guide</translation>
+    </message>
+    <message>
+        <source>New joint</source>
+        <translation>Nouvelle articulation</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nouvelle touche</translation>
+    </message>
+    <message>
+        <source>New pair set</source>
+        <translation>Nouvel ensemble de paires</translation>
+    </message>
+    <message>
+        <source>New workcell</source>
+        <translation>Nouvelle cellule</translation>
+    </message>
+    <message>
+        <source>Next panel</source>
+        <translation>Panneau suivant</translation>
+    </message>
+    <message>
+        <source>No application was found beside the program</source>
+        <translation>Aucune application n'a été trouvée près du programme</translation>
+    </message>
+    <message>
+        <source>No contact yet</source>
+        <translation>Pas encore de contact</translation>
+    </message>
+    <message>
+        <source>No copy against a crash could be written</source>
+        <translation>Aucune copie contre une panne n'a pu être écrite</translation>
+    </message>
+    <message>
+        <source>No device</source>
+        <translation>Pas de périphérique</translation>
+    </message>
+    <message>
+        <source>No figures yet</source>
+        <translation>Pas encore de chiffres</translation>
+    </message>
+    <message>
+        <source>No forces</source>
+        <translation>Pas d'efforts</translation>
+    </message>
+    <message>
+        <source>No guides yet</source>
+        <translation>Pas encore de guide</translation>
+    </message>
+    <message>
+        <source>No haptic server answers at %1</source>
+        <translation>Aucun serveur haptique ne répond à %1</translation>
+    </message>
+    <message>
+        <source>No inverse model: jog the joints.</source>
+        <translation>Pas de modèle inverse : bougez les articulations.</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>Pas de touche</translation>
+    </message>
+    <message>
+        <source>No other joint</source>
+        <translation>Pas d'autre articulation</translation>
+    </message>
+    <message>
+        <source>No real device could be held while this was written: the drivers are tested against models and recorded layouts.</source>
+        <translation>Aucun vrai périphérique n'a pu être tenu pendant l'écriture : les pilotes sont essayés sur des modèles et des formats enregistrés.</translation>
+    </message>
+    <message>
+        <source>No robot is chosen</source>
+        <translation>Aucun robot n'est choisi</translation>
+    </message>
+    <message>
+        <source>No robot of that name</source>
+        <translation>Aucun robot de ce nom</translation>
+    </message>
+    <message>
+        <source>No solid is selected</source>
+        <translation>Aucun solide n'est choisi</translation>
+    </message>
+    <message>
+        <source>No solid is selected. Click a part in the scene or in the tree.</source>
+        <translation>Aucun solide n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>No sound output</source>
+        <translation>Pas de sortie son</translation>
+    </message>
+    <message>
+        <source>No stylus is connected</source>
+        <translation>Aucun stylet n'est connecté</translation>
+    </message>
+    <message>
+        <source>No turning about %1</source>
+        <translation>Pas de rotation autour de %1</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>None yet: Keep this view adds one</source>
+        <translation>Aucune encore : Garder cette vue en ajoute une</translation>
+    </message>
+    <message>
+        <source>Not chosen yet</source>
+        <translation>Pas encore choisi</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Pas connecté</translation>
+    </message>
+    <message>
+        <source>Not tried yet: the server has to answer first</source>
+        <translation>Pas encore essayé : le serveur doit d'abord répondre</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Rien</translation>
+    </message>
+    <message>
+        <source>Nothing but the simulated stylus, and nothing is in the way.</source>
+        <translation>Rien que le stylet simulé, et rien ne gêne.</translation>
+    </message>
+    <message>
+        <source>Nothing is checked against this entity. Choose sets at the left.</source>
+        <translation>Rien n'est vérifié contre cette entité. Choisissez des ensembles à gauche.</translation>
+    </message>
+    <message>
+        <source>Nothing is felt</source>
+        <translation>On ne sent rien</translation>
+    </message>
+    <message>
+        <source>Nothing is held.</source>
+        <translation>Rien n'est tenu.</translation>
+    </message>
+    <message>
+        <source>Nothing is held: the stylus button takes it</source>
+        <translation>Rien n'est tenu : le bouton du stylet le prend</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Connect a stylus and hold an entity.</source>
+        <translation>Rien n'est encore mesuré. Connectez un stylet et tenez une entité.</translation>
+    </message>
+    <message>
+        <source>Nothing is picked yet. The middle button and the wheel still move the view.</source>
+        <translation>Rien n'est encore désigné. Le bouton du milieu et la molette bougent toujours la vue.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Rien n'est choisi</translation>
+    </message>
+    <message>
+        <source>Nothing is selected. Click a part in the scene or in the tree.</source>
+        <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>Nothing moves before you have agreed.</source>
+        <translation>Rien ne bouge avant votre accord.</translation>
+    </message>
+    <message>
+        <source>Nothing was opened yet</source>
+        <translation>Rien n'a encore été ouvert</translation>
+    </message>
+    <message>
+        <source>Nothing was told yet. What files say when they are read stands here.</source>
+        <translation>Rien n'a encore été dit. Ce que les fichiers disent à la lecture se trouve ici.</translation>
+    </message>
+    <message>
+        <source>Nothing yet. Files can also be dropped here.</source>
+        <translation>Rien encore. On peut aussi déposer des fichiers ici.</translation>
+    </message>
+    <message>
+        <source>OBJ (*.obj)</source>
+        <translation>OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>Off by at most</source>
+        <translation>Écart d'au plus</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>On contact</source>
+        <translation>Au contact</translation>
+    </message>
+    <message>
+        <source>On contact of %1 – %2</source>
+        <translation>Au contact de %1 – %2</translation>
+    </message>
+    <message>
+        <source>On link</source>
+        <translation>Sur le corps</translation>
+    </message>
+    <message>
+        <source>One pair touches as the cell stands: %1. Leave it out of the check?</source>
+        <translation>Une paire se touche dans la cellule au repos : %1. L'écarter de la vérification ?</translation>
+    </message>
+    <message>
+        <source>One solid</source>
+        <translation>Un solide</translation>
+    </message>
+    <message>
+        <source>One undo step</source>
+        <translation>Une étape d'annulation</translation>
+    </message>
+    <message>
+        <source>Open a workcell</source>
+        <translation>Ouvrir une cellule</translation>
+    </message>
+    <message>
+        <source>Open a workcell…</source>
+        <translation>Ouvrir une cellule…</translation>
+    </message>
+    <message>
+        <source>Open it by the handle: a guide leads, stops and a detent are felt.</source>
+        <translation>Ouvrez-la par la poignée : un guide mène, on sent les butées et un cran.</translation>
+    </message>
+    <message>
+        <source>Open recent</source>
+        <translation>Ouverts récemment</translation>
+    </message>
+    <message>
+        <source>Open — %1</source>
+        <translation>Ouvrir — %1</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Ouvert</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Ouverts en dernier</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Origin in world</source>
+        <translation>Origine dans le monde</translation>
+    </message>
+    <message>
+        <source>Origin of %1</source>
+        <translation>Origine de %1</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>Orthographique</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
+        <source>Other way</source>
+        <translation>Autre sens</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Propre</translation>
+    </message>
+    <message>
+        <source>Own frame %1</source>
+        <translation>Repère propre %1</translation>
+    </message>
+    <message>
+        <source>Own origin</source>
+        <translation>Origine propre</translation>
+    </message>
+    <message>
+        <source>Own origin, as the file has it</source>
+        <translation>Origine propre, comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;CSV (*.csv)</source>
+        <translation>PDF (*.pdf);;CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>PLY (*.ply)</source>
+        <translation>PLY (*.ply)</translation>
+    </message>
+    <message>
+        <source>Pack the workcell with its files</source>
+        <translation>Empaqueter la cellule avec ses fichiers</translation>
+    </message>
+    <message>
+        <source>Pack with all files…</source>
+        <translation>Empaqueter avec tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Pages of the settings</source>
+        <translation>Pages des réglages</translation>
+    </message>
+    <message>
+        <source>Pair sets</source>
+        <translation>Ensembles de paires</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Panel before</source>
+        <translation>Panneau précédent</translation>
+    </message>
+    <message>
+        <source>Parent</source>
+        <translation>Parent</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Part to attach</source>
+        <translation>Pièce à attacher</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Parts of a mechanism are solids of the cell.</source>
+        <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Traverser</translation>
+    </message>
+    <message>
+        <source>Path of a recording</source>
+        <translation>Chemin d'un enregistrement</translation>
+    </message>
+    <message>
+        <source>Payload</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspective</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Désigner</translation>
+    </message>
+    <message>
+        <source>Pick a face, edge or corner of what moves · Esc: end</source>
+        <translation>Désignez une face, une arête ou un coin de ce qui bouge · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick a part to measure from</source>
+        <translation>Désignez une pièce d'où mesurer</translation>
+    </message>
+    <message>
+        <source>Pick axis</source>
+        <translation>Désigner l'axe</translation>
+    </message>
+    <message>
+        <source>Pick entities for the first column · Esc: end</source>
+        <translation>Désignez des entités pour la première colonne · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick entities for the second column · Esc: end</source>
+        <translation>Désignez des entités pour la seconde colonne · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick from and to</source>
+        <translation>Désigner départ et arrivée</translation>
+    </message>
+    <message>
+        <source>Pick in the scene</source>
+        <translation>Désigner dans la scène</translation>
+    </message>
+    <message>
+        <source>Pick measures again.</source>
+        <translation>Désigner mesure de nouveau.</translation>
+    </message>
+    <message>
+        <source>Pick the other part</source>
+        <translation>Désignez l'autre pièce</translation>
+    </message>
+    <message>
+        <source>Pick the point that the hand holds · Esc: end</source>
+        <translation>Désignez le point que tient la main · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick what to measure</source>
+        <translation>Désignez ce qu'il faut mesurer</translation>
+    </message>
+    <message>
+        <source>Pick what to measure to</source>
+        <translation>Désignez jusqu'où mesurer</translation>
+    </message>
+    <message>
+        <source>Pick where it shall go · Esc: end</source>
+        <translation>Désignez où cela doit aller · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick where the frame shall be · Esc: end</source>
+        <translation>Désignez où sera le repère · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Picked: %1. %2.</source>
+        <translation>Désigné : %1. %2.</translation>
+    </message>
+    <message>
+        <source>Picture of the view</source>
+        <translation>Image de la vue</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.tiff)</source>
+        <translation>Images (*.png *.jpg *.tiff)</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Place in</source>
+        <translation>Place dans</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Plugged in, and what is in the way</source>
+        <translation>Branchés, et ce qui gêne</translation>
+    </message>
+    <message>
+        <source>Pose %1 of %2: %3</source>
+        <translation>Pose %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>Pose the mannequin, look at its reach and its posture.</source>
+        <translation>Posez le mannequin, regardez son atteinte et sa posture.</translation>
+    </message>
+    <message>
+        <source>Press the buttons here, with Ctrl, Alt, Shift</source>
+        <translation>Pressez les boutons ici, avec Ctrl, Alt, Maj</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Pushing down, %1 %</source>
+        <translation>Poussée vers le bas, %1 %</translation>
+    </message>
+    <message>
+        <source>Put %1 below %2</source>
+        <translation>Mettre %1 sous %2</translation>
+    </message>
+    <message>
+        <source>Put %1 onto %2</source>
+        <translation>Poser %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Put into a new folder</source>
+        <translation>Mettre dans un nouveau dossier</translation>
+    </message>
+    <message>
+        <source>Put onto</source>
+        <translation>Poser sur</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>RIGHT</source>
+        <translation>DROITE</translation>
+    </message>
+    <message>
+        <source>Radians</source>
+        <translation>Radians</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Ramp %1 %, 1 N/ms limit</source>
+        <translation>Rampe %1 %, limite 1 N/ms</translation>
+    </message>
+    <message>
+        <source>Ramp done, 1 N/ms limit</source>
+        <translation>Rampe finie, limite 1 N/ms</translation>
+    </message>
+    <message>
+        <source>Range of motion</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Range of motion and button</source>
+        <translation>Amplitude et bouton</translation>
+    </message>
+    <message>
+        <source>Range of motion and buttons</source>
+        <translation>Amplitude et boutons</translation>
+    </message>
+    <message>
+        <source>Rate and lateness of the force loop</source>
+        <translation>Fréquence et retard de la boucle d'effort</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Atteinte</translation>
+    </message>
+    <message>
+        <source>Reached: width %1 %, depth %2 %, height %3 %</source>
+        <translation>Atteint : largeur %1 %, profondeur %2 %, hauteur %3 %</translation>
+    </message>
+    <message>
+        <source>Read %1 again</source>
+        <translation>Relire %1</translation>
+    </message>
+    <message>
+        <source>Read %1 files again</source>
+        <translation>Relire %1 fichiers</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Relire</translation>
+    </message>
+    <message>
+        <source>Read again from disk</source>
+        <translation>Relire depuis le disque</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Ready. One step of undo.</source>
+        <translation>Prêt. Une étape d'annulation.</translation>
+    </message>
+    <message>
+        <source>Recordings (*.htraj *.csv *.json);;All files (*)</source>
+        <translation>Enregistrements (*.htraj *.csv *.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Lâcher</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Remove from the cell</source>
+        <translation>Retirer de la cellule</translation>
+    </message>
+    <message>
+        <source>Remove the pair set</source>
+        <translation>Retirer l'ensemble de paires</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>Renommer %1</translation>
+    </message>
+    <message>
+        <source>Repaired: %1 corners of neighbouring triangles were made one.</source>
+        <translation>Réparés : %1 coins de triangles voisins ont été réunis.</translation>
+    </message>
+    <message>
+        <source>Report changes</source>
+        <translation>Rapport des changements</translation>
+    </message>
+    <message>
+        <source>Report what was changed</source>
+        <translation>Rapporter ce qui a changé</translation>
+    </message>
+    <message>
+        <source>Restore the copy</source>
+        <translation>Reprendre la copie</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anneau</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Robot over a fixture</source>
+        <translation>Robot au-dessus d'un montage</translation>
+    </message>
+    <message>
+        <source>Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)</source>
+        <translation>Robots (*.urdf *.xacro *.sdf *.toml);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Rough</source>
+        <translation>Gros</translation>
+    </message>
+    <message>
+        <source>STEP (*.step)</source>
+        <translation>STEP (*.step)</translation>
+    </message>
+    <message>
+        <source>STL (*.stl)</source>
+        <translation>STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sécurité</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Save log</source>
+        <translation>Enregistrer le journal</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>Enregistrer le journal…</translation>
+    </message>
+    <message>
+        <source>Save the workcell</source>
+        <translation>Enregistrer la cellule</translation>
+    </message>
+    <message>
+        <source>Saved views</source>
+        <translation>Vues gardées</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>Échelle %1</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Écran</translation>
+    </message>
+    <message>
+        <source>Screw</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Search the library</source>
+        <translation>Chercher dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Second column</source>
+        <translation>Seconde colonne</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Section %1</source>
+        <translation>Coupe %1</translation>
+    </message>
+    <message>
+        <source>Section %1 %2</source>
+        <translation>Coupe %1 %2</translation>
+    </message>
+    <message>
+        <source>Section plane</source>
+        <translation>Plan de coupe</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout choisir</translation>
+    </message>
+    <message>
+        <source>Select or hold an entity: what it is checked against stands here.</source>
+        <translation>Choisissez ou tenez une entité : ce contre quoi elle est vérifiée se trouve ici.</translation>
+    </message>
+    <message>
+        <source>Selected: %1, at X %2, Y %3, Z %4.</source>
+        <translation>Choisi : %1, en X %2, Y %3, Z %4.</translation>
+    </message>
+    <message>
+        <source>Sensor %1 hardly moved between the poses. The calibration is as it was.</source>
+        <translation>Le capteur %1 a à peine bougé entre les poses. L'étalonnage est comme avant.</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Fixer</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>Ensemble %1</translation>
+    </message>
+    <message>
+        <source>Set: %1</source>
+        <translation>Ensemble : %1</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Ensembles</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Réglages…</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Ombré</translation>
+    </message>
+    <message>
+        <source>Shaded, edges</source>
+        <translation>Ombré, arêtes</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>Montrer %1</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation>Montrer le dossier</translation>
+    </message>
+    <message>
+        <source>Show folder…</source>
+        <translation>Montrer un dossier…</translation>
+    </message>
+    <message>
+        <source>Show the first page at start</source>
+        <translation>Montrer la première page au démarrage</translation>
+    </message>
+    <message>
+        <source>Show the keys</source>
+        <translation>Montrer les touches</translation>
+    </message>
+    <message>
+        <source>Show this page at start</source>
+        <translation>Montrer cette page au démarrage</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Montré</translation>
+    </message>
+    <message>
+        <source>Shown and heard from here on, not felt</source>
+        <translation>Montré et entendu à partir d'ici, pas senti</translation>
+    </message>
+    <message>
+        <source>Side panels</source>
+        <translation>Panneaux latéraux</translation>
+    </message>
+    <message>
+        <source>Simplify</source>
+        <translation>Simplifier</translation>
+    </message>
+    <message>
+        <source>Single keys without Ctrl are on</source>
+        <translation>Les touches seules, sans Ctrl, sont en service</translation>
+    </message>
+    <message>
+        <source>Slide</source>
+        <translation>Glisser</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Aimanter</translation>
+    </message>
+    <message>
+        <source>Snap to corner, edge, face, frame</source>
+        <translation>Aimanter aux coins, arêtes, faces, repères</translation>
+    </message>
+    <message>
+        <source>Snaps to corners, edges, faces and frames · Ctrl: free · Esc takes it back</source>
+        <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap annule</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Solide</translation>
+    </message>
+    <message>
+        <source>Solution %1</source>
+        <translation>Solution %1</translation>
+    </message>
+    <message>
+        <source>Sound off</source>
+        <translation>Son coupé</translation>
+    </message>
+    <message>
+        <source>Sound on</source>
+        <translation>Son en marche</translation>
+    </message>
+    <message>
+        <source>Sound on or off</source>
+        <translation>Son en marche ou coupé</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Speed, drag</source>
+        <translation>Vitesse, frein</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Start the server</source>
+        <translation>Lancer le serveur</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Step of angle</source>
+        <translation>Pas d'angle</translation>
+    </message>
+    <message>
+        <source>Step of length</source>
+        <translation>Pas de longueur</translation>
+    </message>
+    <message>
+        <source>Steps of angle</source>
+        <translation>Pas d'angle</translation>
+    </message>
+    <message>
+        <source>Steps of length</source>
+        <translation>Pas de longueur</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop the video, %1 % done</source>
+        <translation>Arrêter la vidéo, %1 % faits</translation>
+    </message>
+    <message>
+        <source>Stop, slide, pass in turn</source>
+        <translation>Arrêter, glisser, traverser tour à tour</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Butées</translation>
+    </message>
+    <message>
+        <source>Stops and feel</source>
+        <translation>Butées et toucher</translation>
+    </message>
+    <message>
+        <source>Stylus</source>
+        <translation>Stylet</translation>
+    </message>
+    <message>
+        <source>Stylus in the device's workspace</source>
+        <translation>Stylet dans l'espace du périphérique</translation>
+    </message>
+    <message>
+        <source>TCP</source>
+        <translation>TCP</translation>
+    </message>
+    <message>
+        <source>TCP in world</source>
+        <translation>TCP dans le monde</translation>
+    </message>
+    <message>
+        <source>TOP</source>
+        <translation>DESSUS</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>Take apart</source>
+        <translation>Démonter</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Sortir</translation>
+    </message>
+    <message>
+        <source>Take this one</source>
+        <translation>Prendre celle-ci</translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Apprendre</translation>
+    </message>
+    <message>
+        <source>Test the force…</source>
+        <translation>Essayer l'effort…</translation>
+    </message>
+    <message>
+        <source>That is the same part. Pick another one to measure to.</source>
+        <translation>C'est la même pièce. Désignez-en une autre jusqu'où mesurer.</translation>
+    </message>
+    <message>
+        <source>That key does &quot;%1&quot; now; it would lose it.</source>
+        <translation>Cette touche fait « %1 » ; elle le perdrait.</translation>
+    </message>
+    <message>
+        <source>The TCP stays where it is</source>
+        <translation>Le TCP reste où il est</translation>
+    </message>
+    <message>
+        <source>The arm is at the edge of its reach</source>
+        <translation>Le bras est au bord de son atteinte</translation>
+    </message>
+    <message>
+        <source>The axis or normal points the other way</source>
+        <translation>L'axe ou la normale va dans l'autre sens</translation>
+    </message>
+    <message>
+        <source>The cell is as it was.</source>
+        <translation>La cellule est comme avant.</translation>
+    </message>
+    <message>
+        <source>The cell is empty</source>
+        <translation>La cellule est vide</translation>
+    </message>
+    <message>
+        <source>The cell is empty.</source>
+        <translation>La cellule est vide.</translation>
+    </message>
+    <message>
+        <source>The cell shows what it held before. Placements, names and colours stay when it is read again.</source>
+        <translation>La cellule montre ce qu'elle contenait. Places, noms et couleurs restent à la relecture.</translation>
+    </message>
+    <message>
+        <source>The cell stays usable meanwhile.</source>
+        <translation>La cellule reste utilisable pendant ce temps.</translation>
+    </message>
+    <message>
+        <source>The cell was never saved. Compare it with the import instead.</source>
+        <translation>La cellule n'a jamais été enregistrée. Comparez-la plutôt à l'importation.</translation>
+    </message>
+    <message>
+        <source>The device does not answer: check its cable and power</source>
+        <translation>Le périphérique ne répond pas : vérifiez son câble et son alimentation</translation>
+    </message>
+    <message>
+        <source>The device reports a fault: no force was exerted.</source>
+        <translation>Le périphérique signale une panne : aucun effort n'a été exercé.</translation>
+    </message>
+    <message>
+        <source>The devices could not be listed: %1</source>
+        <translation>Les périphériques n'ont pas pu être listés : %1</translation>
+    </message>
+    <message>
+        <source>The file holds one part.</source>
+        <translation>Le fichier contient une pièce.</translation>
+    </message>
+    <message>
+        <source>The file holds triangles.</source>
+        <translation>Le fichier contient des triangles.</translation>
+    </message>
+    <message>
+        <source>The file is being read</source>
+        <translation>Le fichier est en lecture</translation>
+    </message>
+    <message>
+        <source>The force loop is late at times</source>
+        <translation>La boucle d'effort est parfois en retard</translation>
+    </message>
+    <message>
+        <source>The force loop keeps its time</source>
+        <translation>La boucle d'effort tient son rythme</translation>
+    </message>
+    <message>
+        <source>The glove does not answer: nothing was taken.</source>
+        <translation>Le gant ne répond pas : rien n'a été pris.</translation>
+    </message>
+    <message>
+        <source>The hand moves it along %1 (%1: only that)</source>
+        <translation>La main le mène le long de %1 (%1 : cela seulement)</translation>
+    </message>
+    <message>
+        <source>The hand turns it about %1 (%1 twice: only that)</source>
+        <translation>La main le tourne autour de %1 (%1 deux fois : cela seulement)</translation>
+    </message>
+    <message>
+        <source>The haptic server answers</source>
+        <translation>Le serveur haptique répond</translation>
+    </message>
+    <message>
+        <source>The haptic server could not be started: %1 is not there or may not be run.</source>
+        <translation>Le serveur haptique n'a pas pu être lancé : %1 n'est pas là ou ne peut pas être lancé.</translation>
+    </message>
+    <message>
+        <source>The haptic server has ended. %1</source>
+        <translation>Le serveur haptique s'est terminé. %1</translation>
+    </message>
+    <message>
+        <source>The key for the haptic server cannot be used.</source>
+        <translation>La clé du serveur haptique n'est pas utilisable.</translation>
+    </message>
+    <message>
+        <source>The left button is free: a click chooses, a drag draws a box.</source>
+        <translation>Le bouton gauche est libre : un clic choisit, un glissement trace un cadre.</translation>
+    </message>
+    <message>
+        <source>The log is saved</source>
+        <translation>Le journal est enregistré</translation>
+    </message>
+    <message>
+        <source>The log was not saved</source>
+        <translation>Le journal n'a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>The material's, from hapticell.toml; the server lowers it to what the device bears</source>
+        <translation>Celle du matériau, de hapticell.toml ; le serveur l'abaisse à ce que le périphérique supporte</translation>
+    </message>
+    <message>
+        <source>The mesh as it is drawn.</source>
+        <translation>Le maillage tel qu'il est dessiné.</translation>
+    </message>
+    <message>
+        <source>The module %1 was left out. %2</source>
+        <translation>Le module %1 a été laissé de côté. %2</translation>
+    </message>
+    <message>
+        <source>The parts become solids again, where they stand now</source>
+        <translation>Les pièces redeviennent des solides, où elles sont maintenant</translation>
+    </message>
+    <message>
+        <source>The path of a recorded motion, thinned</source>
+        <translation>Le chemin d'un mouvement enregistré, éclairci</translation>
+    </message>
+    <message>
+        <source>The recording was not read</source>
+        <translation>L'enregistrement n'a pas été lu</translation>
+    </message>
+    <message>
+        <source>The robot stands so now.</source>
+        <translation>Le robot se tient ainsi maintenant.</translation>
+    </message>
+    <message>
+        <source>The robot was not added</source>
+        <translation>Le robot n'a pas été ajouté</translation>
+    </message>
+    <message>
+        <source>The robot's tool centre point</source>
+        <translation>Le centre outil du robot</translation>
+    </message>
+    <message>
+        <source>The sample was not added</source>
+        <translation>L'exemple n'a pas été ajouté</translation>
+    </message>
+    <message>
+        <source>The scene in words</source>
+        <translation>La scène en mots</translation>
+    </message>
+    <message>
+        <source>The stylus button: grabs and releases</source>
+        <translation>Le bouton du stylet : saisit et lâche</translation>
+    </message>
+    <message>
+        <source>The stylus follows the mouse · wheel: depth · Ctrl: turn · left button %1 · H: end</source>
+        <translation>Le stylet suit la souris · molette : profondeur · Ctrl : tourner · bouton gauche %1 · H : terminer</translation>
+    </message>
+    <message>
+        <source>The stylus is as it was</source>
+        <translation>Le stylet est comme avant</translation>
+    </message>
+    <message>
+        <source>The stylus will be pulled down, slowly up to %1 N, for four seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is let go first.</source>
+        <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant quatre secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est lâché avant.</translation>
+    </message>
+    <message>
+        <source>The test was stopped.</source>
+        <translation>L'essai a été arrêté.</translation>
+    </message>
+    <message>
+        <source>The workcell was not saved</source>
+        <translation>La cellule n'a pas été enregistrée</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thème</translation>
+    </message>
+    <message>
+        <source>They move together, about the one chosen last.</source>
+        <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
+    </message>
+    <message>
+        <source>This device exerts no force.</source>
+        <translation>Ce périphérique n'exerce pas d'effort.</translation>
+    </message>
+    <message>
+        <source>This device moves things, but exerts no force</source>
+        <translation>Ce périphérique déplace, mais n'exerce pas d'effort</translation>
+    </message>
+    <message>
+        <source>This entity has no frames</source>
+        <translation>Cette entité n'a pas de repère</translation>
+    </message>
+    <message>
+        <source>This pair's own choice; click to change it</source>
+        <translation>Le choix propre à cette paire ; un clic le change</translation>
+    </message>
+    <message>
+        <source>This pose is out of reach</source>
+        <translation>Cette pose est hors d'atteinte</translation>
+    </message>
+    <message>
+        <source>This solid has no frame yet: make one below</source>
+        <translation>Ce solide n'a pas encore de repère : créez-en un ci-dessous</translation>
+    </message>
+    <message>
+        <source>Through entity</source>
+        <translation>Par l'entité</translation>
+    </message>
+    <message>
+        <source>Through the mannequin's eyes</source>
+        <translation>Par les yeux du mannequin</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Tool centre point</source>
+        <translation>Centre outil</translation>
+    </message>
+    <message>
+        <source>Tool centre points</source>
+        <translation>Centres outil</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Tools and carried parts…</source>
+        <translation>Outils et pièces portées…</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Touchpad</source>
+        <translation>Pavé tactile</translation>
+    </message>
+    <message>
+        <source>Trajectories</source>
+        <translation>Trajectoires</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Arbre</translation>
+    </message>
+    <message>
+        <source>Tree of %1</source>
+        <translation>Arbre de %1</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Tourner %1</translation>
+    </message>
+    <message>
+        <source>Turn %1 of %2</source>
+        <translation>Tourner %1 de %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Turn %n entities</source>
+        <translation><numerusform>Tourner %n entité</numerusform><numerusform>Tourner %n entités</numerusform></translation>
+    </message>
+    <message>
+        <source>Turn faces outwards</source>
+        <translation>Tourner les faces vers l'extérieur</translation>
+    </message>
+    <message>
+        <source>Turn it too: axes along, faces flat</source>
+        <translation>Tourner aussi : axes alignés, faces à plat</translation>
+    </message>
+    <message>
+        <source>Turn round</source>
+        <translation>Retourner</translation>
+    </message>
+    <message>
+        <source>Turns about</source>
+        <translation>Tourne autour de</translation>
+    </message>
+    <message>
+        <source>Turns the view; with Shift it shifts it</source>
+        <translation>Tourne la vue ; avec Maj la décale</translation>
+    </message>
+    <message>
+        <source>Two fingers turn; with Shift they shift, with Ctrl they zoom</source>
+        <translation>Deux doigts tournent ; avec Maj ils décalent, avec Ctrl ils zooment</translation>
+    </message>
+    <message>
+        <source>URDF (*.urdf)</source>
+        <translation>URDF (*.urdf)</translation>
+    </message>
+    <message>
+        <source>URDF of the one robot (*.urdf)</source>
+        <translation>URDF du seul robot (*.urdf)</translation>
+    </message>
+    <message>
+        <source>URDF, xacro, SDF or robot.toml</source>
+        <translation>URDF, xacro, SDF ou robot.toml</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Undock</source>
+        <translation>Détacher</translation>
+    </message>
+    <message>
+        <source>Undock or dock</source>
+        <translation>Détacher ou attacher</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Unités</translation>
+    </message>
+    <message>
+        <source>Units and decimals</source>
+        <translation>Unités et décimales</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Déverrouiller</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>Déverrouiller %1</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Axe vers le haut</translation>
+    </message>
+    <message>
+        <source>Upper stop</source>
+        <translation>Butée haute</translation>
+    </message>
+    <message>
+        <source>Use this one</source>
+        <translation>Utiliser celui-ci</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Video of a turn round it</source>
+        <translation>Vidéo d'un tour</translation>
+    </message>
+    <message>
+        <source>Video of a turn round it…</source>
+        <translation>Vidéo d'un tour…</translation>
+    </message>
+    <message>
+        <source>Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)</source>
+        <translation>Vidéos, par ffmpeg (*.mp4 *.webm *.mkv *.gif)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+    <message>
+        <source>View, Saved views goes back to it.</source>
+        <translation>Vue, Vues gardées y revient.</translation>
+    </message>
+    <message>
+        <source>Views turn smoothly</source>
+        <translation>Les vues tournent en douceur</translation>
+    </message>
+    <message>
+        <source>Virtual Desktop</source>
+        <translation>Virtual Desktop</translation>
+    </message>
+    <message>
+        <source>Waiting for the haptic server</source>
+        <translation>En attente du serveur haptique</translation>
+    </message>
+    <message>
+        <source>Waits for the file before it</source>
+        <translation>Attend le fichier précédent</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Way there</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>What is held</source>
+        <translation>Ce qui est tenu</translation>
+    </message>
+    <message>
+        <source>What is held is not checked for collision</source>
+        <translation>Ce qui est tenu n'est pas vérifié pour les collisions</translation>
+    </message>
+    <message>
+        <source>What is picked</source>
+        <translation>Ce qui est désigné</translation>
+    </message>
+    <message>
+        <source>What stands in hapticell.toml, in SI units. A double click or F2 changes a value; it holds from the next start.</source>
+        <translation>Ce qui se trouve dans hapticell.toml, en unités SI. Un double clic ou F2 change une valeur ; elle vaut dès le prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>What the 3-D mouse moves; its second button changes it</source>
+        <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
+    </message>
+    <message>
+        <source>What the tip touches</source>
+        <translation>Ce que touche la pointe</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Molette</translation>
+    </message>
+    <message>
+        <source>Wheel and touchpad</source>
+        <translation>Molette et pavé tactile</translation>
+    </message>
+    <message>
+        <source>Wheel the other way round</source>
+        <translation>Molette dans l'autre sens</translation>
+    </message>
+    <message>
+        <source>Where it snaps in, several with spaces between</source>
+        <translation>Où il s'enclenche, plusieurs séparés par des espaces</translation>
+    </message>
+    <message>
+        <source>Where it stands now</source>
+        <translation>Où il est maintenant</translation>
+    </message>
+    <message>
+        <source>Where its base stands</source>
+        <translation>Où se tient sa base</translation>
+    </message>
+    <message>
+        <source>Where the missing files are</source>
+        <translation>Où sont les fichiers manquants</translation>
+    </message>
+    <message>
+        <source>While dragging</source>
+        <translation>Pendant le glissement</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Entier</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>Workcell</source>
+        <translation>Cellule</translation>
+    </message>
+    <message>
+        <source>Workcells (*.hcell)</source>
+        <translation>Cellules (*.hcell)</translation>
+    </message>
+    <message>
+        <source>Workcells (*.hcell);;All files (*)</source>
+        <translation>Cellules (*.hcell);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Monde</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>X Y Z</source>
+        <translation>X Y Z</translation>
+    </message>
+    <message>
+        <source>X Y Z in %1 · A B C in %2</source>
+        <translation>X Y Z en %1 · A B C en %2</translation>
+    </message>
+    <message>
+        <source>X, width</source>
+        <translation>X, largeur</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Y, depth</source>
+        <translation>Y, profondeur</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>À vous</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Z, height</source>
+        <translation>Z, hauteur</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Zoom to the pointer</source>
+        <translation>Zoomer vers le pointeur</translation>
+    </message>
+    <message>
+        <source>Zooms to the pointer</source>
+        <translation>Zoome vers le pointeur</translation>
+    </message>
+    <message>
+        <source>about </source>
+        <translation>environ </translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>contre</translation>
+    </message>
+    <message>
+        <source>along %1</source>
+        <translation>le long de %1</translation>
+    </message>
+    <message>
+        <source>another clicked</source>
+        <translation>un autre cliqué</translation>
+    </message>
+    <message>
+        <source>as it is held</source>
+        <translation>comme il est tenu</translation>
+    </message>
+    <message>
+        <source>centimetre</source>
+        <translation>centimètre</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centre</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>changée</translation>
+    </message>
+    <message>
+        <source>checked</source>
+        <translation>vérifié</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>d MMMM, HH:mm</source>
+        <translation>d MMMM, HH:mm</translation>
+    </message>
+    <message>
+        <source>file missing</source>
+        <translation>fichier manquant</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>retourné</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>pied</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>effort</translation>
+    </message>
+    <message>
+        <source>frame %1 ms</source>
+        <translation>image %1 ms</translation>
+    </message>
+    <message>
+        <source>free gap</source>
+        <translation>espace libre</translation>
+    </message>
+    <message>
+        <source>free to move</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>glTF (*.glb)</source>
+        <translation>glTF (*.glb)</translation>
+    </message>
+    <message>
+        <source>grabs</source>
+        <translation>saisit</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>tenu</translation>
+    </message>
+    <message>
+        <source>held now</source>
+        <translation>tenu maintenant</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>caché</translation>
+    </message>
+    <message>
+        <source>hold: clutch</source>
+        <translation>tenu : débrayer</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>inverse: %1</source>
+        <translation>inverse : %1</translation>
+    </message>
+    <message>
+        <source>kg</source>
+        <translation>kg</translation>
+    </message>
+    <message>
+        <source>late %1 ms</source>
+        <translation>retard %1 ms</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>écarté</translation>
+    </message>
+    <message>
+        <source>lets go</source>
+        <translation>lâche</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>butée</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillé</translation>
+    </message>
+    <message>
+        <source>locked in place</source>
+        <translation>verrouillé sur place</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>mètre</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>millimètre</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mm a turn</source>
+        <translation>mm par tour</translation>
+    </message>
+    <message>
+        <source>mm wide</source>
+        <translation>mm de large</translation>
+    </message>
+    <message>
+        <source>near miss</source>
+        <translation>quasi-contact</translation>
+    </message>
+    <message>
+        <source>needs none</source>
+        <translation>n'en demande pas</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>pas de périphérique</translation>
+    </message>
+    <message>
+        <source>no flip</source>
+        <translation>non retourné</translation>
+    </message>
+    <message>
+        <source>no gap</source>
+        <translation>pas de distance</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>none near</source>
+        <translation>rien de proche</translation>
+    </message>
+    <message>
+        <source>none; degrees, e.g. 0 68</source>
+        <translation>aucun ; degrés, p. ex. 0 68</translation>
+    </message>
+    <message>
+        <source>none; mm, e.g. 0 120</source>
+        <translation>aucun ; mm, p. ex. 0 120</translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation>non vérifié</translation>
+    </message>
+    <message>
+        <source>not near</source>
+        <translation>pas proche</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>maintenant</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>arrêt</translation>
+    </message>
+    <message>
+        <source>on contact</source>
+        <translation>au contact</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>origine</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>pièce</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>pièces</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>enregistrée</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>échelle</translation>
+    </message>
+    <message>
+        <source>step %1 ms</source>
+        <translation>pas %1 ms</translation>
+    </message>
+    <message>
+        <source>stop, slide, pass</source>
+        <translation>arrêter, glisser, traverser</translation>
+    </message>
+    <message>
+        <source>stylus button</source>
+        <translation>bouton du stylet</translation>
+    </message>
+    <message>
+        <source>the placements of the imported files</source>
+        <translation>les places des fichiers importés</translation>
+    </message>
+    <message>
+        <source>the top</source>
+        <translation>le haut</translation>
+    </message>
+    <message>
+        <source>to device edge</source>
+        <translation>jusqu'au bord</translation>
+    </message>
+    <message>
+        <source>touches %1</source>
+        <translation>touche %1</translation>
+    </message>
+    <message>
+        <source>turns about %1</source>
+        <translation>tourne autour de %1</translation>
+    </message>
+    <message>
+        <source>under 1 s</source>
+        <translation>moins de 1 s</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>annulé</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <optional>
+
+#include "app/viewport/camera.h"
+#include "geometry/pose.h"
+
+namespace hapticell::app {
+
+class Host;
+
+/// Leads the view along with what moves: the tool centre point of the selected robot (the view keeps its direction), or
+/// through the eyes of the selected mannequin. GUI thread.
+class FollowCamera : public QObject {
+  Q_OBJECT
+ public:
+  enum class What { kNothing, kTool, kEyes };
+  explicit FollowCamera(Host& host, QObject* parent = nullptr);
+  What what() const { return what_; }
+  /// kNothing, or where there is no such entity, ends it.
+  void follow(What what);
+  /// The entity that can be followed so: the selected one, else the first of its kind; nothing where there is none.
+  bool canFollow(What what) const;
+  /// One look; the timer calls it while something is followed.
+  void look();
+
+ signals:
+  void changed();
+
+ private:
+  std::optional<Pose> tool_W() const;
+  std::optional<Pose> eyes_W() const;
+  Host& host_;
+  What what_ = What::kNothing;
+  std::optional<Camera> before_;  // To come back to.
+  std::optional<dvec3> p_WTool_;  // At the last look.
+  QTimer timer_;
+};
+
+}  // namespace hapticell::app

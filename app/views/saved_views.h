@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+#include "app/viewport/camera.h"
+
+namespace hapticell::app {
+
+class UserSettings;
+
+/// Views of a cell with names, kept in the user's settings by the cell's path: a view is how one looks, not what stands
+/// there. GUI thread.
+class SavedViews {
+ public:
+  explicit SavedViews(UserSettings& settings) : settings_(settings) {}
+  /// Of which cell from now on; views of a cell that has no file yet are kept under an empty path.
+  void setCell(const QString& path) { cell_ = path; }
+  QStringList names() const;
+  std::optional<Camera> find(const QString& name) const;
+  /// Adds it or takes the place of the one of that name.
+  void keep(const QString& name, const Camera& camera);
+  void remove(const QString& name);
+  /// "View 1", or the first that is free.
+  QString freeName() const;
+
+ private:
+  QString group() const;
+  UserSettings& settings_;
+  QString cell_;
+};
+
+/// The camera as one line, and back; nothing where the line is none.
+QString cameraText(const Camera& camera);
+std::optional<Camera> cameraFromText(const QString& text);
+
+}  // namespace hapticell::app

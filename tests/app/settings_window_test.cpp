@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings, layouts, first page, views and help by real events.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QKeySequenceEdit>
+#include <QListWidget>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTextBrowser>
+
+#include "app/host/user_settings.h"
+#include "app/settings/gesture_field.h"
+#include "app/start/start_page.h"
+#include "app/style/units.h"
+#include "tests/app/cell_page.h"
+
+namespace hapticell::app {
+namespace {
+
+class SettingsPage : public CellPage {
+ public:
+  SettingsPage() { trigger("actionSettings"); }
+  ~SettingsPage() { setUnitsNow({}); }
+  void page(int row) {
+    find<QListWidget>("listSettings")->setCurrentRow(row);
+    settle();
+  }
+  /// Chooses in a combo box as the arrow keys do.
+  void choose(const char* name, int index) {
+    auto* combo = find<QComboBox>(name);
+    combo->setFocus();
+    while (combo->currentIndex() < index) QTest::keyClick(combo, Qt::Key_Down);
+    while (combo->currentIndex() > index) QTest::keyClick(combo, Qt::Key_Up);
+    settle();
+  }
+  UserSettings& settings() { return window().userSettings(); }
+};
+
+TEST(Settings, UnitsChangeEveryFieldAndAreRemembered) {
+  SettingsPage page;
+  const auto id = page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.0508, 0, 0}));
+  page.select(id);
+  page.page(1);
+  page.chooseSegment("segmentsLength", 3);
+  EXPECT_EQ(lengthText(0.0254), "1.000 in");
+  EXPECT_EQ(page.find<ValueField>("field_place_X")->text(), "2.000");
+  page.find<QSpinBox>("fieldLengthDecimals")->setValue(2);
+  CellPage::settle();
+  EXPECT_EQ(page.find<ValueField>("field_place_X")->text(), "2.00");
+  page.showDock("dockProperties");
+  page.type("field_place_Y", "1");
+  EXPECT_NEAR(page.document().find(id)->X_WE.p.y, 0.0254, 1e-9);
+  EXPECT_NEAR(page.document().find(id)->X_WE.p.x, 0.0508, 1e-9) << "what is shown rounded is not rounded";
+  EXPECT_EQ(page.settings().value("units/length").toInt(), 3);
+}
+
+TEST(Settings, ThemeChangesAtOnce) {
+  SettingsPage page;
+  page.chooseSegment("segmentsTheme", 1);
+  EXPECT_FALSE(themeOf(QApplication::palette()).dark);
+  page.chooseSegment("segmentsTheme", 0);
+  EXPECT_TRUE(themeOf(QApplication::palette()).dark);
+}
+
+TEST(Settings, AMotionTakesTheGestureThatIsHeldOverItsField) {
+  SettingsPage page;
+  page.page(2);
+  page.choose("comboNavigation", 5);
+  EXPECT_TRUE(page.window().viewport().navigation() == navigationPreset("rviz"));
+  auto* field = page.find<GestureField>("fieldGesture1");
+  page.click(field, field->rect().center());
+  const QPoint place = field->rect().center();
+  QTest::mousePress(field, Qt::RightButton, Qt::AltModifier, place);
+  QTest::mouseRelease(field, Qt::RightButton, Qt::AltModifier, place);
+  CellPage::settle();
+  EXPECT_EQ(page.window().viewport().navigation().motionFor(Qt::RightButton, Qt::AltModifier), ViewMotion::kPan);
+  EXPECT_EQ(page.settings().value("navigation/preset").toString(), "own");
+}
+
+TEST(Settings, AKeyIsGivenToAnotherActionAndTakenFromTheFirst) {
+  SettingsPage page;
+  page.page(3);
+  auto* table = page.find<QTableWidget>("tableKeys");
+  page.find<QLineEdit>("fieldKeyFilter")->setText("Fit selection");
+  CellPage::settle();
+  ASSERT_EQ(table->rowCount(), 1);
+  table->setCurrentCell(0, 0);
+  auto* edit = page.find<QKeySequenceEdit>("fieldKey");
+  edit->setKeySequence(QKeySequence(Qt::Key_V));
+  EXPECT_TRUE(page.find<QLabel>("labelKey")->text().contains("Section")) << "it says what the key does now";
+  page.press("buttonKeySet");
+  EXPECT_EQ(page.find<QAction>("actionFit")->shortcut(), QKeySequence(Qt::Key_V));
+  EXPECT_TRUE(page.find<QAction>("actionSection")->shortcut().isEmpty());
+  page.press("buttonKeysShipped");
+  EXPECT_EQ(page.find<QAction>("actionFit")->shortcut(), QKeySequence(Qt::Key_F));
+  page.press("switchLetters");
+  EXPECT_TRUE(page.find<QAction>("actionFit")->shortcut().isEmpty());
+  EXPECT_EQ(page.find<QAction>("actionUndo")->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Z));
+}
+
+TEST(LayoutsInTheWindow, EachIsAsItWasLeft) {
+  CellPage page;
+  page.showDock("dockMove");
+  page.window().layouts().choose("ergonomics");
+  CellPage::settle();
+  EXPECT_FALSE(page.find<QDockWidget>("dockWorkcell")->isVisible());
+  page.window().layouts().choose("move");
+  CellPage::settle();
+  EXPECT_TRUE(page.find<QDockWidget>("dockWorkcell")->isVisible());
+  EXPECT_FALSE(page.find<QDockWidget>("dockMove")->isHidden()) << "as it was left";
+  page.trigger("actionResetLayout");
+  EXPECT_TRUE(page.find<QDockWidget>("dockMove")->isHidden()) << "as it is drawn";
+}
+
+TEST(FirstPage, AClickOnASampleOpensItAndEscapeClosesThePage) {
+  CellPage page;
+  page.trigger("actionFirstPage");
+  auto* start = page.find<StartPage>("startPage");
+  ASSERT_TRUE(start->isVisible());
+  QTest::keyClick(start, Qt::Key_Escape);
+  EXPECT_FALSE(start->isVisible());
+  page.trigger("actionFirstPage");
+  page.press("sample_demo");
+  ASSERT_TRUE(CellPage::until([&] { return page.entities() > 5; }, 60000));
+  CellPage::settle();
+  EXPECT_FALSE(start->isVisible());
+  EXPECT_EQ(page.window().recentFiles().files().size(), 1) << "it is among the recent files";
+}
+
+TEST(Views, AreKeptAndComeBack) {
+  CellPage page;
+  page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1}));
+  page.lookAt({0, 0, 0}, 0.2);
+  const Camera kept = page.window().viewport().camera();
+  page.trigger("actionKeepView");
+  page.trigger("actionBottom");
+  EXPECT_NE(page.window().viewport().camera().elevation, kept.elevation);
+  auto* menu = page.find<QMenu>("menuSavedViews");
+  emit menu->aboutToShow();
+  ASSERT_FALSE(menu->actions().isEmpty());
+  menu->actions().front()->trigger();
+  CellPage::settle();
+  EXPECT_NEAR(page.window().viewport().camera().elevation, kept.elevation, 1e-6);
+  EXPECT_NEAR(page.window().viewport().camera().distance, kept.distance, 1e-6);
+}
+
+TEST(Help, F1IsAboutThePanelThatHasTheFocusAndTheSceneIsToldInWords) {
+  CellPage page;
+  const auto id = page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.25, 0, 0}));
+  page.showDock("dockMove");
+  page.find<ValueField>("fieldMoveX")->setFocus();
+  QTest::keyClick(page.find<ValueField>("fieldMoveX"), Qt::Key_F1);
+  CellPage::settle();
+  auto* browser = page.find<QTextBrowser>("browserHelp");
+  EXPECT_TRUE(browser->toPlainText().contains("gizmo")) << browser->toPlainText().toStdString();
+  page.select(id);
+  page.trigger("actionSceneText");
+  EXPECT_TRUE(browser->toPlainText().contains("Selected: box, at X 250.0 mm")) << browser->toPlainText().toStdString();
+}
+
+}  // namespace
+}  // namespace hapticell::app
