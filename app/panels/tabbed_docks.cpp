@@ -64,8 +64,11 @@ void fitTabs(QTabBar& bar, int room) {
   bar.setElideMode(Qt::ElideNone);
   for (int i = 0; i < bar.count(); ++i) {
     const auto* dock = reinterpret_cast<const QDockWidget*>(bar.tabData(i).value<quintptr>());
-    bar.setTabToolTip(i, bar.tabText(i));
-    bar.setTabIcon(i, compact && dock ? icon(iconNameOf(dock->objectName())) : QIcon());
+    if (bar.tabToolTip(i) != bar.tabText(i)) bar.setTabToolTip(i, bar.tabText(i));
+    // Each icon that is set lays the bar out anew.
+    const bool wants_icon = compact && dock;
+    if (bar.tabIcon(i).isNull() == wants_icon)
+      bar.setTabIcon(i, wants_icon ? icon(iconNameOf(dock->objectName())) : QIcon());
   }
 }
 

@@ -207,7 +207,7 @@ void ViewportWidget::releaseClick(const QMouseEvent& event, bool over_cube) {
       setCamera(camera_.turnedTo(-*spot));
   } else if (drag == Drag::kPick) {
     if (const auto feature = pick_ ? featureAt(place, pick_->filter) : std::nullopt) answerPick(feature);
-  } else if (event.button() == Qt::RightButton && press_button_ == Qt::RightButton) {
+  } else if (event.button() == Qt::RightButton && press_button_ == Qt::RightButton && drag != Drag::kNone) {
     emit contextMenuWanted(entityAt(place), event.globalPosition().toPoint());
   } else if (event.button() == Qt::LeftButton && press_button_ == Qt::LeftButton && drag != Drag::kNone &&
              drag != Drag::kSection) {

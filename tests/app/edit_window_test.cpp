@@ -18,6 +18,8 @@ constexpr double kHalf = 0.05;
 class EditPage : public CellPage {
  public:
   EditPage() {
+    window().resize(1500, 900);
+    settle();
     left = addSolid("left", geometry::makeBox({0.1, 0.1, 0.1}));
     right = addSolid("right", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.4, 0, 0}));
     lookAt({0.2, 0, 0}, 0.35);

@@ -13,6 +13,8 @@ namespace {
 class MeasurePage : public CellPage {
  public:
   MeasurePage() {
+    window().resize(1500, 900);
+    settle();
     addSolid("left", geometry::makeBox({0.1, 0.1, 0.1}));
     addSolid("right", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.35, 0, 0.02}));
     lookAt({0.17, 0, 0}, 0.3);
