@@ -19,6 +19,8 @@ class EditPage : public CellPage {
  public:
   EditPage() {
     window().resize(1500, 900);
+    window().activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window(), 20000));
     settle();
     left = addSolid("left", geometry::makeBox({0.1, 0.1, 0.1}));
     right = addSolid("right", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.4, 0, 0}));
@@ -168,7 +170,7 @@ TEST(PutOnto, LaysAFaceFlatOnAFace) {
   page.clickPoint({0.41, 0.01, kHalf});
   EXPECT_FALSE(page.window().viewport().isPicking());
   const Pose X_WE = page.document().find(page.left)->X_WE;
-  EXPECT_NEAR(X_WE.p.z, 0.1, 1e-6) << "upside down on top of the other";
+  EXPECT_NEAR(X_WE.p.z, 0.1, 1e-6) << "upside down on top of the other: " << page.document().undoText();
   EXPECT_NEAR(X_WE.rotate({0, 0, 1}).z, -1.0, 1e-6);
   page.trigger("actionUndo");
   EXPECT_EQ(page.place(page.left), dvec3(0.0));

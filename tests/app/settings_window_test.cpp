@@ -2,6 +2,7 @@
 // Settings, layouts, first page, views and help by real events.
 #include <gtest/gtest.h>
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QKeySequenceEdit>
@@ -12,6 +13,7 @@
 
 #include "app/host/user_settings.h"
 #include "app/settings/gesture_field.h"
+#include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 #include "app/style/units.h"
 #include "tests/app/cell_page.h"
@@ -95,7 +97,8 @@ TEST(Settings, AKeyIsGivenToAnotherActionAndTakenFromTheFirst) {
   EXPECT_TRUE(page.find<QAction>("actionSection")->shortcut().isEmpty());
   page.press("buttonKeysShipped");
   EXPECT_EQ(page.find<QAction>("actionFit")->shortcut(), QKeySequence(Qt::Key_F));
-  page.press("switchLetters");
+  auto* letters = page.find<QCheckBox>("switchLetters");
+  page.click(letters, QPoint(12, letters->height() / 2));
   EXPECT_TRUE(page.find<QAction>("actionFit")->shortcut().isEmpty());
   EXPECT_EQ(page.find<QAction>("actionUndo")->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Z));
 }
@@ -150,14 +153,50 @@ TEST(Help, F1IsAboutThePanelThatHasTheFocusAndTheSceneIsToldInWords) {
   CellPage page;
   const auto id = page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.25, 0, 0}));
   page.showDock("dockMove");
+  page.window().activateWindow();
+  EXPECT_TRUE(QTest::qWaitForWindowActive(&page.window(), 20000));
   page.find<ValueField>("fieldMoveX")->setFocus();
   QTest::keyClick(page.find<ValueField>("fieldMoveX"), Qt::Key_F1);
   CellPage::settle();
   auto* browser = page.find<QTextBrowser>("browserHelp");
+  ASSERT_NE(browser, nullptr);
   EXPECT_TRUE(browser->toPlainText().contains("gizmo")) << browser->toPlainText().toStdString();
   page.select(id);
   page.trigger("actionSceneText");
   EXPECT_TRUE(browser->toPlainText().contains("Selected: box, at X 250.0 mm")) << browser->toPlainText().toStdString();
+}
+
+/// Fields and buttons of a dock that a screen reader would not name.
+QStringList nameless(const QWidget& dock) {
+  QStringList found;
+  for (QWidget* widget : dock.findChildren<QWidget*>()) {
+    const bool told = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                      qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QLineEdit*>(widget) ||
+                      qobject_cast<QAbstractItemView*>(widget);
+    const bool part_of_another =
+        widget->parentWidget() &&
+        (qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) || qobject_cast<QComboBox*>(widget->parentWidget()) ||
+         qobject_cast<QKeySequenceEdit*>(widget->parentWidget()) || qobject_cast<QLineEdit*>(widget->parentWidget()) ||
+         widget->inherits("QComboBoxPrivateContainer") ||
+         widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
+         qobject_cast<QAbstractItemView*>(widget->parentWidget()));
+    if (!told || part_of_another) continue;
+    QAccessibleInterface* face = QAccessible::queryAccessibleInterface(widget);
+    const auto* line = qobject_cast<QLineEdit*>(widget);
+    const bool named =
+        (face && !face->text(QAccessible::Name).isEmpty()) || (line && !line->placeholderText().isEmpty());
+    if (!named) found << QStringLiteral("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+  }
+  return found;
+}
+
+TEST(ScreenReader, FindsANameOnEveryFieldOfTheWindowsOwnDocks) {
+  SettingsPage page;
+  page.select(page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1})));
+  for (const char* dock : {"dockMove", "dockMeasure", "dockSolid", "dockProperties", "dockSettings"}) {
+    const QStringList found = nameless(*page.find<QDockWidget>(dock));
+    EXPECT_TRUE(found.isEmpty()) << dock << ": " << found.join(", ").toStdString();
+  }
 }
 
 }  // namespace
