@@ -41,6 +41,10 @@
         <translation> ou </translation>
     </message>
     <message>
+        <source> · %1 by hand</source>
+        <translation> · %1 à la main</translation>
+    </message>
+    <message>
         <source> · %1 left</source>
         <translation> · reste %1</translation>
     </message>
@@ -61,12 +65,20 @@
         <translation>%1 %</translation>
     </message>
     <message>
+        <source>%1 % of the way</source>
+        <translation>%1 % du chemin</translation>
+    </message>
+    <message>
         <source>%1 %2, %3 triangles. One unit of the file is one %4%5.</source>
         <translation>%1 %2, %3 triangles. Une unité du fichier vaut un %4%5.</translation>
     </message>
     <message>
         <source>%1 %2, %3 – %4</source>
         <translation>%1 %2, %3 – %4</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 à %3)</translation>
     </message>
     <message>
         <source>%1 (not usable)</source>
@@ -145,6 +157,10 @@
         <translation>%1 fichiers de cette cellule manquent</translation>
     </message>
     <message>
+        <source>%1 goes along</source>
+        <translation>%1 suit</translation>
+    </message>
+    <message>
         <source>%1 goes to %2</source>
         <translation>%1 va à %2</translation>
     </message>
@@ -155,6 +171,10 @@
     <message>
         <source>%1 in all</source>
         <translation>%1 au total</translation>
+    </message>
+    <message>
+        <source>%1 is %2 beyond its end</source>
+        <translation>%1 est %2 au-delà de sa butée</translation>
     </message>
     <message>
         <source>%1 is %2 from %3: a near miss.</source>
@@ -197,6 +217,10 @@
         <translation>%1 m</translation>
     </message>
     <message>
+        <source>%1 meets %2</source>
+        <translation>%1 rencontre %2</translation>
+    </message>
+    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -221,6 +245,10 @@
         <translation>%1 mm, %2, %3</translation>
     </message>
     <message>
+        <source>%1 mm, %2°</source>
+        <translation>%1 mm, %2°</translation>
+    </message>
+    <message>
         <source>%1 mm&lt;br&gt;%2°</source>
         <translation>%1 mm&lt;br&gt;%2°</translation>
     </message>
@@ -235,6 +263,10 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames; at most %3 from the recording</source>
+        <translation>%1 images sur %2 ; au plus %3 de l'enregistrement</translation>
     </message>
     <message>
         <source>%1 of %2 solutions inside the limits</source>
@@ -273,8 +305,24 @@
         <translation>%1 crête</translation>
     </message>
     <message>
+        <source>%1 points; %2 are needed and the whole way</source>
+        <translation>%1 points ; il en faut %2 et tout le chemin</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 s  %2</source>
+        <translation>%1 s  %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s · %n frame(s)</source>
+        <translation><numerusform>%1 s · %n image</numerusform><numerusform>%1 s · %n images</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 s → %2 s; at most %3 from the path</source>
+        <translation>%1 s → %2 s ; au plus %3 du chemin</translation>
     </message>
     <message>
         <source>%1 takes configuration %2</source>
@@ -337,12 +385,24 @@
         <translation>%1 a été écrit avec des remarques</translation>
     </message>
     <message>
+        <source>%1 would have to go %2/s faster than it can</source>
+        <translation>%1 devrait aller %2/s plus vite qu'il ne peut</translation>
+    </message>
+    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n run(s) · next help %2 %</source>
+        <translation><numerusform>%1 · %n essai · aide suivante %2 %</numerusform><numerusform>%1 · %n essais · aide suivante %2 %</numerusform></translation>
     </message>
     <message>
         <source>%1 · Esc: end</source>
         <translation>%1 · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm, %4 N peak, %5 N continuous, %6 measured and %7 driven axes</source>
@@ -397,12 +457,20 @@
         <translation>%1, µ %2</translation>
     </message>
     <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
         <source>%1: %2 on %3</source>
         <translation>%1 : %2 sur %3</translation>
     </message>
     <message>
         <source>%1: %2. Choose another place.</source>
         <translation>%1 : %2. Choisissez une autre place.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n motion(s) made; the recording is as it was</source>
+        <translation><numerusform>%1 : %n mouvement fait ; l'enregistrement est comme avant</numerusform><numerusform>%1 : %n mouvements faits ; l'enregistrement est comme avant</numerusform></translation>
     </message>
     <message>
         <source>%1: one lies inside the other</source>
@@ -421,6 +489,10 @@
         <translation>%1 : elles se touchent ou se coupent</translation>
     </message>
     <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
         <source>%1° · %2 mm</source>
         <translation>%1° · %2 mm</translation>
     </message>
@@ -437,12 +509,36 @@
         <translation><numerusform>%n assemblage</numerusform><numerusform>%n assemblages</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n contact(s)</source>
+        <translation><numerusform>%n contact</numerusform><numerusform>%n contacts</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s) felt</source>
+        <translation><numerusform>%n contact senti</numerusform><numerusform>%n contacts sentis</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n entities in the cell.</source>
         <translation><numerusform>%n entité dans la cellule.</numerusform><numerusform>%n entités dans la cellule.</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation><numerusform>%n image</numerusform><numerusform>%n images</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) recorded</source>
+        <translation><numerusform>%n image enregistrée</numerusform><numerusform>%n images enregistrées</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s)</source>
+        <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n joints</source>
         <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n limit(s) passed</source>
+        <translation><numerusform>%n limite dépassée</numerusform><numerusform>%n limites dépassées</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n limits push back.</source>
@@ -457,12 +553,24 @@
         <translation><numerusform>%n mécanisme</numerusform><numerusform>%n mécanismes</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n motion(s) imported</source>
+        <translation><numerusform>%n mouvement importé</numerusform><numerusform>%n mouvements importés</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n robots</source>
         <translation><numerusform>%n robot</numerusform><numerusform>%n robots</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n run(s), the last with %1 points</source>
+        <translation><numerusform>%n essai, le dernier avec %1 points</numerusform><numerusform>%n essais, le dernier avec %1 points</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n selected</source>
         <translation><numerusform>%n choisie</numerusform><numerusform>%n choisies</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n singular place(s) or change(s) of configuration</source>
+        <translation><numerusform>%n place singulière ou changement de configuration</numerusform><numerusform>%n places singulières ou changements de configuration</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n solids</source>
@@ -477,12 +585,20 @@
         <translation>, au plus %1</translation>
     </message>
     <message>
+        <source>, by hand</source>
+        <translation>, à la main</translation>
+    </message>
+    <message>
         <source>, firmware %1</source>
         <translation>, micrologiciel %1</translation>
     </message>
     <message>
         <source>, guessed from the size</source>
         <translation>, déduit de la taille</translation>
+    </message>
+    <message>
+        <source>, waits %1 s</source>
+        <translation>, attend %1 s</translation>
     </message>
     <message>
         <source>, µ %1</source>
@@ -497,8 +613,20 @@
         <translation>.</translation>
     </message>
     <message>
+        <source>. Kept nearer to the recording from %1 to %2 s</source>
+        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
+    </message>
+    <message>
         <source>. Real-time priority mends it: add the account to the group realtime</source>
         <translation>. La priorité temps réel y remédie : ajoutez le compte au groupe realtime</translation>
+    </message>
+    <message>
+        <source>. The hand's tremor (%1 mm) is larger than the tolerance: much of it is kept</source>
+        <translation>. Le tremblement de la main (%1 mm) dépasse la tolérance : il en reste beaucoup</translation>
+    </message>
+    <message>
+        <source>. The robot cannot reach all of it: up to %1 away</source>
+        <translation>. Le robot ne peut pas tout atteindre : jusqu'à %1 d'écart</translation>
     </message>
     <message>
         <source>. Their parts are kept without a shape; the rest is here. Show a folder that holds them.</source>
@@ -507,6 +635,14 @@
     <message>
         <source>/s</source>
         <translation>/s</translation>
+    </message>
+    <message>
+        <source>/s²</source>
+        <translation>/s²</translation>
+    </message>
+    <message>
+        <source>/s³</source>
+        <translation>/s³</translation>
     </message>
     <message>
         <source>0 N</source>
@@ -527,6 +663,10 @@
     <message>
         <source>; it names none itself</source>
         <translation> ; il n'en nomme aucune</translation>
+    </message>
+    <message>
+        <source>; limits used: speed %1 %, acceleration %2 %</source>
+        <translation> ; limites employées : vitesse %1 %, accélération %2 %</translation>
     </message>
     <message>
         <source>&lt;b&gt;Ctrl+Space&lt;/b&gt;&amp;nbsp; turn on</source>
@@ -577,6 +717,14 @@
         <translation>Un fichier de cette cellule manque</translation>
     </message>
     <message>
+        <source>A frame by</source>
+        <translation>Une image par</translation>
+    </message>
+    <message>
+        <source>A frame by hand at the cursor, to be dragged in the scene</source>
+        <translation>Une image à la main au curseur, à tirer dans la scène</translation>
+    </message>
+    <message>
         <source>A frame of this solid on picked geometry</source>
         <translation>Un repère de ce solide sur la géométrie désignée</translation>
     </message>
@@ -609,6 +757,30 @@
         <translation>Un point de l'entité par lequel la main la tient</translation>
     </message>
     <message>
+        <source>A process point: the motion rests here so long</source>
+        <translation>Un point de travail : le mouvement y reste ce temps</translation>
+    </message>
+    <message>
+        <source>A straight way after it</source>
+        <translation>Une voie droite après</translation>
+    </message>
+    <message>
+        <source>A straight way before it</source>
+        <translation>Une voie droite avant</translation>
+    </message>
+    <message>
+        <source>A trajectory is not on disk</source>
+        <translation>Une trajectoire n'est pas sur le disque</translation>
+    </message>
+    <message>
+        <source>A trajectory of the cell cannot be read</source>
+        <translation>Une trajectoire de la cellule ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>ABB RAPID (.mod)</source>
+        <translation>ABB RAPID (.mod)</translation>
+    </message>
+    <message>
         <source>About</source>
         <translation>Autour de</translation>
     </message>
@@ -617,12 +789,20 @@
         <translation>À propos de HaptiCell</translation>
     </message>
     <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
         <source>Across %1</source>
         <translation>À travers %1</translation>
     </message>
     <message>
         <source>Add</source>
         <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Add a frame</source>
+        <translation>Ajouter une image</translation>
     </message>
     <message>
         <source>Add a robot</source>
@@ -649,6 +829,10 @@
         <translation>Ajouter la sélection</translation>
     </message>
     <message>
+        <source>Again and again</source>
+        <translation>En boucle</translation>
+    </message>
+    <message>
         <source>Against</source>
         <translation>Contre</translation>
     </message>
@@ -667,6 +851,10 @@
     <message>
         <source>Against the saved cell…</source>
         <translation>Par rapport à la cellule enregistrée…</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
     </message>
     <message>
         <source>All %1</source>
@@ -693,12 +881,24 @@
         <translation>Tous les ensembles en service (%1)</translation>
     </message>
     <message>
+        <source>All that can be done with a motion</source>
+        <translation>Tout ce qu'on peut faire d'un mouvement</translation>
+    </message>
+    <message>
         <source>All that can be read (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
         <translation>Tout ce qui se lit (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
     </message>
     <message>
+        <source>Along the path</source>
+        <translation>Le long du chemin</translation>
+    </message>
+    <message>
         <source>Alt</source>
         <translation>Alt</translation>
+    </message>
+    <message>
+        <source>An expert's recording leads the stylus along its way; the guide waits for the trainee.</source>
+        <translation>L'enregistrement d'un expert mène le stylet sur son chemin ; le guide attend l'élève.</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -725,6 +925,10 @@
         <translation>Applications</translation>
     </message>
     <message>
+        <source>Approach</source>
+        <translation>Approche</translation>
+    </message>
+    <message>
         <source>Archives (*.zip *.tar.gz)</source>
         <translation>Archives (*.zip *.tar.gz)</translation>
     </message>
@@ -733,12 +937,24 @@
         <translation>Bras</translation>
     </message>
     <message>
+        <source>As</source>
+        <translation>Comme</translation>
+    </message>
+    <message>
+        <source>As a partner on the other side would do it</source>
+        <translation>Comme le ferait un partenaire de l'autre côté</translation>
+    </message>
+    <message>
         <source>As in</source>
         <translation>Comme dans</translation>
     </message>
     <message>
         <source>As large as it is…</source>
         <translation>À sa taille…</translation>
+    </message>
+    <message>
+        <source>As recorded</source>
+        <translation>Comme enregistré</translation>
     </message>
     <message>
         <source>As shipped</source>
@@ -765,8 +981,16 @@
         <translation>En Z</translation>
     </message>
     <message>
+        <source>At most %1 from the recording; jerk %2 → %3 m/s³</source>
+        <translation>Au plus %1 de l'enregistrement ; à-coup %2 → %3 m/s³</translation>
+    </message>
+    <message>
         <source>Attach</source>
         <translation>Attacher</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
     </message>
     <message>
         <source>Axes and scale</source>
@@ -793,12 +1017,24 @@
         <translation>Arrière</translation>
     </message>
     <message>
+        <source>Backwards in time</source>
+        <translation>À rebours</translation>
+    </message>
+    <message>
+        <source>Bars: points of each run, hatched where it was not passed. Line: help.</source>
+        <translation>Barres : points de chaque essai, hachurées s'il a échoué. Ligne : aide.</translation>
+    </message>
+    <message>
         <source>Base</source>
         <translation>Base</translation>
     </message>
     <message>
         <source>Base in world</source>
         <translation>Base dans le monde</translation>
+    </message>
+    <message>
+        <source>Base, TCP stays</source>
+        <translation>Base, le TCP reste</translation>
     </message>
     <message>
         <source>Begin again</source>
@@ -833,6 +1069,10 @@
         <translation>Dessous</translation>
     </message>
     <message>
+        <source>Brackets in the time bar: what Trim keeps and Delete takes out</source>
+        <translation>Crochets dans la barre de temps : ce que Rogner garde et Supprimer retire</translation>
+    </message>
+    <message>
         <source>Bring in as</source>
         <translation>Importer comme</translation>
     </message>
@@ -843,6 +1083,10 @@
     <message>
         <source>Buttons</source>
         <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
     </message>
     <message>
         <source>By numbers</source>
@@ -925,6 +1169,14 @@
         <translation>Le vérifier</translation>
     </message>
     <message>
+        <source>Check the motion</source>
+        <translation>Vérifier le mouvement</translation>
+    </message>
+    <message>
+        <source>Check the whole way</source>
+        <translation>Vérifier tout le chemin</translation>
+    </message>
+    <message>
         <source>Check this pair again</source>
         <translation>Vérifier de nouveau cette paire</translation>
     </message>
@@ -941,6 +1193,18 @@
         <translation>Choisissez un genre, puis désignez sa géométrie dans la scène</translation>
     </message>
     <message>
+        <source>Choose a motion first.</source>
+        <translation>Choisissez d'abord un mouvement.</translation>
+    </message>
+    <message>
+        <source>Choose a motion to see its curves.</source>
+        <translation>Choisissez un mouvement pour voir ses courbes.</translation>
+    </message>
+    <message>
+        <source>Choose a part first: its brackets stand in the time bar now.</source>
+        <translation>Choisissez d'abord une partie : ses crochets sont dans la barre de temps.</translation>
+    </message>
+    <message>
         <source>Choose a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -949,8 +1213,16 @@
         <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
     </message>
     <message>
+        <source>Choose an exercise</source>
+        <translation>Choisissez un exercice</translation>
+    </message>
+    <message>
         <source>Circle</source>
         <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Clean</source>
+        <translation>Nettoyer</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -959,6 +1231,14 @@
     <message>
         <source>Click a bore, a shaft, an edge or a face: its axis becomes the joint's</source>
         <translation>Cliquez un alésage, un arbre, une arête ou une face : son axe devient celui de l'articulation</translation>
+    </message>
+    <message>
+        <source>Click a dot in the time bar to take hold of a frame; drag it in the scene.</source>
+        <translation>Cliquez un point de la barre de temps pour prendre une image ; tirez-la dans la scène.</translation>
+    </message>
+    <message>
+        <source>Click a dot in the time bar, or choose a part.</source>
+        <translation>Cliquez un point de la barre de temps, ou choisissez une partie.</translation>
     </message>
     <message>
         <source>Click a face, an edge or a corner: there the tool's point is</source>
@@ -999,6 +1279,10 @@
     <message>
         <source>Click to choose for this pair</source>
         <translation>Cliquez pour choisir pour cette paire</translation>
+    </message>
+    <message>
+        <source>Click to play it</source>
+        <translation>Cliquez pour le jouer</translation>
     </message>
     <message>
         <source>Click where the base shall stand</source>
@@ -1085,6 +1369,10 @@
         <translation>Constant</translation>
     </message>
     <message>
+        <source>Constant speed</source>
+        <translation>Vitesse constante</translation>
+    </message>
+    <message>
         <source>Contact</source>
         <translation>Contact</translation>
     </message>
@@ -1095,6 +1383,10 @@
     <message>
         <source>Contact 00</source>
         <translation>Contact 00</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contacts</translation>
     </message>
     <message>
         <source>Contacts are only shown: it passes</source>
@@ -1145,6 +1437,14 @@
         <translation>Courbes</translation>
     </message>
     <message>
+        <source>Curves of</source>
+        <translation>Courbes de</translation>
+    </message>
+    <message>
+        <source>Curves of the motion</source>
+        <translation>Courbes du mouvement</translation>
+    </message>
+    <message>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
     </message>
@@ -1163,6 +1463,10 @@
     <message>
         <source>Degrees</source>
         <translation>Degrés</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Detents</source>
@@ -1209,12 +1513,20 @@
         <translation>Tirez pour déplacer dans le plan de l'écran</translation>
     </message>
     <message>
+        <source>Drag to move the frame</source>
+        <translation>Tirez pour déplacer l'image</translation>
+    </message>
+    <message>
         <source>Drag to move the tool</source>
         <translation>Tirez pour déplacer l'outil</translation>
     </message>
     <message>
         <source>Drag to turn</source>
         <translation>Tirez pour tourner</translation>
+    </message>
+    <message>
+        <source>Drag to turn the frame</source>
+        <translation>Tirez pour tourner l'image</translation>
     </message>
     <message>
         <source>Drag to turn the tool</source>
@@ -1261,6 +1573,10 @@
         <translation>Édition</translation>
     </message>
     <message>
+        <source>Edit and export motions…</source>
+        <translation>Modifier et exporter des mouvements…</translation>
+    </message>
+    <message>
         <source>Edit joints…</source>
         <translation>Modifier les articulations…</translation>
     </message>
@@ -1271,6 +1587,14 @@
     <message>
         <source>End stops, from where it stands now</source>
         <translation>Butées, à partir d'où il est</translation>
+    </message>
+    <message>
+        <source>End the recording  (R)</source>
+        <translation>Finir l'enregistrement  (R)</translation>
+    </message>
+    <message>
+        <source>End the run</source>
+        <translation>Finir l'essai</translation>
     </message>
     <message>
         <source>Entity</source>
@@ -1297,6 +1621,10 @@
         <translation>Événement</translation>
     </message>
     <message>
+        <source>Every</source>
+        <translation>Tous les</translation>
+    </message>
+    <message>
         <source>Everything</source>
         <translation>Tout</translation>
     </message>
@@ -1309,6 +1637,14 @@
         <translation>Tout. Tirez ici des entités de l'arbre pour le restreindre.</translation>
     </message>
     <message>
+        <source>Exercise</source>
+        <translation>Exercice</translation>
+    </message>
+    <message>
+        <source>Exercises (*.hexercise)</source>
+        <translation>Exercices (*.hexercise)</translation>
+    </message>
+    <message>
         <source>Export</source>
         <translation>Exporter</translation>
     </message>
@@ -1317,8 +1653,40 @@
         <translation>Exporter la cellule…</translation>
     </message>
     <message>
+        <source>Export motion</source>
+        <translation>Exporter le mouvement</translation>
+    </message>
+    <message>
+        <source>Export results</source>
+        <translation>Exporter les résultats</translation>
+    </message>
+    <message>
+        <source>Export results…</source>
+        <translation>Exporter les résultats…</translation>
+    </message>
+    <message>
         <source>Export selection…</source>
         <translation>Exporter la sélection…</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportation de %1</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>External axes follow the tool with the robot's own joints</source>
+        <translation>Les axes externes suivent l'outil avec les articulations du robot</translation>
+    </message>
+    <message>
+        <source>External axes go along</source>
+        <translation>Les axes externes suivent</translation>
+    </message>
+    <message>
+        <source>FANUC (.ls)</source>
+        <translation>FANUC (.ls)</translation>
     </message>
     <message>
         <source>FRONT</source>
@@ -1327,6 +1695,14 @@
     <message>
         <source>Face</source>
         <translation>Face</translation>
+    </message>
+    <message>
+        <source>Fastest in the limits</source>
+        <translation>Au plus vite dans les limites</translation>
+    </message>
+    <message>
+        <source>Fastest, limited jerk</source>
+        <translation>Au plus vite, à-coup limité</translation>
     </message>
     <message>
         <source>Feel and files</source>
@@ -1421,6 +1797,10 @@
         <translation>Suivre</translation>
     </message>
     <message>
+        <source>Follow %1.</source>
+        <translation>Suivre %1.</translation>
+    </message>
+    <message>
         <source>Follows</source>
         <translation>Suit</translation>
     </message>
@@ -1431,6 +1811,10 @@
     <message>
         <source>Force</source>
         <translation>Effort</translation>
+    </message>
+    <message>
+        <source>Force N</source>
+        <translation>Effort N</translation>
     </message>
     <message>
         <source>Force and gap over the last 20 seconds</source>
@@ -1511,6 +1895,14 @@
     <message>
         <source>Frame %1 of %2</source>
         <translation>Repère %1 de %2</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2 at %3 s: %4, %5, %6 mm</source>
+        <translation>Image %1 sur %2 à %3 s : %4, %5, %6 mm</translation>
+    </message>
+    <message>
+        <source>Frames so near in time go along when a frame is moved</source>
+        <translation>Les images proches dans le temps suivent quand on en déplace une</translation>
     </message>
     <message>
         <source>Free</source>
@@ -1609,6 +2001,10 @@ Licence Apache 2.0</translation>
         <translation>HaptiCell %1, interface de pilotes %2, protocole %3, noyau %4</translation>
     </message>
     <message>
+        <source>HaptiCell trajectory (.htraj)</source>
+        <translation>Trajectoire HaptiCell (.htraj)</translation>
+    </message>
+    <message>
         <source>HaptiCell: the middle button turns</source>
         <translation>HaptiCell : le bouton du milieu tourne</translation>
     </message>
@@ -1643,6 +2039,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Help</source>
         <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Help fades by a fifth with each success, to nothing; after two failures it grows again.</source>
+        <translation>L'aide baisse d'un cinquième à chaque réussite, jusqu'à rien ; après deux échecs elle remonte.</translation>
     </message>
     <message>
         <source>Help on this panel</source>
@@ -1708,6 +2108,10 @@ Licence Apache 2.0</translation>
         <source>Import %1</source>
         <translation>Importer %1</translation>
     </message>
+    <message numerus="yes">
+        <source>Import %n motion(s)</source>
+        <translation><numerusform>Importer %n mouvement</numerusform><numerusform>Importer %n mouvements</numerusform></translation>
+    </message>
     <message>
         <source>Import CAD or a robot…</source>
         <translation>Importer de la CAO ou un robot…</translation>
@@ -1721,6 +2125,14 @@ Licence Apache 2.0</translation>
         <translation>Tout importer, %1</translation>
     </message>
     <message>
+        <source>Import motions</source>
+        <translation>Importer des mouvements</translation>
+    </message>
+    <message>
+        <source>Import motions…</source>
+        <translation>Importer des mouvements…</translation>
+    </message>
+    <message>
         <source>Import — %1</source>
         <translation>Importer — %1</translation>
     </message>
@@ -1731,6 +2143,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>In the cell: %1.</source>
         <translation>Dans la cellule : %1.</translation>
+    </message>
+    <message>
+        <source>In two at the cursor</source>
+        <translation>En deux au curseur</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Insérer</translation>
     </message>
     <message>
         <source>Iso</source>
@@ -1769,6 +2189,10 @@ Licence Apache 2.0</translation>
         <translation>Il n'est sous rien</translation>
     </message>
     <message>
+        <source>It stays in the cell until the program ends; export it to keep it.</source>
+        <translation>Il reste dans la cellule jusqu'à la fin du programme ; exportez-le pour le garder.</translation>
+    </message>
+    <message>
         <source>It stays where it is</source>
         <translation>Il reste où il est</translation>
     </message>
@@ -1785,6 +2209,10 @@ Licence Apache 2.0</translation>
         <translation>Lui-même</translation>
     </message>
     <message>
+        <source>Jerk</source>
+        <translation>À-coup</translation>
+    </message>
+    <message>
         <source>Jog %1 of %2</source>
         <translation>Marche manuelle de %1 de %2</translation>
     </message>
@@ -1797,6 +2225,10 @@ Licence Apache 2.0</translation>
         <translation>Relier des pièces en mécanisme…</translation>
     </message>
     <message>
+        <source>Join with the next</source>
+        <translation>Joindre au suivant</translation>
+    </message>
+    <message>
         <source>Joint</source>
         <translation>Articulation</translation>
     </message>
@@ -1805,8 +2237,16 @@ Licence Apache 2.0</translation>
         <translation>Articulations</translation>
     </message>
     <message>
+        <source>KUKA KRL (.src, .dat)</source>
+        <translation>KUKA KRL (.src, .dat)</translation>
+    </message>
+    <message>
         <source>Keep checked</source>
         <translation>Garder sous vérification</translation>
+    </message>
+    <message>
+        <source>Keep the part between the brackets as a new motion</source>
+        <translation>Garder la partie entre crochets comme nouveau mouvement</translation>
     </message>
     <message>
         <source>Keep this pose</source>
@@ -1819,6 +2259,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Keep this view</source>
         <translation>Garder cette vue</translation>
+    </message>
+    <message>
+        <source>Keeps the part between the brackets</source>
+        <translation>Garde la partie entre crochets</translation>
     </message>
     <message>
         <source>Key</source>
@@ -1843,6 +2287,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Language</source>
         <translation>Langue</translation>
+    </message>
+    <message numerus="yes">
+        <source>Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, %n contact(s), smoothness %6 (expert %7).</source>
+        <translation><numerusform>Dernier essai : %1 points. %2 s (expert %3 s), %4 mm hors du chemin, au plus %5 N, %n contact, régularité %6 (expert %7).</numerusform><numerusform>Dernier essai : %1 points. %2 s (expert %3 s), %4 mm hors du chemin, au plus %5 N, %n contacts, régularité %6 (expert %7).</numerusform></translation>
     </message>
     <message>
         <source>Lasted</source>
@@ -1889,6 +2337,10 @@ Licence Apache 2.0</translation>
         <translation>Longueur</translation>
     </message>
     <message>
+        <source>Length of the approach or retract, along the tool's axis</source>
+        <translation>Longueur de l'approche ou du retrait, le long de l'axe de l'outil</translation>
+    </message>
+    <message>
         <source>Lengths in</source>
         <translation>Longueurs en</translation>
     </message>
@@ -1899,6 +2351,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Limit</source>
         <translation>Butée</translation>
+    </message>
+    <message>
+        <source>Limits and collisions along the whole motion</source>
+        <translation>Limites et collisions sur tout le mouvement</translation>
+    </message>
+    <message>
+        <source>Limits, singular places, configurations and collisions, between the frames too</source>
+        <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
     </message>
     <message>
         <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
@@ -1973,6 +2433,10 @@ Licence Apache 2.0</translation>
         <translation>Matériau</translation>
     </message>
     <message>
+        <source>Max mm</source>
+        <translation>Max mm</translation>
+    </message>
+    <message>
         <source>Measure</source>
         <translation>Mesurer</translation>
     </message>
@@ -2011,6 +2475,18 @@ Licence Apache 2.0</translation>
     <message>
         <source>Middle button</source>
         <translation>Bouton du milieu</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Mirrored on the plane</source>
+        <translation>Symétrique par rapport au plan</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
     </message>
     <message>
         <source>Mouse and view</source>
@@ -2109,6 +2585,10 @@ Licence Apache 2.0</translation>
         <translation>Poses nommées : aller à l'une, garder celle-ci</translation>
     </message>
     <message>
+        <source>Near a singular position: a direction is nearly lost</source>
+        <translation>Près d'une place singulière : une direction est presque perdue</translation>
+    </message>
+    <message>
         <source>Near colour</source>
         <translation>Couleur proche</translation>
     </message>
@@ -2127,6 +2607,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Near miss under %1 mm</source>
         <translation>Quasi-contact sous %1 mm</translation>
+    </message>
+    <message>
+        <source>Nearer to the recording where it would collide</source>
+        <translation>Plus près de l'enregistrement où il y aurait collision</translation>
     </message>
     <message>
         <source>Never in front of the scene. The newest also stands in the status bar for 8 seconds.</source>
@@ -2157,6 +2641,10 @@ Licence Apache 2.0</translation>
         <translation>Nouvel ensemble de paires</translation>
     </message>
     <message>
+        <source>New times along the same path</source>
+        <translation>Nouveaux temps sur le même chemin</translation>
+    </message>
+    <message>
         <source>New workcell</source>
         <translation>Nouvelle cellule</translation>
     </message>
@@ -2181,12 +2669,20 @@ Licence Apache 2.0</translation>
         <translation>Pas de périphérique</translation>
     </message>
     <message>
+        <source>No exercise</source>
+        <translation>Aucun exercice</translation>
+    </message>
+    <message>
         <source>No figures yet</source>
         <translation>Pas encore de chiffres</translation>
     </message>
     <message>
         <source>No forces</source>
         <translation>Pas d'efforts</translation>
+    </message>
+    <message>
+        <source>No frames</source>
+        <translation>Aucune image</translation>
     </message>
     <message>
         <source>No guides yet</source>
@@ -2205,6 +2701,14 @@ Licence Apache 2.0</translation>
         <translation>Pas de touche</translation>
     </message>
     <message>
+        <source>No motion yet. Press R, move an entity, press R again; or import one.</source>
+        <translation>Pas encore de mouvement. Pressez R, déplacez une entité, pressez R de nouveau ; ou importez-en un.</translation>
+    </message>
+    <message>
+        <source>No motion yet. Record one, or import a file.</source>
+        <translation>Pas encore de mouvement. Enregistrez-en un, ou importez un fichier.</translation>
+    </message>
+    <message>
         <source>No other joint</source>
         <translation>Pas d'autre articulation</translation>
     </message>
@@ -2219,6 +2723,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>No robot of that name</source>
         <translation>Aucun robot de ce nom</translation>
+    </message>
+    <message>
+        <source>No run yet</source>
+        <translation>Pas encore d'essai</translation>
     </message>
     <message>
         <source>No solid is selected</source>
@@ -2247,6 +2755,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>None yet: Keep this view adds one</source>
         <translation>Aucune encore : Garder cette vue en ajoute une</translation>
+    </message>
+    <message>
+        <source>Not checked yet</source>
+        <translation>Pas encore vérifié</translation>
     </message>
     <message>
         <source>Not chosen yet</source>
@@ -2305,6 +2817,10 @@ Licence Apache 2.0</translation>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
     </message>
     <message>
+        <source>Nothing moved: there is nothing to keep.</source>
+        <translation>Rien n'a bougé : il n'y a rien à garder.</translation>
+    </message>
+    <message>
         <source>Nothing moves before you have agreed.</source>
         <translation>Rien ne bouge avant votre accord.</translation>
     </message>
@@ -2333,6 +2849,10 @@ Licence Apache 2.0</translation>
         <translation>Écart d'au plus</translation>
     </message>
     <message>
+        <source>Off mm</source>
+        <translation>Écart mm</translation>
+    </message>
+    <message>
         <source>Offset</source>
         <translation>Décalage</translation>
     </message>
@@ -2349,6 +2869,14 @@ Licence Apache 2.0</translation>
         <translation>Sur le corps</translation>
     </message>
     <message>
+        <source>One frame back (Left, in the time bar)</source>
+        <translation>Une image en arrière (Gauche, dans la barre de temps)</translation>
+    </message>
+    <message>
+        <source>One frame on (Right, in the time bar)</source>
+        <translation>Une image en avant (Droite, dans la barre de temps)</translation>
+    </message>
+    <message>
         <source>One pair touches as the cell stands: %1. Leave it out of the check?</source>
         <translation>Une paire se touche dans la cellule au repos : %1. L'écarter de la vérification ?</translation>
     </message>
@@ -2361,12 +2889,28 @@ Licence Apache 2.0</translation>
         <translation>Une étape d'annulation</translation>
     </message>
     <message>
+        <source>Only the frames that are needed</source>
+        <translation>Seulement les images nécessaires</translation>
+    </message>
+    <message>
+        <source>Only where the arm's last three of six or more turning joints are a wrist</source>
+        <translation>Seulement où les trois dernières de six articulations tournantes ou plus forment un poignet</translation>
+    </message>
+    <message>
+        <source>Only while the robot is held by its tool</source>
+        <translation>Seulement pendant que le robot est tenu par son outil</translation>
+    </message>
+    <message>
         <source>Open a workcell</source>
         <translation>Ouvrir une cellule</translation>
     </message>
     <message>
         <source>Open a workcell…</source>
         <translation>Ouvrir une cellule…</translation>
+    </message>
+    <message>
+        <source>Open an exercise</source>
+        <translation>Ouvrir un exercice</translation>
     </message>
     <message>
         <source>Open it by the handle: a guide leads, stops and a detent are felt.</source>
@@ -2391,6 +2935,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Open…</source>
         <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Orientation kept</source>
+        <translation>Orientation gardée</translation>
     </message>
     <message>
         <source>Origin</source>
@@ -2439,6 +2987,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>PDF (*.pdf);;CSV (*.csv)</source>
         <translation>PDF (*.pdf);;CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;Table (*.csv)</source>
+        <translation>PDF (*.pdf);;Tableau (*.csv)</translation>
     </message>
     <message>
         <source>PLY (*.ply)</source>
@@ -2493,8 +3045,20 @@ Licence Apache 2.0</translation>
         <translation>Traverser</translation>
     </message>
     <message>
+        <source>Passed</source>
+        <translation>Réussi</translation>
+    </message>
+    <message>
+        <source>Passed with %1 points</source>
+        <translation>Réussi avec %1 points</translation>
+    </message>
+    <message>
         <source>Path of a recording</source>
         <translation>Chemin d'un enregistrement</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Payload</source>
@@ -2569,6 +3133,10 @@ Licence Apache 2.0</translation>
         <translation>Désigné : %1. %2.</translation>
     </message>
     <message>
+        <source>Picture of the robot</source>
+        <translation>Image du robot</translation>
+    </message>
+    <message>
         <source>Picture of the view</source>
         <translation>Image de la vue</translation>
     </message>
@@ -2589,8 +3157,28 @@ Licence Apache 2.0</translation>
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Play</source>
+        <translation>Jouer</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Jouer ou suspendre</translation>
+    </message>
+    <message>
+        <source>Played; click to leave it out</source>
+        <translation>Joué ; un clic le met de côté</translation>
+    </message>
+    <message>
         <source>Plugged in, and what is in the way</source>
         <translation>Branchés, et ce qui gêne</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Points and help by run</source>
+        <translation>Points et aide par essai</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -2599,6 +3187,22 @@ Licence Apache 2.0</translation>
     <message>
         <source>Pose the mannequin, look at its reach and its posture.</source>
         <translation>Posez le mannequin, regardez son atteinte et sa posture.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position kept</source>
+        <translation>Position gardée</translation>
+    </message>
+    <message>
+        <source>Position kept, %1 at rest</source>
+        <translation>Position gardée, %1 au repos</translation>
+    </message>
+    <message>
+        <source>Position kept, wrist joint at rest</source>
+        <translation>Position gardée, articulation du poignet au repos</translation>
     </message>
     <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
@@ -2633,6 +3237,10 @@ Licence Apache 2.0</translation>
         <translation>Poser sur</translation>
     </message>
     <message>
+        <source>Quantity of the curves</source>
+        <translation>Grandeur des courbes</translation>
+    </message>
+    <message>
         <source>Quit</source>
         <translation>Quitter</translation>
     </message>
@@ -2641,8 +3249,16 @@ Licence Apache 2.0</translation>
         <translation>R</translation>
     </message>
     <message>
+        <source>R records, Shift+R adds a frame. Recording begins with the first motion.</source>
+        <translation>R enregistre, Maj+R ajoute une image. L'enregistrement commence au premier mouvement.</translation>
+    </message>
+    <message>
         <source>RIGHT</source>
         <translation>DROITE</translation>
+    </message>
+    <message>
+        <source>ROS 2 JointTrajectory (.yaml)</source>
+        <translation>ROS 2 JointTrajectory (.yaml)</translation>
     </message>
     <message>
         <source>Radians</source>
@@ -2651,6 +3267,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Radius</source>
         <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
     </message>
     <message>
         <source>Ramp %1 %, 1 N/ms limit</source>
@@ -2681,6 +3301,10 @@ Licence Apache 2.0</translation>
         <translation>Rapport</translation>
     </message>
     <message>
+        <source>Re-time</source>
+        <translation>Nouveaux temps</translation>
+    </message>
+    <message>
         <source>Reach</source>
         <translation>Atteinte</translation>
     </message>
@@ -2709,8 +3333,40 @@ Licence Apache 2.0</translation>
         <translation>Lecture</translation>
     </message>
     <message>
+        <source>Reading %1</source>
+        <translation>Lecture de %1</translation>
+    </message>
+    <message>
+        <source>Reading motions</source>
+        <translation>Lecture des mouvements</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
         <source>Ready. One step of undo.</source>
         <translation>Prêt. Une étape d'annulation.</translation>
+    </message>
+    <message>
+        <source>Rec %1:%2</source>
+        <translation>Enr. %1:%2</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Enregistrer %1</translation>
+    </message>
+    <message>
+        <source>Record what moves  (R)</source>
+        <translation>Enregistrer ce qui bouge  (R)</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
     </message>
     <message>
         <source>Recordings (*.htraj *.csv *.json);;All files (*)</source>
@@ -2765,6 +3421,18 @@ Licence Apache 2.0</translation>
         <translation>Reprendre la copie</translation>
     </message>
     <message>
+        <source>Results</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Retract</source>
+        <translation>Retrait</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
         <source>Right</source>
         <translation>Droite</translation>
     </message>
@@ -2791,6 +3459,18 @@ Licence Apache 2.0</translation>
     <message>
         <source>Rough</source>
         <translation>Gros</translation>
+    </message>
+    <message>
+        <source>Rounding between lines</source>
+        <translation>Arrondi entre lignes</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Essai %1</translation>
     </message>
     <message>
         <source>STEP (*.step)</source>
@@ -2829,6 +3509,10 @@ Licence Apache 2.0</translation>
         <translation>Enregistrer la cellule</translation>
     </message>
     <message>
+        <source>Save this cell first; then choose the exercise again.</source>
+        <translation>Enregistrez d'abord cette cellule ; puis choisissez de nouveau l'exercice.</translation>
+    </message>
+    <message>
         <source>Saved views</source>
         <translation>Vues gardées</translation>
     </message>
@@ -2859,6 +3543,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Second column</source>
         <translation>Seconde colonne</translation>
+    </message>
+    <message>
+        <source>Second stylus button adds a frame</source>
+        <translation>Le second bouton du stylet ajoute une image</translation>
     </message>
     <message>
         <source>Section</source>
@@ -2965,6 +3653,14 @@ Licence Apache 2.0</translation>
         <translation>Montrer les touches</translation>
     </message>
     <message>
+        <source>Show the motion in the scene; off: the cell as it stands</source>
+        <translation>Montrer le mouvement dans la scène ; arrêt : la cellule telle qu'elle est</translation>
+    </message>
+    <message>
+        <source>Show the room that the motion needs: all its places at once</source>
+        <translation>Montrer la place que demande le mouvement : toutes ses positions à la fois</translation>
+    </message>
+    <message>
         <source>Show this page at start</source>
         <translation>Montrer cette page au démarrage</translation>
     </message>
@@ -2989,8 +3685,20 @@ Licence Apache 2.0</translation>
         <translation>Les touches seules, sans Ctrl, sont en service</translation>
     </message>
     <message>
+        <source>Singularity</source>
+        <translation>Singularité</translation>
+    </message>
+    <message>
         <source>Slide</source>
         <translation>Glisser</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Smooth…</source>
+        <translation>Lisser…</translation>
     </message>
     <message>
         <source>Snap</source>
@@ -3029,12 +3737,28 @@ Licence Apache 2.0</translation>
         <translation>Source</translation>
     </message>
     <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Speed of the play</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
         <source>Speed, drag</source>
         <translation>Vitesse, frein</translation>
     </message>
     <message>
         <source>Sphere</source>
         <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Start the run</source>
+        <translation>Commencer l'essai</translation>
     </message>
     <message>
         <source>Start the server</source>
@@ -3073,6 +3797,14 @@ Licence Apache 2.0</translation>
         <translation>Arrêter</translation>
     </message>
     <message>
+        <source>Stop before it</source>
+        <translation>S'arrêter avant</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Arrêter l'enregistrement</translation>
+    </message>
+    <message>
         <source>Stop the video, %1 % done</source>
         <translation>Arrêter la vidéo, %1 % faits</translation>
     </message>
@@ -3101,6 +3833,14 @@ Licence Apache 2.0</translation>
         <translation>Stylet dans l'espace du périphérique</translation>
     </message>
     <message>
+        <source>Stäubli VAL3 (folder)</source>
+        <translation>Stäubli VAL3 (dossier)</translation>
+    </message>
+    <message>
+        <source>Switch the forces off first: no panel moves while the hand works.</source>
+        <translation>Coupez d'abord les efforts : aucun panneau ne déplace pendant que la main travaille.</translation>
+    </message>
+    <message>
         <source>TCP</source>
         <translation>TCP</translation>
     </message>
@@ -3117,6 +3857,14 @@ Licence Apache 2.0</translation>
         <translation>Tableau (*.csv)</translation>
     </message>
     <message>
+        <source>Table (.csv)</source>
+        <translation>Tableau (.csv)</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>Prise %1</translation>
+    </message>
+    <message>
         <source>Take apart</source>
         <translation>Démonter</translation>
     </message>
@@ -3125,12 +3873,36 @@ Licence Apache 2.0</translation>
         <translation>Sortir</translation>
     </message>
     <message>
+        <source>Take the hand's tremor, keep the path</source>
+        <translation>Ôter le tremblement de la main, garder le chemin</translation>
+    </message>
+    <message>
+        <source>Take the part with the stylus</source>
+        <translation>Prendre la pièce avec le stylet</translation>
+    </message>
+    <message>
         <source>Take this one</source>
         <translation>Prendre celle-ci</translation>
     </message>
     <message>
+        <source>Takes along</source>
+        <translation>Emmène</translation>
+    </message>
+    <message>
+        <source>Takes it out of the cell; its file stays</source>
+        <translation>Le retire de la cellule ; son fichier reste</translation>
+    </message>
+    <message>
+        <source>Takes the hand's tremor, keeps the path</source>
+        <translation>Ôte le tremblement de la main, garde le chemin</translation>
+    </message>
+    <message>
         <source>Teach</source>
         <translation>Apprendre</translation>
+    </message>
+    <message>
+        <source>Teach the current motion</source>
+        <translation>Apprendre le mouvement actuel</translation>
     </message>
     <message>
         <source>Test the force…</source>
@@ -3149,12 +3921,20 @@ Licence Apache 2.0</translation>
         <translation>Le TCP reste où il est</translation>
     </message>
     <message>
+        <source>The arm changes its configuration: %1</source>
+        <translation>Le bras change de configuration : %1</translation>
+    </message>
+    <message>
         <source>The arm is at the edge of its reach</source>
         <translation>Le bras est au bord de son atteinte</translation>
     </message>
     <message>
         <source>The axis or normal points the other way</source>
         <translation>L'axe ou la normale va dans l'autre sens</translation>
+    </message>
+    <message>
+        <source>The base follows the hand; the joints keep the tool where it is in the cell</source>
+        <translation>La base suit la main ; les articulations gardent l'outil où il est dans la cellule</translation>
     </message>
     <message>
         <source>The cell is as it was.</source>
@@ -3181,6 +3961,10 @@ Licence Apache 2.0</translation>
         <translation>La cellule n'a jamais été enregistrée. Comparez-la plutôt à l'importation.</translation>
     </message>
     <message>
+        <source>The chosen motion becomes the expert's, in the cell as it is</source>
+        <translation>Le mouvement choisi devient celui de l'expert, dans la cellule telle qu'elle est</translation>
+    </message>
+    <message>
         <source>The device does not answer: check its cable and power</source>
         <translation>Le périphérique ne répond pas : vérifiez son câble et son alimentation</translation>
     </message>
@@ -3191,6 +3975,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>The devices could not be listed: %1</source>
         <translation>Les périphériques n'ont pas pu être listés : %1</translation>
+    </message>
+    <message>
+        <source>The exercise cannot be opened</source>
+        <translation>L'exercice ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>The expert's recording has no frames.</source>
+        <translation>L'enregistrement de l'expert n'a pas d'images.</translation>
     </message>
     <message>
         <source>The file holds one part.</source>
@@ -3211,6 +4003,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The force loop keeps its time</source>
         <translation>La boucle d'effort tient son rythme</translation>
+    </message>
+    <message>
+        <source>The frame, or all between the brackets</source>
+        <translation>L'image, ou tout entre les crochets</translation>
     </message>
     <message>
         <source>The glove does not answer: nothing was taken.</source>
@@ -3265,6 +4061,14 @@ Licence Apache 2.0</translation>
         <translation>Le module %1 a été laissé de côté. %2</translation>
     </message>
     <message>
+        <source>The motion is not exported</source>
+        <translation>Le mouvement n'est pas exporté</translation>
+    </message>
+    <message>
+        <source>The motion is not imported</source>
+        <translation>Le mouvement n'est pas importé</translation>
+    </message>
+    <message>
         <source>The parts become solids again, where they stand now</source>
         <translation>Les pièces redeviennent des solides, où elles sont maintenant</translation>
     </message>
@@ -3277,6 +4081,14 @@ Licence Apache 2.0</translation>
         <translation>L'enregistrement n'a pas été lu</translation>
     </message>
     <message>
+        <source>The result is not kept</source>
+        <translation>Le résultat n'est pas gardé</translation>
+    </message>
+    <message>
+        <source>The robot cannot reach the frame: %1 mm or rad away</source>
+        <translation>Le robot ne peut pas atteindre l'image : %1 mm ou rad d'écart</translation>
+    </message>
+    <message>
         <source>The robot stands so now.</source>
         <translation>Le robot se tient ainsi maintenant.</translation>
     </message>
@@ -3287,6 +4099,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The robot's tool centre point</source>
         <translation>Le centre outil du robot</translation>
+    </message>
+    <message>
+        <source>The run has no frames: take the part with the stylus and move it.</source>
+        <translation>L'essai n'a pas d'images : prenez la pièce avec le stylet et déplacez-la.</translation>
     </message>
     <message>
         <source>The sample was not added</source>
@@ -3325,6 +4141,14 @@ Licence Apache 2.0</translation>
         <translation>Thème</translation>
     </message>
     <message>
+        <source>There is no %1 in this cell.</source>
+        <translation>Il n'y a pas de %1 dans cette cellule.</translation>
+    </message>
+    <message>
+        <source>There is no motion below this one.</source>
+        <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
+    </message>
+    <message>
         <source>They move together, about the one chosen last.</source>
         <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
     </message>
@@ -3339,6 +4163,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>This entity has no frames</source>
         <translation>Cette entité n'a pas de repère</translation>
+    </message>
+    <message>
+        <source>This motion and the one below it, one after the other</source>
+        <translation>Ce mouvement et celui du dessous, l'un après l'autre</translation>
+    </message>
+    <message>
+        <source>This motion has no joints.</source>
+        <translation>Ce mouvement n'a pas d'articulations.</translation>
     </message>
     <message>
         <source>This pair's own choice; click to change it</source>
@@ -3365,8 +4197,36 @@ Licence Apache 2.0</translation>
         <translation>Temps</translation>
     </message>
     <message>
+        <source>Time bar</source>
+        <translation>Barre de temps</translation>
+    </message>
+    <message>
+        <source>Time in which the greatest acceleration is reached</source>
+        <translation>Temps en lequel la plus grande accélération est atteinte</translation>
+    </message>
+    <message>
+        <source>Time s</source>
+        <translation>Temps s</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Minutage</translation>
+    </message>
+    <message>
         <source>To</source>
         <translation>À</translation>
+    </message>
+    <message>
+        <source>To the beginning</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>À la fin</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -3381,6 +4241,10 @@ Licence Apache 2.0</translation>
         <translation>Centres outil</translation>
     </message>
     <message>
+        <source>Tool, base and safety stay the controller's own</source>
+        <translation>Outil, base et sécurité restent ceux de la commande</translation>
+    </message>
+    <message>
         <source>Tools</source>
         <translation>Outils</translation>
     </message>
@@ -3393,12 +4257,40 @@ Licence Apache 2.0</translation>
         <translation>Dessus</translation>
     </message>
     <message>
+        <source>Touches from the beginning: %1 and %2</source>
+        <translation>Se touchent dès le début : %1 et %2</translation>
+    </message>
+    <message>
         <source>Touchpad</source>
         <translation>Pavé tactile</translation>
     </message>
     <message>
+        <source>Train along a motion…</source>
+        <translation>S'exercer le long d'un mouvement…</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Élève</translation>
+    </message>
+    <message>
+        <source>Training</source>
+        <translation>Entraînement</translation>
+    </message>
+    <message>
+        <source>Training of %1</source>
+        <translation>Entraînement de %1</translation>
+    </message>
+    <message>
         <source>Trajectories</source>
         <translation>Trajectoires</translation>
+    </message>
+    <message>
+        <source>Trajectories (*.htraj *.json *.csv *.yaml *.yml)</source>
+        <translation>Trajectoires (*.htraj *.json *.csv *.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Trajectory</source>
+        <translation>Trajectoire</translation>
     </message>
     <message>
         <source>Tree</source>
@@ -3407,6 +4299,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Tree of %1</source>
         <translation>Arbre de %1</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <translation>Rogner</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>Tube</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -3485,6 +4385,10 @@ Licence Apache 2.0</translation>
         <translation>Unités et décimales</translation>
     </message>
     <message>
+        <source>Universal Robots script (.script)</source>
+        <translation>Script Universal Robots (.script)</translation>
+    </message>
+    <message>
         <source>Unlock</source>
         <translation>Déverrouiller</translation>
     </message>
@@ -3541,6 +4445,10 @@ Licence Apache 2.0</translation>
         <translation>Virtual Desktop</translation>
     </message>
     <message>
+        <source>Wait here</source>
+        <translation>Attendre ici</translation>
+    </message>
+    <message>
         <source>Waiting for the haptic server</source>
         <translation>En attente du serveur haptique</translation>
     </message>
@@ -3551,6 +4459,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Warning</source>
         <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Chemin</translation>
     </message>
     <message>
         <source>Way there</source>
@@ -3565,6 +4477,10 @@ Licence Apache 2.0</translation>
         <translation>Ce qui est tenu n'est pas vérifié pour les collisions</translation>
     </message>
     <message>
+        <source>What is kept where a wrist would have to swing round faster than it can</source>
+        <translation>Ce qui est gardé où un poignet devrait tourner plus vite qu'il ne peut</translation>
+    </message>
+    <message>
         <source>What is picked</source>
         <translation>Ce qui est désigné</translation>
     </message>
@@ -3575,6 +4491,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>What the 3-D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
+    </message>
+    <message>
+        <source>What the check found</source>
+        <translation>Ce que la vérification a trouvé</translation>
     </message>
     <message>
         <source>What the tip touches</source>
@@ -3591,6 +4511,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Wheel the other way round</source>
         <translation>Molette dans l'autre sens</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Quand</translation>
     </message>
     <message>
         <source>Where it snaps in, several with spaces between</source>
@@ -3621,6 +4545,10 @@ Licence Apache 2.0</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
+        <source>Within</source>
+        <translation>Dans</translation>
+    </message>
+    <message>
         <source>Workcell</source>
         <translation>Cellule</translation>
     </message>
@@ -3635,6 +4563,22 @@ Licence Apache 2.0</translation>
     <message>
         <source>World</source>
         <translation>Monde</translation>
+    </message>
+    <message>
+        <source>Write it as a file or a robot's program</source>
+        <translation>L'écrire comme fichier ou programme de robot</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Écrit : %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Written: %1 (%n frame(s)). Tool, base and safety are the controller's own: check them there</source>
+        <translation><numerusform>Écrit : %1 (%n image). Outil, base et sécurité sont ceux de la commande : vérifiez-les là</numerusform><numerusform>Écrit : %1 (%n images). Outil, base et sécurité sont ceux de la commande : vérifiez-les là</numerusform></translation>
     </message>
     <message>
         <source>X</source>
@@ -3705,6 +4649,14 @@ Licence Apache 2.0</translation>
         <translation>comme il est tenu</translation>
     </message>
     <message>
+        <source>being read</source>
+        <translation>en lecture</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
         <source>centimetre</source>
         <translation>centimètre</translation>
     </message>
@@ -3715,6 +4667,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>changed</source>
         <translation>changée</translation>
+    </message>
+    <message>
+        <source>check cancelled</source>
+        <translation>vérification interrompue</translation>
     </message>
     <message>
         <source>checked</source>
@@ -3753,8 +4709,16 @@ Licence Apache 2.0</translation>
         <translation>image %1 ms</translation>
     </message>
     <message>
+        <source>frame moved</source>
+        <translation>image déplacée</translation>
+    </message>
+    <message>
         <source>free gap</source>
         <translation>espace libre</translation>
+    </message>
+    <message>
+        <source>free of contact</source>
+        <translation>sans contact</translation>
     </message>
     <message>
         <source>free to move</source>
@@ -3793,12 +4757,20 @@ Licence Apache 2.0</translation>
         <translation>inverse : %1</translation>
     </message>
     <message>
+        <source>joined</source>
+        <translation>joint</translation>
+    </message>
+    <message>
         <source>kg</source>
         <translation>kg</translation>
     </message>
     <message>
         <source>late %1 ms</source>
         <translation>retard %1 ms</translation>
+    </message>
+    <message>
+        <source>least gap %1 mm at %2 s</source>
+        <translation>distance minimale %1 mm à %2 s</translation>
     </message>
     <message>
         <source>left out</source>
@@ -3821,12 +4793,20 @@ Licence Apache 2.0</translation>
         <translation>verrouillé sur place</translation>
     </message>
     <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
         <source>metre</source>
         <translation>mètre</translation>
     </message>
     <message>
         <source>millimetre</source>
         <translation>millimètre</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>en miroir</translation>
     </message>
     <message>
         <source>mm</source>
@@ -3841,12 +4821,28 @@ Licence Apache 2.0</translation>
         <translation>mm de large</translation>
     </message>
     <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>nom</translation>
+    </message>
+    <message>
         <source>near miss</source>
         <translation>quasi-contact</translation>
     </message>
     <message>
         <source>needs none</source>
         <translation>n'en demande pas</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
     </message>
     <message>
         <source>no device</source>
@@ -3889,8 +4885,24 @@ Licence Apache 2.0</translation>
         <translation>maintenant</translation>
     </message>
     <message>
+        <source>of %1</source>
+        <translation>de %1</translation>
+    </message>
+    <message>
         <source>off</source>
         <translation>arrêt</translation>
+    </message>
+    <message>
+        <source>on X = 0</source>
+        <translation>sur X = 0</translation>
+    </message>
+    <message>
+        <source>on Y = 0</source>
+        <translation>sur Y = 0</translation>
+    </message>
+    <message>
+        <source>on Z = 0</source>
+        <translation>sur Z = 0</translation>
     </message>
     <message>
         <source>on contact</source>
@@ -3909,12 +4921,48 @@ Licence Apache 2.0</translation>
         <translation>pièces</translation>
     </message>
     <message>
+        <source>re-timed</source>
+        <translation>nouveaux temps</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>enregistrement</translation>
+    </message>
+    <message>
+        <source>resampled</source>
+        <translation>rééchantillonné</translation>
+    </message>
+    <message>
+        <source>results.pdf</source>
+        <translation>resultats.pdf</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation>inversé</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
         <source>saved</source>
         <translation>enregistrée</translation>
     </message>
     <message>
         <source>scale</source>
         <translation>échelle</translation>
+    </message>
+    <message>
+        <source>simplified</source>
+        <translation>simplifié</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>lissé</translation>
+    </message>
+    <message>
+        <source>split</source>
+        <translation>coupé</translation>
     </message>
     <message>
         <source>step %1 ms</source>
@@ -3927,6 +4975,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>stylus button</source>
         <translation>bouton du stylet</translation>
+    </message>
+    <message>
+        <source>the controller's</source>
+        <translation>ceux de la commande</translation>
     </message>
     <message>
         <source>the placements of the imported files</source>
@@ -3945,6 +4997,14 @@ Licence Apache 2.0</translation>
         <translation>touche %1</translation>
     </message>
     <message>
+        <source>trainee</source>
+        <translation>élève</translation>
+    </message>
+    <message>
+        <source>trimmed</source>
+        <translation>rogné</translation>
+    </message>
+    <message>
         <source>turns about %1</source>
         <translation>tourne autour de %1</translation>
     </message>
@@ -3955,6 +5015,38 @@ Licence Apache 2.0</translation>
     <message>
         <source>undone</source>
         <translation>annulé</translation>
+    </message>
+    <message>
+        <source>with a frame</source>
+        <translation>avec une image</translation>
+    </message>
+    <message>
+        <source>with a wait</source>
+        <translation>avec une attente</translation>
+    </message>
+    <message>
+        <source>with approach</source>
+        <translation>avec approche</translation>
+    </message>
+    <message>
+        <source>with retract</source>
+        <translation>avec retrait</translation>
+    </message>
+    <message>
+        <source>without a frame</source>
+        <translation>sans une image</translation>
+    </message>
+    <message>
+        <source>without a part</source>
+        <translation>sans une partie</translation>
+    </message>
+    <message>
+        <source>x, y, z</source>
+        <translation>x, y, z</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
 </context>
 </TS>
