@@ -116,6 +116,7 @@ TEST(GizmoInTheScene, StepsKeepToTheGridAndControlSnapsToTheOtherPart) {
   page.showDock("dockMove");
   page.press("switchGrid");
   page.type("fieldGrid", "40");
+  page.lookAt({0.2, 0, 0}, 0.35);
   page.select(page.left);
   page.key(Qt::Key_W);
   page.drag(page.arrowOf({0, 0, 0}), page.arrowOf({0, 0, 0}, 0.09));
@@ -164,6 +165,7 @@ TEST(PutOnto, LaysAFaceFlatOnAFace) {
   EditPage page;
   page.select(page.left);
   page.showDock("dockMove");
+  page.lookAt({0.2, 0, 0}, 0.35);  // The dock took room from the scene.
   page.press("buttonOnto");
   page.clickPoint({0.02, 0.01, kHalf});
   ASSERT_TRUE(page.window().viewport().isPicking()) << "the second is asked for";

@@ -17,8 +17,8 @@ class MeasurePage : public CellPage {
     settle();
     addSolid("left", geometry::makeBox({0.1, 0.1, 0.1}));
     addSolid("right", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.35, 0, 0.02}));
-    lookAt({0.17, 0, 0}, 0.3);
     trigger("actionMeasure");
+    lookAt({0.17, 0, 0}, 0.3);  // The dock took room from the scene.
   }
   QString number() { return find<QLabel>("labelMeasure")->text(); }
   QString text() { return window().findChild<MeasurePanel*>()->text(); }
