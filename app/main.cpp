@@ -134,7 +134,7 @@ void whenRead(MainWindow& window, int delay_ms, const std::function<void()>& act
 }
 
 void printFrameTimes(MainWindow& window) {
-  const char* const names[]{"full", "no occlusion", "plain", "no edges", "half size", "boxes"};
+  const char* const names[]{"full", "no occlusion", "plain", "no edges", "half size", "coarse"};
   const std::vector<double> medians = window.viewport().measureFrames(9);
   for (std::size_t i = 0; i < medians.size(); ++i) std::printf("%-14s %7.1f ms\n", names[i], 1000.0 * medians[i]);
 }

@@ -79,8 +79,20 @@ std::string peerFiles(const fs::path& file) {
   return words;
 }
 
+/// Of this process and of its children that have ended.
+double processorSeconds() {
+  double sum = 0.0;
+  for (const int whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    ::getrusage(whose, &used);
+    for (const timeval& t : {used.ru_utime, used.ru_stime})
+      sum += static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  }
+  return sum;
+}
+
 struct Peer {
-  double seconds = -1.0;
+  double seconds = -1.0, processor = 0.0;
   long triangles = 0, megabytes = 0;
 };
 
@@ -88,18 +100,20 @@ Peer runPeer(const fs::path& program, const std::string& files) {
   Peer peer;
   if (files.empty()) return peer;
   FILE* pipe = ::popen(("'" + program.string() + "' " + files + " 2>/dev/null").c_str(), "r");
-  if (!pipe || std::fscanf(pipe, "%lf s, %ld triangles, %ld MB", &peer.seconds, &peer.triangles, &peer.megabytes) != 3)
+  if (!pipe || std::fscanf(pipe, "%lf s, %lf s of processor, %ld triangles, %ld MB", &peer.seconds, &peer.processor,
+                           &peer.triangles, &peer.megabytes) != 4)
     peer.seconds = -1.0;
   if (pipe) ::pclose(pipe);
   return peer;
 }
 
 void row(const fs::path& plain, const fs::path& file) {
-  double ours = 1e9;
-  Peer peer{1e9, 0, 0};
+  double ours = 1e9, processor = 1e9;
+  Peer peer{1e9, 0, 0, 0};
   std::size_t triangles = 0;
   long memory = 0, importer = 0;
   for (int run = 0; run < kRuns; ++run) {  // Taken in turns, so that what loads the machine loads both.
+    const double used = processorSeconds();
     const auto begin = std::chrono::steady_clock::now();
     const auto count = read(file);
     if (!count) {
@@ -107,6 +121,7 @@ void row(const fs::path& plain, const fs::path& file) {
       return;
     }
     ours = std::min(ours, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    processor = std::min(processor, processorSeconds() - used);
     triangles = *count;
     if (run == 0) {  // Before the peer is a child too.
       rusage self{}, children{};
@@ -122,11 +137,12 @@ void row(const fs::path& plain, const fs::path& file) {
       peer = other;
   }
   const std::string name = file.parent_path().filename() / file.filename();
-  std::printf("| %s | %zu | %.3f | %ld + %ld |", name.c_str(), triangles, ours, memory, importer);
+  std::printf("| %s | %zu | %.3f (%.3f) | %ld + %ld |", name.c_str(), triangles, ours, processor, memory, importer);
   if (peer.seconds < 0.0)
     std::printf(" | | | |\n");
   else
-    std::printf(" %ld | %.3f | %ld | %.2f |\n", peer.triangles, peer.seconds, peer.megabytes, ours / peer.seconds);
+    std::printf(" %ld | %.3f (%.3f) | %ld | %.2f (%.2f) |\n", peer.triangles, peer.seconds, peer.processor,
+                peer.megabytes, ours / peer.seconds, processor / std::max(1e-3, peer.processor));
 }
 
 }  // namespace

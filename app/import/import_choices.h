@@ -31,9 +31,8 @@ QualityMeasure measureOf(MeshQuality quality);
 /// For the importer.
 workcell::ImportOptions optionsOf(const ImportChoices& choices);
 
-/// What an import with another quality will make, from one that was made: triangles grow with the root of the chord's
-/// ratio (a cylinder's facets), never slower than the angle asks for. A guess, within a factor of two on machined
-/// parts.
+/// What an import with another quality will make, from one that was made. Growth is that of real machined parts: within
+/// a factor of two.
 struct ImportEstimate {
   double chord = 0.0;  ///< Metres.
   double triangles = 0.0;

@@ -67,7 +67,7 @@ void CapPass::fill(const Frame& frame, const FrameView& view, const RenderItem& 
 }
 
 void CapPass::draw(const Frame& frame, const FrameView& view, GpuMeshCache& meshes) {
-  if (!frame.section || !counter_ || !cap_ || frame.detail == DetailLevel::kBoxes) return;
+  if (!frame.section || !counter_ || !cap_ || frame.detail == DetailLevel::kCoarse) return;
   gl_.glClearStencil(0);
   gl_.glClear(GL_STENCIL_BUFFER_BIT);
   gl_.glEnable(GL_STENCIL_TEST);

@@ -12,7 +12,7 @@ constexpr int kLongPatience = 300;  // Frames: about half a minute at 10 Hz.
 
 void DetailGovernor::frameTook(double seconds) {
   const int level = static_cast<int>(level_);
-  const int last = static_cast<int>(DetailLevel::kBoxes);
+  const int last = static_cast<int>(DetailLevel::kCoarse);
   last_took_[level] = seconds;
   if (seconds > budget_s_) {
     // A step that was just given back was one too many: wait longer before the next try.

@@ -5,14 +5,14 @@
 
 namespace hapticell::app {
 
-/// How much of the picture is drawn. Each step drops what is missed least; the last one draws boxes for heavy parts.
+/// How much of the picture is drawn. Each step drops what is missed least; the last one draws the coarsest triangles of each part.
 enum class DetailLevel {
   kFull,         ///< Occlusion, shadows, all edges, outlines.
   kNoOcclusion,  ///< Without ambient occlusion; shadows of what stood still.
   kPlain,        ///< Without shadows.
   kNoEdges,      ///< Faces only; states stay marked.
   kHalfSize,     ///< The same at half the resolution.
-  kBoxes         ///< Heavy parts as boxes.
+  kCoarse        ///< Parts by their coarsest triangles.
 };
 
 /// Chooses the detail while things move, from the time that frames take, so that the window keeps its rate.

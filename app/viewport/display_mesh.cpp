@@ -137,6 +137,7 @@ DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_an
   const Faces faces = facesOf(mesh);
   const double cosine = std::cos(crease_angle);
   addVertices(mesh, same, faces, cosine, display);
+  display.steps = {{0, display.indices.size(), 0.0}};
   addEdges(mesh, same, faces, cosine, display);
   return display;
 }

@@ -23,12 +23,19 @@ struct DisplayEdge {
   fvec3 normal_b;
 };
 
+/// Some of a display mesh's indices: all its triangles, or fewer that stand for them.
+struct DetailStep {
+  std::size_t first = 0, count = 0;  ///< Indices.
+  double error = 0.0;                ///< Metres between its surface and the mesh's, about.
+};
+
 /// A mesh made ready for drawing. No OpenGL in here.
 struct DisplayMesh {
   dvec3 center{0.0};        ///< p_MC; positions are relative to it, so that large coordinates keep their digits.
   geometry::Bounds bounds;  ///< In M.
   std::vector<DisplayVertex> vertices;
-  std::vector<std::uint32_t> indices;  ///< Three a triangle.
+  std::vector<std::uint32_t> indices;  ///< Three a triangle; those of all steps, one after the other.
+  std::vector<DetailStep> steps;       ///< The first is the mesh itself; addDetailSteps() adds coarser ones.
   std::vector<DisplayEdge> edges;      ///< Creases and borders first, then the smooth ones.
   std::size_t creases = 0;             ///< How many of `edges` are creases or borders.
   bool closed = true;                  ///< Each edge has two triangles: it bounds a solid.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/display_mesh_worker.h"
 
+#include "app/viewport/detail_steps.h"
+
 namespace hapticell::app {
 
 DisplayMeshWorker::DisplayMeshWorker(std::function<void()> on_ready) : on_ready_(std::move(on_ready)) {
@@ -19,6 +21,7 @@ std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const g
     const std::shared_ptr<PreparedMesh> answer = waiting.lock();
     if (!answer) return;
     answer->mesh = makeDisplayMesh(*mesh);
+    addDetailSteps(answer->mesh);
     answer->ready.store(true, std::memory_order_release);
     if (on_ready_) on_ready_();
   });

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "app/viewport/instance_buffer.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -14,8 +16,8 @@ const void* offset(std::size_t bytes) {
 
 }  // namespace
 
-GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh) : gl_(gl), center_(mesh.center), bounds_(mesh.bounds), closed_(mesh.closed) {
-  index_count_ = static_cast<GLsizei>(mesh.indices.size());
+GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
+    : gl_(gl), counted_(counted), steps_(mesh.steps), center_(mesh.center), bounds_(mesh.bounds), closed_(mesh.closed) {
   edge_count_ = static_cast<GLsizei>(mesh.edges.size());
   crease_count_ = static_cast<GLsizei>(mesh.creases);
   gl_.glGenBuffers(3, buffers_);
@@ -51,14 +53,30 @@ GpuMesh::~GpuMesh() {
 }
 
 void GpuMesh::drawFaces() {
+  if (steps_.empty()) return;
   gl_.glBindVertexArray(face_array_);
-  gl_.glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  gl_.glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(steps_[0].count), GL_UNSIGNED_INT, nullptr);
+  ++counted_.calls;
+  counted_.triangles += triangles();
+}
+
+void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count) {
+  if (steps_.empty() || count == 0) return;
+  const DetailStep& drawn = steps_[std::min(step, steps_.size() - 1)];
+  gl_.glBindVertexArray(face_array_);
+  uses.attach(first);
+  gl_.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(drawn.count), GL_UNSIGNED_INT,
+                              offset(drawn.first * sizeof(std::uint32_t)), static_cast<GLsizei>(count));
+  ++counted_.calls;
+  counted_.instances += count;
+  counted_.triangles += drawn.count / 3 * count;
 }
 
 void GpuMesh::drawEdges(GLsizei count) {
   if (count == 0) return;
   gl_.glBindVertexArray(edge_array_);
   gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+  ++counted_.calls;
 }
 
 void GpuMesh::drawCreases() {
@@ -76,12 +94,12 @@ GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& m
     entry.mesh.reset();
     entry.source = mesh;
     if (mesh->triangles.size() <= kSmallMesh)
-      entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh));
+      entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh), counted_);
     else
       entry.prepared = worker_.prepare(mesh);
   }
   if (entry.prepared && entry.prepared->ready.load(std::memory_order_acquire)) {
-    entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh);
+    entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh, counted_);
     entry.prepared.reset();
   }
   return entry.mesh.get();

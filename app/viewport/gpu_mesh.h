@@ -9,32 +9,45 @@
 
 namespace hapticell::app {
 
+/// What was drawn since it was last set back.
+struct DrawCount {
+  std::size_t calls = 0, triangles = 0, instances = 0;
+};
+
+class InstanceBuffer;
+
 /// A mesh in the graphics card's memory: faces, and edges as instances of a quad.
 class GpuMesh {
  public:
-  GpuMesh(Gl& gl, const DisplayMesh& mesh);
+  GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted);
   ~GpuMesh();
   GpuMesh(const GpuMesh&) = delete;
   GpuMesh& operator=(const GpuMesh&) = delete;
 
+  /// All triangles, once.
   void drawFaces();
+  /// The triangles of a step of detail for `count` of the buffer's uses, from the `first` on, by one call.
+  void drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count);
   void drawCreases();
   void drawAllEdges();
   const dvec3& center() const { return center_; }
   const geometry::Bounds& bounds() const { return bounds_; }
   bool closed() const { return closed_; }
-  std::size_t triangles() const { return static_cast<std::size_t>(index_count_) / 3; }
+  const std::vector<DetailStep>& steps() const { return steps_; }
+  std::size_t triangles() const { return steps_.empty() ? 0 : steps_[0].count / 3; }
   std::size_t edges() const { return static_cast<std::size_t>(edge_count_); }
 
  private:
   void drawEdges(GLsizei count);
   Gl& gl_;
+  DrawCount& counted_;
+  std::vector<DetailStep> steps_;
   dvec3 center_;
   geometry::Bounds bounds_;
   bool closed_ = true;
   GLuint face_array_ = 0, edge_array_ = 0;
   GLuint buffers_[3]{};
-  GLsizei index_count_ = 0, edge_count_ = 0, crease_count_ = 0;
+  GLsizei edge_count_ = 0, crease_count_ = 0;
 };
 
 /// Meshes by their address: shared ones are uploaded once; those that no longer occur are let go. Large meshes are made
@@ -51,6 +64,7 @@ class GpuMeshCache {
   std::size_t pending() const;
   /// Waits until of() has an answer for all that were asked for.
   void wait() { worker_.wait(); }
+  DrawCount& counted() { return counted_; }
 
  private:
   struct Entry {
@@ -60,6 +74,7 @@ class GpuMeshCache {
     bool used = true;
   };
   Gl& gl_;
+  DrawCount counted_;
   DisplayMeshWorker worker_;
   std::map<const geometry::TriangleMesh*, Entry> entries_;
 };

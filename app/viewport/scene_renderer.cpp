@@ -210,6 +210,7 @@ void SceneRenderer::draw(const Frame& wanted) {
     frame.width = std::max(1, frame.width / 2);
     frame.height = std::max(1, frame.height / 2);
   }
+  p.meshes.counted() = {};
   p.scene.resize(frame.width, frame.height);
   p.refined = frame.refine;
   if ((p.refined ? p.mean : p.quick).resize(frame.width, frame.height)) frame.sample = 0;
@@ -228,6 +229,9 @@ void SceneRenderer::render(const Frame& frame, GLuint framebuffer) {
 
 std::size_t SceneRenderer::missingParts() const {
   return passes_->meshes.pending();
+}
+DrawCount SceneRenderer::lastCount() const {
+  return passes_->meshes.counted();
 }
 void SceneRenderer::waitForParts() {
   passes_->meshes.wait();

@@ -7,6 +7,7 @@
 
 #include "app/viewport/frame.h"
 #include "app/viewport/gl.h"
+#include "app/viewport/gpu_mesh.h"
 
 namespace hapticell::app {
 
@@ -39,6 +40,8 @@ class SceneRenderer {
   std::size_t missingParts() const;
   /// Waits until none is missing.
   void waitForParts();
+  /// What the last call of draw() drew: calls, triangles of faces, uses of meshes.
+  DrawCount lastCount() const;
   static constexpr int kSamples = 24;  ///< After so many a still picture is finished.
 
  private:

@@ -23,7 +23,7 @@ dvec3 lightDirection(int sample) {
 }  // namespace
 
 ShadowPass::ShadowPass(Gl& gl)
-    : gl_(gl), program_(loadProgram("depth", "depth")), target_(gl, {{}, true, false, true, false}) {}
+    : gl_(gl), program_(loadProgram("shadow", "depth")), target_(gl, {{}, true, false, true, false}), uses_(gl) {}
 
 void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   ready_ = false;
@@ -43,15 +43,18 @@ void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   gl_.glPolygonOffset(2.5f, 6.0f);
   if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   program_->bind();
-  for (const RenderItem& item : frame.items) {
-    if (!item.casts_shadow || !item.mesh) continue;
-    GpuMesh* mesh = meshes.of(item.mesh);
-    if (!mesh) continue;
-    const glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
-    setMatrix(gl_, *program_, "clip_from_model", light_from_world_ * world_from_model);
-    const glm::vec4 section = sectionInModel(frame, item, world_from_model);
-    program_->setUniformValue("section", section.x, section.y, section.z, section.w);
-    mesh->drawFaces();
+  const std::vector<ItemBatch> batches = shadowBatches(frame, 2.0 * radius / kMapSize, meshes);
+  std::vector<ItemInstance> uses;
+  for (const ItemBatch& batch : batches)
+    for (const std::uint32_t item : batch.items)
+      setRows(uses.emplace_back(), light_from_world_ * worldFromDisplay(frame.items[item], batch.mesh->center()));
+  uses_.fill(uses);
+  const glm::vec4 section = sectionIn(frame, light_from_world_);
+  program_->setUniformValue("section", section.x, section.y, section.z, section.w);
+  std::size_t first = 0;
+  for (const ItemBatch& batch : batches) {
+    batch.mesh->drawUses(batch.step, uses_, first, batch.items.size());
+    first += batch.items.size();
   }
   gl_.glDisable(GL_CLIP_DISTANCE0);
   gl_.glDisable(GL_POLYGON_OFFSET_FILL);

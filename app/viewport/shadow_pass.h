@@ -4,6 +4,7 @@
 #include "app/viewport/frame.h"
 #include "app/viewport/gl.h"
 #include "app/viewport/gpu_mesh.h"
+#include "app/viewport/instance_buffer.h"
 
 namespace hapticell::app {
 
@@ -22,6 +23,7 @@ class ShadowPass {
   Gl& gl_;
   std::unique_ptr<QOpenGLShaderProgram> program_;
   RenderTarget target_;
+  InstanceBuffer uses_;
   glm::dmat4 light_from_world_{1.0};
   bool ready_ = false;
 };

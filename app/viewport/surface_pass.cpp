@@ -8,20 +8,19 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kFrontRange = 0.01;           // Of the depth range: what is drawn over the scene.
-constexpr std::size_t kHeavyTriangles = 4000;  // From here on a part becomes a box at the last level of detail.
-
-std::shared_ptr<const geometry::TriangleMesh> unitBox() {
-  auto box = std::make_shared<geometry::TriangleMesh>();
-  for (int i = 0; i < 8; ++i)
-    box->vertices.emplace_back((i & 1) ? 0.5 : -0.5, (i & 2) ? 0.5 : -0.5, (i & 4) ? 0.5 : -0.5);
-  box->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-  return box;
-}
-
+constexpr double kFrontRange = 0.01;  // Of the depth range: what is drawn over the scene.
 fvec3 linear(const std::array<float, 3>& srgb) {
   return {srgb[0] * srgb[0], srgb[1] * srgb[1], srgb[2] * srgb[2]};
+}
+
+/// Parts of a few pixels are all edge: lines would only darken them. What the eye does not see needs none.
+bool showsEdges(const Frame& frame, const FrameView& view, const RenderItem& item, const GpuMesh& mesh) {
+  constexpr double kFewPixels = 4.0;  // Radius.
+  const dvec3 p_WC = item.X_WM * (item.scale * mesh.bounds().center());
+  const double radius = item.scale * mesh.bounds().radius();
+  if (isOutside(view.clip_from_world, p_WC, radius)) return false;
+  const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
+  return radius >= kFewPixels * frame.pixel_ratio * frame.camera.metresPerPixel(p_WC, size);
 }
 
 }  // namespace
@@ -44,38 +43,37 @@ FrameView viewOf(const Frame& frame) {
 }
 
 SurfacePass::SurfacePass(Gl& gl)
-    : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST", "SECTIONED"}), box_(unitBox()) {}
+    : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST", "SECTIONED", "SOFT"}), uses_(gl) {}
 
-void SurfacePass::drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
-                           const FrameView& view, GpuMeshCache& meshes) {
-  GpuMesh* mesh = meshes.of(item.mesh);
-  if (!mesh) return;
-  glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
-  if (frame.detail == DetailLevel::kBoxes && mesh->triangles() > kHeavyTriangles) {
-    GpuMesh* box = meshes.of(box_);
-    if (box) world_from_model = glm::scale(world_from_model, mesh->bounds().size());
-    if (box) mesh = box;
+void SurfacePass::drawBatches(QOpenGLShaderProgram& program, const std::vector<ItemBatch>& batches, const Frame& frame,
+                              const FrameView& view, bool hatched) {
+  std::vector<ItemInstance> uses;
+  for (const ItemBatch& batch : batches) {
+    for (const std::uint32_t index : batch.items) {
+      const RenderItem& item = frame.items[index];
+      ItemInstance& use = uses.emplace_back();
+      setRows(use, view.view_from_world * worldFromDisplay(item, batch.mesh->center()));
+      use.albedo = linear(item.color);
+      use.id = item.ghost != Ghost::kNone ? 0u : (index + 1) | item.state << 24;
+    }
   }
-  const glm::mat3 rotation = glm::mat3(glm::mat3_cast(item.X_WM.q));
-  setMatrix(gl_, program, "clip_from_model", view.clip_from_world * world_from_model);
-  setMatrix(gl_, program, "view_from_model", view.view_from_world * world_from_model);
-  setMatrix(gl_, program, "light_from_model", light_from_world_ * world_from_model);
-  gl_.glUniformMatrix3fv(program.uniformLocation("world_from_model"), 1, GL_FALSE, glm::value_ptr(rotation));
-  if (frame.section) {
-    const glm::vec4 section = sectionInModel(frame, item, world_from_model);
-    program.setUniformValue("section", section.x, section.y, section.z, section.w);
+  uses_.fill(uses);
+  const glm::vec4 section = sectionIn(frame, view.view_from_world);
+  std::size_t first = 0;
+  for (const ItemBatch& batch : batches) {
+    const fvec3& hatch = frame.colors.set_colors[batch.set_color].contact;
+    if (hatched) program.setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
+    if (batch.own) program.setUniformValue("hatch_color", (*batch.own)[0], (*batch.own)[1], (*batch.own)[2]);
+    program.setUniformValue("pattern", static_cast<float>(batch.pattern));
+    if (frame.section && batch.over_scene)
+      program.setUniformValue("section", 0.0f, 0.0f, 0.0f, 1.0f);
+    else if (frame.section)
+      program.setUniformValue("section", section.x, section.y, section.z, section.w);
+    if (batch.over_scene) gl_.glDepthRange(0.0, kFrontRange);
+    batch.mesh->drawUses(batch.step, uses_, first, batch.items.size());
+    if (batch.over_scene) gl_.glDepthRange(0.0, 1.0);
+    first += batch.items.size();
   }
-  const fvec3 albedo = linear(item.color);
-  program.setUniformValue("albedo", albedo.x, albedo.y, albedo.z);
-  program.setUniformValue("pattern", static_cast<float>(item.pattern));
-  gl_.glUniform1ui(program.uniformLocation("id"), id | item.state << 24);
-  if (item.state & kContact) {
-    const fvec3& hatch = frame.colors.set_colors[(item.state >> kSetColorShift) % kSetColors].contact;
-    program.setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
-  }
-  if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
-  mesh->drawFaces();
-  if (item.over_scene) gl_.glDepthRange(0.0, 1.0);
 }
 
 void SurfacePass::prepare(QOpenGLShaderProgram& program, const Frame& frame, const FrameView& view,
@@ -84,71 +82,52 @@ void SurfacePass::prepare(QOpenGLShaderProgram& program, const Frame& frame, con
   const fvec3 key(keyLightDirection_W());
   const fvec3 eye(-frame.camera.forward_W());
   const glm::mat3 world_from_view = glm::transpose(glm::mat3(view.view_from_world));
+  setMatrix(gl_, program, "clip_from_view", view.clip_from_view);
   program.setUniformValue("key_direction", key.x, key.y, key.z);
   program.setUniformValue("eye_direction", eye.x, eye.y, eye.z);
   program.setUniformValue("perspective", frame.camera.perspective);
   program.setUniformValue("pixel_ratio", static_cast<float>(frame.pixel_ratio));
   gl_.glUniformMatrix3fv(program.uniformLocation("world_from_view"), 1, GL_FALSE, glm::value_ptr(world_from_view));
-  const fvec3& hatch = frame.colors.contact;
-  program.setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
-  if (shadow) bindTexture(gl_, program, "shadow_map", 0, shadow->map());
+  if (!shadow) return;
+  setMatrix(gl_, program, "light_from_view", shadow->lightFromWorld() * glm::inverse(view.view_from_world));
+  bindTexture(gl_, program, "shadow_map", 0, shadow->map());
+  program.setUniformValue("turn", static_cast<float>(frame.sample));
 }
 
 void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes) {
   if (shadow && !shadow->ready()) shadow = nullptr;
-  if (shadow) light_from_world_ = shadow->lightFromWorld();
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_TRUE);
   gl_.glDisable(GL_BLEND);
-  // Nearest first: what lies behind is not shaded then.
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
-    const RenderItem& item = frame.items[i];
-    if (!item.mesh || item.ghost != Ghost::kNone) continue;
-    GpuMesh* mesh = meshes.of(item.mesh);
-    if (!mesh) continue;
-    const geometry::Bounds& bounds = mesh->bounds();
-    const dvec3 p_WC = item.X_WM * (item.scale * bounds.center());
-    order.emplace_back(glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - item.scale * bounds.radius(),
-                       i);
-    if (item.over_scene) order.back().first = -1e30;
-  }
-  std::sort(order.begin(), order.end());
-  const unsigned cut = frame.section ? 8u : 0u;
   if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
+  const unsigned set = (shadow ? 1u : 0u) | (frame.section ? 8u : 0u) | (shadow && frame.refine ? 16u : 0u);
   for (const bool hatched : {false, true}) {
-    const auto wanted = [&](const auto& entry) {
-      return ((frame.items[entry.second].state & kContact) != 0) == hatched;
-    };
-    if (std::none_of(order.begin(), order.end(), wanted)) continue;
-    QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (hatched ? 2u : 0u) | cut);
+    const auto batches =
+        batchesOf(frame, view.clip_from_world, hatched ? ItemKind::kHatched : ItemKind::kPlain, meshes);
+    if (batches.empty()) continue;
+    QOpenGLShaderProgram* program = programs_.of(set | (hatched ? 2u : 0u));
     if (!program) break;
     prepare(*program, frame, view, shadow);
-    for (const auto& entry : order)
-      if (wanted(entry)) drawItem(*program, frame.items[entry.second], entry.second + 1, frame, view, meshes);
+    drawBatches(*program, batches, frame, view, hatched);
   }
   drawGhosts(frame, view, meshes);
   gl_.glDisable(GL_CLIP_DISTANCE0);
 }
 
 void SurfacePass::drawGhosts(const Frame& frame, const FrameView& view, GpuMeshCache& meshes) {
-  const auto is_ghost = [](const RenderItem& item) { return item.ghost != Ghost::kNone && item.mesh; };
-  if (std::none_of(frame.items.begin(), frame.items.end(), is_ghost)) return;
-  QOpenGLShaderProgram* program = programs_.of(4u | (frame.section ? 8u : 0u));
-  if (!program) return;
-  prepare(*program, frame, view, nullptr);
-  // What is behind keeps its identity: it is picked and outlined through the ghost.
-  gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  for (const RenderItem& item : frame.items) {
-    if (!is_ghost(item)) continue;
-    const fvec3 own(item.color[0], item.color[1], item.color[2]);
-    const fvec3& color = item.ghost == Ghost::kOwn       ? own
-                         : item.ghost == Ghost::kTouches ? frame.colors.contact
-                                                         : frame.colors.selected;
+  for (const ItemKind kind : {ItemKind::kGhost, ItemKind::kTouchingGhost, ItemKind::kOwnGhost}) {
+    const auto batches = batchesOf(frame, view.clip_from_world, kind, meshes);
+    if (batches.empty()) continue;
+    QOpenGLShaderProgram* program = programs_.of(4u | (frame.section ? 8u : 0u));
+    if (!program) return;
+    prepare(*program, frame, view, nullptr);
+    const fvec3& color = kind == ItemKind::kTouchingGhost ? frame.colors.contact : frame.colors.selected;
     program->setUniformValue("hatch_color", color.x, color.y, color.z);
-    drawItem(*program, item, 0, frame, view, meshes);
+    // What is behind keeps its identity: it is picked and outlined through the ghost.
+    gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawBatches(*program, batches, frame, view, false);
+    gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
-  gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 EdgePass::EdgePass(Gl& gl) : gl_(gl), program_(loadProgram("edge", "edge")) {}
@@ -171,7 +150,7 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   for (const RenderItem& item : frame.items) {
     if (!item.mesh || (item.state & kContact)) continue;
     GpuMesh* mesh = meshes.of(item.mesh);
-    if (!mesh) continue;
+    if (!mesh || !showsEdges(frame, view, item, *mesh)) continue;
     const glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
     setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
     const glm::vec4 section = sectionInModel(frame, item, world_from_model);
@@ -203,7 +182,7 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   gl_.glDepthMask(GL_TRUE);
 }
 
-FloorPass::FloorPass(Gl& gl) : gl_(gl), programs_("grid", "grid", {"SHADOWED"}) {
+FloorPass::FloorPass(Gl& gl) : gl_(gl), programs_("grid", "grid", {"SHADOWED", "SOFT"}) {
   gl_.glGenVertexArrays(1, &vertex_array_);
 }
 FloorPass::~FloorPass() {
@@ -212,7 +191,7 @@ FloorPass::~FloorPass() {
 
 void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow) {
   if (shadow && (!shadow->ready() || frame.camera.elevation <= 0.0)) shadow = nullptr;
-  QOpenGLShaderProgram* program = programs_.of(shadow ? 1u : 0u);
+  QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (shadow && frame.refine ? 2u : 0u));
   if (!program) return;
   const double cell = floorCell(frame.camera);
   const dvec3 target = frame.camera.target_W;
@@ -230,6 +209,7 @@ void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass
   const glm::vec4& color = frame.colors.grid;
   program->setUniformValue("line_color", color.x, color.y, color.z, color.w);
   program->setUniformValue("shadow_strength", frame.colors.floor_shadow);
+  program->setUniformValue("turn", static_cast<float>(frame.sample));
   if (shadow) bindTexture(gl_, *program, "shadow_map", 0, shadow->map());
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_FALSE);

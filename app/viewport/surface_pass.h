@@ -4,6 +4,7 @@
 #include "app/viewport/frame.h"
 #include "app/viewport/gl.h"
 #include "app/viewport/gpu_mesh.h"
+#include "app/viewport/instance_buffer.h"
 #include "app/viewport/shadow_pass.h"
 
 namespace hapticell::app {
@@ -27,12 +28,11 @@ class SurfacePass {
  private:
   void drawGhosts(const Frame& frame, const FrameView& view, GpuMeshCache& meshes);
   void prepare(QOpenGLShaderProgram& program, const Frame& frame, const FrameView& view, const ShadowPass* shadow);
-  void drawItem(QOpenGLShaderProgram& program, const RenderItem& item, std::uint32_t id, const Frame& frame,
-                const FrameView& view, GpuMeshCache& meshes);
+  void drawBatches(QOpenGLShaderProgram& program, const std::vector<ItemBatch>& batches, const Frame& frame,
+                   const FrameView& view, bool hatched);
   Gl& gl_;
   ProgramFamily programs_;
-  std::shared_ptr<const geometry::TriangleMesh> box_;
-  glm::dmat4 light_from_world_{1.0};
+  InstanceBuffer uses_;
 };
 
 /// Edges as quads of constant width: creases, and where a face turns away from the eye.

@@ -360,7 +360,7 @@ std::vector<double> ViewportWidget::measureFrames(int count) {
     renderer_->draw(frame);
     renderer_->waitForParts();
   }
-  for (int level = 0; renderer_ && level <= static_cast<int>(DetailLevel::kBoxes); ++level) {
+  for (int level = 0; renderer_ && level <= static_cast<int>(DetailLevel::kCoarse); ++level) {
     frame.detail = static_cast<DetailLevel>(level);
     std::vector<double> times;
     for (int i = 0; i <= count; ++i) {

@@ -35,7 +35,7 @@ TEST(DetailGovernor, ComesBelowTheBudgetWithinAFewFramesHoweverHeavyTheScene) {
 TEST(DetailGovernor, GivesDetailBackWhenTheLoadIsGone) {
   DetailGovernor governor(0.05);
   for (int i = 0; i < 10; ++i) governor.frameTook(0.4);
-  EXPECT_EQ(governor.level(), DetailLevel::kBoxes);
+  EXPECT_EQ(governor.level(), DetailLevel::kCoarse);
   for (int i = 0; i < 2000; ++i) governor.frameTook(0.005);
   EXPECT_EQ(governor.level(), DetailLevel::kFull);
 }
@@ -54,11 +54,11 @@ TEST(DetailGovernor, WhatWasFarTooSlowIsNotTriedAgainSoon) {
   governor.frameTook(1.0);
   ASSERT_EQ(governor.level(), DetailLevel::kHalfSize);
   governor.frameTook(0.4);
-  ASSERT_EQ(governor.level(), DetailLevel::kBoxes);
+  ASSERT_EQ(governor.level(), DetailLevel::kCoarse);
   for (int i = 0; i < 200; ++i) governor.frameTook(0.005);
-  EXPECT_EQ(governor.level(), DetailLevel::kBoxes);
+  EXPECT_EQ(governor.level(), DetailLevel::kCoarse);
   for (int i = 0; i < 200; ++i) governor.frameTook(0.005);
-  EXPECT_LT(governor.level(), DetailLevel::kBoxes) << "but tried it is";
+  EXPECT_LT(governor.level(), DetailLevel::kCoarse) << "but tried it is";
 }
 
 }  // namespace

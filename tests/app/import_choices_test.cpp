@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "app/import/change_page.h"
@@ -26,6 +27,26 @@ TEST(ImportChoices, finerIsMoreAndCoarserIsLess) {
   const ImportEstimate back = estimate(fine, MeshQuality::kFine, MeshQuality::kMedium);
   EXPECT_NEAR(back.triangles, known.triangles, 1e-6);
   EXPECT_DOUBLE_EQ(estimate(known, MeshQuality::kFine, MeshQuality::kFine).triangles, known.triangles);
+}
+
+TEST(ImportChoices, theEstimateIsWithinAFactorOfTwoOfRealParts) {
+  // Triangles and seconds of processor as measured (hapticell-cli inspect --chord --angle): coarse, medium, fine.
+  const struct {
+    const char* part;
+    double triangles[3], seconds[3];
+  } measured[] = {{"as1-oc-214", {5156, 7580, 14344}, {0.24, 0.22, 0.29}},
+                  {"linkrods", {5846, 19716, 57424}, {0.56, 0.75, 1.48}},
+                  {"pulley", {948, 1716, 3708}, {0.25, 0.25, 0.29}},
+                  {"NIST_MBE_PMI_2", {19550, 45242, 192744}, {1.91, 2.34, 3.95}}};
+  const MeshQuality qualities[] = {MeshQuality::kCoarse, MeshQuality::kMedium, MeshQuality::kFine};
+  for (const auto& part : measured) {
+    for (const std::size_t to : {0u, 2u}) {
+      const ImportEstimate told =
+          estimate({1e-4, part.triangles[1], part.seconds[1]}, MeshQuality::kMedium, qualities[to]);
+      EXPECT_LT(std::abs(std::log2(told.triangles / part.triangles[to])), 1.0) << part.part << to;
+      EXPECT_LT(std::abs(std::log2(told.seconds / part.seconds[to])), 1.0) << part.part << to;
+    }
+  }
 }
 
 TEST(ImportChoices, theOptionsSayWhatWasChosen) {

@@ -36,7 +36,8 @@ ALLOWED = {
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
     r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
-    r"^(archive|meshoptimizer)": {"workcell"},
+    r"^archive": {"workcell"},
+    r"^meshoptimizer": {"workcell", "app"},
     r"^toml\+\+": {"config", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/client"},

@@ -9,8 +9,19 @@ uniform float fade_large;
 uniform vec4 line_color;
 uniform float shadow_strength;
 uniform sampler2DShadow shadow_map;
+uniform float turn;
 layout(location = 0) out vec4 color;
 layout(location = 1) out uint identity;
+
+#ifdef SOFT
+/// A place in a small disc, another for each pixel and sample, so that the few lights of a still picture leave no bands.
+vec2 aside(float turn) {
+  vec2 at = gl_FragCoord.xy;
+  float angle = 6.2831853 * fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))) + 0.61803399 * turn);
+  float out_of = fract(52.9829189 * fract(dot(at.yx + 37.0, vec2(0.06711056, 0.00583715))) + 0.75487767 * turn);
+  return 2.0 / 2048.0 * sqrt(out_of) * vec2(cos(angle), sin(angle));
+}
+#endif
 
 float lines(float size, float width) {
   vec2 place = (floor_place - origin) / size;
@@ -33,6 +44,9 @@ void main() {
   {
     vec3 p = light_position.xyz / light_position.w * 0.5 + 0.5;
     bool inside = all(greaterThan(p, vec3(0.0))) && all(lessThan(p, vec3(1.0)));
+#ifdef SOFT
+    p.xy += aside(turn);
+#endif
     float lit = texture(shadow_map, p);
     float shade = inside ? shadow_strength * (1.0 - lit) * (1.0 - smoothstep(0.8 * fade_large, fade_large, away)) : 0.0;
     // Shadow below, line above it.

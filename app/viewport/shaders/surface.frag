@@ -3,13 +3,14 @@
 in vec3 world_normal;
 in vec3 view_position;
 in vec4 light_position;
-uniform vec3 albedo;            // Linear, with a gamma of 2: a square root is cheap where there is no graphics card.
+flat in vec3 albedo;            // Linear, with a gamma of 2: a square root is cheap where there is no graphics card.
 uniform vec3 eye_direction;     // World; from the scene to the eye, for the orthographic view.
 uniform mat3 world_from_view;
 uniform bool perspective;
 uniform vec3 key_direction;     // World, towards the light.
 uniform sampler2DShadow shadow_map;
-uniform uint id;
+flat in uint id;
+uniform float turn;
 uniform vec3 hatch_color;       // sRGB; of ghosts all is in it.
 uniform float pixel_ratio;
 uniform float pattern;          // Of a score: 0 plain, 1 hatched, 2 cross-hatched.
@@ -19,9 +20,22 @@ layout(location = 1) out uint identity;
 const vec3 kSky = vec3(1.0);
 const vec3 kGround = vec3(0.144, 0.174, 0.216);  // #6A7480, linear.
 
+#ifdef SOFT
+/// A place in a small disc, another for each pixel and sample, so that the few lights of a still picture leave no bands.
+vec2 aside(float turn) {
+  vec2 at = gl_FragCoord.xy;
+  float angle = 6.2831853 * fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))) + 0.61803399 * turn);
+  float out_of = fract(52.9829189 * fract(dot(at.yx + 37.0, vec2(0.06711056, 0.00583715))) + 0.75487767 * turn);
+  return 2.0 / 2048.0 * sqrt(out_of) * vec2(cos(angle), sin(angle));
+}
+#endif
+
 float lit() {
 #ifdef SHADOWED
   vec3 p = light_position.xyz / light_position.w * 0.5 + 0.5;
+#ifdef SOFT
+  p.xy += aside(turn);
+#endif
   return texture(shadow_map, p);  // Borders are softened by the samples of a still picture.
 #else
   return 1.0;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/item_batches.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "app/viewport/detail_steps.h"
+
+namespace hapticell::app {
+namespace {
+
+ItemKind kindOf(const RenderItem& item) {
+  if (item.ghost == Ghost::kOwn) return ItemKind::kOwnGhost;
+  if (item.ghost != Ghost::kNone) return item.ghost == Ghost::kTouches ? ItemKind::kTouchingGhost : ItemKind::kGhost;
+  return (item.state & kContact) != 0 ? ItemKind::kHatched : ItemKind::kPlain;
+}
+
+/// Pixels are finest where the item is nearest to the eye.
+double metresPerPixel(const Frame& frame, const dvec3& p_WC, double radius) {
+  const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
+  const dvec3 eye = frame.camera.eye_W(), forward = frame.camera.forward_W();
+  if (!frame.camera.perspective) return frame.camera.metresPerPixel(p_WC, size);
+  const double depth = glm::dot(p_WC - eye, forward) - radius;
+  return depth > 0.0 ? frame.camera.metresPerPixel(eye + depth * forward, size) : 0.0;
+}
+
+/// Gathers items by what they share.
+class Gathering {
+ public:
+  using Key = std::tuple<GpuMesh*, std::size_t, unsigned, unsigned, std::optional<std::array<float, 3>>, bool>;
+
+  void add(const Key& key, double nearness, std::uint32_t item) {
+    const auto [place, fresh] = places_.try_emplace(key, batches_.size());
+    if (fresh) {
+      batches_.push_back({});
+      auto& [mesh, step, set_color, pattern, own, over] = key;
+      batches_.back().batch = {mesh, step, set_color, pattern, own, over, {}};
+    }
+    batches_[place->second].items.emplace_back(nearness, item);
+  }
+
+  std::vector<ItemBatch> take() {
+    for (Entry& entry : batches_) {
+      std::sort(entry.items.begin(), entry.items.end());
+      for (const auto& [nearness, item] : entry.items) entry.batch.items.push_back(item);
+    }
+    std::sort(batches_.begin(), batches_.end(), [](const Entry& a, const Entry& b) { return a.items[0] < b.items[0]; });
+    std::vector<ItemBatch> result;
+    for (Entry& entry : batches_) result.push_back(std::move(entry.batch));
+    return result;
+  }
+
+ private:
+  struct Entry {
+    ItemBatch batch;
+    std::vector<std::pair<double, std::uint32_t>> items;
+  };
+  std::map<Key, std::size_t> places_;
+  std::vector<Entry> batches_;
+};
+
+}  // namespace
+
+double allowedPixels(const Frame& frame) {
+  switch (frame.detail) {
+    case DetailLevel::kFull:
+      return 0.35;
+    case DetailLevel::kNoOcclusion:
+    case DetailLevel::kPlain:
+      return 0.7;
+    case DetailLevel::kNoEdges:
+      return 1.5;
+    case DetailLevel::kHalfSize:
+      return 2.0;  // Of the small picture.
+    case DetailLevel::kCoarse:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+bool isOutside(const glm::dmat4& clip_from_world, const dvec3& p_WC, double radius) {
+  const glm::dmat4 rows = glm::transpose(clip_from_world);
+  for (int axis = 0; axis < 2; ++axis) {
+    for (const double side : {1.0, -1.0}) {
+      const glm::dvec4 plane = rows[3] + side * rows[axis];
+      const double length = glm::length(dvec3(plane));
+      if (glm::dot(plane, glm::dvec4(p_WC, 1.0)) < -radius * length) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
+                                 GpuMeshCache& meshes) {
+  Gathering gathering;
+  const double allowed = allowedPixels(frame);
+  for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
+    const RenderItem& item = frame.items[i];
+    if (!item.mesh || kindOf(item) != kind) continue;
+    GpuMesh* mesh = meshes.of(item.mesh);
+    if (!mesh) continue;
+    const dvec3 p_WC = item.X_WM * (item.scale * mesh->bounds().center());
+    const double radius = item.scale * mesh->bounds().radius();
+    if (isOutside(clip_from_world, p_WC, radius)) continue;
+    const std::size_t step =
+        detailStepFor(mesh->steps(), metresPerPixel(frame, p_WC, radius) / std::max(item.scale, 1e-12), allowed);
+    const double nearness =
+        item.over_scene ? -1e30 : glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - radius;
+    const unsigned set_color = kind == ItemKind::kHatched ? (item.state >> kSetColorShift) % kSetColors : 0u;
+    const auto own = kind == ItemKind::kOwnGhost ? std::optional(item.color) : std::nullopt;
+    gathering.add({mesh, step, set_color, item.pattern, own, item.over_scene}, nearness, i);
+  }
+  return gathering.take();
+}
+
+std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel, GpuMeshCache& meshes) {
+  Gathering gathering;
+  for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
+    const RenderItem& item = frame.items[i];
+    if (!item.casts_shadow || !item.mesh) continue;
+    GpuMesh* mesh = meshes.of(item.mesh);
+    if (!mesh) continue;
+    const std::size_t step = detailStepFor(mesh->steps(), metres_per_texel / std::max(item.scale, 1e-12), 0.5);
+    gathering.add({mesh, step, 0u, 0u, std::nullopt, item.over_scene}, 0.0, i);
+  }
+  return gathering.take();
+}
+
+glm::vec4 sectionIn(const Frame& frame, const glm::dmat4& space_from_world) {
+  if (!frame.section) return {0.0f, 0.0f, 0.0f, 1.0f};
+  const glm::dvec4 plane = glm::dvec4(frame.section->nhat_W, -frame.section->offset) * glm::inverse(space_from_world);
+  return glm::vec4(dvec3(plane), -plane.w);
+}
+
+void setRows(ItemInstance& instance, const glm::dmat4& matrix) {
+  const glm::dmat4 rows = glm::transpose(matrix);
+  for (int i = 0; i < 3; ++i) instance.rows[i] = glm::vec4(rows[i]);
+}
+
+}  // namespace hapticell::app
