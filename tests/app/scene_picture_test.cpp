@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the renderer draws, by how many calls, and whether it looks as it should. Needs a display (xvfb-run).
+#include <gtest/gtest.h>
+
+#include <QFileInfo>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+
+#include "app/style/theme.h"
+#include "app/viewport/frame_colors.h"
+#include "app/viewport/scene_renderer.h"
+#include "geometry/shapes.h"
+#include "tests/app/picture_compare.h"
+#include "tests/support/test_data.h"
+
+namespace hapticell::app {
+namespace {
+
+using Mesh = std::shared_ptr<const geometry::TriangleMesh>;
+
+Mesh shared(geometry::TriangleMesh mesh) {
+  return std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+}
+
+class ScenePicture : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    context_.setFormat(format);
+    surface_.setFormat(format);
+    surface_.create();
+    ASSERT_TRUE(context_.create() && context_.makeCurrent(&surface_) && gl_.initializeOpenGLFunctions());
+    renderer_ = std::make_unique<SceneRenderer>(gl_, [] {});
+    frame_.width = 320;
+    frame_.height = 200;
+    frame_.colors = frameColors(darkTheme());
+    frame_.refine = true;
+  }
+  void TearDown() override {
+    renderer_.reset();
+    context_.doneCurrent();
+  }
+
+  void add(const Mesh& mesh, const dvec3& p_W, std::array<float, 3> color = {0.6f, 0.62f, 0.65f}) {
+    RenderItem item;
+    item.mesh = mesh;
+    item.bounds_M = mesh->bounds();
+    item.X_WM = Pose::translation(p_W);
+    item.color = color;
+    item.entity = frame_.items.size() + 1;
+    const geometry::Bounds bounds = geometry::transformed(item.X_WM, item.bounds_M);
+    frame_.bounds_W.add(bounds.min);
+    frame_.bounds_W.add(bounds.max);
+    frame_.items.push_back(item);
+  }
+
+  QImage draw(int samples) {
+    QOpenGLFramebufferObject target(frame_.width, frame_.height);
+    frame_.sample = 0;
+    renderer_->draw(frame_);
+    renderer_->waitForParts();
+    for (frame_.sample = 0; frame_.sample < samples; ++frame_.sample) renderer_->render(frame_, target.handle());
+    return target.toImage().convertToFormat(QImage::Format_RGB32);
+  }
+
+  QOffscreenSurface surface_;
+  QOpenGLContext context_;
+  Gl gl_;
+  std::unique_ptr<SceneRenderer> renderer_;
+  Frame frame_;
+};
+
+TEST_F(ScenePicture, PartsOfOneMeshAreOneCallAndLookAsIfDrawnOneByOne) {
+  const geometry::TriangleMesh bolt = geometry::makeCylinder(0.04, 0.2, 24);
+  const Mesh one = shared(bolt);
+  frame_.edges = false;
+  for (int i = 0; i < 300; ++i) add(one, {0.12 * (i % 20) - 1.2, 0.12 * (i / 20) - 0.9, 0.1});
+  frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
+  const QImage together = draw(2);
+  EXPECT_EQ(renderer_->lastCount().calls, 2u) << "the shadows and the faces";
+  EXPECT_EQ(renderer_->lastCount().instances, 600u);
+  for (RenderItem& item : frame_.items) item.mesh = shared(bolt);
+  const QImage apart = draw(2);
+  EXPECT_EQ(renderer_->lastCount().calls, 600u);
+  EXPECT_LT(test::meanSquareError(together, apart), 1e-6);
+}
+
+TEST_F(ScenePicture, FarPartsHaveFewTrianglesAndLookTheSame) {
+  frame_.edges = false;
+  add(shared(geometry::makeSphere(0.5, 300)), {0, 0, 0.5});
+  frame_.camera.target_W = {0, 0, 0.5};
+  frame_.camera.distance = 8.0;
+  const QImage picture = draw(4);
+  const std::size_t whole = frame_.items[0].mesh->triangles.size();
+  EXPECT_LT(renderer_->lastCount().triangles, whole / 4) << "faces and shadow";
+  const auto few = shared(geometry::makeSphere(0.5, 64));
+  frame_.items[0].mesh = few;
+  EXPECT_LT(test::meanSquareError(picture, draw(4)), 2e-5);
+}
+
+TEST_F(ScenePicture, ShedDetailStillShowsWhatStandsBehindAFence) {
+  geometry::TriangleMesh fence;
+  for (int i = 0; i < 600; ++i) {
+    const geometry::TriangleMesh bar = geometry::makeBox({0.002, 0.002, 2.0});
+    const auto first = static_cast<std::uint32_t>(fence.vertices.size());
+    for (const dvec3& p : bar.vertices) fence.vertices.push_back(p + dvec3(0.01 * i - 3.0, -1.0, 1.0));
+    for (const auto& t : bar.triangles) fence.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  add(shared(geometry::makeSphere(0.5, 40)), {0, 0, 1.0}, {0.9f, 0.3f, 0.1f});
+  add(shared(fence), {0, 0, 0});
+  frame_.camera.azimuth = 0.0;
+  frame_.camera.elevation = 0.1;
+  frame_.camera.target_W = {0, 0, 1};
+  frame_.camera.distance = 3.0;
+  frame_.refine = false;
+  frame_.detail = DetailLevel::kCoarse;
+  const QImage picture = draw(1);
+  int orange = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 320; ++x) orange += qRed(picture.pixel(x, y)) > 2 * qBlue(picture.pixel(x, y)) ? 1 : 0;
+  EXPECT_GT(orange, 1500) << "a box in its place would hide the ball";
+}
+
+TEST_F(ScenePicture, WideSoftShadowsHaveNoBands) {
+  // A wall's upper edge 3 m over the floor: a half shadow some 0.3 m wide, looked at from above.
+  frame_.edges = false;
+  add(shared(geometry::makeBox({6.0, 0.1, 3.0})), {0, 0, 1.5});
+  frame_.width = 400;
+  frame_.height = 400;
+  frame_.camera.perspective = false;
+  frame_.camera.azimuth = 0.0;
+  frame_.camera.elevation = 1.5707;
+  frame_.camera.target_W = {0.5, 1.6, 0.0};
+  frame_.camera.distance = 1.6;
+  frame_.floor = true;
+  const QImage picture = draw(SceneRenderer::kSamples);
+  // Means over rows parallel to the edge: bands would be steps there.
+  std::vector<double> profile;
+  for (int y = 0; y < 400; ++y) {
+    double sum = 0.0;
+    for (int x = 40; x < 360; ++x) sum += qGray(picture.pixel(x, y));
+    profile.push_back(sum / 320.0);
+  }
+  const auto [dark, bright] = std::minmax_element(profile.begin(), profile.end());
+  ASSERT_GT(*bright - *dark, 8.0) << "there is a shadow's border";
+  double steepest = 0.0;
+  for (std::size_t i = 1; i < profile.size(); ++i) steepest = std::max(steepest, std::abs(profile[i] - profile[i - 1]));
+  RecordProperty("steepest", std::to_string(steepest / (*bright - *dark)));
+  EXPECT_LT(steepest, 0.035 * (*bright - *dark));
+}
+
+TEST_F(ScenePicture, LooksAsItDid) {
+  add(shared(geometry::makeBox({0.6, 0.4, 0.3})), {0, 0, 0.15});
+  add(shared(geometry::makeCylinder(0.15, 0.6, 48)), {0.6, 0.1, 0.3}, {0.55f, 0.6f, 0.7f});
+  add(shared(geometry::makeSphere(0.2, 32)), {-0.5, -0.2, 0.2}, {0.7f, 0.6f, 0.55f});
+  frame_.camera.azimuth = 0.5;
+  frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
+  const auto name = [](const char* stem) {
+    return hapticell::test::sourceFile(std::string("tests/app/pictures/") + stem + ".png").string();
+  };
+  test::expectPicture(draw(SceneRenderer::kSamples), name("parts-dark"));
+  frame_.items[0].state = kSelected;
+  frame_.items[1].state = kContact;
+  frame_.items[2].state = kNearMiss;
+  test::expectPicture(draw(SceneRenderer::kSamples), name("states-dark"));
+  frame_.colors = frameColors(lightTheme());
+  test::expectPicture(draw(SceneRenderer::kSamples), name("states-light"));
+  for (RenderItem& item : frame_.items) item.state = kPlain;
+  frame_.section = SectionPlane{dvec3(0, -1, 0), 0.05};
+  test::expectPicture(draw(SceneRenderer::kSamples), name("section-light"));
+}
+
+}  // namespace
+}  // namespace hapticell::app
