@@ -65,6 +65,10 @@
         <translation>%1 %</translation>
     </message>
     <message>
+        <source>%1 % at 5–7</source>
+        <translation>%1 % à 5–7</translation>
+    </message>
+    <message>
         <source>%1 % of the way</source>
         <translation>%1 % du chemin</translation>
     </message>
@@ -133,6 +137,14 @@
         <translation>%1 ne peut pas être fait de cela</translation>
     </message>
     <message>
+        <source>%1 cannot be written. Choose another place.</source>
+        <translation>%1 ne peut pas être écrit. Choisissez une autre place.</translation>
+    </message>
+    <message>
+        <source>%1 cat. %2</source>
+        <translation>%1 cat. %2</translation>
+    </message>
+    <message>
         <source>%1 changed on disk</source>
         <translation>%1 a changé sur le disque</translation>
     </message>
@@ -155,6 +167,10 @@
     <message>
         <source>%1 files of this cell are missing</source>
         <translation>%1 fichiers de cette cellule manquent</translation>
+    </message>
+    <message>
+        <source>%1 gives RULA %2.</source>
+        <translation>%1 donne RULA %2.</translation>
     </message>
     <message>
         <source>%1 goes along</source>
@@ -185,8 +201,16 @@
         <translation>%1 vaudra %2 dès le prochain démarrage.</translation>
     </message>
     <message>
+        <source>%1 is %2 mm short of the target</source>
+        <translation>%1 manque la cible de %2 mm</translation>
+    </message>
+    <message>
         <source>%1 is as it was</source>
         <translation>%1 est comme avant</translation>
+    </message>
+    <message>
+        <source>%1 is held up by %2, %3 mm short of the target</source>
+        <translation>%1 est retenue par %2, à %3 mm de la cible</translation>
     </message>
     <message>
         <source>%1 is in the cell</source>
@@ -195,6 +219,10 @@
     <message>
         <source>%1 is kept</source>
         <translation>%1 est gardée</translation>
+    </message>
+    <message>
+        <source>%1 is known</source>
+        <translation>%1 est connu</translation>
     </message>
     <message>
         <source>%1 is not there or may not be run.</source>
@@ -229,8 +257,16 @@
         <translation>%1 mm</translation>
     </message>
     <message>
+        <source>%1 mm left</source>
+        <translation>reste %1 mm</translation>
+    </message>
+    <message>
         <source>%1 mm of hand → %2 mm in the cell</source>
         <translation>%1 mm de main → %2 mm dans la cellule</translation>
+    </message>
+    <message>
+        <source>%1 mm short</source>
+        <translation>manque %1 mm</translation>
     </message>
     <message>
         <source>%1 mm to the edge</source>
@@ -239,6 +275,10 @@
     <message>
         <source>%1 mm to the edge of the workspace</source>
         <translation>%1 mm jusqu'au bord de l'espace de travail</translation>
+    </message>
+    <message>
+        <source>%1 mm up, %2 mm away, %3: </source>
+        <translation>%1 mm plus haut, %2 mm plus loin, %3 : </translation>
     </message>
     <message>
         <source>%1 mm, %2, %3</source>
@@ -316,13 +356,17 @@
         <source>%1 s  %2</source>
         <translation>%1 s  %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 s · %n frame(s)</source>
-        <translation><numerusform>%1 s · %n image</numerusform><numerusform>%1 s · %n images</numerusform></translation>
+    <message>
+        <source>%1 s · frames: %2</source>
+        <translation>%1 s · images : %2</translation>
     </message>
     <message>
         <source>%1 s → %2 s; at most %3 from the path</source>
         <translation>%1 s → %2 s ; au plus %3 du chemin</translation>
+    </message>
+    <message>
+        <source>%1 s, RULA %2, worst frame %3 s</source>
+        <translation>%1 s, RULA %2, pire image à %3 s</translation>
     </message>
     <message>
         <source>%1 takes configuration %2</source>
@@ -392,13 +436,13 @@
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
-    <message numerus="yes">
-        <source>%1 · %n run(s) · next help %2 %</source>
-        <translation><numerusform>%1 · %n essai · aide suivante %2 %</numerusform><numerusform>%1 · %n essais · aide suivante %2 %</numerusform></translation>
-    </message>
     <message>
         <source>%1 · Esc: end</source>
         <translation>%1 · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>%1 · runs: %3 · next help %2 %</source>
+        <translation>%1 · essais : %3 · aide suivante %2 %</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -461,6 +505,10 @@
         <translation>%1 : %2</translation>
     </message>
     <message>
+        <source>%1: %2 % seen, %3 mm away, %4</source>
+        <translation>%1 : vu à %2 %, à %3 mm, %4</translation>
+    </message>
+    <message>
         <source>%1: %2 on %3</source>
         <translation>%1 : %2 sur %3</translation>
     </message>
@@ -468,9 +516,9 @@
         <source>%1: %2. Choose another place.</source>
         <translation>%1 : %2. Choisissez une autre place.</translation>
     </message>
-    <message numerus="yes">
-        <source>%1: %n motion(s) made; the recording is as it was</source>
-        <translation><numerusform>%1 : %n mouvement fait ; l'enregistrement est comme avant</numerusform><numerusform>%1 : %n mouvements faits ; l'enregistrement est comme avant</numerusform></translation>
+    <message>
+        <source>%1: %2° to %3°, comfortable %4° to %5°</source>
+        <translation>%1 : %2° à %3°, confortable %4° à %5°</translation>
     </message>
     <message>
         <source>%1: one lies inside the other</source>
@@ -487,6 +535,10 @@
     <message>
         <source>%1: they touch or cut each other</source>
         <translation>%1 : elles se touchent ou se coupent</translation>
+    </message>
+    <message>
+        <source>%1: why %2, and what brings it down</source>
+        <translation>%1 : pourquoi %2, et ce qui l'abaisse</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -509,36 +561,12 @@
         <translation><numerusform>%n assemblage</numerusform><numerusform>%n assemblages</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n contact(s)</source>
-        <translation><numerusform>%n contact</numerusform><numerusform>%n contacts</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n contact(s) felt</source>
-        <translation><numerusform>%n contact senti</numerusform><numerusform>%n contacts sentis</numerusform></translation>
-    </message>
-    <message numerus="yes">
         <source>%n entities in the cell.</source>
         <translation><numerusform>%n entité dans la cellule.</numerusform><numerusform>%n entités dans la cellule.</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n frame(s)</source>
-        <translation><numerusform>%n image</numerusform><numerusform>%n images</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) recorded</source>
-        <translation><numerusform>%n image enregistrée</numerusform><numerusform>%n images enregistrées</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n joint(s)</source>
-        <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
-    </message>
-    <message numerus="yes">
         <source>%n joints</source>
         <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n limit(s) passed</source>
-        <translation><numerusform>%n limite dépassée</numerusform><numerusform>%n limites dépassées</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n limits push back.</source>
@@ -553,28 +581,20 @@
         <translation><numerusform>%n mécanisme</numerusform><numerusform>%n mécanismes</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n motion(s) imported</source>
-        <translation><numerusform>%n mouvement importé</numerusform><numerusform>%n mouvements importés</numerusform></translation>
-    </message>
-    <message numerus="yes">
         <source>%n robots</source>
         <translation><numerusform>%n robot</numerusform><numerusform>%n robots</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n run(s), the last with %1 points</source>
-        <translation><numerusform>%n essai, le dernier avec %1 points</numerusform><numerusform>%n essais, le dernier avec %1 points</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n selected</source>
         <translation><numerusform>%n choisie</numerusform><numerusform>%n choisies</numerusform></translation>
     </message>
     <message numerus="yes">
-        <source>%n singular place(s) or change(s) of configuration</source>
-        <translation><numerusform>%n place singulière ou changement de configuration</numerusform><numerusform>%n places singulières ou changements de configuration</numerusform></translation>
-    </message>
-    <message numerus="yes">
         <source>%n solids</source>
         <translation><numerusform>%n solide</numerusform><numerusform>%n solides</numerusform></translation>
+    </message>
+    <message>
+        <source>, %1 mm clear</source>
+        <translation>, %1 mm libres</translation>
     </message>
     <message>
         <source>, as it says</source>
@@ -583,6 +603,10 @@
     <message>
         <source>, at most %1</source>
         <translation>, au plus %1</translation>
+    </message>
+    <message>
+        <source>, at most %1 min</source>
+        <translation>, au plus %1 min</translation>
     </message>
     <message>
         <source>, by hand</source>
@@ -595,6 +619,10 @@
     <message>
         <source>, guessed from the size</source>
         <translation>, déduit de la taille</translation>
+    </message>
+    <message>
+        <source>, hidden by %1</source>
+        <translation>, caché par %1</translation>
     </message>
     <message>
         <source>, waits %1 s</source>
@@ -633,6 +661,10 @@
         <translation>. Leurs pièces sont gardées sans forme ; le reste est là. Montrez un dossier qui les contient.</translation>
     </message>
     <message>
+        <source>/min</source>
+        <translation>/min</translation>
+    </message>
+    <message>
         <source>/s</source>
         <translation>/s</translation>
     </message>
@@ -669,12 +701,20 @@
         <translation> ; limites employées : vitesse %1 %, accélération %2 %</translation>
     </message>
     <message>
+        <source>&lt; P 1</source>
+        <translation>&lt; P 1</translation>
+    </message>
+    <message>
         <source>&lt;b&gt;Ctrl+Space&lt;/b&gt;&amp;nbsp; turn on</source>
         <translation>&lt;b&gt;Ctrl+Espace&lt;/b&gt;&amp;nbsp; mettre en marche</translation>
     </message>
     <message>
         <source>&lt;b&gt;Esc&lt;/b&gt;&amp;nbsp; forces off</source>
         <translation>&lt;b&gt;Échap&lt;/b&gt;&amp;nbsp; couper les efforts</translation>
+    </message>
+    <message>
+        <source>&gt; P 99</source>
+        <translation>&gt; P 99</translation>
     </message>
     <message>
         <source>?</source>
@@ -753,6 +793,10 @@
         <translation>Une personne à un établi</translation>
     </message>
     <message>
+        <source>A person's own measure goes before the most likely one of the survey (ANSUR II)</source>
+        <translation>Une mesure propre passe avant la plus probable de l'enquête (ANSUR II)</translation>
+    </message>
+    <message>
         <source>A point of the entity by which the hand holds it</source>
         <translation>Un point de l'entité par lequel la main la tient</translation>
     </message>
@@ -789,8 +833,8 @@
         <translation>À propos de HaptiCell</translation>
     </message>
     <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
+        <source>Accel.</source>
+        <translation>Accél.</translation>
     </message>
     <message>
         <source>Across %1</source>
@@ -805,8 +849,20 @@
         <translation>Ajouter une image</translation>
     </message>
     <message>
+        <source>Add a person of any size with Ctrl+Shift+M: it stands on the floor, and its hands follow the stylus or the mouse.</source>
+        <translation>Ajoutez une personne de toute taille par Ctrl+Maj+M : elle se tient sur le sol, et ses mains suivent le stylet ou la souris.</translation>
+    </message>
+    <message>
         <source>Add a robot</source>
         <translation>Ajouter un robot</translation>
+    </message>
+    <message>
+        <source>Add mannequin</source>
+        <translation>Ajouter un mannequin</translation>
+    </message>
+    <message>
+        <source>Add of a size</source>
+        <translation>Ajouter d'une taille</translation>
     </message>
     <message>
         <source>Add robot</source>
@@ -887,10 +943,6 @@
     <message>
         <source>All that can be read (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.iges *.igs);;Meshes (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;All files (*)</source>
         <translation>Tout ce qui se lit (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAO (*.step *.stp *.p21 *.iges *.igs);;Maillages (*.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots et cellules (*.urdf *.xacro *.sdf *.world *.toml);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Along the path</source>
-        <translation>Le long du chemin</translation>
     </message>
     <message>
         <source>Alt</source>
@@ -981,6 +1033,14 @@
         <translation>En Z</translation>
     </message>
     <message>
+        <source>At full reach with the trunk locked. Unlock the trunk, or move it %1 mm closer.</source>
+        <translation>À bout de bras, le tronc bloqué. Débloquez le tronc, ou approchez de %1 mm.</translation>
+    </message>
+    <message>
+        <source>At full reach. Move it %1 mm closer, or let the feet step.</source>
+        <translation>À bout de bras. Approchez de %1 mm, ou laissez les pieds avancer.</translation>
+    </message>
+    <message>
         <source>At most %1 from the recording; jerk %2 → %3 m/s³</source>
         <translation>Au plus %1 de l'enregistrement ; à-coup %2 → %3 m/s³</translation>
     </message>
@@ -1021,6 +1081,10 @@
         <translation>À rebours</translation>
     </message>
     <message>
+        <source>Balance: %1 mm inside the soles</source>
+        <translation>Équilibre : %1 mm à l'intérieur des semelles</translation>
+    </message>
+    <message>
         <source>Bars: points of each run, hatched where it was not passed. Line: help.</source>
         <translation>Barres : points de chaque essai, hachurées s'il a échoué. Ligne : aide.</translation>
     </message>
@@ -1041,12 +1105,24 @@
         <translation>Recommencer</translation>
     </message>
     <message>
+        <source>Begin from</source>
+        <translation>Partir de</translation>
+    </message>
+    <message>
         <source>Begin with a sample, or with your own cell</source>
         <translation>Commencez par un exemple ou par votre propre cellule</translation>
     </message>
     <message>
         <source>Begin with an empty cell</source>
         <translation>Commencer par une cellule vide</translation>
+    </message>
+    <message>
+        <source>Beside the middle</source>
+        <translation>À côté du milieu</translation>
+    </message>
+    <message>
+        <source>Better posture of %1</source>
+        <translation>Meilleure posture de %1</translation>
     </message>
     <message>
         <source>Between centres or axes</source>
@@ -1065,6 +1141,10 @@
         <translation>Les deux</translation>
     </message>
     <message>
+        <source>Both hands</source>
+        <translation>Deux mains</translation>
+    </message>
+    <message>
         <source>Bottom</source>
         <translation>Dessous</translation>
     </message>
@@ -1077,12 +1157,20 @@
         <translation>Importer comme</translation>
     </message>
     <message>
+        <source>Bringing the work %1 mm nearer</source>
+        <translation>En approchant le travail de %1 mm</translation>
+    </message>
+    <message>
         <source>Built-in robots</source>
         <translation>Robots fournis</translation>
     </message>
     <message>
         <source>Buttons</source>
         <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>De</translation>
     </message>
     <message>
         <source>By hand</source>
@@ -1105,6 +1193,10 @@
         <translation>Annuler</translation>
     </message>
     <message>
+        <source>Cancelled: the map is not complete. </source>
+        <translation>Interrompu : la carte n'est pas complète. </translation>
+    </message>
+    <message>
         <source>Carried by</source>
         <translation>Porté par</translation>
     </message>
@@ -1121,12 +1213,20 @@
         <translation>Cartésien</translation>
     </message>
     <message>
+        <source>Casts rays from its eyes to the part that was chosen last</source>
+        <translation>Lance des rayons de ses yeux vers la pièce choisie en dernier</translation>
+    </message>
+    <message>
         <source>Cell</source>
         <translation>Cellule</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Centre</translation>
+    </message>
+    <message>
+        <source>Centre of mass and support</source>
+        <translation>Centre de masse et appui</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1213,8 +1313,16 @@
         <translation>Choisissez une ligne, puis pressez sa nouvelle touche.</translation>
     </message>
     <message>
+        <source>Choose a typical task…</source>
+        <translation>Choisissez une tâche type…</translation>
+    </message>
+    <message>
         <source>Choose an exercise</source>
         <translation>Choisissez un exercice</translation>
+    </message>
+    <message>
+        <source>Choose what may be moved, then search.</source>
+        <translation>Choisissez ce qui peut bouger, puis cherchez.</translation>
     </message>
     <message>
         <source>Circle</source>
@@ -1243,6 +1351,10 @@
     <message>
         <source>Click a face, an edge or a corner: there the tool's point is</source>
         <translation>Cliquez une face, une arête ou un coin : là est le point de l'outil</translation>
+    </message>
+    <message>
+        <source>Click a part first, then ask.</source>
+        <translation>Cliquez d'abord une pièce, puis demandez.</translation>
     </message>
     <message>
         <source>Click a part, or draw a box about several.</source>
@@ -1429,6 +1541,10 @@
         <translation>Ctrl+Espace les met en marche</translation>
     </message>
     <message>
+        <source>Curl fingers</source>
+        <translation>Plier les doigts</translation>
+    </message>
+    <message>
         <source>Curved edge, </source>
         <translation>Arête courbe, </translation>
     </message>
@@ -1497,8 +1613,20 @@
         <translation>Fait</translation>
     </message>
     <message>
+        <source>Does it see the selection?</source>
+        <translation>Voit-il la sélection ?</translation>
+    </message>
+    <message>
+        <source>Done as a copy: %1. The recording is as it was</source>
+        <translation>Fait en copie : %1. L'enregistrement est comme avant</translation>
+    </message>
+    <message>
         <source>Drag the TCP of %1</source>
         <translation>Tirer le TCP de %1</translation>
+    </message>
+    <message>
+        <source>Drag the arrows at the hand, or take it with the stylus.</source>
+        <translation>Tirez les flèches à la main, ou prenez-la avec le stylet.</translation>
     </message>
     <message>
         <source>Drag the stylus to move it · B %1 · H: follow the mouse</source>
@@ -1513,6 +1641,10 @@
         <translation>Tirez pour déplacer dans le plan de l'écran</translation>
     </message>
     <message>
+        <source>Drag to move it; the body follows</source>
+        <translation>Tirez pour la déplacer ; le corps suit</translation>
+    </message>
+    <message>
         <source>Drag to move the frame</source>
         <translation>Tirez pour déplacer l'image</translation>
     </message>
@@ -1525,6 +1657,10 @@
         <translation>Tirez pour tourner</translation>
     </message>
     <message>
+        <source>Drag to turn it; the body follows</source>
+        <translation>Tirez pour la tourner ; le corps suit</translation>
+    </message>
+    <message>
         <source>Drag to turn the frame</source>
         <translation>Tirez pour tourner l'image</translation>
     </message>
@@ -1535,6 +1671,14 @@
     <message>
         <source>Drag: move · wheel: depth · Ctrl: turn · right button or B %1</source>
         <translation>Tirer : déplacer · molette : profondeur · Ctrl : tourner · bouton droit ou B %1</translation>
+    </message>
+    <message>
+        <source>Draw the %1 of %2</source>
+        <translation>Tirer %1 de %2</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Cause</translation>
     </message>
     <message>
         <source>Dropped: %1 triangles that were there twice.</source>
@@ -1555,6 +1699,14 @@
     <message>
         <source>Dynamics</source>
         <translation>Dynamique</translation>
+    </message>
+    <message>
+        <source>EN 1005-4, ISO 11226</source>
+        <translation>EN 1005-4, ISO 11226</translation>
+    </message>
+    <message>
+        <source>Each its own</source>
+        <translation>Chacune la sienne</translation>
     </message>
     <message>
         <source>Edge</source>
@@ -1597,12 +1749,28 @@
         <translation>Finir l'essai</translation>
     </message>
     <message>
+        <source>English</source>
+        <translation>Anglais</translation>
+    </message>
+    <message>
         <source>Entity</source>
         <translation>Entité</translation>
     </message>
     <message>
         <source>Ergonomics</source>
         <translation>Ergonomie</translation>
+    </message>
+    <message>
+        <source>Ergonomics over time</source>
+        <translation>Ergonomie au fil du temps</translation>
+    </message>
+    <message>
+        <source>Ergonomics report…</source>
+        <translation>Rapport d'ergonomie…</translation>
+    </message>
+    <message>
+        <source>Ergonomics, live</source>
+        <translation>Ergonomie, en direct</translation>
     </message>
     <message>
         <source>Esc closes it · F1 helps · ? shows the keys</source>
@@ -1697,6 +1865,10 @@
         <translation>Face</translation>
     </message>
     <message>
+        <source>Fair</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
         <source>Fastest in the limits</source>
         <translation>Au plus vite dans les limites</translation>
     </message>
@@ -1711,6 +1883,10 @@
     <message>
         <source>Feel of this entity</source>
         <translation>Toucher de cette entité</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pieds</translation>
     </message>
     <message>
         <source>Felt as the boundary</source>
@@ -1753,6 +1929,10 @@
         <translation>Fin</translation>
     </message>
     <message>
+        <source>Finger curl</source>
+        <translation>Pli des doigts</translation>
+    </message>
+    <message>
         <source>First a face, edge or corner of what moves, then where it shall go</source>
         <translation>D'abord une face, une arête ou un coin de ce qui bouge, puis où cela doit aller</translation>
     </message>
@@ -1783,6 +1963,10 @@
     <message>
         <source>Flags</source>
         <translation>Options</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>À plat</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -1889,6 +2073,10 @@
         <translation>Les oublier</translation>
     </message>
     <message>
+        <source>Four bodies at the same task</source>
+        <translation>Quatre corps à la même tâche</translation>
+    </message>
+    <message>
         <source>Frame</source>
         <translation>Repère</translation>
     </message>
@@ -1899,6 +2087,10 @@
     <message>
         <source>Frame %1 of %2 at %3 s: %4, %5, %6 mm</source>
         <translation>Image %1 sur %2 à %3 s : %4, %5, %6 mm</translation>
+    </message>
+    <message>
+        <source>Frames recorded: %1</source>
+        <translation>Images enregistrées : %1</translation>
     </message>
     <message>
         <source>Frames so near in time go along when a frame is moved</source>
@@ -1915,6 +2107,10 @@
     <message>
         <source>Free to move</source>
         <translation>Libre</translation>
+    </message>
+    <message>
+        <source>French</source>
+        <translation>Français</translation>
     </message>
     <message>
         <source>Friction</source>
@@ -1961,6 +2157,10 @@
         <translation>Géométrie</translation>
     </message>
     <message>
+        <source>Give up: what was changed is not felt until the next change</source>
+        <translation>Abandonner : ce qui a changé n'est pas senti avant le prochain changement</translation>
+    </message>
+    <message>
         <source>Glove</source>
         <translation>Gant</translation>
     </message>
@@ -1969,12 +2169,28 @@
         <translation>Aller à l'origine</translation>
     </message>
     <message>
+        <source>Good</source>
+        <translation>Bonne</translation>
+    </message>
+    <message>
+        <source>Grasp</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
+        <source>Grasp of %1</source>
+        <translation>Prise de %1</translation>
+    </message>
+    <message>
         <source>Grid %1 m</source>
         <translation>Grille %1 m</translation>
     </message>
     <message>
         <source>Grid %1 mm</source>
         <translation>Grille %1 mm</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>Saisie</translation>
     </message>
     <message>
         <source>Guides</source>
@@ -1987,6 +2203,10 @@
     <message>
         <source>Handle at</source>
         <translation>Poignée à</translation>
+    </message>
+    <message>
+        <source>Hands, size and posture</source>
+        <translation>Mains, taille et posture</translation>
     </message>
     <message>
         <source>HaptiCell %1
@@ -2021,6 +2241,18 @@ Licence Apache 2.0</translation>
         <translation>Haptique</translation>
     </message>
     <message>
+        <source>Head</source>
+        <translation>Tête</translation>
+    </message>
+    <message>
+        <source>Head, gaze</source>
+        <translation>Tête, regard</translation>
+    </message>
+    <message>
+        <source>Height of the work and RULA, four bodies</source>
+        <translation>Hauteur du travail et RULA, quatre corps</translation>
+    </message>
+    <message>
         <source>Held along %1</source>
         <translation>Tenu le long de %1</translation>
     </message>
@@ -2029,8 +2261,16 @@ Licence Apache 2.0</translation>
         <translation>Tenu par</translation>
     </message>
     <message>
+        <source>Held by the stylus</source>
+        <translation>Tenu par le stylet</translation>
+    </message>
+    <message>
         <source>Held by the stylus: %1.</source>
         <translation>Tenu par le stylet : %1.</translation>
+    </message>
+    <message>
+        <source>Held over 1 min</source>
+        <translation>Tenue plus d'1 min</translation>
     </message>
     <message>
         <source>Held: the hand moves without the entity (clutch)</source>
@@ -2073,6 +2313,10 @@ Licence Apache 2.0</translation>
         <translation>Tenir une entité avec le stylet, la déplacer et sentir ce qu'elle touche</translation>
     </message>
     <message>
+        <source>Hold one thing</source>
+        <translation>Tenir une chose</translation>
+    </message>
+    <message>
         <source>Hold the hand flat and lay the thumb across under the palm.</source>
         <translation>Tenez la main à plat et passez le pouce sous la paume.</translation>
     </message>
@@ -2093,6 +2337,10 @@ Licence Apache 2.0</translation>
         <translation>Origine</translation>
     </message>
     <message>
+        <source>How far</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
         <source>I hold it: next</source>
         <translation>Je le tiens : suite</translation>
     </message>
@@ -2107,10 +2355,6 @@ Licence Apache 2.0</translation>
     <message>
         <source>Import %1</source>
         <translation>Importer %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Import %n motion(s)</source>
-        <translation><numerusform>Importer %n mouvement</numerusform><numerusform>Importer %n mouvements</numerusform></translation>
     </message>
     <message>
         <source>Import CAD or a robot…</source>
@@ -2141,8 +2385,20 @@ Licence Apache 2.0</translation>
         <translation>Importer…</translation>
     </message>
     <message>
+        <source>In a shift</source>
+        <translation>Par poste</translation>
+    </message>
+    <message>
+        <source>In steps of</source>
+        <translation>Par pas de</translation>
+    </message>
+    <message>
         <source>In the cell: %1.</source>
         <translation>Dans la cellule : %1.</translation>
+    </message>
+    <message>
+        <source>In the hand</source>
+        <translation>Dans la main</translation>
     </message>
     <message>
         <source>In two at the cursor</source>
@@ -2167,6 +2423,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Isometric</source>
         <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>It goes with the hand and is checked with it</source>
+        <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
     <message>
         <source>It has no frame yet: the panel Solid makes one</source>
@@ -2237,6 +2497,10 @@ Licence Apache 2.0</translation>
         <translation>Articulations</translation>
     </message>
     <message>
+        <source>Joints, with their limits</source>
+        <translation>Articulations et leurs butées</translation>
+    </message>
+    <message>
         <source>KUKA KRL (.src, .dat)</source>
         <translation>KUKA KRL (.src, .dat)</translation>
     </message>
@@ -2288,9 +2552,13 @@ Licence Apache 2.0</translation>
         <source>Language</source>
         <translation>Langue</translation>
     </message>
-    <message numerus="yes">
-        <source>Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, %n contact(s), smoothness %6 (expert %7).</source>
-        <translation><numerusform>Dernier essai : %1 points. %2 s (expert %3 s), %4 mm hors du chemin, au plus %5 N, %n contact, régularité %6 (expert %7).</numerusform><numerusform>Dernier essai : %1 points. %2 s (expert %3 s), %4 mm hors du chemin, au plus %5 N, %n contacts, régularité %6 (expert %7).</numerusform></translation>
+    <message>
+        <source>Language of the report</source>
+        <translation>Langue du rapport</translation>
+    </message>
+    <message>
+        <source>Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
+        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 mm hors du chemin, au plus %5 N, contacts : %8, régularité %6 (expert %7).</translation>
     </message>
     <message>
         <source>Lasted</source>
@@ -2333,6 +2601,18 @@ Licence Apache 2.0</translation>
         <translation>Gauche</translation>
     </message>
     <message>
+        <source>Left arm and hand</source>
+        <translation>Bras et main gauches</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>Left leg</source>
+        <translation>Jambe gauche</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Longueur</translation>
     </message>
@@ -2343,6 +2623,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Lengths in</source>
         <translation>Longueurs en</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Lâcher</translation>
+    </message>
+    <message>
+        <source>Lifting (NIOSH)</source>
+        <translation>Levage (NIOSH)</translation>
     </message>
     <message>
         <source>Light</source>
@@ -2363,6 +2651,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
         <translation>Ligne : fréquence. Barres : retard pour 99 pas sur 100, pleine hauteur %1 ms</translation>
+    </message>
+    <message>
+        <source>Load, left hand</source>
+        <translation>Charge, main gauche</translation>
+    </message>
+    <message>
+        <source>Load, right hand</source>
+        <translation>Charge, main droite</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -2413,6 +2709,10 @@ Licence Apache 2.0</translation>
         <translation>Descendez la pièce sur ses appuis et sentez ce qu'elle touche.</translation>
     </message>
     <message>
+        <source>Lowering the work by %1 mm</source>
+        <translation>En abaissant le travail de %1 mm</translation>
+    </message>
+    <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
         <translation>Fermez le poing, chaque articulation des doigts pliée à angle droit.</translation>
     </message>
@@ -2423,6 +2723,18 @@ Licence Apache 2.0</translation>
     <message>
         <source>Maker</source>
         <translation>Constructeur</translation>
+    </message>
+    <message>
+        <source>Man</source>
+        <translation>Homme</translation>
+    </message>
+    <message>
+        <source>Mannequin</source>
+        <translation>Mannequin</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
     </message>
     <message>
         <source>Mass felt</source>
@@ -2481,12 +2793,24 @@ Licence Apache 2.0</translation>
         <translation>Miroir</translation>
     </message>
     <message>
+        <source>Mirror %1</source>
+        <translation>Mettre %1 en miroir</translation>
+    </message>
+    <message>
         <source>Mirrored on the plane</source>
         <translation>Symétrique par rapport au plan</translation>
     </message>
     <message>
         <source>Motion</source>
         <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Motions (*.bvh *.amc);;All files (*)</source>
+        <translation>Mouvements (*.bvh *.amc);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Motions imported: %1</source>
+        <translation>Mouvements importés : %1</translation>
     </message>
     <message>
         <source>Mouse and view</source>
@@ -2517,6 +2841,10 @@ Licence Apache 2.0</translation>
         <translation>Déplacer de cela</translation>
     </message>
     <message>
+        <source>Move joints of %1</source>
+        <translation>Bouger les articulations de %1</translation>
+    </message>
+    <message>
         <source>Move the TCP of %1</source>
         <translation>Déplacer le TCP de %1</translation>
     </message>
@@ -2527,6 +2855,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Move the stylus to all sides and press each button once.</source>
         <translation>Menez le stylet de tous côtés et pressez chaque bouton une fois.</translation>
+    </message>
+    <message>
+        <source>Move the workplace</source>
+        <translation>Déplacer le poste de travail</translation>
     </message>
     <message>
         <source>Moved</source>
@@ -2549,6 +2881,14 @@ Licence Apache 2.0</translation>
         <translation>Bouger la vue</translation>
     </message>
     <message>
+        <source>Moving the work %1 mm further away</source>
+        <translation>En éloignant le travail de %1 mm</translation>
+    </message>
+    <message>
+        <source>Moving the work %1 mm to the side</source>
+        <translation>En décalant le travail de %1 mm de côté</translation>
+    </message>
+    <message>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -2563,6 +2903,18 @@ Licence Apache 2.0</translation>
     <message>
         <source>N/mm</source>
         <translation>N/mm</translation>
+    </message>
+    <message>
+        <source>NIOSH: %1</source>
+        <translation>NIOSH : %1</translation>
+    </message>
+    <message>
+        <source>NIOSH: limit %1 kg, lifting index %2</source>
+        <translation>NIOSH : limite %1 kg, indice de levage %2</translation>
+    </message>
+    <message>
+        <source>NIOSH: no load is acceptable here</source>
+        <translation>NIOSH : aucune charge n'est acceptable ici</translation>
     </message>
     <message>
         <source>Name</source>
@@ -2613,6 +2965,10 @@ Licence Apache 2.0</translation>
         <translation>Plus près de l'enregistrement où il y aurait collision</translation>
     </message>
     <message>
+        <source>Neck and head</source>
+        <translation>Cou et tête</translation>
+    </message>
+    <message>
         <source>Never in front of the scene. The newest also stands in the status bar for 8 seconds.</source>
         <translation>Jamais devant la scène. Le plus récent reste aussi 8 secondes dans la ligne d'état.</translation>
     </message>
@@ -2649,12 +3005,24 @@ Licence Apache 2.0</translation>
         <translation>Nouvelle cellule</translation>
     </message>
     <message>
+        <source>Next page</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
         <source>Next panel</source>
         <translation>Panneau suivant</translation>
     </message>
     <message>
+        <source>No</source>
+        <translation>Non</translation>
+    </message>
+    <message>
         <source>No application was found beside the program</source>
         <translation>Aucune application n'a été trouvée près du programme</translation>
+    </message>
+    <message>
+        <source>No body of that size</source>
+        <translation>Aucun corps de cette taille</translation>
     </message>
     <message>
         <source>No contact yet</source>
@@ -2701,6 +3069,22 @@ Licence Apache 2.0</translation>
         <translation>Pas de touche</translation>
     </message>
     <message>
+        <source>No mannequin in the cell</source>
+        <translation>Aucun mannequin dans la cellule</translation>
+    </message>
+    <message>
+        <source>No mannequin is in the cell, so there is nobody to score.</source>
+        <translation>Aucun mannequin dans la cellule : il n'y a personne à noter.</translation>
+    </message>
+    <message>
+        <source>No mannequin was added</source>
+        <translation>Aucun mannequin n'a été ajouté</translation>
+    </message>
+    <message>
+        <source>No map yet</source>
+        <translation>Pas encore de carte</translation>
+    </message>
+    <message>
         <source>No motion yet. Press R, move an entity, press R again; or import one.</source>
         <translation>Pas encore de mouvement. Pressez R, déplacez une entité, pressez R de nouveau ; ou importez-en un.</translation>
     </message>
@@ -2711,6 +3095,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>No other joint</source>
         <translation>Pas d'autre articulation</translation>
+    </message>
+    <message>
+        <source>No placement suits all four bodies.</source>
+        <translation>Aucune place ne convient aux quatre corps.</translation>
     </message>
     <message>
         <source>No real device could be held while this was written: the drivers are tested against models and recorded layouts.</source>
@@ -2727,6 +3115,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>No run yet</source>
         <translation>Pas encore d'essai</translation>
+    </message>
+    <message>
+        <source>No shift of the work by up to 400 mm lowers the level for this body.</source>
+        <translation>Aucun décalage du travail jusqu'à 400 mm n'abaisse le niveau pour ce corps.</translation>
     </message>
     <message>
         <source>No solid is selected</source>
@@ -2749,6 +3141,10 @@ Licence Apache 2.0</translation>
         <translation>Pas de rotation autour de %1</translation>
     </message>
     <message>
+        <source>Nobody to report on: add a mannequin.</source>
+        <translation>Personne pour le rapport : ajoutez un mannequin.</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Aucun</translation>
     </message>
@@ -2767,6 +3163,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Not connected</source>
         <translation>Pas connecté</translation>
+    </message>
+    <message>
+        <source>Not entered</source>
+        <translation>Non saisi</translation>
     </message>
     <message>
         <source>Not tried yet: the server has to answer first</source>
@@ -2825,6 +3225,10 @@ Licence Apache 2.0</translation>
         <translation>Rien ne bouge avant votre accord.</translation>
     </message>
     <message>
+        <source>Nothing needs to change.</source>
+        <translation>Rien n'est à changer.</translation>
+    </message>
+    <message>
         <source>Nothing was opened yet</source>
         <translation>Rien n'a encore été ouvert</translation>
     </message>
@@ -2841,6 +3245,10 @@ Licence Apache 2.0</translation>
         <translation>OBJ (*.obj)</translation>
     </message>
     <message>
+        <source>OWAS</source>
+        <translation>OWAS</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Arrêt</translation>
     </message>
@@ -2853,8 +3261,16 @@ Licence Apache 2.0</translation>
         <translation>Écart mm</translation>
     </message>
     <message>
+        <source>Off: the figure may step to where the hand is reached</source>
+        <translation>Arrêt : le corps peut avancer jusqu'où la main atteint</translation>
+    </message>
+    <message>
         <source>Offset</source>
         <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>On a seat</source>
+        <translation>Sur un siège</translation>
     </message>
     <message>
         <source>On contact</source>
@@ -2901,6 +3317,22 @@ Licence Apache 2.0</translation>
         <translation>Seulement pendant que le robot est tenu par son outil</translation>
     </message>
     <message>
+        <source>Open a posture</source>
+        <translation>Ouvrir une posture</translation>
+    </message>
+    <message>
+        <source>Open a posture…</source>
+        <translation>Ouvrir une posture…</translation>
+    </message>
+    <message>
+        <source>Open a recorded motion</source>
+        <translation>Ouvrir un mouvement enregistré</translation>
+    </message>
+    <message>
+        <source>Open a recording (BVH, AMC) to score each of its frames.</source>
+        <translation>Ouvrez un enregistrement (BVH, AMC) pour noter chacune de ses images.</translation>
+    </message>
+    <message>
         <source>Open a workcell</source>
         <translation>Ouvrir une cellule</translation>
     </message>
@@ -2915,6 +3347,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Open it by the handle: a guide leads, stops and a detent are felt.</source>
         <translation>Ouvrez-la par la poignée : un guide mène, on sent les butées et un cran.</translation>
+    </message>
+    <message>
+        <source>Open motion…</source>
+        <translation>Ouvrir un mouvement…</translation>
     </message>
     <message>
         <source>Open recent</source>
@@ -2965,12 +3401,20 @@ Licence Apache 2.0</translation>
         <translation>Autre sens</translation>
     </message>
     <message>
+        <source>Out of balance by %1 mm</source>
+        <translation>Hors d'équilibre de %1 mm</translation>
+    </message>
+    <message>
         <source>Own</source>
         <translation>Propre</translation>
     </message>
     <message>
         <source>Own frame %1</source>
         <translation>Repère propre %1</translation>
+    </message>
+    <message>
+        <source>Own measure</source>
+        <translation>Mesure propre</translation>
     </message>
     <message>
         <source>Own origin</source>
@@ -2985,12 +3429,40 @@ Licence Apache 2.0</translation>
         <translation>P</translation>
     </message>
     <message>
+        <source>P %1</source>
+        <translation>P %1</translation>
+    </message>
+    <message>
+        <source>P5 woman</source>
+        <translation>Femme P5</translation>
+    </message>
+    <message>
+        <source>P50 man</source>
+        <translation>Homme P50</translation>
+    </message>
+    <message>
+        <source>P50 woman</source>
+        <translation>Femme P50</translation>
+    </message>
+    <message>
+        <source>P95 man</source>
+        <translation>Homme P95</translation>
+    </message>
+    <message>
         <source>PDF (*.pdf);;CSV (*.csv)</source>
         <translation>PDF (*.pdf);;CSV (*.csv)</translation>
     </message>
     <message>
+        <source>PDF (*.pdf);;HTML (*.html);;Comma-separated values (*.csv);;JSON (*.json)</source>
+        <translation>PDF (*.pdf);;HTML (*.html);;Valeurs séparées par des virgules (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
         <source>PDF (*.pdf);;Table (*.csv)</source>
         <translation>PDF (*.pdf);;Tableau (*.csv)</translation>
+    </message>
+    <message>
+        <source>PDF, HTML, CSV…</source>
+        <translation>PDF, HTML, CSV…</translation>
     </message>
     <message>
         <source>PLY (*.ply)</source>
@@ -3003,6 +3475,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Pack with all files…</source>
         <translation>Empaqueter avec tous les fichiers…</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Page %1 sur %2</translation>
     </message>
     <message>
         <source>Pages of the settings</source>
@@ -3029,6 +3505,10 @@ Licence Apache 2.0</translation>
         <translation>Pièce</translation>
     </message>
     <message>
+        <source>Part of the body</source>
+        <translation>Partie du corps</translation>
+    </message>
+    <message>
         <source>Part to attach</source>
         <translation>Pièce à attacher</translation>
     </message>
@@ -3053,6 +3533,10 @@ Licence Apache 2.0</translation>
         <translation>Réussi avec %1 points</translation>
     </message>
     <message>
+        <source>Path</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
         <source>Path of a recording</source>
         <translation>Chemin d'un enregistrement</translation>
     </message>
@@ -3063,6 +3547,18 @@ Licence Apache 2.0</translation>
     <message>
         <source>Payload</source>
         <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Pelvis</source>
+        <translation>Bassin</translation>
+    </message>
+    <message>
+        <source>Percentile</source>
+        <translation>Percentile</translation>
+    </message>
+    <message>
+        <source>Percentile of stature</source>
+        <translation>Percentile de stature</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -3145,6 +3641,10 @@ Licence Apache 2.0</translation>
         <translation>Images (*.png *.jpg *.tiff)</translation>
     </message>
     <message>
+        <source>Pinch</source>
+        <translation>Pince</translation>
+    </message>
+    <message>
         <source>Pitch</source>
         <translation>Pas</translation>
     </message>
@@ -3173,12 +3673,20 @@ Licence Apache 2.0</translation>
         <translation>Branchés, et ce qui gêne</translation>
     </message>
     <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+    <message>
         <source>Points</source>
         <translation>Points</translation>
     </message>
     <message>
         <source>Points and help by run</source>
         <translation>Points et aide par essai</translation>
+    </message>
+    <message>
+        <source>Poor</source>
+        <translation>Mauvaise</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -3203,6 +3711,46 @@ Licence Apache 2.0</translation>
     <message>
         <source>Position kept, wrist joint at rest</source>
         <translation>Position gardée, articulation du poignet au repos</translation>
+    </message>
+    <message>
+        <source>Posture</source>
+        <translation>Posture</translation>
+    </message>
+    <message>
+        <source>Posture %1</source>
+        <translation>Posture %1</translation>
+    </message>
+    <message>
+        <source>Posture from a file</source>
+        <translation>Posture d'un fichier</translation>
+    </message>
+    <message>
+        <source>Posture of %1 at frame %2</source>
+        <translation>Posture de %1 à l'image %2</translation>
+    </message>
+    <message>
+        <source>Postures (*.json);;All files (*)</source>
+        <translation>Postures (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Postures (*.json);;H-Anim figures (*.x3d);;Motions of one frame (*.bvh)</source>
+        <translation>Postures (*.json);;Figures H-Anim (*.x3d);;Mouvements d'une image (*.bvh)</translation>
+    </message>
+    <message>
+        <source>Postures…</source>
+        <translation>Postures…</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>Preparing contacts</source>
+        <translation>Préparation des contacts</translation>
+    </message>
+    <message>
+        <source>Preparing contacts %1 %</source>
+        <translation>Préparation des contacts %1 %</translation>
     </message>
     <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
@@ -3233,6 +3781,10 @@ Licence Apache 2.0</translation>
         <translation>Mettre dans un nouveau dossier</translation>
     </message>
     <message>
+        <source>Put it there</source>
+        <translation>Le mettre là</translation>
+    </message>
+    <message>
         <source>Put onto</source>
         <translation>Poser sur</translation>
     </message>
@@ -3253,6 +3805,10 @@ Licence Apache 2.0</translation>
         <translation>R enregistre, Maj+R ajoute une image. L'enregistrement commence au premier mouvement.</translation>
     </message>
     <message>
+        <source>REBA</source>
+        <translation>REBA</translation>
+    </message>
+    <message>
         <source>RIGHT</source>
         <translation>DROITE</translation>
     </message>
@@ -3261,12 +3817,28 @@ Licence Apache 2.0</translation>
         <translation>ROS 2 JointTrajectory (.yaml)</translation>
     </message>
     <message>
+        <source>RULA</source>
+        <translation>RULA</translation>
+    </message>
+    <message>
+        <source>RULA along the motion, four bodies</source>
+        <translation>RULA le long du mouvement, quatre corps</translation>
+    </message>
+    <message>
+        <source>RULA by the height of the work</source>
+        <translation>RULA selon la hauteur du travail</translation>
+    </message>
+    <message>
         <source>Radians</source>
         <translation>Radians</translation>
     </message>
     <message>
         <source>Radius</source>
         <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Raising the work by %1 mm</source>
+        <translation>En relevant le travail de %1 mm</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -3293,6 +3865,10 @@ Licence Apache 2.0</translation>
         <translation>Amplitude et boutons</translation>
     </message>
     <message>
+        <source>Rapid changes</source>
+        <translation>Changements rapides</translation>
+    </message>
+    <message>
         <source>Rate and lateness of the force loop</source>
         <translation>Fréquence et retard de la boucle d'effort</translation>
     </message>
@@ -3307,6 +3883,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Reach</source>
         <translation>Atteinte</translation>
+    </message>
+    <message>
+        <source>Reach of the arms</source>
+        <translation>Atteinte des bras</translation>
+    </message>
+    <message>
+        <source>Reach with the trunk</source>
+        <translation>Atteinte avec le tronc</translation>
     </message>
     <message>
         <source>Reached: width %1 %, depth %2 %, height %3 %</source>
@@ -3409,12 +3993,24 @@ Licence Apache 2.0</translation>
         <translation>Réparés : %1 coins de triangles voisins ont été réunis.</translation>
     </message>
     <message>
+        <source>Repetition</source>
+        <translation>Répétition</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
         <source>Report changes</source>
         <translation>Rapport des changements</translation>
     </message>
     <message>
         <source>Report what was changed</source>
         <translation>Rapporter ce qui a changé</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
     </message>
     <message>
         <source>Restore the copy</source>
@@ -3435,6 +4031,18 @@ Licence Apache 2.0</translation>
     <message>
         <source>Right</source>
         <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Right arm and hand</source>
+        <translation>Bras et main droits</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Main droite</translation>
+    </message>
+    <message>
+        <source>Right leg</source>
+        <translation>Jambe droite</translation>
     </message>
     <message>
         <source>Ring</source>
@@ -3473,6 +4081,10 @@ Licence Apache 2.0</translation>
         <translation>Essai %1</translation>
     </message>
     <message>
+        <source>Runs: %1, the last with %2 points</source>
+        <translation>Essais : %1, le dernier avec %2 points</translation>
+    </message>
+    <message>
         <source>STEP (*.step)</source>
         <translation>STEP (*.step)</translation>
     </message>
@@ -3483,6 +4095,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Safety</source>
         <translation>Sécurité</translation>
+    </message>
+    <message>
+        <source>Same task, four bodies</source>
+        <translation>Même tâche, quatre corps</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -3513,6 +4129,14 @@ Licence Apache 2.0</translation>
         <translation>Enregistrez d'abord cette cellule ; puis choisissez de nouveau l'exercice.</translation>
     </message>
     <message>
+        <source>Save this posture</source>
+        <translation>Enregistrer cette posture</translation>
+    </message>
+    <message>
+        <source>Save this posture…</source>
+        <translation>Enregistrer cette posture…</translation>
+    </message>
+    <message>
         <source>Saved views</source>
         <translation>Vues gardées</translation>
     </message>
@@ -3529,6 +4153,10 @@ Licence Apache 2.0</translation>
         <translation>Scène</translation>
     </message>
     <message>
+        <source>Scoring the motion…</source>
+        <translation>Notation du mouvement…</translation>
+    </message>
+    <message>
         <source>Screen</source>
         <translation>Écran</translation>
     </message>
@@ -3537,8 +4165,16 @@ Licence Apache 2.0</translation>
         <translation>Vis</translation>
     </message>
     <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
         <source>Search the library</source>
         <translation>Chercher dans la bibliothèque</translation>
+    </message>
+    <message>
+        <source>Search the workplace…</source>
+        <translation>Chercher le poste de travail…</translation>
     </message>
     <message>
         <source>Second column</source>
@@ -3613,6 +4249,10 @@ Licence Apache 2.0</translation>
         <translation>Réglages…</translation>
     </message>
     <message>
+        <source>Sex</source>
+        <translation>Sexe</translation>
+    </message>
+    <message>
         <source>Shaded</source>
         <translation>Ombré</translation>
     </message>
@@ -3665,12 +4305,20 @@ Licence Apache 2.0</translation>
         <translation>Montrer cette page au démarrage</translation>
     </message>
     <message>
+        <source>Show this posture</source>
+        <translation>Montrer cette posture</translation>
+    </message>
+    <message>
         <source>Shown</source>
         <translation>Montré</translation>
     </message>
     <message>
         <source>Shown and heard from here on, not felt</source>
         <translation>Montré et entendu à partir d'ici, pas senti</translation>
+    </message>
+    <message>
+        <source>Shown in the scene</source>
+        <translation>Montré dans la scène</translation>
     </message>
     <message>
         <source>Side panels</source>
@@ -3687,6 +4335,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Singularity</source>
         <translation>Singularité</translation>
+    </message>
+    <message>
+        <source>Size of %1</source>
+        <translation>Taille de %1</translation>
+    </message>
+    <message>
+        <source>Size, ANSUR II</source>
+        <translation>Taille, ANSUR II</translation>
     </message>
     <message>
         <source>Slide</source>
@@ -3769,6 +4425,14 @@ Licence Apache 2.0</translation>
         <translation>État</translation>
     </message>
     <message>
+        <source>Stature</source>
+        <translation>Stature</translation>
+    </message>
+    <message>
+        <source>Stature, mass</source>
+        <translation>Stature, masse</translation>
+    </message>
+    <message>
         <source>Step</source>
         <translation>Pas</translation>
     </message>
@@ -3837,6 +4501,22 @@ Licence Apache 2.0</translation>
         <translation>Stäubli VAL3 (dossier)</translation>
     </message>
     <message>
+        <source>Sub-scores of the worse side</source>
+        <translation>Notes partielles du côté le plus défavorable</translation>
+    </message>
+    <message>
+        <source>Sudden loads</source>
+        <translation>Charges soudaines</translation>
+    </message>
+    <message>
+        <source>Swap hands</source>
+        <translation>Échanger les mains</translation>
+    </message>
+    <message>
+        <source>Swap hands of %1</source>
+        <translation>Échanger les mains de %1</translation>
+    </message>
+    <message>
         <source>Switch the forces off first: no panel moves while the hand works.</source>
         <translation>Coupez d'abord les efforts : aucun panneau ne déplace pendant que la main travaille.</translation>
     </message>
@@ -3859,6 +4539,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Table (.csv)</source>
         <translation>Tableau (.csv)</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prendre</translation>
     </message>
     <message>
         <source>Take %1</source>
@@ -3885,6 +4569,10 @@ Licence Apache 2.0</translation>
         <translation>Prendre celle-ci</translation>
     </message>
     <message>
+        <source>Take this posture</source>
+        <translation>Prendre cette posture</translation>
+    </message>
+    <message>
         <source>Takes along</source>
         <translation>Emmène</translation>
     </message>
@@ -3895,6 +4583,22 @@ Licence Apache 2.0</translation>
     <message>
         <source>Takes the hand's tremor, keeps the path</source>
         <translation>Ôte le tremblement de la main, garde le chemin</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Tâche</translation>
+    </message>
+    <message>
+        <source>Task data</source>
+        <translation>Données de la tâche</translation>
+    </message>
+    <message>
+        <source>Task data…</source>
+        <translation>Données de la tâche…</translation>
+    </message>
+    <message>
+        <source>Task of %1</source>
+        <translation>Tâche de %1</translation>
     </message>
     <message>
         <source>Teach</source>
@@ -3985,6 +4689,10 @@ Licence Apache 2.0</translation>
         <translation>L'enregistrement de l'expert n'a pas d'images.</translation>
     </message>
     <message>
+        <source>The figure in its posture</source>
+        <translation>Le corps dans sa posture</translation>
+    </message>
+    <message>
         <source>The file holds one part.</source>
         <translation>Le fichier contient une pièce.</translation>
     </message>
@@ -4037,8 +4745,16 @@ Licence Apache 2.0</translation>
         <translation>La clé du serveur haptique n'est pas utilisable.</translation>
     </message>
     <message>
+        <source>The left arm is supported</source>
+        <translation>Le bras gauche est appuyé</translation>
+    </message>
+    <message>
         <source>The left button is free: a click chooses, a drag draws a box.</source>
         <translation>Le bouton gauche est libre : un clic choisit, un glissement trace un cadre.</translation>
+    </message>
+    <message>
+        <source>The load is lifted or lowered</source>
+        <translation>La charge est levée ou baissée</translation>
     </message>
     <message>
         <source>The log is saved</source>
@@ -4047,6 +4763,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The log was not saved</source>
         <translation>Le journal n'a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>The mannequin cannot be drawn so</source>
+        <translation>Le mannequin ne peut pas être dessiné ainsi</translation>
     </message>
     <message>
         <source>The material's, from hapticell.toml; the server lowers it to what the device bears</source>
@@ -4059,6 +4779,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The module %1 was left out. %2</source>
         <translation>Le module %1 a été laissé de côté. %2</translation>
+    </message>
+    <message>
+        <source>The motion cannot be shown</source>
+        <translation>Le mouvement ne peut pas être montré</translation>
     </message>
     <message>
         <source>The motion is not exported</source>
@@ -4077,12 +4801,40 @@ Licence Apache 2.0</translation>
         <translation>Le chemin d'un mouvement enregistré, éclairci</translation>
     </message>
     <message>
+        <source>The pelvis stays on the seat, which bears the body</source>
+        <translation>Le bassin reste sur le siège, qui porte le corps</translation>
+    </message>
+    <message>
+        <source>The posture is saved</source>
+        <translation>La posture est enregistrée</translation>
+    </message>
+    <message>
+        <source>The posture was not saved</source>
+        <translation>La posture n'a pas été enregistrée</translation>
+    </message>
+    <message>
+        <source>The posture was not taken</source>
+        <translation>La posture n'a pas été prise</translation>
+    </message>
+    <message>
         <source>The recording was not read</source>
         <translation>L'enregistrement n'a pas été lu</translation>
     </message>
     <message>
+        <source>The report is written</source>
+        <translation>Le rapport est écrit</translation>
+    </message>
+    <message>
+        <source>The report was not written</source>
+        <translation>Le rapport n'a pas été écrit</translation>
+    </message>
+    <message>
         <source>The result is not kept</source>
         <translation>Le résultat n'est pas gardé</translation>
+    </message>
+    <message>
+        <source>The right arm is supported</source>
+        <translation>Le bras droit est appuyé</translation>
     </message>
     <message>
         <source>The robot cannot reach the frame: %1 mm or rad away</source>
@@ -4113,6 +4865,10 @@ Licence Apache 2.0</translation>
         <translation>La scène en mots</translation>
     </message>
     <message>
+        <source>The scores are partial: %1 not entered. Task data… completes them.</source>
+        <translation>Les notes sont partielles : %1 non saisi. Données de la tâche… les complète.</translation>
+    </message>
+    <message>
         <source>The stylus button: grabs and releases</source>
         <translation>Le bouton du stylet : saisit et lâche</translation>
     </message>
@@ -4133,8 +4889,16 @@ Licence Apache 2.0</translation>
         <translation>L'essai a été arrêté.</translation>
     </message>
     <message>
+        <source>The trunk is supported (backrest)</source>
+        <translation>Le tronc est appuyé (dossier)</translation>
+    </message>
+    <message>
         <source>The workcell was not saved</source>
         <translation>La cellule n'a pas été enregistrée</translation>
+    </message>
+    <message>
+        <source>The workplace was not searched</source>
+        <translation>Le poste de travail n'a pas été cherché</translation>
     </message>
     <message>
         <source>Theme</source>
@@ -4189,6 +4953,10 @@ Licence Apache 2.0</translation>
         <translation>Par l'entité</translation>
     </message>
     <message>
+        <source>Through its eyes</source>
+        <translation>Par ses yeux</translation>
+    </message>
+    <message>
         <source>Through the mannequin's eyes</source>
         <translation>Par les yeux du mannequin</translation>
     </message>
@@ -4227,6 +4995,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>To the end</source>
         <translation>À la fin</translation>
+    </message>
+    <message>
+        <source>To, fro ±</source>
+        <translation>Vers, depuis ±</translation>
+    </message>
+    <message>
+        <source>Told once the figure rests</source>
+        <translation>Dit dès que le corps est au repos</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -4305,6 +5081,18 @@ Licence Apache 2.0</translation>
         <translation>Rogner</translation>
     </message>
     <message>
+        <source>Trunk</source>
+        <translation>Tronc</translation>
+    </message>
+    <message>
+        <source>Try sitting as well</source>
+        <translation>Essayer aussi assis</translation>
+    </message>
+    <message>
+        <source>Trying every placement with four bodies…</source>
+        <translation>Essai de chaque place avec quatre corps…</translation>
+    </message>
+    <message>
         <source>Tube</source>
         <translation>Tube</translation>
     </message>
@@ -4347,6 +5135,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Two fingers turn; with Shift they shift, with Ctrl they zoom</source>
         <translation>Deux doigts tournent ; avec Maj ils décalent, avec Ctrl ils zooment</translation>
+    </message>
+    <message>
+        <source>Two hands</source>
+        <translation>Deux mains</translation>
     </message>
     <message>
         <source>URDF (*.urdf)</source>
@@ -4399,6 +5191,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Up axis</source>
         <translation>Axe vers le haut</translation>
+    </message>
+    <message>
+        <source>Up, down ±</source>
+        <translation>Haut, bas ±</translation>
     </message>
     <message>
         <source>Upper stop</source>
@@ -4457,6 +5253,10 @@ Licence Apache 2.0</translation>
         <translation>Attend le fichier précédent</translation>
     </message>
     <message>
+        <source>Walking</source>
+        <translation>Marche</translation>
+    </message>
+    <message>
         <source>Warning</source>
         <translation>Avertissement</translation>
     </message>
@@ -4467,6 +5267,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Way there</source>
         <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>Weight, or a force divided by 9.81</source>
+        <translation>Poids, ou une force divisée par 9,81</translation>
+    </message>
+    <message>
+        <source>What brings it down is told once the figure rests.</source>
+        <translation>Ce qui l'abaisse est dit dès que le corps est au repos.</translation>
     </message>
     <message>
         <source>What is held</source>
@@ -4483,6 +5291,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>What is picked</source>
         <translation>Ce qui est désigné</translation>
+    </message>
+    <message>
+        <source>What it sees</source>
+        <translation>Ce qu'il voit</translation>
+    </message>
+    <message>
+        <source>What may be moved, with the hands' targets</source>
+        <translation>Ce qui peut bouger, avec les cibles des mains</translation>
     </message>
     <message>
         <source>What stands in hapticell.toml, in SI units. A double click or F2 changes a value; it holds from the next start.</source>
@@ -4541,12 +5357,24 @@ Licence Apache 2.0</translation>
         <translation>Entier</translation>
     </message>
     <message>
+        <source>Whole figure</source>
+        <translation>Corps entier</translation>
+    </message>
+    <message>
         <source>Window</source>
         <translation>Fenêtre</translation>
     </message>
     <message>
         <source>Within</source>
         <translation>Dans</translation>
+    </message>
+    <message>
+        <source>Woman</source>
+        <translation>Femme</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Travail</translation>
     </message>
     <message>
         <source>Workcell</source>
@@ -4561,12 +5389,36 @@ Licence Apache 2.0</translation>
         <translation>Cellules (*.hcell);;Tous les fichiers (*)</translation>
     </message>
     <message>
+        <source>Working zones (as EN ISO 14738)</source>
+        <translation>Zones de travail (d'après EN ISO 14738)</translation>
+    </message>
+    <message>
+        <source>Workplace search</source>
+        <translation>Recherche du poste de travail</translation>
+    </message>
+    <message>
         <source>World</source>
         <translation>Monde</translation>
     </message>
     <message>
+        <source>Worst RULA by height and distance</source>
+        <translation>Pire RULA selon hauteur et distance</translation>
+    </message>
+    <message>
+        <source>Worst RULA of four bodies</source>
+        <translation>Pire RULA de quatre corps</translation>
+    </message>
+    <message>
+        <source>Worst frame</source>
+        <translation>Pire image</translation>
+    </message>
+    <message>
         <source>Write it as a file or a robot's program</source>
         <translation>L'écrire comme fichier ou programme de robot</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -4576,9 +5428,9 @@ Licence Apache 2.0</translation>
         <source>Written: %1</source>
         <translation>Écrit : %1</translation>
     </message>
-    <message numerus="yes">
-        <source>Written: %1 (%n frame(s)). Tool, base and safety are the controller's own: check them there</source>
-        <translation><numerusform>Écrit : %1 (%n image). Outil, base et sécurité sont ceux de la commande : vérifiez-les là</numerusform><numerusform>Écrit : %1 (%n images). Outil, base et sécurité sont ceux de la commande : vérifiez-les là</numerusform></translation>
+    <message>
+        <source>Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there</source>
+        <translation>Écrit : %1 ; images : %2. Outil, base et sécurité sont ceux de la commande : vérifiez-les là</translation>
     </message>
     <message>
         <source>X</source>
@@ -4603,6 +5455,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Y, depth</source>
         <translation>Y, profondeur</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Oui</translation>
     </message>
     <message>
         <source>Your own</source>
@@ -4653,6 +5509,10 @@ Licence Apache 2.0</translation>
         <translation>en lecture</translation>
     </message>
     <message>
+        <source>best %1 mm</source>
+        <translation>meilleur %1 mm</translation>
+    </message>
+    <message>
         <source>by %1</source>
         <translation>de %1</translation>
     </message>
@@ -4663,6 +5523,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>centre</source>
         <translation>centre</translation>
+    </message>
+    <message>
+        <source>centre of mass</source>
+        <translation>centre de masse</translation>
     </message>
     <message>
         <source>changed</source>
@@ -4685,12 +5549,24 @@ Licence Apache 2.0</translation>
         <translation>contact</translation>
     </message>
     <message>
+        <source>contacts felt: %1</source>
+        <translation>contacts sentis : %1</translation>
+    </message>
+    <message>
+        <source>contacts: %1</source>
+        <translation>contacts : %1</translation>
+    </message>
+    <message>
         <source>d MMMM, HH:mm</source>
         <translation>d MMMM, HH:mm</translation>
     </message>
     <message>
         <source>file missing</source>
         <translation>fichier manquant</translation>
+    </message>
+    <message>
+        <source>final %1. Bound rule: an inner boundary belongs to the lower class.</source>
+        <translation>finale %1. Règle des bornes : une borne intérieure appartient à la classe inférieure.</translation>
     </message>
     <message>
         <source>flip</source>
@@ -4713,6 +5589,10 @@ Licence Apache 2.0</translation>
         <translation>image déplacée</translation>
     </message>
     <message>
+        <source>frames: %1</source>
+        <translation>images : %1</translation>
+    </message>
+    <message>
         <source>free gap</source>
         <translation>espace libre</translation>
     </message>
@@ -4725,12 +5605,20 @@ Licence Apache 2.0</translation>
         <translation>libre</translation>
     </message>
     <message>
+        <source>further away</source>
+        <translation>plus loin</translation>
+    </message>
+    <message>
         <source>glTF (*.glb)</source>
         <translation>glTF (*.glb)</translation>
     </message>
     <message>
         <source>grabs</source>
         <translation>saisit</translation>
+    </message>
+    <message>
+        <source>h</source>
+        <translation>h</translation>
     </message>
     <message>
         <source>held</source>
@@ -4761,8 +5649,16 @@ Licence Apache 2.0</translation>
         <translation>joint</translation>
     </message>
     <message>
+        <source>joints: %1</source>
+        <translation>articulations : %1</translation>
+    </message>
+    <message>
         <source>kg</source>
         <translation>kg</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>connu</translation>
     </message>
     <message>
         <source>late %1 ms</source>
@@ -4783,6 +5679,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>limit</source>
         <translation>butée</translation>
+    </message>
+    <message>
+        <source>limits passed: %1</source>
+        <translation>limites dépassées : %1</translation>
+    </message>
+    <message>
+        <source>live, both sides, %1 µs a posture · left RULA %2, right %3 · EAWS outline %4 points</source>
+        <translation>en direct, deux côtés, %1 µs par posture · RULA gauche %2, droite %3 · EAWS en aperçu %4 points</translation>
     </message>
     <message>
         <source>locked</source>
@@ -4885,6 +5789,10 @@ Licence Apache 2.0</translation>
         <translation>maintenant</translation>
     </message>
     <message>
+        <source>now %1 mm</source>
+        <translation>maintenant %1 mm</translation>
+    </message>
+    <message>
         <source>of %1</source>
         <translation>de %1</translation>
     </message>
@@ -4957,12 +5865,24 @@ Licence Apache 2.0</translation>
         <translation>simplifié</translation>
     </message>
     <message>
+        <source>singular places, changes of configuration: %1</source>
+        <translation>places singulières, changements de configuration : %1</translation>
+    </message>
+    <message>
+        <source>sitting</source>
+        <translation>assis</translation>
+    </message>
+    <message>
         <source>smoothed</source>
         <translation>lissé</translation>
     </message>
     <message>
         <source>split</source>
         <translation>coupé</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>debout</translation>
     </message>
     <message>
         <source>step %1 ms</source>
@@ -5041,12 +5961,24 @@ Licence Apache 2.0</translation>
         <translation>sans une partie</translation>
     </message>
     <message>
+        <source>worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).</source>
+        <translation>pire RULA %1 (femme P5 %2, femme P50 %3, homme P50 %4, homme P95 %5).</translation>
+    </message>
+    <message>
         <source>x, y, z</source>
         <translation>x, y, z</translation>
     </message>
     <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
     </message>
 </context>
 </TS>
