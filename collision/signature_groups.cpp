@@ -129,6 +129,29 @@ void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double
   towards(middle);
 }
 
+/// The roof over a sharp edge, where a ball rolls from one side to the other, at the place nearest to the cell.
+void SignatureCache::sampleEdge(std::uint32_t t, int k, const geometry::Bounds& box, double radius, double reach) {
+  const auto edge = model_->edgeElementOf(t, k);
+  const auto other = model_->surface().neighbour[t][static_cast<std::size_t>(k)];
+  if (edge == kNone || other == kNone || other < t) return;
+  const auto& mesh = model_->surface().mesh;
+  const dvec3 a = mesh.corner(t, k), b = mesh.corner(t, (k + 1) % 3), way = b - a;
+  const double s = std::clamp(glm::dot(box.center() - a, way) / std::max(glm::dot(way, way), 1e-24), 0.0, 1.0);
+  const dvec3 p = a + s * way;
+  if (glm::length(glm::max(glm::abs(p - box.center()) - 0.5 * box.size(), dvec3(0.0))) > reach) return;
+  const dvec3 place = glm::floor((p - box.min) / (kGrain * reach));
+  if (!grains_.insert({static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z), edge}).second)
+    return;
+  const auto normal = [&](std::uint32_t triangle) {
+    return viewFrom(model_->elements()[model_->elementOf(triangle)].shape, p).nhat_M;
+  };
+  const dvec3 middle = normal(t) + normal(other);
+  if (glm::length(middle) < 1e-6) return;
+  const dvec3 nhat_M = glm::normalize(middle);
+  const auto component = model_->surface().closed ? model_->surface().component[t] : 0u;
+  samples_.push_back({p + radius * nhat_M, nhat_M, component});
+}
+
 SignatureCell SignatureCache::made(const dvec3& center, double half, double radius, double reach) {
   SignatureCell cell;
   const geometry::Bounds box{center - dvec3(half), center + dvec3(half)};
@@ -163,7 +186,10 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
   }
   samples_.clear();
   grains_.clear();
-  for (const auto t : near_) sample(t, box, radius, reach);
+  for (const auto t : near_) {
+    sample(t, box, radius, reach);
+    for (int k = 0; radius > 0.0 && k < 3; ++k) sampleEdge(t, k, box, radius, reach);
+  }
   std::vector<Signature> signatures;  // Few are different.
   std::vector<SignedSample> signed_samples;
   std::unordered_map<Signature, std::uint32_t, SignatureHash> names;

@@ -69,6 +69,7 @@ class SignatureCache {
   static Key keyOf(const dvec3& p_MP, double radius, double reach);
   SignatureCell made(const dvec3& center, double half, double radius, double reach);
   void sample(std::uint32_t triangle, const geometry::Bounds& box, double radius, double reach);
+  void sampleEdge(std::uint32_t triangle, int k, const geometry::Bounds& box, double radius, double reach);
   void addSample(std::uint32_t triangle, const dvec3& on_facet, double radius);
 
   using Grain = std::tuple<int, int, int, std::uint32_t>;
