@@ -56,6 +56,8 @@ Options parse(const QApplication& application) {
        {"exit", "Quits after the screenshot."},
        {"delay", "Milliseconds before the screenshot.", "ms", "1500"},
        {"measure-frames", "Prints the median time of a frame at each level of detail and quits."},
+       {"measure-start",
+        "Prints when the window stood, when its cell was read and how long it ever kept a click waiting, and quits."},
        {"theme", "dark or light.", "name"},
        {"language", "en or fr.", "code"},
        {"size", "Size of the window, or of the picture.", "WIDTHxHEIGHT"},
