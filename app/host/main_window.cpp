@@ -266,7 +266,7 @@ void MainWindow::loadModules(const QStringList& folders) {
 }
 
 void MainWindow::restoreLayout() {
-  layouts_.restore();
+  if (!layouts_.restore()) layouts_.reset();
 }
 
 bool MainWindow::startModule(const QString& name) {
