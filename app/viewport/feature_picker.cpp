@@ -20,14 +20,17 @@ collision::Ray rayIn(const Pose& X_WM, const Ray& ray_W) {
   return {X_MW * ray_W.origin_W, X_MW.rotate(ray_W.direction_W)};
 }
 
-/// The nearest triangle that the ray meets; its number and how far along.
+/// The nearest triangle that the ray meets; its number and how far along. `doubtful`: it goes right through an edge of
+/// one, where neither neighbour is met, so that what is found may lie behind.
 std::optional<std::pair<std::uint32_t, double>> firstTriangle(const geometry::TriangleMesh& mesh,
-                                                              const collision::Ray& ray) {
+                                                              const collision::Ray& ray, bool* doubtful = nullptr) {
   std::optional<std::pair<std::uint32_t, double>> first;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto crossing = collision::meetTriangle(ray, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
     if (crossing.meets && crossing.along > 0.0 && (!first || crossing.along < first->second))
       first.emplace(t, crossing.along);
+    const auto edge = [&](int i) { return mesh.corner(t, i) - mesh.corner(t, 0); };
+    if (doubtful && crossing.grazes && glm::length(glm::cross(edge(1), edge(2))) > 0.0) *doubtful = true;
   }
   return first;
 }
@@ -112,7 +115,9 @@ std::optional<FeaturePicker::Hit> FeaturePicker::meet(const Question& question, 
   std::optional<Hit> best;
   for (const RenderItem& item : *question.items) {
     if (item.entity != question.entity || item.link != question.link || !item.mesh) continue;
-    const auto hit = firstTriangle(*item.mesh, rayIn(item.X_WM, ray_W));
+    bool doubtful = false;
+    const auto hit = firstTriangle(*item.mesh, rayIn(item.X_WM, ray_W), &doubtful);
+    if (doubtful) return std::nullopt;
     if (hit && (!best || hit->second < best->along)) best = Hit{&item, hit->first, hit->second};
   }
   return best;

@@ -165,10 +165,11 @@ TEST(PutOnto, LaysAFaceFlatOnAFace) {
   EditPage page;
   page.select(page.left);
   page.showDock("dockMove");
-  page.lookAt({0.2, 0, 0}, 0.35);  // The dock took room from the scene.
   page.press("buttonOnto");
+  page.lookAt({0, 0, kHalf}, 0.1);  // Near enough to hit the face beside its edges.
   page.clickPoint({0.02, 0.01, kHalf});
   ASSERT_TRUE(page.window().viewport().isPicking()) << "the second is asked for";
+  page.lookAt({0.4, 0, kHalf}, 0.1);
   page.clickPoint({0.41, 0.01, kHalf});
   EXPECT_FALSE(page.window().viewport().isPicking());
   const Pose X_WE = page.document().find(page.left)->X_WE;

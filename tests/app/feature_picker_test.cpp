@@ -63,6 +63,17 @@ TEST(FeaturePicker, TheMiddleOfABoxIsAPlaneItsRimAnEdgeItsTipACorner) {
   EXPECT_NEAR(glm::distance(corner->p_WQ, dvec3(0.05, -0.05, 0.05)), 0.0, 1e-12);
 }
 
+TEST(FeaturePicker, RightThroughAnEdgeOfTheMeshTheNearFaceIsMetAndNotTheOneBehind) {
+  // One of these lies on the diagonal between the two triangles of the top.
+  for (const double y : {0.01, -0.01, 0.0}) {
+    Stage stage(geometry::makeBox({0.1, 0.1, 0.1}));
+    const auto top = stage.at({0.01 * (y != 0.0), y, 0.05});
+    ASSERT_TRUE(top);
+    EXPECT_NEAR(top->nhat_W.z, 1.0, 1e-12) << y;
+    EXPECT_NEAR(top->p_WHit.z, 0.05, 1e-9) << y;
+  }
+}
+
 TEST(FeaturePicker, AFilterLeavesOutWhatIsNotWanted) {
   Stage stage(geometry::makeBox({0.1, 0.1, 0.1}));
   const dvec3 tip(0.05, -0.05, 0.05);

@@ -27,9 +27,9 @@ class MeasurePage : public CellPage {
 TEST(Measuring, TwoCornersHaveADistanceWithComponents) {
   MeasurePage page;
   page.chooseSegment("segmentsMeasure", 1);
-  page.clickPoint({0.05, -0.05, 0.05});
+  page.clickPoint({0.046, -0.046, 0.05});
   EXPECT_TRUE(page.text().startsWith("Corner of left")) << page.text().toStdString();
-  page.clickPoint({0.30, -0.05, 0.07});
+  page.clickPoint({0.304, -0.046, 0.07});
   EXPECT_EQ(page.number().toStdString(), "250.8 mm");
   EXPECT_TRUE(page.text().contains("ΔX\t250.0 mm")) << page.text().toStdString();
   EXPECT_TRUE(page.text().contains("ΔZ\t20.0 mm"));
