@@ -2,6 +2,7 @@
 #include "cli/ergonomics_posture_input.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -14,6 +15,23 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 using namespace ergonomics;
+
+/// Fields of the shares, in the order of EawsPosture.
+constexpr std::array<const char*, kEawsPostureCount> kEawsNames{"stand_walk",
+                                                                "stand",
+                                                                "stand_bent",
+                                                                "stand_bent_far",
+                                                                "stand_elbow_at_shoulder",
+                                                                "stand_hands_above_head",
+                                                                "sit_back_support",
+                                                                "sit_upright",
+                                                                "sit_bent",
+                                                                "sit_elbow_at_shoulder",
+                                                                "sit_hands_above_head",
+                                                                "kneel_upright",
+                                                                "kneel_bent",
+                                                                "lie",
+                                                                "climb"};
 
 std::string shortText(const json& value) {
   std::string text = value.dump();
@@ -176,9 +194,7 @@ Expected<ordered_json> zonesReport(const std::string& method, const json& input)
 Expected<ordered_json> eawsReport(const json& input) {
   std::array<double, kEawsPostureCount> shares{};
   Fields fields(input);
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < kEawsPostureCount; ++i) names.emplace_back(nameOf(static_cast<EawsPosture>(i)));
-  for (std::size_t i = 0; i < kEawsPostureCount; ++i) fields.number(names[i].c_str(), shares[i], 0.0, 1.0, false);
+  for (std::size_t i = 0; i < kEawsPostureCount; ++i) fields.number(kEawsNames[i], shares[i], 0.0, 1.0, false);
   if (const auto error = fields.finish()) return makeError(*error);
   double sum = 0.0;
   for (const double share : shares) sum += share;

@@ -22,10 +22,12 @@ bool isReaching(const std::string& link, Side side) {
          is(link, armSegment(side, Segment::kLeftHand));
 }
 
-bool isBody(const std::string& link) {
-  constexpr std::array<Segment, 10> kBody{
-      Segment::kPelvis, Segment::kLowerBack, Segment::kUpperBack, Segment::kThorax,     Segment::kUpperNeck,
-      Segment::kHead,   Segment::kLeftThigh, Segment::kLeftShank, Segment::kRightThigh, Segment::kRightShank};
+/// What a reaching arm of that side is kept out of. Its own hip and leg are not among it: a hanging hand brushes them.
+bool isBody(const std::string& link, Side side) {
+  constexpr std::array<Segment, 5> kBody{Segment::kLowerBack, Segment::kUpperBack, Segment::kThorax,
+                                         Segment::kUpperNeck, Segment::kHead};
+  const Side far = mannequin::other(side);
+  if (is(link, legSegment(far, Segment::kLeftThigh)) || is(link, legSegment(far, Segment::kLeftShank))) return true;
   return std::any_of(kBody.begin(), kBody.end(), [&](Segment segment) { return is(link, segment); });
 }
 
@@ -33,7 +35,7 @@ bool meets(const std::string& reaching, const std::string& other) {
   for (const Side side : {Side::kLeft, Side::kRight}) {
     if (!isReaching(reaching, side)) continue;
     const Side far = mannequin::other(side);
-    return isBody(other) || isReaching(other, far) || is(other, armSegment(far, Segment::kLeftUpperArm));
+    return isBody(other, side) || isReaching(other, far) || is(other, armSegment(far, Segment::kLeftUpperArm));
   }
   return false;
 }

@@ -6,8 +6,8 @@
 namespace hapticell::manipulation {
 
 /// Whether two links of a mannequin (by name) are checked against each other while it is drawn: a forearm or hand
-/// against trunk, neck, head, legs and the other arm. What one joint or a few join (a hand and its own arm, the upper
-/// arm and the trunk) always overlaps and is left to the joints' limits; fingers are left out.
+/// against trunk, neck, head, the other leg and the other arm. What one joint or a few join (a hand and its own arm,
+/// the upper arm and the trunk) always overlaps and is left to the joints' limits; fingers are left out.
 bool isOwnPairOfMannequin(const std::string& first, const std::string& second);
 
 }  // namespace hapticell::manipulation

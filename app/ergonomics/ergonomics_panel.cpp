@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ergonomics/ergonomics_panel.h"
 
+#include <QAbstractButton>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -41,20 +42,19 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   rows->setSpacing(8);
   column->addWidget(content_);
   column->addStretch(1);
-  auto* head = new QHBoxLayout;
-  methods_ = new Segmented({tr("RULA"), tr("REBA"), tr("OWAS"), tr("EN 1005-4, ISO 11226")});
+  methods_ = new Segmented({tr("RULA"), tr("REBA"), tr("OWAS"), tr("EN, ISO")});
   methods_->setObjectName("segmentsMethod");
   methods_->setCurrent(0);
   task_ = new QPushButton(tr("Task data…"));
   task_->setObjectName("buttonTaskData");
   auto* report = new QPushButton(tr("Report…"));
   report->setObjectName("buttonReport");
-  head->addWidget(methods_, 1);
-  head->addWidget(task_);
-  head->addWidget(report);
-  rows->addLayout(head);
+  methods_->button(3)->setToolTip(tr("EN 1005-4 and ISO 11226: zones and holding times of the parts"));
+  rows->addWidget(methods_);
+  rows->addWidget(sideBySide({task_, report}));
   live_ = makeLabel({}, TextRole::kSecond, true);
   live_->setObjectName("labelLive");
+  live_->setWordWrap(true);
   rows->addWidget(live_);
   columns_ = new ScoreColumns(scores_);
   rows->addWidget(columns_);

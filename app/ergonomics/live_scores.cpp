@@ -137,7 +137,7 @@ QString LiveScores::adviceText() const {
   if (!advice_) return {};
   if (!advice_->better) {
     if (scores().worse().rula_level <= 1) return tr("Nothing needs to change.");
-    return tr("No shift of the work by up to 400 mm lowers the level for this body.");
+    return tr("No shift of the work by up to 600 mm lowers the level for this body.");
   }
   const dvec3 shift = advice_->better->shift_W;
   const QString millimetres = QString::number(1000.0 * glm::length(shift), 'f', 0);

@@ -19,7 +19,7 @@ class ScoreColumns : public QWidget {
   explicit ScoreColumns(const LiveScores& scores, QWidget* parent = nullptr);
   void setMethod(ergonomics::ColourMethod method);
   QSize sizeHint() const override { return {540, 330}; }
-  QSize minimumSizeHint() const override { return {320, 330}; }
+  QSize minimumSizeHint() const override { return {300, 330}; }
   /// The chosen body; -1: none.
   int chosen() const { return chosen_; }
 

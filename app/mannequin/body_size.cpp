@@ -40,7 +40,8 @@ BodySize::BodySize(MannequinContext& context, QWidget* parent) : QWidget(parent)
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(6);
-  boundary_ = new Segmented({tr("P5 woman"), tr("P50 woman"), tr("P50 man"), tr("P95 man")});
+  boundary_ = new Segmented({tr("P5 w."), tr("P50 w."), tr("P50 m."), tr("P95 m.")});
+  boundary_->setToolTip(tr("The bodies that bound most users: P5 and P50 woman, P50 and P95 man"));
   boundary_->setObjectName("segmentsBoundary");
   rows->addWidget(boundary_);
   sex_ = new Segmented({tr("Woman"), tr("Man")});
@@ -110,6 +111,8 @@ void BodySize::addMeasures() {
     const auto name = mannequin::nameOf(dimension);
     dimension_->addItem(QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())), static_cast<int>(i));
   }
+  dimension_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  dimension_->setMinimumContentsLength(8);
   measure_ = new ValueField({tr("mm"), 0, 10.0, 2300.0, 1.0});
   measure_->setObjectName("fieldMeasure");
   measure_->setToolTip(tr("A person's own measure goes before the most likely one of the survey (ANSUR II)"));

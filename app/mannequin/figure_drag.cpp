@@ -148,6 +148,11 @@ void FigureDrag::take(const manipulation::EntityConfiguration& stands, const Rea
   pump();
 }
 
+bool FigureDrag::isOwnBody() const {
+  const workcell::Entity* entity = context_.entity();
+  return entity && reach_ && reach_->obstacle == entity->name;
+}
+
 void FigureDrag::refuse(const QString& why) {
   context_.host().messages().tell(Severity::kWarning, tr("The mannequin cannot be drawn so"), why);
   keep_ = false;

@@ -38,6 +38,8 @@ class FigureDrag : public QObject {
     Pose X_WM;             ///< Where the moved frame is.
   };
   const std::optional<Reach>& reach() const { return reach_; }
+  /// What holds it up is the figure itself.
+  bool isOwnBody() const;
 
  signals:
   void moved();

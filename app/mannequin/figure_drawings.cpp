@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mannequin/figure_drawings.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -50,7 +51,7 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
   column->addWidget(balance_);
   eyes_ = new QPushButton(tr("Through its eyes"));
   eyes_->setObjectName("buttonEyes");
-  sight_ = new QPushButton(tr("Does it see the selection?"));
+  sight_ = new QPushButton(tr("What it sees of it"));
   sight_->setObjectName("buttonSees");
   sight_->setToolTip(tr("Casts rays from its eyes to the part that was chosen last"));
   column->addWidget(sideBySide({eyes_, sight_}));
@@ -70,11 +71,10 @@ void FigureDrawings::addSwitches(QVBoxLayout& column) {
                                           tr("Working zones (as EN ISO 14738)"), tr("What it sees"),
                                           tr("Centre of mass and support")};
   for (std::size_t i = 0; i < switches_.size(); ++i) {
-    auto* button = switches_[i] = new QPushButton(words[i]);
+    auto* button = switches_[i] = new QCheckBox(words[i]);
     button->setObjectName(QStringLiteral("draw%1").arg(i));
     button->setProperty("switch", true);
-    button->setCheckable(true);
-    connect(button, &QPushButton::clicked, this, [this] {
+    connect(button, &QCheckBox::clicked, this, [this] {
       figure_.reset();  // Looks at it anew.
       showNow();
     });

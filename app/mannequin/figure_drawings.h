@@ -11,6 +11,7 @@
 #include "manipulation/prepared_scene.h"
 #include "mannequin/posture.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
@@ -38,7 +39,7 @@ class FigureDrawings : public QWidget {
   void lookThroughEyes();
   bool isOn(Kind kind) const;
   MannequinContext& context_;
-  std::array<QPushButton*, kKinds> switches_{};
+  std::array<QCheckBox*, kKinds> switches_{};
   QPushButton *eyes_, *sight_;
   QLabel *balance_, *seen_;
   mannequin::Posture posture_;

@@ -73,8 +73,9 @@ void drawFigure(QPainter& painter, const QRectF& area, const std::vector<mannequ
 }
 
 FigureSketch::FigureSketch(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(110, 150);
+  setMinimumSize(100, 150);
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+  setMaximumWidth(170);
   setAccessibleName(tr("The figure in its posture"));
 }
 

@@ -143,6 +143,11 @@ QString nameOfHeld(Kind kind) {
 
 QString reachText(const FigureDrag& drag, Kind kind) {
   if (!drag.reach() || drag.reach()->short_m < kShortShown) return {};
+  if (drag.isOwnBody()) {
+    return HandGizmo::tr("%1 meets the own body, %2 mm short of the target")
+        .arg(nameOfHeld(kind))
+        .arg(1000.0 * drag.reach()->short_m, 0, 'f', 0);
+  }
   if (!drag.reach()->obstacle.empty()) {
     return HandGizmo::tr("%1 is held up by %2, %3 mm short of the target")
         .arg(nameOfHeld(kind), QString::fromStdString(drag.reach()->obstacle))

@@ -2,11 +2,11 @@
 #include "app/mannequin/mannequin_panel.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -128,26 +128,24 @@ void MannequinPanel::addHolding(QVBoxLayout& column) {
                                      tr("Head, gaze")};
   const std::array<const char*, 5> icons{"mannequin", "hand", "hand", "hands", "eye"};
   for (std::size_t i = 0; i < holds_.size(); ++i) {
-    auto* button = holds_[i] = new QToolButton;
+    auto* button = holds_[i] = new QPushButton;
     button->setObjectName(QStringLiteral("hold%1").arg(i));
     button->setText(words[i]);
     button->setIcon(icon(QLatin1String(icons[i])));
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setCheckable(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setMinimumHeight(26);
-    connect(button, &QToolButton::clicked, this, [this, i] { hold(kKinds[i]); });
+    connect(button, &QPushButton::clicked, this, [this, i] { hold(kKinds[i]); });
     choices->addWidget(button);
   }
   choices->addSpacing(4);
   choices->addWidget(makeLabel(tr("Locked"), TextRole::kSecond, true));
   const std::array<QString, 4> locks{tr("Trunk"), tr("Pelvis"), tr("Feet"), tr("On a seat")};
   for (std::size_t i = 0; i < locks_.size(); ++i) {
-    auto* lock = locks_[i] = new QPushButton(locks[i]);
+    auto* lock = locks_[i] = new QCheckBox(locks[i]);
     lock->setObjectName(QStringLiteral("lock%1").arg(i));
     lock->setProperty("switch", true);
-    lock->setCheckable(true);
-    connect(lock, &QPushButton::clicked, this, [this, i](bool on) { setLock(static_cast<int>(i), on); });
+    connect(lock, &QCheckBox::clicked, this, [this, i](bool on) { setLock(static_cast<int>(i), on); });
     choices->addWidget(lock);
   }
   locks_[2]->setToolTip(tr("Off: the figure may step to where the hand is reached"));

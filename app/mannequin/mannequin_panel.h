@@ -7,11 +7,11 @@
 #include "manipulation/manipulation_command.h"
 #include "mannequin/skeleton.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
-class QToolButton;
 class QVBoxLayout;
 
 namespace hapticell::app {
@@ -69,8 +69,8 @@ class MannequinPanel : public QWidget {
   QWidget *empty_, *content_;
   QLabel *name_, *body_, *reach_mark_, *reach_, *reach_advice_;
   FigureSketch* sketch_;
-  std::array<QToolButton*, 5> holds_{};
-  std::array<QPushButton*, 4> locks_{};
+  std::array<QPushButton*, 5> holds_{};
+  std::array<QCheckBox*, 4> locks_{};
   BodySize* size_;
   Segmented *grasp_, *two_hands_;
   QSlider* curl_;

@@ -249,6 +249,10 @@
         <translation>%1 rencontre %2</translation>
     </message>
     <message>
+        <source>%1 meets the own body, %2 mm short of the target</source>
+        <translation>%1 touche son propre corps, à %2 mm de la cible</translation>
+    </message>
+    <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
     </message>
@@ -1613,10 +1617,6 @@
         <translation>Fait</translation>
     </message>
     <message>
-        <source>Does it see the selection?</source>
-        <translation>Voit-il la sélection ?</translation>
-    </message>
-    <message>
         <source>Done as a copy: %1. The recording is as it was</source>
         <translation>Fait en copie : %1. L'enregistrement est comme avant</translation>
     </message>
@@ -1701,8 +1701,12 @@
         <translation>Dynamique</translation>
     </message>
     <message>
-        <source>EN 1005-4, ISO 11226</source>
-        <translation>EN 1005-4, ISO 11226</translation>
+        <source>EN 1005-4 and ISO 11226: zones and holding times of the parts</source>
+        <translation>EN 1005-4 et ISO 11226 : zones et temps de maintien des parties</translation>
+    </message>
+    <message>
+        <source>EN, ISO</source>
+        <translation>EN, ISO</translation>
     </message>
     <message>
         <source>Each its own</source>
@@ -3117,8 +3121,8 @@ Licence Apache 2.0</translation>
         <translation>Pas encore d'essai</translation>
     </message>
     <message>
-        <source>No shift of the work by up to 400 mm lowers the level for this body.</source>
-        <translation>Aucun décalage du travail jusqu'à 400 mm n'abaisse le niveau pour ce corps.</translation>
+        <source>No shift of the work by up to 600 mm lowers the level for this body.</source>
+        <translation>Aucun déplacement du travail jusqu'à 600 mm n'abaisse le niveau pour ce corps.</translation>
     </message>
     <message>
         <source>No solid is selected</source>
@@ -3433,16 +3437,32 @@ Licence Apache 2.0</translation>
         <translation>P %1</translation>
     </message>
     <message>
+        <source>P5 w.</source>
+        <translation>P5 f.</translation>
+    </message>
+    <message>
         <source>P5 woman</source>
         <translation>Femme P5</translation>
+    </message>
+    <message>
+        <source>P50 m.</source>
+        <translation>P50 h.</translation>
     </message>
     <message>
         <source>P50 man</source>
         <translation>Homme P50</translation>
     </message>
     <message>
+        <source>P50 w.</source>
+        <translation>P50 f.</translation>
+    </message>
+    <message>
         <source>P50 woman</source>
         <translation>Femme P50</translation>
+    </message>
+    <message>
+        <source>P95 m.</source>
+        <translation>P95 h.</translation>
     </message>
     <message>
         <source>P95 man</source>
@@ -4641,6 +4661,10 @@ Licence Apache 2.0</translation>
         <translation>La base suit la main ; les articulations gardent l'outil où il est dans la cellule</translation>
     </message>
     <message>
+        <source>The bodies that bound most users: P5 and P50 woman, P50 and P95 man</source>
+        <translation>Les corps qui encadrent la plupart des utilisateurs : femmes P5 et P50, hommes P50 et P95</translation>
+    </message>
+    <message>
         <source>The cell is as it was.</source>
         <translation>La cellule est comme avant.</translation>
     </message>
@@ -5295,6 +5319,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>What it sees</source>
         <translation>Ce qu'il voit</translation>
+    </message>
+    <message>
+        <source>What it sees of it</source>
+        <translation>Ce qu'il en voit</translation>
     </message>
     <message>
         <source>What may be moved, with the hands' targets</source>

@@ -16,7 +16,7 @@ using mannequin::Side;
 
 constexpr double kRaised = 0.35;                 ///< rad that an upper arm is off the trunk's line.
 constexpr double kBent = 0.45;                   ///< rad of elbow flexion.
-constexpr double kStep = 0.01, kFarthest = 0.4;  ///< m
+constexpr double kStep = 0.01, kFarthest = 0.6;  ///< m
 
 double reachLeft(const Figure& figure, const FigurePose& pose, const std::array<bool, 2>& active) {
   double left = 1e9;
@@ -134,13 +134,18 @@ std::optional<BetterPlace> betterPlace(const Figure& figure, const Posture& post
   for (double far = kStep; far < kFarthest; far += kStep) {
     std::optional<BetterPlace> best;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-      const auto found = solver.solve(taskAt(figure, posture, figure, far * ways[i]), last[i]);
-      if (found.status != mannequin::PostureStatus::kSolved) continue;
-      last[i] = found.posture;
-      const int score =
-          scorePosture(figure, found.posture, mannequin::forwardKinematics(figure, found.posture), task).rula();
-      if (rula.levelOf(score) < level && (!best || score < best->score))
-        best = BetterPlace{far * ways[i], score, found.posture};
+      for (const bool turned_alike : {true, false}) {
+        mannequin::PostureTask wanted = taskAt(figure, posture, figure, far * ways[i]);
+        wanted.orientation = {turned_alike, turned_alike};
+        const auto found = solver.solve(wanted, last[i]);
+        if (found.status != mannequin::PostureStatus::kSolved) continue;
+        last[i] = found.posture;
+        const int score =
+            scorePosture(figure, found.posture, mannequin::forwardKinematics(figure, found.posture), task).rula();
+        if (rula.levelOf(score) < level && (!best || score < best->score))
+          best = BetterPlace{far * ways[i], score, found.posture};
+        break;  // Hands may turn only where they cannot be held alike.
+      }
     }
     if (best) return best;
   }

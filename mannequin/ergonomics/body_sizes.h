@@ -40,7 +40,7 @@ struct BetterPlace {
   mannequin::Posture posture;
 };
 
-/// The smallest shift of the targets (down, up, nearer, further, to a side; up to 0.4 m in steps of 10 mm) with which
+/// The smallest shift of the targets (down, up, nearer, further, to a side; up to 0.6 m in steps of 10 mm) with which
 /// the figure's RULA falls to a lower level; nothing where none does. Some tens of milliseconds: not for Qt's thread.
 std::optional<BetterPlace> betterPlace(const mannequin::Figure& figure, const mannequin::Posture& posture,
                                        const WorkTask& task);

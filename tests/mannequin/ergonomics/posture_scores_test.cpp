@@ -169,7 +169,7 @@ TEST(BetterPlace, LowersTheLevelWithinReach) {
   const auto better = betterPlace(figure, posture, known());
   ASSERT_TRUE(better);
   EXPECT_LT(Rula().levelOf(better->score), Rula().levelOf(now));
-  EXPECT_LE(glm::length(better->shift_W), 0.4 + 1e-9);
+  EXPECT_LE(glm::length(better->shift_W), 0.6 + 1e-9);
   EXPECT_TRUE(mannequin::limitViolations(better->posture).empty());
   const auto there = mannequin::forwardKinematics(figure, better->posture);
   EXPECT_EQ(scorePosture(figure, better->posture, there, known()).rula(), better->score);
