@@ -85,11 +85,14 @@ Posture stepped(const Wish& wish, const Posture& posture, const FigurePose& pose
     for (int i = 0; i < kTurns; ++i) JW.col(i) *= weight[static_cast<std::size_t>(i)];
     const Eigen::Matrix<double, 6, 6> A = JW * J.transpose() + kDamping * Eigen::Matrix<double, 6, 6>::Identity();
     const Eigen::Matrix<double, kTurns, 1> dq = JW.transpose() * A.ldlt().solve(error);
+    // All together: joints cut one by one would turn the step away from its direction, and the head would not move.
+    const double largest = dq.cwiseAbs().maxCoeff();
+    const double share = largest > most ? most / largest : 1.0;
     bool again = false;
     for (int i = 0; i < kTurns; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const DofInfo& info = dofInfo(static_cast<Dof>(i));
-      const double wanted = posture.angles[k] + std::clamp(dq[i], -most, most);
+      const double wanted = posture.angles[k] + share * dq[i];
       result.angles[k] = std::clamp(wanted, info.lower, info.upper);
       const bool pushes =
           weight[k] > 0.0 && result.angles[k] != wanted && std::abs(result.angles[k] - posture.angles[k]) < 1e-12;

@@ -79,7 +79,7 @@ TEST(Benchmark, choosesOneFigure) {
 TEST(Benchmark, refusesAnUnknownName) {
   const auto figures = runBenchmark(only("no such scene"));
   ASSERT_FALSE(figures.has_value());
-  EXPECT_NE(figures.error().message().find("thin wall"), std::string::npos);
+  EXPECT_NE(figures.error().message().find("flat wall"), std::string::npos);
 }
 
 TEST(FeelScenes, theRobotsJointLimitIsFelt) {
