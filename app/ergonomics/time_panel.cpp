@@ -51,7 +51,7 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   name_ = makeLabel({}, TextRole::kSection);
   name_->setObjectName("labelMotion");
   at_ = makeLabel({}, TextRole::kSecond, true);
-  at_->setObjectName("labelFrame");
+  at_->setObjectName("labelScoredFrame");
   line->addWidget(open_button);
   line->addWidget(play_);
   line->addWidget(worst_);

@@ -68,7 +68,7 @@ TEST(WorkcellTree, MarksFollowTheSnapshotAndAreWordsToo) {
   EXPECT_EQ(tower.data(WorkcellTreeModel::kMarkRole).toInt(), static_cast<int>(Mark::kNearMiss));
   EXPECT_EQ(model.indexOf(1).data(WorkcellTreeModel::kMarkRole).toInt(), static_cast<int>(Mark::kNone));
   EXPECT_EQ(tower.parent().data(WorkcellTreeModel::kInnerMarkRole).toInt(), static_cast<int>(Mark::kNearMiss));
-  EXPECT_EQ(tower.data(Qt::AccessibleTextRole).toString(), "tower B, near miss, 6.4 millimetres");
+  EXPECT_EQ(tower.data(Qt::AccessibleTextRole).toString(), "tower B, near miss, 6.4 mm");
   EXPECT_EQ(model.indexOf(3).data(WorkcellTreeModel::kSuffixRole).toString(), "held");
   EXPECT_TRUE(tower.data(WorkcellTreeModel::kFilterRole).toString().contains("near miss"));
   EXPECT_GT(changes.count(), 0);
