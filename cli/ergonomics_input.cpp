@@ -216,7 +216,7 @@ Expected<LiftingTask> liftingTask(const json& object) {
 Expected<json> readErgonomicsInput(const std::string& input) {
   std::string text = input;
   const auto first = input.find_first_not_of(" \t\r\n");
-  const bool is_in_place = first != std::string::npos && input[first] == '{';
+  const bool is_in_place = first != std::string::npos && (input[first] == '{' || input[first] == '[');
   if (input == "-") {
     text.assign(std::istreambuf_iterator<char>(std::cin), {});
   } else if (!is_in_place) {
