@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mannequin/figure_drag.h"
 
+#include <algorithm>
+
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
@@ -11,10 +13,19 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMostSteps = 12;     // Of the held entity for one place of the mouse.
+constexpr int kMostSteps = 12;     // Of the held entity between two pictures.
+constexpr double kStride = 5e-3;   // m that one of them goes at the most,
+constexpr double kTurn = 0.035;    // and rad. Longer ones leave the straight way, as each turns the joints only so far.
+constexpr double kLever = 0.1;     // m that a radian counts like.
 constexpr double kArrived = 2e-4;  // m
-constexpr double kStands = 2e-5;   // m: a step that brings less is the last.
+constexpr double kStands = 2e-5;   // m: steps that bring less than this
+constexpr int kIdleSteps = 6;      // one after the other are the last.
 constexpr double kLook = 2e-3;     // m: what is nearer when the way ends is in the way.
+
+double missing(const Pose& X_WM, const Pose& X_WTarget) {
+  const Twist left = difference(X_WTarget, X_WM);
+  return glm::length(left.linear) + kLever * glm::length(left.angular);
+}
 
 }  // namespace
 
@@ -24,21 +35,41 @@ struct FigureDrag::Work {
   std::shared_ptr<const manipulation::PreparedScene> prepared;
   std::unique_ptr<manipulation::HeldEntity> held;
   manipulation::MotionMapping mapping;
+  Pose X_WTarget;
+  double nearest_yet = 1e9;  ///< m that was missing at the best,
+  int idle_steps = 0;        ///< and since when it was not bettered.
 
-  Reach follow(const Pose& X_WM) {
-    double before = 1e9;
+  /// The mouse wants the frame elsewhere.
+  void aim(const Pose& X_WM) {
+    X_WTarget = X_WM;
+    nearest_yet = 1e9;
+    idle_steps = 0;
+  }
+
+  /// A few steps straight towards the target; `Reach::arrived` once it is there or comes no nearer. The way is the same
+  /// however many places of the mouse were left out meanwhile.
+  Reach follow() {
     Reach reach;
-    for (int step = 0; step < kMostSteps; ++step) {
-      const auto answer = held->follow(X_WM, mapping, nullptr);
-      reach.X_WM = held->movedFrame();
-      reach.short_m = glm::length(reach.X_WM.p - X_WM.p);
-      if (reach.short_m < kArrived || before - reach.short_m < kStands) {
-        if (answer.blocked) reach.obstacle = nearest();
-        break;
-      }
-      before = reach.short_m;
+    for (int step = 0; step < kMostSteps && !reach.arrived; ++step) {
+      const auto answer = held->follow(stride(), mapping, nullptr);
+      const double left = missing(held->movedFrame(), X_WTarget);
+      idle_steps = left > nearest_yet - kStands ? idle_steps + 1 : 0;
+      nearest_yet = std::min(nearest_yet, left);
+      reach.arrived = left < kArrived || idle_steps >= kIdleSteps;
+      if (reach.arrived && answer.blocked) reach.obstacle = nearest();
     }
+    reach.X_WM = held->movedFrame();
+    reach.short_m = glm::length(reach.X_WM.p - X_WTarget.p);
     return reach;
+  }
+
+  /// What the next step wants: a piece of the way; all of it where pieces do not help any more.
+  Pose stride() const {
+    const Pose X_WM = held->movedFrame();
+    const Twist left = difference(X_WTarget, X_WM);
+    const double parts = std::max(glm::length(left.linear) / kStride, glm::length(left.angular) / kTurn);
+    if (parts <= 1.0 || idle_steps > kIdleSteps / 2) return X_WTarget;
+    return interpolate(X_WM, X_WTarget, 1.0 / parts);
   }
 
   std::string nearest() {
@@ -72,7 +103,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
   if (open_ || !entity || !context_.isFree()) return;
   entity_ = entity->id;
   open_ = true;
-  ending_ = false;
+  ending_ = under_way_ = false;
   keep_ = true;
   wanted_.reset();
   reach_.reset();
@@ -123,13 +154,14 @@ void FigureDrag::end(bool keep) {
 
 void FigureDrag::pump() {
   if (busy_) return;
-  if (!wanted_) {
+  if (!wanted_ && !under_way_) {
     if (ending_) finish();
     return;
   }
-  busy_ = true;
-  pool_.start([this, work = work_, X_WM = *wanted_] {
-    const Reach reach = work->follow(X_WM);
+  busy_ = under_way_ = true;
+  pool_.start([this, work = work_, aim = wanted_] {
+    if (aim) work->aim(*aim);
+    const Reach reach = work->follow();
     const manipulation::EntityConfiguration stands = work->held->accepted();
     QMetaObject::invokeMethod(
         this, [this, reach, stands] { take(stands, reach); }, Qt::QueuedConnection);
@@ -140,6 +172,7 @@ void FigureDrag::pump() {
 void FigureDrag::take(const manipulation::EntityConfiguration& stands, const Reach& reach) {
   busy_ = false;
   if (!open_) return;
+  under_way_ = !reach.arrived && keep_;
   if (!ending_ || keep_) {
     reach_ = reach;
     context_.host().documentModel().execute(workcell::SetConfiguration{entity_, stands.X_WE, stands.joints});
@@ -160,7 +193,7 @@ void FigureDrag::refuse(const QString& why) {
 }
 
 void FigureDrag::finish() {
-  open_ = ending_ = false;
+  open_ = ending_ = under_way_ = false;
   keep_ ? context_.host().documentModel().endStep() : context_.host().documentModel().cancelStep();
   emit ended();
 }

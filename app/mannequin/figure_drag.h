@@ -24,7 +24,7 @@ class FigureDrag : public QObject {
 
   /// Takes the mannequin as it stands. `text` names the step.
   void begin(const QString& text, const manipulation::MovedBy& moved_by);
-  /// Where the moved frame shall be; the newest counts.
+  /// Where the moved frame shall be; the newest counts, and is reached even when end() follows at once.
   void moveTo(const Pose& X_WM);
   /// Ends it where it stands; `keep` false takes all back.
   void end(bool keep = true);
@@ -36,6 +36,7 @@ class FigureDrag : public QObject {
     double short_m = 0.0;  ///< From the moved frame to where it was wanted.
     std::string obstacle;  ///< What it would touch; empty: nothing is in the way.
     Pose X_WM;             ///< Where the moved frame is.
+    bool arrived = false;  ///< It is there, or comes no nearer; else it is on its way.
   };
   const std::optional<Reach>& reach() const { return reach_; }
   /// What holds it up is the figure itself.
@@ -56,7 +57,7 @@ class FigureDrag : public QObject {
   workcell::EntityId entity_ = 0;
   std::optional<Pose> wanted_;
   std::optional<Reach> reach_;
-  bool open_ = false, busy_ = false, ending_ = false, keep_ = true;
+  bool open_ = false, busy_ = false, under_way_ = false, ending_ = false, keep_ = true;
   QThreadPool pool_;
 };
 

@@ -182,6 +182,8 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
 
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
   if (tool_active_) {
+    // Where it was let go counts, whatever was heard of the way there.
+    if (event->position() != std::exchange(last_place_, event->position())) tools_.move(eventFrom(*event));
     tool_active_ = event->buttons() != Qt::NoButton;  // The tool keeps the pointer until the last button is up.
     tools_.release(eventFrom(*event));
     update();

@@ -49,8 +49,9 @@ class MannequinPage : public RobotPage {
     }
     return false;
   }
-  /// Drags in the scene from one point of the cell to another, in steps, with the left button.
-  void dragScene(const dvec3& p_WFrom, const dvec3& p_WTo) {
+  /// Drags in the scene from one point of the cell to another with the left button; `moves` is how much of the way is
+  /// told: 0 is a flick of which only the press and the release are heard, as on a machine that is busy.
+  void dragScene(const dvec3& p_WFrom, const dvec3& p_WTo, int moves = 8) {
     ViewportWidget& viewport = window().viewport();
     const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
     const auto from = viewport.camera().project(p_WFrom, size), to = viewport.camera().project(p_WTo, size);
@@ -66,7 +67,7 @@ class MannequinPage : public RobotPage {
     };
     send(QEvent::MouseMove, place(0.0), Qt::NoButton);
     send(QEvent::MouseButtonPress, place(0.0), Qt::LeftButton);
-    for (int i = 1; i <= 8; ++i) send(QEvent::MouseMove, place(i / 8.0), Qt::LeftButton);
+    for (int i = 1; i <= moves; ++i) send(QEvent::MouseMove, place(static_cast<double>(i) / moves), Qt::LeftButton);
     send(QEvent::MouseButtonRelease, place(1.0), Qt::NoButton);
   }
   void bringDock(const char* action) {
