@@ -9,13 +9,16 @@
 #include <fstream>
 #include <map>
 #include <new>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "importer/assimp_reader.h"
 #include "importer/cad_reader.h"
 #include "importer/parent_link.h"
 #include "importer/resource_limits.h"
 #include "importer/step_writer.h"
+#include "workcell/scene_batch.h"
 #include "workcell/scene_exchange.h"
 
 namespace {
@@ -56,34 +59,32 @@ bool isCad(const fs::path& file) {
          extension == ".igs";
 }
 
-Expected<void> read(const Call& call, ParentLink& parent) {
+Expected<std::string> readOne(const Call& call, const fs::path& file, ParentLink& parent) {
   Reading reading;
-  reading.file = call.file;
+  reading.file = file;
   reading.metres_per_unit = call.number("--unit");
   reading.tessellation.chord = call.number("--chord").value_or(reading.tessellation.chord);
   reading.tessellation.angle = call.number("--angle").value_or(reading.tessellation.angle);
   reading.relative_chord = call.number("--relative-chord").value_or(0.0);
-  const auto scene = isCad(call.file) ? readCad(reading, parent) : readWithAssimp(reading, parent);
+  const auto scene = isCad(file) ? readCad(reading, parent) : readWithAssimp(reading, parent);
   if (!scene) return hapticell::makeError(scene.error());
   if (scene->meshes.empty()) {
     return hapticell::makeError({"", "", "no shape in it", "at least one solid or surface", ""});
   }
   parent.progress(1.0, "handing over");
-  if (!parent.writeScene(hapticell::workcell::sceneBytes(*scene))) {
-    return hapticell::makeError({"", "", "no room to hand it over", "", ""});
-  }
-  return {};
+  return hapticell::workcell::sceneBytes(*scene);
 }
 
-Expected<void> write(const Call& call, ParentLink& parent) {
-  const auto scene = hapticell::workcell::sceneFromBytes(parent.readScene());
-  if (!scene) return hapticell::makeError(scene.error());
-  return writeStep(*scene, call.file, parent);
+Expected<void> handOver(const std::string& bytes, ParentLink& parent) {
+  if (parent.writeScene(bytes)) return {};
+  return hapticell::makeError({"", "", "no room to hand it over", "", ""});
 }
 
-Expected<void> guarded(const Call& call, ParentLink& parent) {
+/// What the libraries throw becomes an error.
+template <typename Result, typename Work>
+Expected<Result> guarded(const Work& work) {
   try {
-    return call.action == "write" ? write(call, parent) : read(call, parent);
+    return work();
   } catch (const std::bad_alloc&) {
     return hapticell::makeError({"", "", "it needs more memory than an import may use", "a smaller or coarser model",
                                  "Choose a coarser tessellation or import it in parts."});
@@ -97,15 +98,49 @@ Expected<void> guarded(const Call& call, ParentLink& parent) {
   }
 }
 
+Expected<void> read(const Call& call, ParentLink& parent) {
+  const Expected<std::string> bytes = readOne(call, call.file, parent);
+  if (!bytes) return hapticell::makeError(bytes.error());
+  return handOver(*bytes, parent);
+}
+
+/// The files whose names the parent left, a line each; one that cannot be read is an entry, not the end.
+Expected<void> readAll(const Call& call, ParentLink& parent) {
+  std::istringstream names(parent.readScene());
+  std::vector<fs::path> files;
+  for (std::string name; std::getline(names, name);) files.emplace_back(name);
+  std::vector<hapticell::workcell::BatchEntry> entries;
+  for (const fs::path& file : files) {
+    parent.setRange(static_cast<double>(entries.size()) / static_cast<double>(files.size()),
+                    static_cast<double>(entries.size() + 1) / static_cast<double>(files.size()));
+    parent.progress(0.0, "reading " + file.filename().string());
+    const auto bytes = guarded<std::string>([&] { return readOne(call, file, parent); });
+    const Error error = bytes ? Error{} : bytes.error();
+    entries.push_back({bytes.has_value(), bytes ? *bytes : parent.flatParts(error)});
+  }
+  return handOver(hapticell::workcell::batchBytes(entries), parent);
+}
+
+Expected<void> write(const Call& call, ParentLink& parent) {
+  const auto scene = hapticell::workcell::sceneFromBytes(parent.readScene());
+  if (!scene) return hapticell::makeError(scene.error());
+  return writeStep(*scene, call.file, parent);
+}
+
+Expected<void> perform(const Call& call, ParentLink& parent) {
+  if (call.action == "read-all") return readAll(call, parent);
+  return call.action == "write" ? write(call, parent) : read(call, parent);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const Call call = parse(argc, argv);
-  if (call.action != "read" && call.action != "write") return 2;
+  if (call.action != "read" && call.action != "read-all" && call.action != "write") return 2;
   limitResources(static_cast<std::uint64_t>(call.number("--memory").value_or(6e9)),
                  static_cast<std::uint64_t>(call.number("--seconds").value_or(600.0)));
   ParentLink parent;
-  const Expected<void> result = guarded(call, parent);
+  const auto result = guarded<void>([&] { return perform(call, parent); });
   if (result) {
     parent.done();
   } else {

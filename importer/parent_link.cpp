@@ -39,6 +39,7 @@ void ParentLink::line(const std::string& text) {
 
 void ParentLink::progress(double share, const std::string& stage) {
   constexpr double kStep = 0.01;
+  share = from_ + share * (to_ - from_);
   if (share < told_ + kStep && stage == stage_) return;
   told_ = share;
   stage_ = stage;
@@ -47,8 +48,17 @@ void ParentLink::progress(double share, const std::string& stage) {
   line(text + flat(stage));
 }
 
+void ParentLink::setRange(double from, double to) {
+  from_ = from;
+  to_ = to;
+}
+
+std::string ParentLink::flatParts(const Error& error) {
+  return flat(error.place) + "\t" + flat(error.found) + "\t" + flat(error.expected) + "\t" + flat(error.fix);
+}
+
 void ParentLink::error(const Error& error) {
-  line("error " + flat(error.place) + "\t" + flat(error.found) + "\t" + flat(error.expected) + "\t" + flat(error.fix));
+  line("error " + flatParts(error));
 }
 
 void ParentLink::done() {

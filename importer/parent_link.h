@@ -13,7 +13,11 @@ class ParentLink {
  public:
   /// Share of the whole work, 0 to 1, and what is going on. Told at most a hundred times.
   void progress(double share, const std::string& stage);
+  /// From here on 0 to 1 of progress() are these shares of the whole: one of several files.
+  void setRange(double from, double to);
   void error(const Error& error);
+  /// Place, found, expected and fix with tabs between, on one line.
+  static std::string flatParts(const Error& error);
   void done();
 
   /// The scene that the parent left; empty where there is none.
@@ -23,7 +27,7 @@ class ParentLink {
 
  private:
   void line(const std::string& text);
-  double told_ = -1.0;
+  double told_ = -1.0, from_ = 0.0, to_ = 1.0;
   std::string stage_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "geometry/error.h"
 #include "workcell/document.h"
@@ -11,7 +12,8 @@ namespace hapticell::workcell {
 
 // A copy of an unsaved document beside it, so that a crash costs a minute and not a day. How it is used: autosave() now
 // and then; discardAutosave() after saving and at an orderly end; findAutosave() before a document is opened, and where
-// it finds one, loadDocument() of that file, setPath() to the document's own and markUnsaved().
+// it finds one, loadDocument() of that file, setPath() to the document's own and markUnsaved(). A program that goes on
+// autosaving while the user decides calls keepAutosaves() first.
 
 /// Where the copy of the document at `path` stands: ".NAME.autosave" in the same folder, so that relative names stay
 /// right. A document without a path has it in the user's state folder (XDG_STATE_HOME, else ~/.local/state).
@@ -27,7 +29,11 @@ Expected<void> autosave(const DocumentState& state, const std::filesystem::path&
 /// The copy of the document at `path`, where there is one that is newer than the document (or the document is gone).
 std::optional<std::filesystem::path> findAutosave(const std::filesystem::path& path);
 
-/// Removes the copy; it is no error when there is none.
+/// The copies of the document at `path` that are newer than it, newest first, moved aside: autosave() and
+/// discardAutosave() leave them alone from then on. Each stays, and is found again, until its file is removed.
+std::vector<std::filesystem::path> keepAutosaves(const std::filesystem::path& path);
+
+/// Removes the copy that autosave() writes; it is no error when there is none.
 void discardAutosave(const std::filesystem::path& path);
 
 }  // namespace hapticell::workcell

@@ -105,7 +105,10 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   }
   if (monitor) monitor->report("reading", 0.0);
   if (!isBuiltIn(what) && !looksLikeRobot(file)) return loadMeshTree(file, options, diagnostics);
+  ImportMonitor* const usual = monitor_;
+  if (monitor) monitor_ = monitor;
   Expected<Entity> entity = load(what, options.metres_per_unit.value_or(0.0), diagnostics);
+  monitor_ = usual;
   if (!entity) return makeError(entity.error());
   ImportResult result;
   const std::optional<RobotFormat> format = robotFormatOf(file);
@@ -228,7 +231,7 @@ Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
 Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diagnostics) {
   auto& known = robots_[file.string()];
   if (!known.model) {
-    Expected<TomlRobot> robot = readRobot(file, diagnostics);
+    Expected<TomlRobot> robot = readRobot(file, diagnostics, monitor_);
     if (!robot) return makeError(robot.error());
     known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools)};
   }

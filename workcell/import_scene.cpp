@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "workcell/import_process.h"
+#include "workcell/scene_call.h"
 #include "workcell/scene_exchange.h"
 #include "workcell/sdf_cell_reader.h"
 
@@ -69,18 +70,26 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
   if (isSdfCell(absolute)) return readSdfCell(absolute, monitor);
   ImporterCall call;
   call.file = file.string();
-  call.arguments = {"read",    absolute.string(),
-                    "--chord", number(options.tessellation.chord),
-                    "--angle", number(options.tessellation.angle)};
-  if (options.relative_chord > 0.0)
-    call.arguments.insert(call.arguments.end(), {"--relative-chord", number(options.relative_chord)});
-  if (options.metres_per_unit)
-    call.arguments.insert(call.arguments.end(), {"--unit", number(*options.metres_per_unit)});
+  call.arguments = {"read", absolute.string()};
+  for (std::string& word : importerWords(options)) call.arguments.push_back(std::move(word));
   call.limits = options.limits;
   call.monitor = monitor;
   const Expected<std::string> bytes = callImporter(call);
   if (!bytes) return makeError(bytes.error());
-  Expected<ImportedScene> scene = sceneFromBytes(*bytes);
+  return uprightScene(*bytes, file, options);
+}
+
+std::vector<std::string> importerWords(const ImportOptions& options) {
+  std::vector<std::string> words = {"--chord", number(options.tessellation.chord), "--angle",
+                                    number(options.tessellation.angle)};
+  if (options.relative_chord > 0.0) words.insert(words.end(), {"--relative-chord", number(options.relative_chord)});
+  if (options.metres_per_unit) words.insert(words.end(), {"--unit", number(*options.metres_per_unit)});
+  return words;
+}
+
+Expected<ImportedScene> uprightScene(std::string_view bytes, const std::filesystem::path& file,
+                                     const ImportOptions& options) {
+  Expected<ImportedScene> scene = sceneFromBytes(bytes);
   if (!scene) {
     Error error = scene.error();
     error.file = file.string();

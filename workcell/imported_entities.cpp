@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "workcell/mesh_reader.h"
+#include "workcell/scene_batch.h"
 
 namespace hapticell::workcell {
 
@@ -187,12 +188,12 @@ class SceneConverter {
 }  // namespace
 
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
-                                               Diagnostics& diagnostics) {
+                                               Diagnostics& diagnostics, const SceneBatch* batch) {
   if (!holdsScene(file)) {
     const MeshReadOptions reading{options.metres_per_unit.value_or(1.0), options.weld, options.warn_about_unit};
     return readMesh(file, reading, diagnostics);
   }
-  Expected<ImportedScene> scene = readScene(file, options, nullptr);
+  Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, options, nullptr);
   if (!scene) return makeError(scene.error());
   for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
   const std::vector<Pose> X_F = nodePoses(*scene);

@@ -10,6 +10,8 @@
 
 namespace hapticell::workcell {
 
+class SceneBatch;
+
 /// What an import did, for the user to read.
 struct ImportReport {
   std::string format;                    ///< "step", "stl", "urdf", ...
@@ -33,9 +35,10 @@ struct ImportResult {
 };
 
 /// All that a mesh or CAD file holds as one mesh in the file's frame, metres. `metres_per_unit` as in ImportOptions; a
-/// size that suggests another unit is not told. Errors as readMeshFile() and readScene().
+/// size that suggests another unit is not told. `batch` (may be null) has the scenes that were read ahead, with its own
+/// options. Errors as readMeshFile() and readScene().
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
-                                               Diagnostics& diagnostics);
+                                               Diagnostics& diagnostics, const SceneBatch* batch = nullptr);
 
 /// Makes entities of a scene: a solid of every node with a mesh, an assembly of every other one; `merge` makes one
 /// solid named like the file. Nodes that hold nothing are left out and told. `source` is the file; each entity's own

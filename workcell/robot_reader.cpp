@@ -62,15 +62,15 @@ const char* formatName(RobotFormat format) {
   return "urdf";
 }
 
-Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics) {
+Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
   const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
     if (format == RobotFormat::kSdf) return readSdf(file, diagnostics);
-    if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics);
+    if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor);
     const auto expanded = expandXacro(file);
     if (!expanded) return makeError(expanded.error());
-    return readUrdfText(*expanded, file, diagnostics);
+    return readUrdfText(*expanded, file, diagnostics, monitor);
   }();
   if (!model) return makeError(model.error());
   TomlRobot robot;

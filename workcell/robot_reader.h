@@ -10,6 +10,8 @@
 
 namespace hapticell::workcell {
 
+class ImportMonitor;
+
 enum class RobotFormat { kUrdf, kXacro, kSdf, kToml };
 
 /// Told by the file's name and first element; nothing where it is no robot: an XML document whose element is <robot>
@@ -23,7 +25,8 @@ inline bool looksLikeRobot(const std::filesystem::path& file) {
 }
 
 /// Reads a robot in any of the formats: readUrdf(), expandXacro(), readSdf(), readRobotToml(). Beside a URDF an SRDF is
-/// looked for (see readSrdf()). A file of another kind is refused.
-Expected<TomlRobot> readRobot(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// looked for (see readSrdf()). A file of another kind is refused. `monitor` as for readUrdf().
+Expected<TomlRobot> readRobot(const std::filesystem::path& file, Diagnostics& diagnostics,
+                              ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

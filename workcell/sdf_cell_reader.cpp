@@ -16,6 +16,7 @@
 #include "workcell/file_content.h"
 #include "workcell/imported_entities.h"
 #include "workcell/package_path.h"
+#include "workcell/scene_batch.h"
 #include "workcell/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -93,7 +94,9 @@ bool moves(const TiXmlElement& model) {
 
 class CellReader {
  public:
-  CellReader(ImportMonitor* monitor) : monitor_(monitor) {
+  /// With `ahead` no mesh is read: the files that would be are added there. `scenes` are those read so.
+  CellReader(ImportMonitor* monitor, const SceneBatch& scenes, std::vector<fs::path>* ahead)
+      : monitor_(monitor), scenes_(scenes), ahead_(ahead) {
     scene_.format = "sdf";
     scene_.unit_is_stated = true;
   }
@@ -232,13 +235,10 @@ class CellReader {
     const fs::path path = findFile(uri, file);
     const std::string key = path.string() + "|" + textOf(&mesh, "scale");
     auto [known, is_new] = meshes_.try_emplace(key, -1);
+    if (ahead_) return ahead_->push_back(path);
     if (is_new && !path.empty()) {
-      ImportOptions options;
-      options.up_axis = UpAxis::kZ;
-      options.weld = false;
-      options.warn_about_unit = false;
       Diagnostics notes;
-      if (auto read = readWholeMesh(path, options, notes)) {
+      if (auto read = readWholeMesh(path, scenes_.options(), notes, &scenes_)) {
         for (dvec3& v : read->vertices) v *= dvec3(scale[0], scale[1], scale[2]);
         known->second = static_cast<int>(scene_.meshes.size());
         scene_.meshes.push_back(std::move(*read));
@@ -336,6 +336,8 @@ class CellReader {
   }
 
   ImportMonitor* monitor_;
+  const SceneBatch& scenes_;
+  std::vector<fs::path>* ahead_;
   ImportedScene scene_;
   std::map<std::string, int> meshes_;
   std::map<std::string, int> missing_models_, missing_meshes_;
@@ -357,7 +359,15 @@ bool isSdfCell(const fs::path& file) {
 }
 
 Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor) {
-  return CellReader(monitor).read(file);
+  ImportOptions options;  // Collada without its up axis, as Gazebo does.
+  options.up_axis = UpAxis::kZ;
+  options.weld = false;
+  options.warn_about_unit = false;
+  SceneBatch scenes(options, monitor);
+  std::vector<fs::path> files;
+  if (auto named = CellReader(nullptr, scenes, &files).read(file); !named) return named;
+  scenes.readAhead(files);
+  return CellReader(monitor, scenes, nullptr).read(file);
 }
 
 }  // namespace hapticell::workcell

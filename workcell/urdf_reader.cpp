@@ -142,14 +142,14 @@ void addTree(const urdf::ModelInterface& source, const UrdfStructure& structure,
 
 }  // namespace
 
-Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics) {
+Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics, ImportMonitor* monitor) {
   const auto content = readFile(path);
   if (!content) return makeError(content.error());
-  return readUrdfText(*content, path, diagnostics);
+  return readUrdfText(*content, path, diagnostics, monitor);
 }
 
 Expected<RobotModel> readUrdfText(const std::string& content, const std::filesystem::path& path,
-                                  Diagnostics& diagnostics) {
+                                  Diagnostics& diagnostics, ImportMonitor* monitor) {
   const auto structure = checkUrdfStructure(content, path.string());
   if (!structure) return makeError(structure.error());
   const auto source = parse(content, path.string());
@@ -167,7 +167,8 @@ Expected<RobotModel> readUrdfText(const std::string& content, const std::filesys
                      "' is defined nowhere; its links are shown grey");
     undefined.insert(material.name);
   }
-  UrdfShapes shapes(path, undefined, diagnostics);
+  UrdfShapes shapes(path, undefined, diagnostics, monitor);
+  shapes.readAhead(**source);
   for (kinematics::Link& link : model.links) {
     if (auto filled = shapes.fill(*(*source)->getLink(link.name), link); !filled) return makeError(filled.error());
   }

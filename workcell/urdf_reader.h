@@ -9,6 +9,8 @@
 
 namespace hapticell::workcell {
 
+class ImportMonitor;
+
 /// Reads a robot from a URDF file with its meshes (any readable format) and boxes, cylinders and spheres.
 ///
 /// Joints come depth first in the order of the file, variables from base to tip; mimic chains are resolved to the joint
@@ -19,10 +21,12 @@ namespace hapticell::workcell {
 ///
 /// Errors name file, line or link, and the fix: what checkUrdfStructure() refuses, a mesh that is missing or broken, a
 /// shape without positive size. Nothing throws. Any thread (the XML library's messages pass one lock).
-Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics);
+/// `monitor` (may be null) is told of, and can end, the reading of meshes in the importer's process.
+Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics,
+                                          ImportMonitor* monitor = nullptr);
 
 /// The same of a text, as if it stood in the file `path` (for messages and relative mesh paths).
 Expected<kinematics::RobotModel> readUrdfText(const std::string& content, const std::filesystem::path& path,
-                                              Diagnostics& diagnostics);
+                                              Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

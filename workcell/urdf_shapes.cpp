@@ -49,11 +49,39 @@ void scaleBy(geometry::TriangleMesh& mesh, const dvec3& scale) {
     std::swap(triangle[1], triangle[2]);  // mirrored: keep outward outward
 }
 
+/// Collada is taken without its up axis, as the tools of ROS do.
+ImportOptions asRosDoes() {
+  ImportOptions options;
+  options.up_axis = UpAxis::kZ;
+  return options;
+}
+
 }  // namespace
 
 Pose toPose(const urdf::Pose& origin) {
   const urdf::Rotation& r = origin.rotation;
   return {{origin.position.x, origin.position.y, origin.position.z}, glm::normalize(dquat(r.w, r.x, r.y, r.z))};
+}
+
+UrdfShapes::UrdfShapes(std::filesystem::path file, std::set<std::string> undefined_materials, Diagnostics& diagnostics,
+                       ImportMonitor* monitor)
+    : file_(std::move(file)),
+      undefined_materials_(std::move(undefined_materials)),
+      diagnostics_(diagnostics),
+      scenes_(asRosDoes(), monitor) {}
+
+void UrdfShapes::readAhead(const urdf::ModelInterface& model) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const urdf::GeometrySharedPtr& geometry) {
+    if (!geometry || geometry->type != urdf::Geometry::MESH) return;
+    const auto path = resolveMeshPath(static_cast<const urdf::Mesh&>(*geometry).filename, file_.parent_path());
+    if (path) files.push_back(*path);
+  };
+  for (const auto& [name, link] : model.links_) {
+    for (const urdf::VisualSharedPtr& visual : link->visual_array) add(visual->geometry);
+    for (const urdf::CollisionSharedPtr& collision : link->collision_array) add(collision->geometry);
+  }
+  scenes_.readAhead(files);
 }
 
 Error UrdfShapes::refusal(const std::string& link, std::string found, std::string expected, std::string fix) const {
@@ -92,12 +120,11 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::meshOf(const
   const MeshKey key{path.string(), scale.x, scale.y, scale.z};
   if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
   const bool uniform = scale.x == scale.y && scale.y == scale.z && scale.x > 0.0;
-  ImportOptions options;  // Collada is taken without its up axis, as the tools of ROS do.
-  options.up_axis = UpAxis::kZ;
+  ImportOptions options = asRosDoes();
   options.warn_about_unit = scale == dvec3(1.0);
   const bool own_reader = !holdsScene(path);
   if (own_reader && uniform) options.metres_per_unit = scale.x;
-  auto read = readWholeMesh(path, options, diagnostics_);
+  auto read = readWholeMesh(path, options, diagnostics_, &scenes_);
   if (!read) return makeError(read.error());
   if (!own_reader || !uniform) scaleBy(*read, scale);
   return meshes_[key] = std::make_shared<geometry::TriangleMesh>(std::move(*read));
@@ -135,7 +162,7 @@ Expected<std::optional<LinkShape>> UrdfShapes::shapeOf(const std::string& link, 
     return std::nullopt;
   }
   auto read = meshOf(link, mesh, *path);
-  if (!read && scene) {  // A drawing that cannot be had is no reason to refuse the robot.
+  if (!read && scene && !scenes_.isCancelled()) {  // A drawing that cannot be had is no reason to refuse the robot.
     diagnostics_.warn(read.error().message());
     unreadable_formats_.insert(extension.empty() ? "no extension" : extension.substr(1));
     return std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <urdf_model/link.h>
+#include <urdf_model/model.h>
 
 #include <filesystem>
 #include <map>
@@ -14,6 +15,7 @@
 
 #include "geometry/error.h"
 #include "kinematics/robot_model.h"
+#include "workcell/scene_batch.h"
 
 namespace hapticell::workcell {
 
@@ -24,8 +26,12 @@ Pose toPose(const urdf::Pose& origin);
 class UrdfShapes {
  public:
   /// Materials named in `undefined_materials` have no color of their own.
-  UrdfShapes(std::filesystem::path file, std::set<std::string> undefined_materials, Diagnostics& diagnostics)
-      : file_(std::move(file)), undefined_materials_(std::move(undefined_materials)), diagnostics_(diagnostics) {}
+  /// `monitor` (may be null) is told of, and can end, the reading of Collada and other scene files.
+  UrdfShapes(std::filesystem::path file, std::set<std::string> undefined_materials, Diagnostics& diagnostics,
+             ImportMonitor* monitor = nullptr);
+
+  /// Reads the scene files of all links together (see SceneBatch); fill() then finds them read.
+  void readAhead(const urdf::ModelInterface& model);
 
   /// Fills the link's visuals and collisions; see readUrdf() for what replaces what.
   Expected<void> fill(const urdf::Link& source, kinematics::Link& link);
@@ -39,6 +45,7 @@ class UrdfShapes {
   std::filesystem::path file_;
   std::set<std::string> undefined_materials_;
   Diagnostics& diagnostics_;
+  SceneBatch scenes_;
   std::map<MeshKey, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
   std::set<std::string> unreadable_formats_;
   std::vector<std::string> shown_by_collision_, checked_by_visual_, without_shape_;

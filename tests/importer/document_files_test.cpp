@@ -93,6 +93,24 @@ TEST_F(DocumentFiles, theCopyIsFoundAfterACrashAndGoneAfterSaving) {
   EXPECT_FALSE(findAutosave(file()));
 }
 
+TEST_F(DocumentFiles, aCopyThatIsOnOfferIsNotWrittenOver) {
+  auto document = loadDocument(file(), notes_);
+  ASSERT_TRUE(document);
+  const EntityId a = document->findByName("a")->id;
+  ASSERT_TRUE(document->execute(SetPlacement{a, Pose::translation({1, 2, 3})}));
+  ASSERT_TRUE(autosave(*document));
+  const auto kept = keepAutosaves(file());
+  ASSERT_EQ(kept.size(), 1u);
+  ASSERT_TRUE(document->execute(SetPlacement{a, Pose::translation({4, 5, 6})}));
+  ASSERT_TRUE(autosave(*document));  // Of the session after the crash.
+  EXPECT_EQ(loadDocument(kept[0], notes_)->findByName("a")->X_WE.p, dvec3(1, 2, 3));
+  EXPECT_EQ(keepAutosaves(file()).size(), 2u) << "after a second crash both are there";
+  EXPECT_EQ(keepAutosaves(file()).size(), 2u);
+  discardAutosave(file());
+  for (const auto& copy : keepAutosaves(file())) std::filesystem::remove(copy);
+  EXPECT_TRUE(keepAutosaves(file()).empty());
+}
+
 TEST_F(DocumentFiles, thePackStandsOnItsOwn) {
   folder_.write("other/a.obj", kObj);
   auto document = loadDocument(file(), notes_);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workcell/import_scene.h"
+
+namespace hapticell::workcell {
+
+/// The words behind "read FILE" (or "read-all") that tell the importer's process the options.
+std::vector<std::string> importerWords(const ImportOptions& options);
+
+/// The scene of such bytes as readScene() gives it: turned so that z is up. An error names `file`.
+Expected<ImportedScene> uprightScene(std::string_view bytes, const std::filesystem::path& file,
+                                     const ImportOptions& options);
+
+}  // namespace hapticell::workcell
