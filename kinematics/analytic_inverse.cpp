@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "geometry/assertion.h"
 #include "kinematics/true_arm.h"
@@ -53,6 +54,19 @@ struct PoseRows {
   }
 };
 
+std::string nameOf(const ArmShapes& shapes, const kernels::FourAxes& axes, std::size_t lane) {
+  dvec3 axis_B[6], origin_B[6];
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto at = [&](const double(&vector)[3][4]) {
+      return dvec3(vector[0][lane], vector[1][lane], vector[2][lane]);
+    };
+    axis_B[i] = at(axes.axis[i]);
+    origin_B[i] = at(axes.origin[i]);
+  }
+  const auto shape = shapes.of(axis_B, origin_B);
+  return shape ? toString(*shape) : std::string();
+}
+
 }  // namespace
 
 AnalyticInverse::AnalyticInverse(std::unique_ptr<NumericInverse> numeric, const Classification& classification,
@@ -66,6 +80,7 @@ AnalyticInverse::AnalyticInverse(std::unique_ptr<NumericInverse> numeric, const 
   HAPTICELL_DEMAND(closed_ != nullptr);
   bounds_.joints = static_cast<int>(chain.size() - rails_);
   arm_ = trueArm(chain, rails_);
+  shapes_ = ArmShapes(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (i < rails_) continue;
     bounds_.lower[i - rails_] = chain.lower()[i];
@@ -157,11 +172,13 @@ void AnalyticInverse::collect(const Pose& X_BT, const Free& free, const ChainPos
   const std::size_t first = all.size();
   for (int slot = 0; slot < 4 * closed_->groups(); ++slot) {
     if ((solutions.valid >> slot & 1u) == 0) continue;
-    const Found found{assemble(free, solutions, slot), (choice.within >> slot & 1u) != 0};
+    Found found{assemble(free, solutions, slot), (choice.within >> slot & 1u) != 0, 0.0};
     const bool known = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), [&](const Found& one) {
       return sameButForTurns(*numeric_->chain(), one.x, found.x, kSameSolution);
     });
-    if (!known) all.push_back(found);
+    if (known) continue;
+    found.distance_squared = distanceSquared(*numeric_->chain(), found.x, x_start);
+    all.push_back(found);
   }
 }
 
@@ -172,10 +189,9 @@ AnalyticInverse::Best AnalyticInverse::searchPlain(const Pose& X_BT, const Chain
   best.outside = !all.empty();
   for (const Found& found : all) {
     if (!found.within) continue;
-    const double distance = distanceSquared(*numeric_->chain(), found.x, x_start);
-    if (best.any && distance >= best.distance_squared) continue;
+    if (best.any && found.distance_squared >= best.distance_squared) continue;
     best.x = found.x;
-    best.distance_squared = distance;
+    best.distance_squared = found.distance_squared;
     best.any = true;
   }
   return best;
@@ -224,6 +240,7 @@ std::vector<AlternativeSolution> AnalyticInverse::solveAll(const Pose& X_BT, con
   const ChainPositions x_start = pick(q_start);
   const std::size_t count = freeCount();
   std::vector<Found> all;
+  all.reserve(kernels::kMaxSolutions);
   Free place = freeAt(X_BT, x_start);
   collect(X_BT, place, x_start, all);
   const int samples = count < 4 ? kPlaces[count] : 2;
@@ -238,17 +255,42 @@ std::vector<AlternativeSolution> AnalyticInverse::solveAll(const Pose& X_BT, con
     }
     collect(X_BT, place, x_start, all);
   }
-  const Chain& chain = *numeric_->chain();
-  std::stable_sort(all.begin(), all.end(), [&](const Found& a, const Found& b) {
-    return distanceSquared(chain, a.x, x_start) < distanceSquared(chain, b.x, x_start);
+  return listed(all, q_start);
+}
+
+// Nearest first, with the names of their shapes, which are told from the axes of four at a time.
+std::vector<AlternativeSolution> AnalyticInverse::listed(const std::vector<Found>& all,
+                                                         const std::vector<double>& q_start) const {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const double near = all[a].distance_squared, far = all[b].distance_squared;
+    return near != far ? near < far : a < b;
   });
+  const std::vector<int>& variables = numeric_->chain()->variables();
   std::vector<AlternativeSolution> solutions;
-  for (const Found& found : all) {
-    AlternativeSolution solution{q_start, found.within, configurationName(chain, found.x)};
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      solution.q[static_cast<std::size_t>(chain.variables()[i])] = found.x[i];
+  solutions.reserve(all.size());
+  kernels::Solutions four;
+  kernels::FourAxes axes;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Found& found = all[order[k]];
+    std::string name;
+    if (shapes_.any()) {
+      if (k % 4 == 0) {
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+          const Found& one = all[order[std::min(k + lane, order.size() - 1)]];
+          for (int joint = 0; joint < bounds_.joints; ++joint) {
+            four.q[joint][lane] = one.x[rails_ + static_cast<std::size_t>(joint)];
+          }
+        }
+        kernels::table().axes(arm_, four, 0, axes);
+      }
+      name = nameOf(shapes_, axes, k % 4);
     }
-    solutions.push_back(std::move(solution));
+    solutions.push_back({q_start, found.within, std::move(name)});
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      solutions.back().q[static_cast<std::size_t>(variables[i])] = found.x[i];
+    }
   }
   return solutions;
 }

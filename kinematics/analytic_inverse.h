@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kinematics/closed_form.h"
+#include "kinematics/configuration_flags.h"
 #include "kinematics/inverse_factory.h"
 #include "kinematics/numeric_inverse.h"
 #include "kinematics/robot_class.h"
@@ -37,6 +38,7 @@ class AnalyticInverse final : public InverseModel {
   struct Found {
     ChainPositions x{};
     bool within = false;
+    double distance_squared = 0.0;  ///< From the start.
   };
   struct Best {
     ChainPositions x{};
@@ -54,7 +56,8 @@ class AnalyticInverse final : public InverseModel {
   std::array<dvec3, kMaxChainVariables> rail_B_;
   std::unique_ptr<const ClosedForm> closed_;
   kernels::JointBounds bounds_{};
-  kernels::TrueArm arm_{};     ///< Without the rails.
+  kernels::TrueArm arm_{};  ///< Without the rails.
+  ArmShapes shapes_;
   double proven_error_ = 1.0;  ///< m and rad: the worst of the closed form on the true chain, over a sample of poses.
 
   std::size_t freeCount() const { return rails_ + static_cast<std::size_t>(closed_->redundancy()); }
@@ -72,6 +75,7 @@ class AnalyticInverse final : public InverseModel {
             const ChainPositions& x_start, Best& best) const;
   bool considerRing(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;
   void searchFree(const Pose& X_BT, const ChainPositions& x_start, Best& best) const;
+  std::vector<AlternativeSolution> listed(const std::vector<Found>& all, const std::vector<double>& q_start) const;
   Best searchPlain(const Pose& X_BT, const ChainPositions& x_start) const;
   void fill(const Pose& X_BT, const ChainPositions& x, const std::vector<double>& q_start,
             InverseSolution& solution) const;

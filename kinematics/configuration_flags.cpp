@@ -12,51 +12,28 @@ namespace {
 constexpr double kParallel = 0.02;  // sine of the angle between two axes; calibrated arms have shapes too
 constexpr double kMeeting = 0.01;   // m, between two axes
 
-double distanceToAxis(const dvec3& point, const ChainState& state, std::size_t axis) {
-  return glm::length(glm::cross(point - state.origin_B[axis], state.axis_B[axis]));
-}
-
-bool parallel(const ChainState& state, std::size_t a, std::size_t b) {
-  return glm::length(glm::cross(state.axis_B[a], state.axis_B[b])) < kParallel;
+bool parallel(const dvec3& a, const dvec3& b) {
+  return glm::length(glm::cross(a, b)) < kParallel;
 }
 
 // The point of axis a that is nearest to axis b, where they meet.
-std::optional<dvec3> meeting(const ChainState& state, std::size_t a, std::size_t b) {
-  const dvec3 normal = glm::cross(state.axis_B[a], state.axis_B[b]);
+std::optional<dvec3> meeting(const dvec3* axis_B, const dvec3* origin_B, std::size_t a, std::size_t b) {
+  const dvec3 normal = glm::cross(axis_B[a], axis_B[b]);
   const double squared = glm::dot(normal, normal);
   if (squared < kParallel * kParallel) return std::nullopt;
-  const dvec3 between = state.origin_B[b] - state.origin_B[a];
-  const dvec3 point =
-      state.origin_B[a] + glm::dot(glm::cross(between, state.axis_B[b]), normal) / squared * state.axis_B[a];
-  if (distanceToAxis(point, state, b) > kMeeting) return std::nullopt;
+  const dvec3 between = origin_B[b] - origin_B[a];
+  const dvec3 point = origin_B[a] + glm::dot(glm::cross(between, axis_B[b]), normal) / squared * axis_B[a];
+  if (glm::length(glm::cross(point - origin_B[b], axis_B[b])) > kMeeting) return std::nullopt;
   return point;
 }
 
-/// What says front and back, and what says elbow up and down.
-struct WristPoints {
-  dvec3 reach;
-  dvec3 bend;
-};
-
-std::optional<WristPoints> wristPoints(const ChainState& state) {
-  if (parallel(state, 2, 3)) {  // three parallel axes: the wrist is a forearm of its own
-    const auto point = meeting(state, 4, 5);
-    if (!point) return std::nullopt;
-    return WristPoints{*point, state.origin_B[3]};
+bool isSixRevolutesBehindRails(const Chain& chain, std::size_t rails) {
+  const auto& elements = chain.elements();
+  if (chain.size() < 6 || elements.size() != chain.size()) return false;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i].prismatic != (i < rails)) return false;
   }
-  const auto point = meeting(state, 3, 4);
-  if (!point) return std::nullopt;
-  return WristPoints{*point, *point};
-}
-
-// "Forward" of the arm plane: the way axis 2 lies from axis 1, else the way the arm points at zero.
-dvec3 forwardDirection(const ChainState& state, const ChainState& zero, const dvec3& up) {
-  const dvec3 forward = glm::normalize(glm::cross(state.axis_B[1], up));
-  const dvec3 forward_zero = glm::normalize(glm::cross(zero.axis_B[1], up));
-  const double offset = glm::dot(zero.origin_B[1] - zero.origin_B[0], forward_zero);
-  const double ahead = glm::dot(zero.p_BT - zero.origin_B[0], forward_zero);
-  const double sign = std::abs(offset) > kMeeting ? offset : (std::abs(ahead) > kMeeting ? ahead : 1.0);
-  return sign < 0.0 ? -forward : forward;
+  return true;
 }
 
 // Negative zero and roundings do not make a quadrant: ABB counts -0.0 as the first.
@@ -70,37 +47,56 @@ int halfTurns(double angle) {
 
 }  // namespace
 
-std::optional<ArmShape> armShape(const Chain& chain, const ChainPositions& x) {
-  const auto& elements = chain.elements();
-  const std::size_t rails = chain.size() < 6 ? 0 : chain.size() - 6;
-  if (chain.size() < 6 || elements.size() != chain.size()) return std::nullopt;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (elements[i].prismatic != (i < rails)) return std::nullopt;
-  }
-  ChainState state, zero;
-  chain.evaluate(x, state);
+ArmShapes::ArmShapes(const Chain& chain) : rails_(chain.size() < 6 ? 0 : chain.size() - 6) {
+  if (!isSixRevolutesBehindRails(chain, rails_)) return;
+  ChainState zero;
   chain.evaluate({}, zero);
-  for (ChainState* s : {&state, &zero}) {
-    std::move(s->axis_B.begin() + static_cast<std::ptrdiff_t>(rails), s->axis_B.end(), s->axis_B.begin());
-    std::move(s->origin_B.begin() + static_cast<std::ptrdiff_t>(rails), s->origin_B.end(), s->origin_B.begin());
-  }
-  if (!parallel(state, 1, 2) || parallel(state, 0, 1)) return std::nullopt;
-  const auto wrist = wristPoints(state);
+  const dvec3 *axis_B = zero.axis_B.data() + rails_, *origin_B = zero.origin_B.data() + rails_;
+  if (!parallel(axis_B[1], axis_B[2]) || parallel(axis_B[0], axis_B[1])) return;
+  any_ = true;
+  three_parallel_ = parallel(axis_B[2], axis_B[3]);
+  up_B_ = axis_B[0].z < 0.0 ? -axis_B[0] : axis_B[0];
+  // "Forward" of the arm plane: the way axis 2 lies from axis 1, else the way the arm points at zero.
+  const dvec3 forward = glm::normalize(glm::cross(axis_B[1], up_B_));
+  const double offset = glm::dot(origin_B[1] - origin_B[0], forward);
+  const double ahead = glm::dot(zero.p_BT - origin_B[0], forward);
+  const double sign = std::abs(offset) > kMeeting ? offset : (std::abs(ahead) > kMeeting ? ahead : 1.0);
+  forward_sign_ = sign < 0.0 ? -1.0 : 1.0;
+}
+
+std::optional<ArmShape> ArmShapes::at(const Chain& chain, const ChainPositions& x) const {
+  if (!any_) return std::nullopt;
+  ChainState state;
+  chain.evaluate(x, state);
+  return of(state.axis_B.data() + rails_, state.origin_B.data() + rails_);
+}
+
+std::optional<ArmShape> ArmShapes::of(const dvec3* axis_B, const dvec3* origin_B) const {
+  if (!any_) return std::nullopt;
+  // What says front and back; with three parallel axes the wrist is a forearm of its own.
+  const auto wrist = three_parallel_ ? meeting(axis_B, origin_B, 4, 5) : meeting(axis_B, origin_B, 3, 4);
   if (!wrist) return std::nullopt;
-  const dvec3 up = state.axis_B[0].z < 0.0 ? -state.axis_B[0] : state.axis_B[0];
-  const dvec3 forward = forwardDirection(state, zero, up);
-  const dvec3 to_wrist = wrist->bend - state.origin_B[1], to_elbow = state.origin_B[2] - state.origin_B[1];
+  const dvec3 forward = forward_sign_ * glm::cross(axis_B[1], up_B_);
+  const dvec3 bend = three_parallel_ ? origin_B[3] : *wrist;  // What says elbow up and down.
+  const dvec3 to_wrist = bend - origin_B[1], to_elbow = origin_B[2] - origin_B[1];
   ArmShape shape;
-  shape.front = glm::dot(wrist->reach - state.origin_B[0], forward) >= 0.0;
-  shape.wrist_forward = glm::dot(glm::cross(to_wrist, to_elbow), glm::cross(forward, up)) >= 0.0;
+  shape.front = glm::dot(*wrist - origin_B[0], forward) >= 0.0;
+  shape.wrist_forward = glm::dot(glm::cross(to_wrist, to_elbow), glm::cross(forward, up_B_)) >= 0.0;
   shape.elbow_up = shape.wrist_forward == shape.front;
-  shape.flipped = glm::dot(glm::cross(state.axis_B[3], state.axis_B[5]), state.axis_B[4]) < 0.0;
+  shape.flipped = glm::dot(glm::cross(axis_B[3], axis_B[5]), axis_B[4]) < 0.0;
   return shape;
 }
 
+std::optional<ArmShape> armShape(const Chain& chain, const ChainPositions& x) {
+  return ArmShapes(chain).at(chain, x);
+}
+
 std::string toString(const ArmShape& shape) {
-  return std::string(shape.front ? "front" : "back") + (shape.elbow_up ? ", elbow up" : ", elbow down") +
-         (shape.flipped ? ", wrist flipped" : ", wrist not flipped");
+  constexpr const char* kNames[] = {"back, elbow down, wrist not flipped",  "back, elbow down, wrist flipped",
+                                    "back, elbow up, wrist not flipped",    "back, elbow up, wrist flipped",
+                                    "front, elbow down, wrist not flipped", "front, elbow down, wrist flipped",
+                                    "front, elbow up, wrist not flipped",   "front, elbow up, wrist flipped"};
+  return kNames[(shape.front ? 4 : 0) + (shape.elbow_up ? 2 : 0) + (shape.flipped ? 1 : 0)];
 }
 
 Maker makerOf(const RobotModel& model) {

@@ -18,7 +18,30 @@ struct ArmShape {
   bool wrist_forward = true;  ///< The wrist centre is before the lower arm's line (axis 2 to axis 3).
 };
 
-/// The shape at `x`; nothing for chains without such branches (see classify(): opw, ur, offset_wrist).
+/// Tells the shapes of one chain; what does not depend on its joints is found once.
+///
+/// Const functions allocate nothing and run in any thread.
+class ArmShapes {
+ public:
+  ArmShapes() = default;  ///< Of nothing: tells no shape.
+  explicit ArmShapes(const Chain& chain);
+
+  /// The shape at `x` of the chain that this was made for; nothing for chains without such branches (see classify():
+  /// opw, ur, offset_wrist).
+  std::optional<ArmShape> at(const Chain& chain, const ChainPositions& x) const;
+  /// The same from the arm's six axes where they stand (slides in front left out; origins from any one point).
+  std::optional<ArmShape> of(const dvec3* axis_B, const dvec3* origin_B) const;
+  bool any() const { return any_; }
+
+ private:
+  bool any_ = false;
+  bool three_parallel_ = false;
+  std::size_t rails_ = 0;
+  dvec3 up_B_{0.0};
+  double forward_sign_ = 1.0;
+};
+
+/// ArmShapes(chain).at(chain, x).
 std::optional<ArmShape> armShape(const Chain& chain, const ChainPositions& x);
 
 /// "front, elbow up, wrist flipped".

@@ -36,8 +36,9 @@ bool takeNearestTurns(const Chain& chain, const ChainPositions& x_start, ChainPo
 
 bool sameButForTurns(const Chain& chain, const ChainPositions& a, const ChainPositions& b, double tolerance) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double change = a[i] - b[i];
-    if (std::abs(chain.turns(i) ? std::remainder(change, kTurn) : change) > tolerance) return false;
+    double change = a[i] - b[i];
+    if (chain.turns(i) && std::abs(change) > std::numbers::pi) change = std::remainder(change, kTurn);
+    if (std::abs(change) > tolerance) return false;
   }
   return true;
 }

@@ -128,5 +128,21 @@ inline void polish(const TrueArm& arm, const double* R, const double* p, int gro
   store(errors, least);
 }
 
+inline void axes(const TrueArm& arm, const Solutions& solutions, int group, FourAxes& result) {
+  Lanes q[kMaxJoints] = {};
+  for (int i = 0; i < arm.joints; ++i) q[i] = load(solutions.q[i] + 4 * group);
+  FourArms state;
+  walk(arm, q, state);
+  const auto put = [](const Lanes3& from, double(&to)[3][4]) {
+    store(to[0], from.x);
+    store(to[1], from.y);
+    store(to[2], from.z);
+  };
+  for (int i = 0; i < arm.joints; ++i) {
+    put(state.axis[i], result.axis[i]);
+    put(state.origin[i], result.origin[i]);
+  }
+}
+
 }  // namespace
 }  // namespace hapticell::kinematics::kernels

@@ -16,7 +16,8 @@ namespace {
 
 /// The functions as this translation unit is compiled.
 constexpr Table tableNamed(const char* name) {
-  return {name, opw, opwError, ur, srs, srsRing, srsOfRing, panda, offsetWrist, polish, fit, nearestSeeds, choose};
+  return {name,  opw,         opwError, ur,   srs, srsRing,      srsOfRing,
+          panda, offsetWrist, polish,   axes, fit, nearestSeeds, choose};
 }
 
 }  // namespace

@@ -120,6 +120,11 @@ struct Choice {
   double distance_squared = 0.0;
 };
 
+/// Where the joints of four arms stand, one a lane; axes are unit.
+struct FourAxes {
+  double axis[kMaxJoints][3][4], origin[kMaxJoints][3][4];
+};
+
 /// The functions of one build. `previous` are the joints before, q as in Solutions: a joint that the pose leaves free
 /// (joint 4 at theta_5 = 0, joint 1 with the wrist centre on axis 1, joint 6 of a UR at theta_5 = 0, and the like)
 /// keeps its place. None allocates or throws.
@@ -149,6 +154,8 @@ struct Table {
   /// nearer by so many Newton steps at most.
   void (*polish)(const TrueArm& arm, const double* R, const double* p, int group, int iterations, Solutions& solutions,
                  double* errors);
+  /// The axes of the true arm with the joints of four solutions, a group's.
+  void (*axes)(const TrueArm& arm, const Solutions& solutions, int group, FourAxes& axes);
   /// A bounded least-squares descent for an arm of seven joints at most.
   void (*fit)(const TrueArm& arm, const FitTask& task, FitAnswer& answer);
   /// Of each of sixteen interleaved groups of seeds the one nearest to the wanted pose (by position times scale, 1/m,

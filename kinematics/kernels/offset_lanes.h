@@ -18,8 +18,14 @@ inline Lanes3 onCircle(const Circle& circle, const Lanes& c, const Lanes& s) {
           circle.middle[2] + c * circle.cosine[2] + s * circle.sine[2]};
 }
 
+/// What joint 6 at t makes of the shoulder; the same for both elbows.
+struct ShoulderPoint {
+  Lanes c1, s1, x, z, r2_inverse, c3, s3_size, ahead, up;  ///< `ahead` and `up`: axis 5 in the arm's plane.
+  Lanes margin;
+};
+
 /// Where the wrist is out of reach it is taken as just in reach, so that the ends of an arc are defined.
-inline OffsetPoint offsetPoint(const OffsetArm& arm, const Lanes& t, const Lanes& side, const Lanes& elbow) {
+inline ShoulderPoint shoulderPoint(const OffsetArm& arm, const Lanes& t, const Lanes& side) {
   Lanes s, c;
   sineCosine(t, s, c);
   const Lanes3 w = onCircle(arm.wrist, c, s), axis5 = onCircle(arm.axis_5, c, s);
@@ -27,26 +33,43 @@ inline OffsetPoint offsetPoint(const OffsetArm& arm, const Lanes& t, const Lanes
   const Lanes flat = maximum(w.x * w.x + w.y * w.y, 1e-300);
   const Lanes ahead = flat - opw.b * opw.b;
   const Lanes X = side * squareRoot(maximum(ahead, 0.0));
-  OffsetPoint point;
+  ShoulderPoint point;
   const Lanes flat_inverse = 1.0 / flat;
   point.c1 = (w.x * X + w.y * opw.b) * flat_inverse;
   point.s1 = (w.y * X - w.x * opw.b) * flat_inverse;
-  const Lanes x = X - opw.a1;
-  const Lanes r2 = maximum(x * x + w.z * w.z, 1e-300);
+  point.x = X - opw.a1;
+  point.z = w.z;
+  const Lanes r2 = maximum(point.x * point.x + w.z * w.z, 1e-300);
+  point.r2_inverse = 1.0 / r2;
   const Lanes cosine = (r2 - (opw.c2 * opw.c2 + opw.k * opw.k)) * (0.5 / (opw.c2 * opw.k));
-  const Lanes c3 = minimum(maximum(cosine, -1.0), 1.0);
+  point.c3 = minimum(maximum(cosine, -1.0), 1.0);
+  point.s3_size = squareRoot((Lanes(1.0) - point.c3) * (Lanes(1.0) + point.c3));
   point.margin = minimum(ahead, Lanes(1.0) - absolute(cosine));
-  const Lanes s3 = elbow * squareRoot((Lanes(1.0) - c3) * (Lanes(1.0) + c3));
-  const Lanes A = c3 * opw.k + opw.c2, B = s3 * opw.k;
-  const Lanes r2_inverse = 1.0 / r2;
-  point.sin2 = (A * x - B * w.z) * r2_inverse;
-  point.cos2 = (A * w.z + B * x) * r2_inverse;
-  point.sin3 = s3 * opw.cos_psi - c3 * opw.sin_psi;
-  point.cos3 = c3 * opw.cos_psi + s3 * opw.sin_psi;
+  point.ahead = point.c1 * axis5.x + point.s1 * axis5.y;
+  point.up = axis5.z;
+  return point;
+}
+
+inline OffsetPoint offsetPoint(const OffsetArm& arm, const ShoulderPoint& at, const Lanes& elbow) {
+  const OpwArm& opw = arm.arm;
+  OffsetPoint point;
+  point.c1 = at.c1;
+  point.s1 = at.s1;
+  point.margin = at.margin;
+  const Lanes s3 = elbow * at.s3_size;
+  const Lanes A = at.c3 * opw.k + opw.c2, B = s3 * opw.k;
+  point.sin2 = (A * at.x - B * at.z) * at.r2_inverse;
+  point.cos2 = (A * at.z + B * at.x) * at.r2_inverse;
+  point.sin3 = s3 * opw.cos_psi - at.c3 * opw.sin_psi;
+  point.cos3 = at.c3 * opw.cos_psi + s3 * opw.sin_psi;
   point.s23 = point.sin2 * point.cos3 + point.cos2 * point.sin3;
   point.c23 = point.cos2 * point.cos3 - point.sin2 * point.sin3;
-  point.f = (point.c1 * axis5.x + point.s1 * axis5.y) * point.s23 + axis5.z * point.c23;
+  point.f = at.ahead * point.s23 + at.up * point.c23;
   return point;
+}
+
+inline OffsetPoint offsetPoint(const OffsetArm& arm, const Lanes& t, const Lanes& side, const Lanes& elbow) {
+  return offsetPoint(arm, shoulderPoint(arm, t, side), elbow);
 }
 
 /// A stretch of joint 6 where the wrist is in reach; u in [0, 1] runs along it so that a square root at its ends
@@ -56,8 +79,11 @@ struct Arc {
   bool closed = true;  ///< The whole circle: no ends.
 };
 
-inline double alongArc(const Arc& arc, double u) {
-  return arc.middle + arc.half * (arc.closed ? 2.0 * u - 1.0 : -__builtin_cos(kLanePi * u));
+inline Lanes alongArc(const Arc& arc, const Lanes& u) {
+  if (arc.closed) return arc.middle + arc.half * (2.0 * u - Lanes(1.0));
+  Lanes s, c;
+  sineCosine(kLanePi * u, s, c);
+  return arc.middle - arc.half * c;
 }
 
 struct Bracket {
@@ -83,16 +109,12 @@ struct ArcSamples {
     s1[to] = from.s1[i];
     u[to] = from.u[i];
   }
-  /// From the first index on; what stands behind the last is overwritten.
-  void evaluate(const OffsetArm& arm, const Branch& branch, int first) {
-    for (int i = first; i < count; i += 4) {
-      double t[4];
-      for (int k = 0; k < 4; ++k) t[k] = alongArc(branch.arc, u[i + k < count ? i + k : count - 1]);
-      const OffsetPoint point = offsetPoint(arm, load(t), branch.side, branch.elbow);
-      store(f + i, point.f);
-      store(c1 + i, point.c1);
-      store(s1 + i, point.s1);
-    }
+  /// u[i] .. u[i + 3] and what stands there.
+  void put(int i, const Lanes& at_u, const OffsetPoint& point) {
+    store(u + i, at_u);
+    store(f + i, point.f);
+    store(c1 + i, point.c1);
+    store(s1 + i, point.s1);
   }
 };
 
@@ -123,9 +145,9 @@ struct OffsetSearch {
     }
     ArcSamples inner;
     inner.count = 6;
-    for (int k = 0; k < 6; ++k) inner.u[k] = at.u[i] + (at.u[i + 1] - at.u[i]) * (0.2 * k);
     inner.take(0, at, i);
-    inner.evaluate(arm, branch, 1);
+    const Lanes u = at.u[i] + (at.u[i + 1] - at.u[i]) * Lanes(0.2, 0.4, 0.6, 0.8);
+    inner.put(1, u, offsetPoint(arm, alongArc(branch.arc, u), branch.side, branch.elbow));
     inner.take(5, at, i + 1);
     lookAtAll(branch, inner, false, depth - 1);
   }
@@ -158,12 +180,16 @@ inline Lanes bracketRoots(const OffsetArm& arm, const Bracket* brackets, int cou
   Lanes u0 = load(fields[0]), f0 = load(fields[1]), u1 = load(fields[2]), f1 = load(fields[3]);
   const Lanes middle = load(fields[4]), half = load(fields[5]), side = load(fields[7]), elbow = load(fields[8]);
   const Mask closed = load(fields[6]) > Lanes(0.5);
-  Lanes u = u0;
+  Lanes u = u0, size = maximum(absolute(f0), absolute(f1));
   for (int iteration = 0; iteration < 50; ++iteration) {
     const Lanes width = u1 - u0, drop = f1 - f0;
     Lanes next = u1 - f1 * width / select(absolute(drop) > Lanes(1e-300), drop, Lanes(1.0));
-    // Every fourth step halves, so that a flat end cannot hold it up.
-    if (iteration % 4 == 3) next = 0.5 * (u0 + u1);
+    // Where three steps brought little the fourth halves, so that a flat end cannot hold it up.
+    if (iteration % 4 == 3) {
+      const Lanes now = absolute(f1);
+      next = select(now > 0.1 * size, 0.5 * (u0 + u1), next);
+      size = now;
+    }
     const Lanes moved = absolute(next - u);
     u = next;
     Lanes s, c;
@@ -261,17 +287,22 @@ inline int arcsBySampling(const OffsetArm& arm, double side, Arc arcs[4]) {
   return count;
 }
 
-inline void sampleArc(const OffsetArm& arm, const Branch& branch, int points, OffsetSearch& search) {
-  ArcSamples at;
-  at.count = points + 1;
-  for (int i = 0; i <= points; ++i) at.u[i] = static_cast<double>(i) / points;
-  at.evaluate(arm, branch, 0);
-  if (branch.arc.closed) {
-    at.f[points] = at.f[0];
-    at.c1[points] = at.c1[0];
-    at.s1[points] = at.s1[0];
+/// Both elbows' branches on one arc; `points` is a multiple of four.
+inline void sampleArc(const OffsetArm& arm, const Arc& arc, double side, int points, OffsetSearch& search) {
+  ArcSamples at[2];
+  const double step = 1.0 / points;
+  for (int i = 0; i <= points; i += 4) {
+    const Lanes u = minimum(step * Lanes(i, i + 1, i + 2, i + 3), 1.0);
+    const ShoulderPoint point = shoulderPoint(arm, alongArc(arc, u), side);
+    at[0].put(i, u, offsetPoint(arm, point, 1.0));
+    at[1].put(i, u, offsetPoint(arm, point, -1.0));
   }
-  search.lookAtAll(branch, at, branch.arc.closed, 6);
+  for (int elbow = 0; elbow < 2; ++elbow) {
+    at[elbow].count = points + 1;
+    if (arc.closed) at[elbow].take(points, at[elbow], 0);
+    at[elbow].u[points] = 1.0;
+    search.lookAtAll({arc, side, elbow == 0 ? 1.0 : -1.0}, at[elbow], arc.closed, 6);
+  }
 }
 
 inline void offsetWrist(const OffsetArm& arm, Solutions& solutions) {
@@ -282,9 +313,7 @@ inline void offsetWrist(const OffsetArm& arm, Solutions& solutions) {
   constexpr double kBoth[] = {1.0, -1.0};
   for (const double side : kBoth) {
     if (!plain) count = arcsBySampling(arm, side, arcs);
-    for (int i = 0; i < count; ++i) {
-      for (const double elbow : kBoth) sampleArc(arm, {arcs[i], side, elbow}, count > 1 ? 40 : 64, search);
-    }
+    for (int i = 0; i < count; ++i) sampleArc(arm, arcs[i], side, count > 1 ? 40 : 64, search);
   }
   solutions.valid = 0;
   int slot = 0;
