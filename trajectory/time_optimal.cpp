@@ -143,21 +143,44 @@ class Grid {
   std::vector<double> first_, second_;  ///< dq/ds and d2q/ds2 at every half step.
 };
 
-/// The x for which some u lies between all lines: each pair of a lower and an upper line bounds x.
+/// Upper minus lower envelope at x: as `slope` of the two lines that meet there, and how much room is between them.
+struct Room {
+  double room, slope;
+};
+
+Room roomAt(const Stage& stage, double x) {
+  double high = kInfinity, low = -kInfinity, high_slope = 0.0, low_slope = 0.0;
+  for (const Line& line : stage.upper) {
+    const double u = line.at(x);
+    const bool less = u < high;
+    high = less ? u : high;
+    high_slope = less ? line.slope : high_slope;
+  }
+  for (const Line& line : stage.lower) {
+    const double u = line.at(x);
+    const bool more = u > low;
+    low = more ? u : low;
+    low_slope = more ? line.slope : low_slope;
+  }
+  return {high - low, high_slope - low_slope};
+}
+
+/// The x for which some u lies between all lines. The room between them is concave in x, so that Newton's method from
+/// outside comes to its zero in as many steps as lines are met on the way.
 Interval feasible(const Stage& stage) {
+  constexpr Interval kEmpty{1.0, 0.0};
   Interval x{0.0, stage.x_most};
-  for (const Line& low : stage.lower) {
-    for (const Line& high : stage.upper) {
-      // low.constant + low.slope x <= high.constant + high.slope x
-      const double slope = low.slope - high.slope;
-      const double room = high.constant - low.constant;
-      if (std::abs(slope) < kTiny) {
-        if (room < -kTiny) return {1.0, 0.0};
-      } else if (slope > 0.0) {
-        x.most = std::min(x.most, room / slope);
-      } else {
-        x.least = std::max(x.least, room / slope);
+  for (const bool from_above : {true, false}) {
+    double& end = from_above ? x.most : x.least;
+    for (Room at = roomAt(stage, end); at.room < 0.0; at = roomAt(stage, end)) {
+      const double next = end - at.room / at.slope;
+      if (std::abs(at.slope) < kTiny || (at.slope > 0.0) == from_above) {
+        if (at.room < -kTiny) return kEmpty;
+        break;
       }
+      if (from_above ? next >= end : next <= end) break;  // as near as doubles come
+      end = next;
+      if (x.isEmpty()) return kEmpty;
     }
   }
   return x;
