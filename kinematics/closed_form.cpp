@@ -167,20 +167,21 @@ void FrameWalk::turnX(double angle) {
 }
 
 CanonicalFrames::CanonicalFrames(const ArmAxes& axes, const dmat3& R_B0, const dvec3& p_B0, const dmat3& R_BN,
-                                 const dvec3& p_BN)
-    : R_0B_(glm::transpose(R_B0)),
-      R_TN_(glm::transpose(axes.R_BT) * R_BN),
-      p_B0_(p_B0),
-      p_TN_(glm::transpose(axes.R_BT) * (p_BN - axes.p_BT)) {}
+                                 const dvec3& p_BN) {
+  const dmat3 R_0B = glm::transpose(R_B0), R_TN = glm::transpose(axes.R_BT) * R_BN;
+  const dvec3 p_TN = glm::transpose(axes.R_BT) * (p_BN - axes.p_BT);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      frames_.R_0B[column][row] = R_0B[column][row];
+      frames_.R_TN[3 * row + column] = R_TN[column][row];
+    }
+    frames_.p_B0[row] = p_B0[row];
+    frames_.p_TN[row] = p_TN[row];
+  }
+}
 
 void CanonicalFrames::map(const dmat3& R_BT, const dvec3& p_BT, kernels::ArmPose& pose) const {
-  const dmat3 R_0T = R_0B_ * R_BT;
-  const dmat3 R = R_0T * R_TN_;
-  const dvec3 p = R_0B_ * (p_BT - p_B0_) + R_0T * p_TN_;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) pose.R[3 * row + column] = R[column][row];
-    pose.p[row] = p[row];
-  }
+  kernels::table().map(frames_, &R_BT[0].x, &p_BT.x, pose);
 }
 
 OpwGeometry::OpwGeometry(const ArmAxes& axes) {

@@ -55,8 +55,7 @@ class CanonicalFrames {
   void map(const dmat3& R_BT, const dvec3& p_BT, kernels::ArmPose& pose) const;
 
  private:
-  dmat3 R_0B_{1.0}, R_TN_{1.0};
-  dvec3 p_B0_{0.0}, p_TN_{0.0};
+  kernels::ArmFrames frames_;
 };
 
 /// Walks through an arm's square axes at zero and reads the angles off them.

@@ -4,6 +4,7 @@
 #include "kinematics/kernels/chain_lanes.h"
 #include "kinematics/kernels/choose_lanes.h"
 #include "kinematics/kernels/fit_lanes.h"
+#include "kinematics/kernels/frame_lanes.h"
 #include "kinematics/kernels/kernels.h"
 #include "kinematics/kernels/offset_lanes.h"
 #include "kinematics/kernels/opw_lanes.h"
@@ -16,8 +17,8 @@ namespace {
 
 /// The functions as this translation unit is compiled.
 constexpr Table tableNamed(const char* name) {
-  return {name,  opw,         opwError, ur,   srs, srsRing,      srsOfRing,
-          panda, offsetWrist, polish,   axes, fit, nearestSeeds, choose};
+  return {name,  map,         opw,    opwError, ur,  srs,          srsRing, srsOfRing,
+          panda, offsetWrist, polish, axes,     fit, nearestSeeds, choose};
 }
 
 }  // namespace

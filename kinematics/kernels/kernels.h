@@ -15,6 +15,14 @@ struct ArmPose {
   double p[3];
 };
 
+/// What takes a tip's pose to an ArmPose: columns of R_0B (each with a fourth number, zero), rows of R_TN, and where 0
+/// stands in B and N in T.
+struct ArmFrames {
+  double R_0B[3][4] = {};
+  double R_TN[9] = {};
+  double p_B0[3] = {}, p_TN[3] = {};
+};
+
 /// Joint positions, joint by joint; bit k of `valid` tells whether solution k is one.
 struct alignas(32) Solutions {
   double q[kMaxJoints][kMaxSolutions];
@@ -130,6 +138,8 @@ struct FourAxes {
 /// keeps its place. None allocates or throws.
 struct Table {
   const char* name;
+  /// The tip at R_BT (column by column), p_BT in the arm's canonical frames.
+  void (*map)(const ArmFrames& frames, const double* R_BT, const double* p_BT, ArmPose& pose);
   /// Eight solutions: lane 0 front, 1 back with one elbow, 2 and 3 with the other; 4 to 7 the same with the wrist
   /// flipped.
   void (*opw)(const OpwArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions);

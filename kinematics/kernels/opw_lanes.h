@@ -33,12 +33,22 @@ struct ZyzAngles {
   Lanes first, second, third;
 };
 
+/// Numbers whose atan2 is an angle.
+struct SineAndCosine {
+  Lanes sine, cosine;
+  Lanes angle() const { return arcTangent(sine, cosine); }
+};
+struct ThreeAngles {
+  SineAndCosine first, second, third;
+  ZyzAngles angles() const { return {first.angle(), second.angle(), third.angle()}; }
+};
+
 /// R = Rz(first) Ry(second) Rz(third) from the rows of R (see `rows`): the third angle is taken from what is left after
 /// the first, so that their sum is right where the second is zero. `joint` is the first one's.
 struct ZyzRows {
   Lanes xx, xy, xz, yx, yy, yz, zz;
 };
-inline ZyzAngles zyz(const ZyzRows& R, const JointMap& map, int joint, const double* previous) {
+inline ThreeAngles zyz(const ZyzRows& R, const JointMap& map, int joint, const double* previous) {
   const Lanes s = squareRoot(R.xz * R.xz + R.yz * R.yz);
   const Mask free = s < Lanes(kFree);
   Lanes c1 = R.xz / s, s1 = R.yz / s;
@@ -48,8 +58,7 @@ inline ZyzAngles zyz(const ZyzRows& R, const JointMap& map, int joint, const dou
     c1 = select(free, c0, c1);
     s1 = select(free, s0, s1);
   }
-  return {arcTangent(s1, c1), arcTangent(c1 * R.xz + s1 * R.yz, R.zz),
-          arcTangent(c1 * R.yx - s1 * R.xx, c1 * R.yy - s1 * R.xy)};
+  return {{s1, c1}, {c1 * R.xz + s1 * R.yz, R.zz}, {c1 * R.yx - s1 * R.xx, c1 * R.yy - s1 * R.xy}};
 }
 
 inline void opw(const OpwArm& arm, const ArmPose& pose, const double* previous, Solutions& solutions) {
@@ -85,7 +94,7 @@ inline void opw(const OpwArm& arm, const ArmPose& pose, const double* previous, 
   const Lanes u0 = ahead_part(0), u1 = ahead_part(1), u2 = ahead_part(2);
   const ZyzRows R36{c23 * u0 - s23 * R[6], c23 * u1 - s23 * R[7], c23 * u2 - s23 * R[8], side_part(0),
                     side_part(1),          side_part(2),          s23 * u2 + c23 * R[8]};
-  const ZyzAngles wrist = zyz(R36, arm.map, 3, previous);
+  const ZyzAngles wrist = zyz(R36, arm.map, 3, previous).angles();
   const Lanes theta1 = arcTangent(s1, c1), theta2 = arcTangent(sin2, cos2), theta3 = arcTangent(sin3, cos3);
   for (int group = 0; group < 2; ++group) {
     storeJoint(arm.map, 0, group, theta1, solutions);

@@ -6,12 +6,8 @@
 namespace hapticell::kinematics::kernels {
 namespace {
 
-struct ShoulderAngles {
-  Lanes first, second, third;
-};
-
 /// Rz(1) Ry(2) Rz(3) with the third column z3 and the second column y3.
-inline ShoulderAngles shoulder(const Lanes3& z3, const Lanes3& y3, const JointMap& map, const double* previous) {
+inline ThreeAngles shoulder(const Lanes3& z3, const Lanes3& y3, const JointMap& map, const double* previous) {
   const Lanes s = squareRoot(z3.x * z3.x + z3.y * z3.y);
   const Mask free = s < Lanes(kFree);
   Lanes c1 = z3.x / s, s1 = z3.y / s;
@@ -24,7 +20,7 @@ inline ShoulderAngles shoulder(const Lanes3& z3, const Lanes3& y3, const JointMa
   const Lanes s2 = c1 * z3.x + s1 * z3.y;
   // y3 in the frame turned by theta_1 and theta_2 is (-sin, cos, 0); its part along Ry(2)'s x needs no division.
   const Lanes ahead = c1 * y3.x + s1 * y3.y, side = c1 * y3.y - s1 * y3.x;
-  return {arcTangent(s1, c1), arcTangent(s2, z3.z), arcTangent(s2 * y3.z - z3.z * ahead, side)};
+  return {{s1, c1}, {s2, z3.z}, {s2 * y3.z - z3.z * ahead, side}};
 }
 
 inline Lanes3 column(const ArmPose& pose, int i) {
@@ -42,25 +38,28 @@ struct ElbowCircle {
 inline ElbowCircle elbowCircle(const SevenArm& arm, const ArmPose& pose) {
   ElbowCircle c;
   const double* p = pose.p;
-  const double flat = __builtin_sqrt(p[0] * p[0] + p[1] * p[1]);
-  const double r2 = flat * flat + p[2] * p[2], r = __builtin_sqrt(r2);
-  const double l1 = arm.d3, l2 = arm.d5;
-  c.cos_a = (r2 + l1 * l1 - l2 * l2) / (2.0 * r * l1);  // at the shoulder, between upper arm and line
+  // Roots and divisions side by side: what waits for another is most of the time.
+  const double flat2 = p[0] * p[0] + p[1] * p[1], r2 = flat2 + p[2] * p[2];
+  const double flat = __builtin_sqrt(flat2), r = __builtin_sqrt(r2);
+  const double l1 = arm.d3, l2 = arm.d5, to_l1 = 0.5 / l1, to_l2 = 1.0 / l2;
+  const double r_inverse = 1.0 / r;
+  c.cos_a = (r2 + l1 * l1 - l2 * l2) * to_l1 * r_inverse;  // at the shoulder, between upper arm and line
   const double sin_a_squared = (1.0 - c.cos_a) * (1.0 + c.cos_a);
   if (!(sin_a_squared >= -kStretched)) return c;
   c.reached = true;
   c.sin_a = __builtin_sqrt(sin_a_squared > 0.0 ? sin_a_squared : 0.0);
-  for (int i = 0; i < 3; ++i) c.w[i] = p[i] / r;
+  for (int i = 0; i < 3; ++i) c.w[i] = p[i] * r_inverse;
   const bool upright = flat < 1e-12 * r;
-  const double cx = upright ? 1.0 : p[0] / flat, cy = upright ? 0.0 : p[1] / flat;
+  const double flat_inverse = 1.0 / flat;
+  const double cx = upright ? 1.0 : p[0] * flat_inverse, cy = upright ? 0.0 : p[1] * flat_inverse;
   c.up[0] = -c.w[2] * cx;
   c.up[1] = -c.w[2] * cy;
-  c.up[2] = flat / r;
+  c.up[2] = flat * r_inverse;
   c.side[0] = -cy;
   c.side[1] = cx;
   c.side[2] = 0.0;
-  c.cos_b = (r - l1 * c.cos_a) / l2;
-  c.sin_b = l1 * c.sin_a / l2;
+  c.cos_b = (r - l1 * c.cos_a) * to_l2;
+  c.sin_b = l1 * c.sin_a * to_l2;
   c.cos_4 = c.cos_a * c.cos_b - c.sin_a * c.sin_b;
   c.sin_4 = c.sin_a * c.cos_b + c.cos_a * c.sin_b;
   return c;
@@ -68,13 +67,15 @@ inline ElbowCircle elbowCircle(const SevenArm& arm, const ArmPose& pose) {
 
 /// Of the eight solutions the one from which the others come by half turns; theta_4 is the circle's.
 struct SrsAngles {
-  ShoulderAngles shoulder;
-  ZyzAngles wrist;
+  ZyzAngles shoulder, wrist;
+};
+struct SrsArm {
+  ThreeAngles shoulder, wrist;
 };
 
 /// For the swivel angles of these cosines and sines, one a lane.
-inline SrsAngles srsAngles(const SevenArm& arm, const ArmPose& pose, const ElbowCircle& c, const Lanes& cosine,
-                           const Lanes& sine, const double* previous) {
+inline SrsArm srsAngles(const SevenArm& arm, const ArmPose& pose, const ElbowCircle& c, const Lanes& cosine,
+                        const Lanes& sine, const double* previous) {
   const Lanes3 w{c.w[0], c.w[1], c.w[2]};
   const Lanes3 radial = cosine * Lanes3{c.up[0], c.up[1], c.up[2]} + sine * Lanes3{c.side[0], c.side[1], c.side[2]};
   const Lanes3 z3 = Lanes(c.cos_a) * w + Lanes(c.sin_a) * radial;
@@ -114,9 +115,17 @@ inline void srs(const SevenArm& arm, const ArmPose& pose, double swivel, const d
   const ElbowCircle circle = elbowCircle(arm, pose);
   solutions.valid = 0;
   if (!circle.reached) return;
-  const SrsAngles first =
-      srsAngles(arm, pose, circle, Lanes(__builtin_cos(swivel)), Lanes(__builtin_sin(swivel)), previous);
-  srsSolutions(arm.map, first, arcTangent(Lanes(circle.sin_4), Lanes(circle.cos_4)), solutions);
+  Lanes cosine, sine;
+  sineCosine(swivel, sine, cosine);
+  const SrsArm arm_1 = srsAngles(arm, pose, circle, cosine, sine, previous);
+  // All lanes are alike: seven angles are two arc tangents of four.
+  const auto four = [](const SineAndCosine& a, const SineAndCosine& b, const SineAndCosine& c, double s, double k) {
+    return arcTangent({a.sine[0], b.sine[0], c.sine[0], s}, {a.cosine[0], b.cosine[0], c.cosine[0], k});
+  };
+  const ThreeAngles &shoulder = arm_1.shoulder, &wrist = arm_1.wrist;
+  const Lanes upper = four(shoulder.first, shoulder.second, shoulder.third, circle.sin_4, circle.cos_4);
+  const Lanes lower = four(wrist.first, wrist.second, wrist.third, 0.0, 1.0);
+  srsSolutions(arm.map, {{upper[0], upper[1], upper[2]}, {lower[0], lower[1], lower[2]}}, upper[3], solutions);
 }
 
 // Four swivels at a time, turned on from one four to the next.
@@ -131,7 +140,8 @@ inline void srsRing(const SevenArm& arm, const ArmPose& pose, double first_swive
   const double turn_cosine = __builtin_cos(4.0 * kStep), turn_sine = __builtin_sin(4.0 * kStep);
   const Lanes theta4 = arcTangent(Lanes(circle.sin_4), Lanes(circle.cos_4));
   for (int k = 0; k < kRingSize; k += 4) {
-    const SrsAngles angles = srsAngles(arm, pose, circle, cosine, sine, previous);
+    const SrsArm at = srsAngles(arm, pose, circle, cosine, sine, previous);
+    const SrsAngles angles{at.shoulder.angles(), at.wrist.angles()};
     const Lanes thetas[] = {angles.shoulder.first, angles.shoulder.second, angles.shoulder.third, theta4,
                             angles.wrist.first,    angles.wrist.second,    angles.wrist.third};
     for (int joint = 0; joint < 7; ++joint) store(ring.theta[joint] + k, thetas[joint]);
@@ -151,7 +161,9 @@ inline void srsOfRing(const SevenArm& arm, const SwivelRing& ring, int index, So
 // Lanes: the elbow's bend x the two directions of axis 5; groups: shoulder flip.
 inline void panda(const SevenArm& arm, const ArmPose& pose, double q_7, const double* previous, Solutions& solutions) {
   const double theta7 = arm.map.sign[6] * q_7 + arm.map.offset[6];
-  const double c7 = __builtin_cos(theta7), s7 = __builtin_sin(theta7);
+  Lanes cosine7, sine7;
+  sineCosine(theta7, sine7, cosine7);
+  const double c7 = cosine7[0], s7 = sine7[0];
   double x6[3], y6[3], w[3];
   for (int i = 0; i < 3; ++i) {  // R06 = R07 Rz(-theta_7)
     x6[i] = c7 * pose.R[3 * i] - s7 * pose.R[3 * i + 1];
@@ -186,7 +198,7 @@ inline void panda(const SevenArm& arm, const ArmPose& pose, double q_7, const do
   const Lanes3 y4 = cross(z5, x4);
   const Lanes3 z3 = c4 * z5 - s4 * x4;
   const Lanes3 z7 = column(pose, 2);
-  const ShoulderAngles first = shoulder(z3, y4, arm.map, previous);
+  const ZyzAngles first = shoulder(z3, y4, arm.map, previous).angles();
   const Lanes theta4 = arcTangent(s4, c4), theta5 = arcTangent(-dot(x4, axis6), dot(y4, axis6));
   const Lanes theta6 = arcTangent(dot(z7, cross(axis6, z5)), dot(z7, z5));
   for (int group = 0; group < 2; ++group) {
