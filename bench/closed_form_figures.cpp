@@ -57,11 +57,11 @@ void sixJoints(const char* name, const RobotModel& model, int count) {
     const auto k = static_cast<std::size_t>(i);
     arm.closed->solve(arm.R[k], arm.poses[k].X_BT.p, 0.0, arm.poses[k == 0 ? 0 : k - 1].q.data(), solutions);
   };
-  const double bare = bestMean(count, 15, [&](int i) {
+  const double bare = bestMean(count, 100, [&](int i) {
     solve(i);
     sum += solutions.q[3][5];
   });
-  const double full = bestMean(count, 15, [&](int i) {
+  const double full = bestMean(count, 100, [&](int i) {
     solve(i);
     const auto k = static_cast<std::size_t>(i == 0 ? 0 : i - 1);
     sum += kernels::table().choose(arm.bounds, arm.poses[k].q.data(), arm.closed->groups(), solutions).nearest;
@@ -76,7 +76,7 @@ void checkedOpw(const char* name, const RobotModel& model, int count) {
   const Subject arm(model, count);
   kernels::Solutions solutions;
   double worst = 0.0;
-  const double checked = bestMean(count, 15, [&](int i) {
+  const double checked = bestMean(count, 100, [&](int i) {
     const auto k = static_cast<std::size_t>(i), before = k == 0 ? 0 : k - 1;
     kernels::ArmPose pose;
     geometry.frames.map(arm.R[k], arm.poses[k].X_BT.p, pose);
@@ -96,7 +96,7 @@ void sevenJoints(const char* name, const RobotModel& model, int count) {
     arm.closed->solve(arm.R[k], arm.poses[k].X_BT.p, redundant, arm.poses[k].q.data(), solutions);
     sum += solutions.q[3][5];
   };
-  const double one = bestMean(count, 15, [&](int i) { given(static_cast<std::size_t>(i), 0.3); });
+  const double one = bestMean(count, 100, [&](int i) { given(static_cast<std::size_t>(i), 0.3); });
   const double ring = bestMean(count / 50, 5, [&](int i) {
     for (int k = 0; k < 64; ++k) given(static_cast<std::size_t>(i), (k - 31.5) * (std::numbers::pi / 32.0));
   });
