@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <memory>
@@ -36,12 +37,23 @@ struct Options {
   bool exit = false, module = true, measure = false, measure_start = false;
 };
 
-/// "1920x1080"; not valid for anything else.
-QSize sizeFrom(const QString& text) {
+constexpr int kBadUsage = 2;
+constexpr int kLargestSide = 16384;  // Pixels, of a picture.
+
+/// "1920x1080"; nothing for anything else.
+std::optional<QSize> sizeFrom(const QString& text) {
   const QStringList sides = text.split('x');
-  if (sides.size() != 2) return {};
-  const QSize size(sides[0].toInt(), sides[1].toInt());
-  return size.isEmpty() ? QSize() : size;
+  if (sides.size() != 2) return std::nullopt;
+  bool wide = false, high = false;
+  const QSize size(sides[0].toInt(&wide), sides[1].toInt(&high));
+  const bool fits = wide && high && !size.isEmpty() && size.width() <= kLargestSide && size.height() <= kLargestSide;
+  return fits ? std::optional(size) : std::nullopt;
+}
+
+/// Options that cannot be meant end the program with a sentence.
+[[noreturn]] void refuse(const QString& sentence) {
+  qCritical().noquote() << sentence;
+  std::exit(kBadUsage);
 }
 
 Options parse(const QApplication& application) {
@@ -68,7 +80,8 @@ Options parse(const QApplication& application) {
        {"no-floor", "For --render: leaves the floor's grid out."},
        {"config", "A hapticell.toml that is read over the shipped one.", "file"},
        {"no-module", "Does not start the Virtual Desktop by itself."}});
-  parser.process(application);
+  if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText() + ". See hapticell --help.");
+  parser.process(application);  // --help and --version.
   Options options;
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().first();
   options.screenshot = parser.value("screenshot");
@@ -80,14 +93,18 @@ Options parse(const QApplication& application) {
   options.measure_start = parser.isSet("measure-start");
   options.module = !parser.isSet("no-module");
   options.delay_ms = qBound(0, parser.value("delay").toInt(), 600000);
-  const QSize size = sizeFrom(parser.value("size"));
-  if (size.width() >= 640 && size.height() >= 400) options.size = size;
+  const auto size = sizeFrom(parser.value("size"));
+  if (parser.isSet("size") && !size)
+    refuse(QString("--size: '%1' is no size; WIDTHxHEIGHT was expected, each from 1 to %2 pixels")
+               .arg(parser.value("size"))
+               .arg(kLargestSide));
+  if (size && size->width() >= 640 && size->height() >= 400) options.size = *size;
   if (parser.isSet("render")) {
     auto& render = options.render.emplace();
     render.input = parser.value("render");
     render.output = parser.value("output");
     render.view = parser.value("view");
-    if (size.isValid()) render.size = size;
+    if (size) render.size = *size;
     render.light = options.theme == "light";
     render.seconds = qBound(0.04, parser.value("seconds").toDouble(), 600.0);
     render.floor = !parser.isSet("no-floor");

@@ -24,11 +24,18 @@ int run(const Action& chosen, const std::string& json_file) {
 }
 
 /// CLI11 would only say that a command is missing, not which word it did not know.
-int reportUnknownCommand(const CLI::App& app) {
+int reportUnknownCommand(const CLI::App& app, const std::string& word) {
   std::string known;
   for (const CLI::App* command : app.get_subcommands({})) known += (known.empty() ? "" : ", ") + command->get_name();
-  report({"", "", "there is no command '" + app.remaining().front() + "'", "one of " + known, ""});
+  report({"", "", "there is no command '" + word + "'", "one of " + known, ""});
   return static_cast<int>(ExitStatus::kBadInput);
+}
+
+/// The command whose own command is missing or not known: the last of those that were given.
+const CLI::App* undecided(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
+  return last->get_subcommands([](const CLI::App*) { return true; }).empty() ? nullptr : last;
 }
 
 }  // namespace
@@ -61,7 +68,9 @@ int runCommandLine(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
-    if (app.get_subcommands().empty() && !app.remaining().empty()) return reportUnknownCommand(app);
+    const auto words = app.remaining(true);
+    const CLI::App* const at = undecided(app);
+    if (at != nullptr && !words.empty()) return reportUnknownCommand(*at, words.front());
     return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
   }
   if (!chosen) {

@@ -2,8 +2,6 @@
 #include "cli/result_writer.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
 namespace hapticell::cli {
@@ -15,24 +13,6 @@ Expected<void> ResultWriter::write(const nlohmann::ordered_json& result) const {
   std::cout << text << std::flush;
   if (!std::cout)
     return makeError({"standard output", "", "it could not be written", "", "Check the pipe or the disk."});
-  return {};
-}
-
-Expected<void> writeFileAtomically(const std::string& path, const std::string& content) {
-  const std::string aside = path + ".part";
-  {
-    std::ofstream file(aside, std::ios::binary | std::ios::trunc);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-    if (!file.flush()) {
-      std::error_code ignored;
-      std::filesystem::remove(aside, ignored);
-      return makeError(
-          {path, "", "the file could not be written", "", "Check that the folder exists and may be written."});
-    }
-  }
-  std::error_code failed;
-  std::filesystem::rename(aside, path, failed);
-  if (failed) return makeError({path, "", failed.message(), "a place to write the result", ""});
   return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/error.h"
 #include "geometry/vector.h"
+#include "workcell/file_content.h"
 
 namespace hapticell::cli {
 
@@ -21,8 +22,7 @@ class ResultWriter {
   std::string json_file_;
 };
 
-/// Writes a whole text or binary file aside and moves it into place.
-Expected<void> writeFileAtomically(const std::string& path, const std::string& content);
+using workcell::writeFileAtomically;
 
 /// [x, y, z]
 nlohmann::ordered_json toJson(const dvec3& v);

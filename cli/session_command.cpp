@@ -31,7 +31,7 @@ struct SessionWords {
   double latency_ms = 0.0;
   std::optional<std::string> device;
   std::vector<std::string> set;
-  bool realtime = false;
+  bool realtime = false, fail_on_contact = false, fail_on_limit = false;
   std::string server;
   std::string trace;
   std::string configuration;
@@ -228,7 +228,7 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
           {"ticks_missed", report.ticks_missed},
           {"latency", {{"p50_ms", report.latency_p50_ms}, {"p99_ms", report.latency_p99_ms}}},
           {"force", {{"max_n", report.force_max_n}, {"max_step_n_per_ms", report.force_max_step_n_per_ms}}},
-          {"penetration", {{"max_m", report.penetration_max_m}}},
+          {"penetration", {{"max_m", report.penetration_max_m}, {"blocked_max_m", report.penetration_blocked_m}}},
           {"energy", {{"min_j", report.energy_min_j}}},
           {"contacts", contactsJson(report, options)},
           {"limits", limitsJson(report, modelOf(options))},
@@ -282,7 +282,9 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   }
   if (const auto saved = saveRecording(words, *session); !saved) return failed(saved.error());
   if (const auto written = writer.write(resultOf(*session, *options)); !written) return failed(written.error());
-  return ExitStatus::kDone;
+  const bool found = (words.fail_on_contact && !session->contacts.empty()) ||
+                     (words.fail_on_limit && !session->limits.empty());
+  return found ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
 }  // namespace
@@ -310,6 +312,8 @@ void addSessionCommand(CLI::App& app, Action& chosen) {
   command->add_flag("--record-all", words->record_all, "Every step of the manipulation loop");
   command->add_flag("--record-by-button", words->record_by_button,
                     "Only frames that the stylus's second button adds (it is no clutch then)");
+  command->add_flag("--fail-on-contact", words->fail_on_contact, "Exit status 1 when anything was touched");
+  command->add_flag("--fail-on-limit", words->fail_on_limit, "Exit status 1 when a limit held it");
   command->add_option("--record-distance", words->record_distance, "m between its frames, instead of a time");
   command->callback(
       [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });

@@ -2,7 +2,9 @@
 #include "cli/workcell_arguments.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <vector>
@@ -47,6 +49,22 @@ Arguments splitOptions(const std::string& text, const std::vector<std::string>& 
     first = false;
   }
   return result;
+}
+
+/// A word in front of '=' behind a comma of WHAT, which is no key; empty when there is none, or a file is named so.
+std::string unknownKey(const std::string& what) {
+  const std::size_t comma = what.find(','), equals = what.find('=', comma);
+  std::error_code ignored;
+  if (equals == std::string::npos || std::filesystem::exists(what, ignored)) return {};
+  const std::string word = what.substr(comma + 1, equals - comma - 1);
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalpha(c) || c == '_'; });
+  return plain ? word : std::string();
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 /// The first key that is there twice; empty when there is none.
@@ -140,10 +158,14 @@ Expected<Mounting> parseMounting(const std::string& option, const std::string& t
 }
 
 Expected<Addition> parseAddition(const std::string& text) {
-  const Arguments arguments = splitOptions(text, {"name", "unit", "up", "tree", "chord", "angle", "on", "pose"});
+  static const std::vector<std::string> kKeys{"name", "unit", "up", "tree", "chord", "angle", "on", "pose"};
+  const Arguments arguments = splitOptions(text, kKeys);
   Addition addition;
   addition.what = arguments.head;
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
+  if (const std::string unknown = unknownKey(addition.what); !unknown.empty()) {
+    return makeError({"", "--add " + text, "there is no option '" + unknown + "'", "one of " + listed(kKeys), ""});
+  }
   if (const std::string twice = saidTwice(arguments); !twice.empty()) {
     return makeError(wrong("--add, " + twice, text, "each option once"));
   }

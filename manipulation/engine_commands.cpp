@@ -166,6 +166,8 @@ void ManipulationEngine::retake() {
   for (auto& [carried, at] : held_->carried()) placements_[carried] = std::move(at);
   held_.reset();
   contacts_.clear();
+  passed_.clear();
+  passed_ns_ = -1;
   near_.clear();
   built_ = {};
   hold(id);
@@ -197,6 +199,8 @@ void ManipulationEngine::release() {
   held_.reset();
   built_ = {};
   contacts_.clear();
+  passed_.clear();
+  passed_ns_ = -1;
   near_.clear();
   stopped_ = false;
   set_wanted_ = true;
@@ -240,6 +244,8 @@ void ManipulationEngine::setClutched(bool clutched) {
   clutched_ = clutched;
   set_wanted_ = true;
   contacts_.clear();
+  passed_.clear();
+  passed_ns_ = -1;
   if (!clutched && held_) anchorMapping();
 }
 

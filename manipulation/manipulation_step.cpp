@@ -28,6 +28,7 @@ constexpr double kWidestZone = 0.5;                             ///< m of hand.
 constexpr std::size_t kMostOnTheirWay = 1000;
 constexpr double kLeastAhead = 2.0;  ///< Of the way since the last set, the least that a set is to be good for;
 constexpr double kLeastZone = 0.8e-3, kMostLeastZone = 3e-3;  ///< m: always asked for, and never more.
+constexpr std::int64_t kPassedPeriod = 10'000'000;            ///< ns.
 constexpr double kContactIn = 5e-5, kContactOut = 2e-4;       ///< m of gap.
 constexpr double kLag = 0.5e-3;  ///< m the accepted pose may stay behind before that is felt.
 
@@ -216,7 +217,26 @@ void ManipulationEngine::findContacts() {
     const bool was = std::find(contacts_.begin(), contacts_.end(), i) != contacts_.end();
     if (gaps_[i] < (was ? kContactOut : kContactIn)) now.push_back(i);
   }
+  findPassed();
+  now.insert(now.end(), passed_.begin(), passed_.end());
   contacts_.swap(now);
+}
+
+/// Pairs that pass have no row in the set that could tell of their contact: they are measured.
+void ManipulationEngine::findPassed() {
+  if (passed_ns_ >= 0 && now_ns_ - passed_ns_ < kPassedPeriod && now_ns_ >= passed_ns_) return;
+  passed_ns_ = now_ns_;
+  const auto passes = [](const HeldPair& pair) { return pair.on_contact == workcell::OnContact::kPass; };
+  const auto& pairs = held_->pairs();
+  std::vector<FreeMotion::PairDistance> near;
+  if (std::any_of(pairs.begin(), pairs.end(), passes)) held_->distances(kContactOut, near);
+  std::vector<std::size_t> now;
+  for (const FreeMotion::PairDistance& one : near) {
+    const bool was = std::find(passed_.begin(), passed_.end(), one.pair) != passed_.end();
+    const bool touches = one.result.colliding || one.result.distance < (was ? kContactOut : kContactIn);
+    if (passes(pairs[one.pair]) && touches) now.push_back(one.pair);
+  }
+  passed_.swap(now);
 }
 
 void ManipulationEngine::step(std::int64_t now_ns) {

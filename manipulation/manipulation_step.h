@@ -101,6 +101,7 @@ class ManipulationEngine {
   Pose movedFrameAtRest() const;
   double stepTime() const;
   void findContacts();
+  void findPassed();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
   void notice(const std::string& sentence) { results_.emplace_back(result::Notice{sentence}); }
@@ -166,6 +167,8 @@ class ManipulationEngine {
 
   std::int64_t measured_ns_ = -1;
   std::vector<FreeMotion::PairDistance> near_;
+  std::int64_t passed_ns_ = -1;
+  std::vector<std::size_t> passed_;  // Pairs that pass through each other and touch; looked at now and then.
 };
 
 }  // namespace hapticell::manipulation

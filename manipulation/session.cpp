@@ -107,8 +107,12 @@ class WatchedEngine {
     contacts_.finish(duration);
     report_.duration_s = duration;
     report_.steps = times_.size();
-    report_.rate_manipulation_hz = duration > 0.0 ? static_cast<double>(times_.size()) / duration : 0.0;
-    report_.rate_gui_hz = duration > 0.0 ? static_cast<double>(pictures_) / duration : 0.0;
+    // The first of each is at time zero: what lies between them counts.
+    const auto rate = [&](std::uint64_t count) {
+      return duration > 0.0 && count > 0 ? static_cast<double>(count - 1) / duration : 0.0;
+    };
+    report_.rate_manipulation_hz = rate(times_.size());
+    report_.rate_gui_hz = rate(pictures_);
     std::sort(times_.begin(), times_.end());
     if (!times_.empty()) {
       report_.step_median_ms = times_[times_.size() / 2];
@@ -119,6 +123,7 @@ class WatchedEngine {
     report_.force_max_step_n_per_ms = forces_.maxStep();
     report_.energy_min_j = forces_.leastEnergy();
     report_.penetration_max_m = penetration_.worst();
+    report_.penetration_blocked_m = penetration_.worstBlocked();
     report_.contacts = contacts_.events();
     report_.limits = limits_.events();
     report_.joints = joints_.joints();

@@ -73,6 +73,7 @@ struct SessionReport {
   double step_median_ms = 0.0, step_p99_ms = 0.0, step_max_ms = 0.0;  ///< Machine time of a step.
   double latency_p50_ms = 0.0, latency_p99_ms = 0.0;  ///< From the query of a set to its use by the force loop.
   double force_max_n = 0.0, force_max_step_n_per_ms = 0.0;
+  double penetration_blocked_m = 0.0;  ///< Of pairs that must not pass through each other.
   double penetration_max_m = 0.0;
   double energy_min_j = 0.0;
   std::vector<ContactEvent> contacts;

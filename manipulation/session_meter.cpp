@@ -74,7 +74,8 @@ void ContactLog::add(double t, const ManipulationEngine& engine, double force) {
       const std::size_t event = open_[key];
       last_seen_[event] = t;
       events_[event].time_out = t;
-      events_[event].max_force = std::max(events_[event].max_force, force);
+      const bool passes = pair.on_contact == workcell::OnContact::kPass;
+      events_[event].max_force = std::max(events_[event].max_force, passes ? 0.0 : force);
     }
   }
   for (auto it = open_.begin(); it != open_.end();) {
@@ -150,9 +151,11 @@ double PenetrationMeter::measure(const ManipulationEngine& engine) {
   };
   double deepest = 0.0;
   for (const HeldPair& pair : held->pairs()) {
-    if (pair.on_contact == workcell::OnContact::kPass) continue;
     const Body moved = bodyOf(pair.owner, pair.moved_part), other = bodyOf(pair.other, pair.other_part);
-    if (moved.collider && other.collider) deepest = std::max(deepest, depthOf(moved, other));
+    if (!moved.collider || !other.collider) continue;
+    const double depth = depthOf(moved, other);
+    deepest = std::max(deepest, depth);
+    if (pair.on_contact != workcell::OnContact::kPass) worst_blocked_ = std::max(worst_blocked_, depth);
   }
   last_ = deepest;
   worst_ = std::max(worst_, deepest);

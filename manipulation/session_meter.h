@@ -111,12 +111,14 @@ class JointMeter {
 class PenetrationMeter {
  public:
   /// Depth of the held entity now, m: 0 when it is free; else an upper bound (the shortest translation found that frees
-  /// it). Pairs that pass through each other are left out.
+  /// it).
   double measure(const ManipulationEngine& engine);
   double worst() const { return worst_; }
+  /// Of pairs that must not pass through each other.
+  double worstBlocked() const { return worst_blocked_; }
 
  private:
-  double worst_ = 0.0, last_ = 0.0;
+  double worst_ = 0.0, worst_blocked_ = 0.0, last_ = 0.0;
   workcell::EntityId measured_id_ = 0;
   EntityConfiguration measured_;
 };

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "workcell/file_content.h"
+
 namespace hapticell::workcell {
 
 namespace fs = std::filesystem;
@@ -68,7 +70,9 @@ bool isArchiveName(const fs::path& file) {
 Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
   const auto files = filesBelow(folder);
   if (!files) return makeError(files.error());
-  const fs::path aside = file.string() + ".part";
+  const auto place = placeOfFile(file);
+  if (!place) return makeError(place.error());
+  const fs::path aside = place->string() + ".part";
   Expected<void> written;
   {
     const std::unique_ptr<archive, Closer> out(archive_write_new());
@@ -86,7 +90,7 @@ Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
     if (written && archive_write_close(out.get()) != ARCHIVE_OK) written = makeError(failed(file, out.get()));
   }
   std::error_code fault;
-  if (written) fs::rename(aside, file, fault);
+  if (written) fs::rename(aside, *place, fault);
   if (written && fault) written = makeError({file.string(), "", fault.message(), "permission to write", ""});
   if (!written) fs::remove(aside, fault);
   return written;

@@ -23,7 +23,16 @@ int writeAll(int file, std::string_view content) {
     if (written < 0) return errno;
     content.remove_prefix(static_cast<std::size_t>(written));
   }
-  return ::fsync(file) == 0 ? 0 : errno;
+  return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;  // EINVAL: a pipe or a device, which has no disk.
+}
+
+/// A pipe, a terminal, /dev/null: nothing may be moved into its place.
+Expected<void> writeInto(const fs::path& path, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  int fault = file < 0 ? errno : writeAll(file, content);
+  if (file >= 0 && ::close(file) != 0 && fault == 0) fault = errno;
+  if (fault == 0) return {};
+  return makeError({path.string(), "", std::strerror(fault), "something that takes what is written", ""});
 }
 
 }  // namespace
@@ -50,9 +59,20 @@ Expected<std::string> readFileContent(const fs::path& path) {
   return content;
 }
 
+Expected<fs::path> placeOfFile(const fs::path& path) {
+  std::error_code ignored;
+  fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  const fs::file_status status = fs::status(target, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return target;
+  return makeError(
+      {path.string(), "", fs::is_directory(status) ? "a folder" : "no regular file", "the name of a file", ""});
+}
+
 Expected<void> writeFileAtomically(const fs::path& path, std::string_view content) {
   std::error_code ignored;
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  const auto place = placeOfFile(path);
+  if (!place) return fs::is_directory(path, ignored) ? makeError(place.error()) : writeInto(path, content);
+  const fs::path& target = *place;
   std::string aside = target.string() + ".XXXXXX";
   const int file = ::mkstemp(aside.data());
   if (file < 0) {

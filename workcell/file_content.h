@@ -13,8 +13,13 @@ namespace hapticell::workcell {
 /// file that may not be read) is an error that names it.
 Expected<std::string> readFileContent(const std::filesystem::path& path);
 
+/// Where a file of that name is to be moved: the name itself, or what a symbolic link means. Error: a folder, a pipe or a
+/// device stands there, which a file must not take the place of.
+Expected<std::filesystem::path> placeOfFile(const std::filesystem::path& path);
+
 /// Writes the file aside, flushes it to the disk and moves it into place: whatever happens, either the old content or
-/// the new one stands there. Follows a symbolic link to the file that it means.
+/// the new one stands there. Follows a symbolic link to the file that it means; into what is no regular file (a pipe, a
+/// device) it writes as it is.
 Expected<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace hapticell::workcell

@@ -153,7 +153,9 @@ Expected<void> exportStep(ImportedScene scene, const fs::path& file, const Expor
       mesh = {};  // Read again from its file.
     }
   }
-  const fs::path absolute = fs::absolute(file), aside = absolute.string() + ".part";
+  const auto place = placeOfFile(file);
+  if (!place) return makeError(place.error());
+  const fs::path absolute = fs::absolute(*place), aside = absolute.string() + ".part";
   ImporterCall call;
   call.file = file.string();
   call.arguments = {"write", aside.string()};

@@ -6,7 +6,9 @@ usage: command_line_test.py HAPTICELL_CLI [NAME_PART]
 """
 import json
 import math
+import os
 import pathlib
+import stat
 import struct
 import subprocess
 import sys
@@ -284,6 +286,7 @@ def test_workcell_new_refuses_what_means_nothing(case):
     assert "'k' is taken" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--add", brick, expect=2)
     assert "once" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",name=j", expect=2)
     assert "--check" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", ":", expect=2)
+    assert "no option 'colour'" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",colour=red", expect=2)
     assert not (case.folder / "cell.hcell").exists()
 
 
@@ -346,6 +349,48 @@ def test_session_refuses_what_is_unknown_or_said_twice(case):
     assert "'scale' twice" in case.run(*words, "--set", "scale=1", "--set", "scale=2", expect=2)
 
 
+def test_a_session_that_passes_still_shows_its_collision(case):
+    told = session_on_a_table(case, "--set", "on_contact=pass")
+    assert told["force"]["max_n"] < 0.05, told["force"]
+    assert told["penetration"]["max_m"] > 0.002 and told["penetration"]["blocked_max_m"] == 0.0, told["penetration"]
+    (contact,) = told["contacts"]
+    assert set(contact["entities"]) == {"brick", "table"} and contact["max_force"] == 0.0, contact
+
+
+def test_a_session_fails_on_contact_when_asked(case):
+    session_on_a_table(case)
+    words = ("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv", "--fail-on-contact")
+    assert case.run(*words, expect=1)["contacts"]
+    hand(case.folder / "still.csv", [(0.0, (0, 0, 0), 0), (0.5, (0, 0, 0), 1)])
+    assert not case.run(*words[:-2], "still.csv", words[-1])["contacts"]
+
+
+def test_rates_are_those_asked_for(case):
+    told = session_on_a_table(case, "--rate-manipulation", "10", "--rate-gui", "25")
+    assert near(told["rates"]["manipulation_hz"], 10.0, 0.05) and near(told["rates"]["gui_hz"], 25.0, 0.2), told["rates"]
+
+
+def test_a_result_goes_into_what_is_no_file_and_follows_links(case):
+    write_binary_stl(case.folder / "a.stl", box((1, 1, 1)))
+    (case.folder / "real.json").write_text("old")
+    (case.folder / "link.json").symlink_to("real.json")
+    done = subprocess.run([CLI, "inspect", "a.stl", "--json", "link.json"], cwd=case.folder)
+    assert done.returncode == 0 and (case.folder / "link.json").is_symlink()
+    assert json.loads((case.folder / "real.json").read_text())["format"]
+    os.mkfifo(case.folder / "pipe")
+    reader = subprocess.Popen(["cat", "pipe"], cwd=case.folder, stdout=subprocess.PIPE)
+    assert subprocess.run([CLI, "inspect", "a.stl", "--json", "pipe"], cwd=case.folder, timeout=60).returncode == 0
+    assert json.loads(reader.communicate(timeout=60)[0])["format"]
+    assert stat.S_ISFIFO((case.folder / "pipe").stat().st_mode)
+    # A link of the test's own to the device: a program that is wrong replaces the link, not the machine's device.
+    (case.folder / "full").symlink_to("/dev/full")
+    if os.path.exists("/dev/full"):
+        assert "No space" in case.run("inspect", "a.stl", "--json", "full", expect=2)
+        assert (case.folder / "full").is_symlink()
+    (case.folder / "folder").mkdir()
+    assert "a folder" in case.run("inspect", "a.stl", "--json", "folder", expect=2)
+
+
 def test_session_without_forces_gives_none(case):
     answer = session_on_a_table(case, "--set", "forces=off")
     assert answer["force"]["max_n"] == 0.0, answer["force"]
@@ -357,6 +402,8 @@ def test_usage(case):
     assert subprocess.run([CLI, "--help"], capture_output=True).returncode == 0
     case.run(expect=2)
     case.run("fly", expect=2)
+    assert "no command 'fly'" in case.run("trajectory", "fly", "a.csv", expect=2) and "retime" in case.error
+    case.run("trajectory", expect=2)
     case.run("inspect", expect=2)
 
 
