@@ -286,7 +286,7 @@ def test_workcell_new_refuses_what_means_nothing(case):
     assert "'k' is taken" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--add", brick, expect=2)
     assert "once" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",name=j", expect=2)
     assert "--check" in case.run("workcell", "new", "cell.hcell", "--add", brick, "--check", ":", expect=2)
-    assert "no option 'colour'" in case.run("workcell", "new", "cell.hcell", "--add", brick + ",colour=red", expect=2)
+    assert "no option 'colour'" in case.run("workcell", "new", "cell.hcell", "--add", "brick.obj,colour=red", expect=2)
     assert not (case.folder / "cell.hcell").exists()
 
 
@@ -361,7 +361,7 @@ def test_a_session_fails_on_contact_when_asked(case):
     session_on_a_table(case)
     words = ("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "hand.csv", "--fail-on-contact")
     assert case.run(*words, expect=1)["contacts"]
-    hand(case.folder / "still.csv", [(0.0, (0, 0, 0), 0), (0.5, (0, 0, 0), 1)])
+    hand(case.folder / "still.csv", [(0, 0, 0, 0, 0), (0.5, 0, 0, 0, 1)])
     assert not case.run(*words[:-2], "still.csv", words[-1])["contacts"]
 
 
