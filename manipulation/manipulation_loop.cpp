@@ -63,7 +63,10 @@ struct ManipulationLoop::Worker {
     preparer = std::thread([this] { prepareScenes(); });
     stepper = std::thread([this] { run(); });
   }
-  ~Worker() {
+  ~Worker() { stop(); }
+
+  void stop() {
+    if (!stepper.joinable()) return;
     {
       const std::lock_guard lock(mutex);
       stopping = true;
@@ -123,6 +126,10 @@ struct ManipulationLoop::Worker {
     snapshot.rate_manipulation_hz = times.rate();
     snapshot.step_p99_ms = 1e3 * times.p99();
     snapshots.publish();
+    keepResults(engine);
+  }
+
+  void keepResults(ManipulationEngine& engine) {
     std::vector<Result> happened = engine.takeResults();
     if (happened.empty()) return;
     const std::lock_guard lock(mutex);
@@ -151,10 +158,12 @@ struct ManipulationLoop::Worker {
       steps_wait.wait_until(lock, due, [this] { return stopping; });
       if (stopping) break;
     }
+    takeCommands(engine);
     engine.apply(command::Release{});
     engine.apply(command::StopRecording{});
     engine.apply(command::SetForces{false});
     engine.step(nanoseconds(Clock::now()));
+    keepResults(engine);
   }
 
   std::unique_ptr<haptic::HapticLink> link;
@@ -203,6 +212,11 @@ std::vector<Result> ManipulationLoop::takeResults() {
   const std::lock_guard lock(worker_->mutex);
   taken.swap(worker_->results);
   return taken;
+}
+
+std::vector<Result> ManipulationLoop::finish() {
+  worker_->stop();
+  return takeResults();
 }
 
 std::optional<double> ManipulationLoop::preparation() const {

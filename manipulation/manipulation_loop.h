@@ -34,6 +34,9 @@ class ManipulationLoop {
   bool latest(SceneSnapshot& snapshot);
   /// What happened since the last call, in order.
   std::vector<Result> takeResults();
+  /// Ends the loop: commands posted before are carried out, what is held is let go, a recording is ended; results as
+  /// takeResults() gives them, with those of this. No command is taken after it. The posting thread waits for a step.
+  std::vector<Result> finish();
   /// What is being made ready of a new document, 0 to 1 of it; nothing while nothing is. Any thread.
   std::optional<double> preparation() const;
   /// Gives it up: the old scene goes on, and what the document has since is not felt until the next one is posted.

@@ -134,8 +134,8 @@ void VirtualDesktopController::disconnectDevice() {
   timer_.stop();
   preparation_->setShare(std::nullopt);
   host_.recording().setLive(false);
-  loop_->post(command::Release{});
-  takeResults();
+  // A recording that was going on, and where the entity was let go.
+  take(loop_->finish());
   link_ = nullptr;
   loop_.reset();
   snapshot_ = {};
@@ -358,9 +358,8 @@ void VirtualDesktopController::handleMoved(const manipulation::result::Moved& mo
   document.executeAll(QString::fromStdString(workcell::commandText(own, document.document().state())), commands);
 }
 
-void VirtualDesktopController::takeResults() {
-  if (!loop_) return;
-  for (const manipulation::Result& result : loop_->takeResults()) {
+void VirtualDesktopController::take(const std::vector<manipulation::Result>& results) {
+  for (const manipulation::Result& result : results) {
     if (const auto* moved = std::get_if<manipulation::result::Moved>(&result)) handleMoved(*moved);
     if (const auto* grabbed = std::get_if<manipulation::result::Grabbed>(&result))
       host_.selection().set(grabbed->entity);
@@ -400,7 +399,7 @@ void VirtualDesktopController::tick() {
     if (!connected) connecting_.restart(), server_tried_ = server_.isRunning();
     emit connectionChanged();
   }
-  takeResults();
+  take(loop_->takeResults());
   host_.setPreparedScene(loop_->scene());
   preparation_->setShare(loop_->preparation());
   manipulation::SceneSnapshot fresh;

@@ -67,7 +67,7 @@ class VirtualDesktopController : public QObject {
 
  private:
   void tick();
-  void takeResults();
+  void take(const std::vector<manipulation::Result>& results);
   void handleMoved(const manipulation::result::Moved& moved);
   void postDocument();
   void postGuides();

@@ -174,6 +174,32 @@ TEST_F(ManipulationLoopTest, EndsWithForcesOffAndNothingToFeel) {
   EXPECT_EQ(seen.ended_by_, std::this_thread::get_id()) << "its thread must have been joined before";
 }
 
+/// Ended in the middle of it (the device is disconnected): what was recorded so far and where it was let go are kept.
+TEST_F(ManipulationLoopTest, GivesBackWhatWasRecordedWhenItIsEnded) {
+  holdTheBox();
+  command::StartRecording order;
+  order.take = "cut short";
+  order.options.mode = trajectory::RecordingMode::kEveryStep;
+  loop->post(order);
+  seen.setHand({0.02, 0.0, 0.0});
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.recording.on && s.recording.frames > 20; }));
+  const std::size_t frames = snapshot.recording.frames;
+  const result::Recorded* recorded = nullptr;
+  const result::Moved* moved = nullptr;
+  const std::vector<Result> results = loop->finish();
+  for (const Result& one : results) {
+    if (const auto* found = std::get_if<result::Recorded>(&one)) recorded = found;
+    if (const auto* found = std::get_if<result::Moved>(&one)) moved = found;
+  }
+  ASSERT_NE(recorded, nullptr);
+  ASSERT_EQ(recorded->trajectories.size(), 1U);
+  EXPECT_EQ(recorded->trajectories[0].take, "cut short");
+  EXPECT_GE(recorded->trajectories[0].size(), frames);
+  ASSERT_NE(moved, nullptr);
+  EXPECT_GT(moved->X_WE.p.x, 0.0) << "let go where it was";
+  EXPECT_TRUE(loop->finish().empty()) << "ended already";
+}
+
 TEST_F(ManipulationLoopTest, TakesTheNewestDocumentAndKeepsWhatIsHeld) {
   holdTheBox();
   for (int i = 0; i < 20; ++i) {
