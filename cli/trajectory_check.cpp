@@ -74,6 +74,14 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   return Cell{std::move(*document), std::move(scene), std::move(*path), name};
 }
 
+KeptFreeResult resultOf(manipulation::KeptFree kept) {
+  ordered_json report{{"checks", kept.checks}, {"findings", listOf(kept.check.findings)}};
+  report["nearer"] = ordered_json::array();
+  for (const auto& nearer : kept.nearer)
+    report["nearer"].push_back({{"t_in", nearer.t_in}, {"t_out", nearer.t_out}, {"share", nearer.share}});
+  return {std::move(kept.trajectory), std::move(report)};
+}
+
 }  // namespace
 
 Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajectory::Trajectory processed,
@@ -89,11 +97,19 @@ Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajector
   }
   auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});
   if (!kept) return tl::unexpected(kept.error());
-  ordered_json report{{"checks", kept->checks}, {"findings", listOf(kept->check.findings)}};
-  report["nearer"] = ordered_json::array();
-  for (const auto& nearer : kept->nearer)
-    report["nearer"].push_back({{"t_in", nearer.t_in}, {"t_out", nearer.t_out}, {"share", nearer.share}});
-  return KeptFreeResult{std::move(kept->trajectory), std::move(report)};
+  return resultOf(std::move(*kept));
+}
+
+Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const trajectory::RetimingOptions& retiming,
+                                    const TrajectoryCheckOptions& options, trajectory::RetimingReport& report) {
+  const auto cell = cellFor(given, options);
+  if (!cell) return tl::unexpected(cell.error());
+  trajectory::Trajectory named = given;
+  named.entity = cell->entity;
+  auto made = manipulation::retimedFree(cell->scene, named, retiming, cell->path, {});
+  if (!made) return tl::unexpected(made.error());
+  report = made->report;
+  return resultOf(std::move(made->kept));
 }
 
 void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/error.h"
+#include "trajectory/retiming.h"
 #include "trajectory/trajectory.h"
 
 namespace hapticell::cli {
@@ -32,5 +33,9 @@ struct KeptFreeResult {
 };
 Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& recording, trajectory::Trajectory processed,
                                   const TrajectoryCheckOptions& options);
+
+/// New times, kept free likewise; the report has what `retime` tells besides.
+Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const trajectory::RetimingOptions& retiming,
+                                    const TrajectoryCheckOptions& options, trajectory::RetimingReport& report);
 
 }  // namespace hapticell::cli

@@ -147,20 +147,32 @@ Expected<ordered_json> retime(const Trajectory& given, const TrajectoryOptions& 
   } else {
     return makeError({"", "--mode", "'" + options.mode + "'", "time-optimal or constant-speed", ""});
   }
-  const auto result = trajectory::retimed(given, retiming);
-  if (!result) return tl::unexpected(result.error());
-  if (auto saved = saveTrajectory(result->trajectory, options.output); !saved) return tl::unexpected(saved.error());
-  const auto& report = result->report;
-  return ordered_json{
+  ordered_json kept = nullptr;
+  trajectory::Retimed made;
+  if (options.check.workcell.empty()) {
+    auto result = trajectory::retimed(given, retiming);
+    if (!result) return tl::unexpected(result.error());
+    made = std::move(*result);
+  } else {
+    auto free = retimeFree(given, retiming, options.check, made.report);
+    if (!free) return tl::unexpected(free.error());
+    made.trajectory = std::move(free->trajectory);
+    kept = std::move(free->report);
+  }
+  if (auto saved = saveTrajectory(made.trajectory, options.output); !saved) return tl::unexpected(saved.error());
+  const auto& report = made.report;
+  ordered_json json{
       {"duration_before", report.duration_before},
       {"duration_after", report.duration_after},
-      {"frames", result->trajectory.size()},
+      {"frames", made.trajectory.size()},
       {"still_frames", report.still_frames},
       {"max_deviation", distanceJson(report.max_deviation)},
       {"max_joint_deviation", report.max_joint_deviation},
       {"limit_use",
        {{"velocity", report.use.velocity}, {"acceleration", report.use.acceleration}, {"jerk", report.use.jerk}}},
       {"assumptions", assumptions}};
+  if (!kept.is_null()) json["kept_free"] = std::move(kept);
+  return json;
 }
 
 const std::map<std::string, trajectory::ProgramFormat>& programFormats() {
@@ -271,9 +283,11 @@ void addTrajectoryCommand(CLI::App& app, Action& chosen) {
   retime_command->add_option("--sample", options->sample, "Time between the frames of the result, s (0.01)");
   addLimits(*retime_command, options->limits);
   addCheckOptions(*check_command, options->check);
-  smooth_command->add_option("--workcell", options->check.workcell,
-                             "The cell to move through: nearer to the recording where it would collide");
-  smooth_command->add_option("--entity", options->check.entity, "What moves (as the trajectory says)");
+  for (CLI::App* sub : {smooth_command, retime_command}) {
+    sub->add_option("--workcell", options->check.workcell,
+                    "The cell to move through: nearer to the recording where it would collide");
+    sub->add_option("--entity", options->check.entity, "What moves (as the trajectory says)");
+  }
 
   export_command->add_option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript or val3")->required();
   export_command->add_option("-o,--output", options->output, "The file; a folder for val3")->required();

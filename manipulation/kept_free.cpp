@@ -16,12 +16,19 @@ using trajectory::Trajectory;
 
 constexpr std::array<double, 5> kShares{0.5, 0.75, 0.9, 1.0, 1.0};  ///< By round.
 constexpr std::array<double, 5> kReach{0.05, 0.05, 0.1, 0.1, 0.3};  ///< s beyond the collision that are drawn fully.
-constexpr double kEdge = 0.2;                                       ///< s from there to nothing.
+constexpr int kMostFiner = 2;
+constexpr double kFiner = 0.25;  ///< Of the time between new frames, where they are too far apart.
+constexpr double kEdge = 0.2;    ///< s from there to nothing.
 
 /// 1 within `reach` of the interval, falling softly to 0 at `kEdge` beyond.
 double weight(double t, const PathFinding& finding, double reach) {
   const double away = std::max({finding.t_in - reach - t, t - finding.t_out - reach, 0.0}) / kEdge;
   return away >= 1.0 ? 0.0 : 0.5 + 0.5 * std::cos(away * 3.14159265358979);
+}
+
+bool collides(const PathCheckResult& check) {
+  return std::any_of(check.findings.begin(), check.findings.end(),
+                     [](const auto& finding) { return finding.kind == PathFinding::Kind::kCollision; });
 }
 
 bool isNew(const PathFinding& finding, const std::vector<PathFinding>& before) {
@@ -82,10 +89,7 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
     ++kept.checks;
     kept.check = std::move(*check);
     if (kept.check.cancelled || round == kShares.size()) break;
-    const bool collides = std::any_of(kept.check.findings.begin(), kept.check.findings.end(), [](const auto& finding) {
-      return finding.kind == PathFinding::Kind::kCollision;
-    });
-    if (!collides) break;
+    if (!collides(kept.check)) break;
     if (!recorded) {
       const auto before = checkPath(scene, recording.entity, recording, options, configuration);
       if (!before) return makeError(before.error());
@@ -110,6 +114,28 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
   }
   kept.nearer = intervalsOf(processed, share);
   return kept;
+}
+
+Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const Trajectory& given,
+                                  trajectory::RetimingOptions retiming, const PathCheckOptions& options,
+                                  const config::Configuration& configuration) {
+  const workcell::Entity* entity = scene->find(given.entity);
+  if (entity == nullptr) return makeError({"", "entity", "'" + given.entity + "'", "an entity of the cell", ""});
+  for (int finer = 0;; ++finer, retiming.sample_s *= kFiner) {
+    auto timed = trajectory::retimed(given, retiming);
+    if (!timed) return makeError(timed.error());
+    auto consistent = posesFromJoints(*entity, timed->trajectory);
+    if (!consistent) return makeError(consistent.error());
+    auto kept = keptFree(scene, timed->given, *consistent, options, configuration);
+    if (!kept) return makeError(kept.error());
+    bool done = finer == kMostFiner || kept->check.cancelled || !collides(kept->check);
+    if (!done) {  // What the given motion touches it goes on touching.
+      const auto before = checkPath(scene, given.entity, given, options, configuration);
+      if (!before) return makeError(before.error());
+      done = collides(*before);
+    }
+    if (done) return RetimedFree{std::move(*kept), timed->report};
+  }
 }
 
 }  // namespace hapticell::manipulation

@@ -92,6 +92,7 @@ class Retimer {
       return makeError({"", "frames", "fewer than two different frames", "a motion", ""});
     }
     result_.trajectory = moving_.emptyCopy();
+    result_.given = moving_.emptyCopy();
     result_.report.duration_before = original_.duration();
     result_.report.still_frames = original_.size() - moving_.size();
     double start = 0.0;
@@ -165,12 +166,17 @@ class Retimer {
     if (!timing) return tl::unexpected(timing.error());
     const double duration = timing->duration();
     const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / options_.sample_s)));
+    std::size_t before = 0;
     for (std::size_t i = 0; i <= count; ++i) {
       const double t = duration * static_cast<double>(i) / static_cast<double>(count);
       const double s = timing->at(t).s;
+      while (before + 2 < ways.size() && ways[before + 1] < s) ++before;
+      const double share = std::clamp((s - ways[before]) / (ways[before + 1] - ways[before]), 0.0, 1.0);
+      const double t_given = piece[before].t + share * (piece[before + 1].t - piece[before].t);
       const double dwell = i == count ? piece[piece.size() - 1].dwell : 0.0;
       // The first frame of a later piece is the last of the one before, or comes after its dwell.
       result_.trajectory.addFrame({start + t, motion.pose(s), false, dwell}, motion.joints(s));
+      result_.given.addFrame({start + t, piece.poseAt(t_given), false, dwell}, piece.jointsAt(t_given));
     }
     return duration;
   }

@@ -35,6 +35,8 @@ struct RetimingReport {
 
 struct Retimed {
   Trajectory trajectory;
+  /// Where the given motion is at the same places of its way: frame for frame the times of `trajectory`.
+  Trajectory given;
   RetimingReport report;
 };
 

@@ -19,18 +19,26 @@ using trajectory::MotionCurve;
 constexpr double kDegrees = 57.29577951308232;
 constexpr int kLegendRow = 17, kLegendTop = 36;  // Above it stands the choice of the curves.
 
-double limitOf(const MotionChart::Limit& limit, MotionChart::Order order) {
+struct Range {
+  double lowest, highest;
+};
+
+Range rangeOf(const MotionChart::Limit& limit, MotionChart::Order order) {
+  const auto both = [](double most) {
+    const double bound = most > 0.0 ? most : std::numeric_limits<double>::infinity();
+    return Range{-bound, bound};
+  };
   switch (order) {
     case MotionChart::Order::kSpeed:
-      return limit.speed;
+      return both(limit.speed);
     case MotionChart::Order::kAcceleration:
-      return limit.acceleration;
+      return both(limit.acceleration);
     case MotionChart::Order::kJerk:
-      return limit.jerk;
+      return both(limit.jerk);
     case MotionChart::Order::kValue:
       break;
   }
-  return 0.0;
+  return {limit.lowest, limit.highest};
 }
 
 const std::vector<double>& samplesOf(const MotionCurve& curve, MotionChart::Order order) {
@@ -99,8 +107,11 @@ std::vector<MotionChart::Shown> MotionChart::shown() const {
     one.samples = &samplesOf(curve, order_);
     one.color = path ? theme.selection : colors[index % 3];
     one.style = path ? Qt::SolidLine : styles[(index / 3) % 3];
+    Range range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     for (const Limit& limit : limits_)
-      if (limit.curve == curve.name) one.limit = limitOf(limit, order_);
+      if (limit.curve == curve.name) range = rangeOf(limit, order_);
+    one.lowest = range.lowest;
+    one.highest = range.highest;
     result.push_back(one);
   };
   switch (group_) {
@@ -145,8 +156,9 @@ QString MotionChart::unit() const {
 double MotionChart::limitUse() const {
   double use = 0.0;
   for (const Shown& one : shown()) {
-    if (one.limit <= 0.0) continue;
-    for (const double value : *one.samples) use = std::max(use, std::abs(value) / one.limit);
+    const double middle = 0.5 * (one.lowest + one.highest), half = 0.5 * (one.highest - one.lowest);
+    if (!std::isfinite(middle) || !(half > 0.0)) continue;
+    for (const double value : *one.samples) use = std::max(use, std::abs(value - middle) / half);
   }
   return use;
 }
@@ -168,9 +180,10 @@ MotionChart::Scale MotionChart::scaleOf(const std::vector<Shown>& curves) const 
     }
   // Limits are in the picture where the curve comes near them.
   for (const Shown& one : curves) {
-    if (one.limit <= 0.0) continue;
-    if (high > 0.4 * one.limit) high = std::max(high, 1.05 * one.limit);
-    if (low < -0.4 * one.limit) low = std::min(low, -1.05 * one.limit);
+    const double room = 0.05 * (one.highest - one.lowest);
+    if (!std::isfinite(room)) continue;
+    if (high > one.highest - 6.0 * room) high = std::max(high, one.highest + 0.5 * room);
+    if (low < one.lowest + 6.0 * room) low = std::min(low, one.lowest - 0.5 * room);
   }
   if (order_ != Order::kValue) {
     low = std::min(low, 0.0);
@@ -207,8 +220,8 @@ void MotionChart::paintGrid(QPainter& painter, const Scale& scale) const {
 void MotionChart::paintLimits(QPainter& painter, const std::vector<Shown>& curves, const Scale& scale) const {
   const Theme& theme = themeOf(palette());
   for (const Shown& one : curves) {
-    if (one.limit <= 0.0) continue;
-    for (const double limit : {one.limit, -one.limit}) {
+    for (const double limit : {one.highest, one.lowest}) {
+      if (!std::isfinite(limit)) continue;
       const double y = scale.y(limit * unitFactor());
       if (y < scale.plot.top() || y > scale.plot.bottom()) continue;
       painter.setPen(QPen(theme.limit, 1.2));
@@ -217,7 +230,8 @@ void MotionChart::paintLimits(QPainter& painter, const std::vector<Shown>& curve
     QColor band = theme.limit;
     band.setAlpha(70);
     for (std::size_t i = 0; i < one.samples->size(); ++i) {
-      if (std::abs((*one.samples)[i]) <= 1.001 * one.limit) continue;
+      const double value = (*one.samples)[i], slack = 1e-3 * std::abs(value);
+      if (value >= one.lowest - slack && value <= one.highest + slack) continue;
       const double x = axis_.x(curves_->timeOf(i));
       painter.fillRect(QRectF(x - 1.0, scale.plot.top(), 2.0, scale.plot.height()), band);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -22,10 +23,11 @@ class MotionChart : public QWidget {
   explicit MotionChart(QWidget* parent = nullptr);
   /// Null: nothing is shown.
   void setCurves(std::shared_ptr<const trajectory::MotionCurves> curves);
-  /// Bounds of a curve's three derivatives by its name; 0: none.
+  /// Bounds of a curve and of its three derivatives by its name; 0, or an infinite place: none.
   struct Limit {
     std::string curve;
     double speed = 0.0, acceleration = 0.0, jerk = 0.0;
+    double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
   };
   void setLimits(std::vector<Limit> limits);
   void setChoice(Group group, Order order);
@@ -33,7 +35,8 @@ class MotionChart : public QWidget {
   void setTime(double t);
   Group group() const { return group_; }
   Order order() const { return order_; }
-  /// Largest share of a limit that a shown curve uses; 0 where there is no limit.
+  /// Largest share of a limit that a shown curve uses, a place counted from the middle of its range; 0 where there is
+  /// no limit.
   double limitUse() const;
   QSize minimumSizeHint() const override { return {320, 70}; }
   QSize sizeHint() const override { return {900, 140}; }
@@ -50,7 +53,7 @@ class MotionChart : public QWidget {
   struct Shown {
     const trajectory::MotionCurve* curve = nullptr;
     const std::vector<double>* samples = nullptr;
-    double limit = 0.0;  ///< In SI.
+    double lowest = 0.0, highest = 0.0;  ///< Its limits in SI, infinite where it has none.
     QColor color;
     Qt::PenStyle style = Qt::SolidLine;
   };

@@ -246,21 +246,20 @@ void MotionPanel::addShape(QVBoxLayout& column) {
   mirror_->setAccessibleName(tr("Mirrored on the plane"));
   mirror_->addItems({tr("on X = 0"), tr("on Y = 0"), tr("on Z = 0")});
   mirror_->setCurrentIndex(1);
-  section->addWidget(sideBySide({action("buttonReverseMotion", tr("Reverse"), tr("Backwards in time"),
-                                        [this, one] {
-                                          work_.edit(tr("reversed"), [one](const auto& given) {
-                                            return one(trajectory::reversed(given));
-                                          });
-                                        }),
-                                 action("buttonMirrorMotion", tr("Mirror"), tr("As a partner on the other side would do it"),
-                                        [this, one] {
-                                          dvec3 normal(0.0);
-                                          normal[mirror_->currentIndex()] = 1.0;
-                                          work_.edit(tr("mirrored"), [one, normal](const auto& given) {
-                                            return one(trajectory::mirrored(given, dvec3(0.0), normal));
-                                          });
-                                        }),
-                                 mirror_}));
+  section->addWidget(sideBySide(
+      {action("buttonReverseMotion", tr("Reverse"), tr("Backwards in time"),
+              [this, one] {
+                work_.edit(tr("reversed"), [one](const auto& given) { return one(trajectory::reversed(given)); });
+              }),
+       action("buttonMirrorMotion", tr("Mirror"), tr("As a partner on the other side would do it"),
+              [this, one] {
+                dvec3 normal(0.0);
+                normal[mirror_->currentIndex()] = 1.0;
+                work_.edit(tr("mirrored"), [one, normal](const auto& given) {
+                  return one(trajectory::mirrored(given, dvec3(0.0), normal));
+                });
+              }),
+       mirror_}));
   way_ = field("fieldWay", {tr("mm"), 0, 1, 2000, 10}, 50);
   way_->setToolTip(tr("Length of the approach or retract, along the tool's axis"));
   section->addWidget(sideBySide(

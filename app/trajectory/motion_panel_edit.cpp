@@ -181,7 +181,7 @@ void MotionPanel::retime() {
       timing_->currentIndex() == 1 ? trajectory::TimingMode::kConstantSpeed : trajectory::TimingMode::kTimeOptimal;
   options.speed = 1e-3 * speed_->value();
   if (timing_->currentIndex() == 3) options.limits.jerk = {1e-3 * jerk_time_->value()};
-  work_.retime(options);
+  work_.retime(options, keep_free_->isChecked());
 }
 
 void MotionPanel::insertFrame() {

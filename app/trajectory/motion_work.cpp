@@ -8,7 +8,6 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/trajectory/track_rows.h"
-#include "manipulation/kept_free.h"
 #include "trajectory/simplification.h"
 #include "trajectory/smoothing.h"
 
@@ -41,6 +40,18 @@ Expected<manipulation::PathCheckOptions> optionsFor(const Trajectory& trajectory
   }
   options.progress = progressOf(monitor, "checking");
   return options;
+}
+
+QString retimingLine(const trajectory::RetimingReport& report, trajectory::TimingMode mode) {
+  QString line = MotionWork::tr("%1 s → %2 s; at most %3 from the path")
+                     .arg(report.duration_before, 0, 'f', 2)
+                     .arg(report.duration_after, 0, 'f', 2)
+                     .arg(distanceText(report.max_deviation));
+  if (mode == trajectory::TimingMode::kTimeOptimal)
+    line += MotionWork::tr("; limits used: speed %1 %, acceleration %2 %")
+                .arg(100.0 * report.use.velocity, 0, 'f', 0)
+                .arg(100.0 * report.use.acceleration, 0, 'f', 0);
+  return line;
 }
 
 }  // namespace
@@ -112,6 +123,20 @@ void MotionWork::run(const QString& word, Work work) {
       [this](const Error& error) { tell(QString::fromStdString(error.message()), true); });
 }
 
+void MotionWork::prepare(const Cell& cell, Prepared& prepared) {
+  if (prepared.revision == cell.revision) return;
+  prepared.scene = manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
+  prepared.revision = cell.revision;
+}
+
+void MotionWork::takeKept(manipulation::KeptFree kept, Result& result) {
+  for (const auto& nearer : kept.nearer)
+    result.line +=
+        tr(". Kept nearer to the recording from %1 to %2 s").arg(nearer.t_in, 0, 'f', 2).arg(nearer.t_out, 0, 'f', 2);
+  result.check = std::move(kept.check);
+  result.motions.push_back(std::move(kept.trajectory));
+}
+
 void MotionWork::simplify(const trajectory::PathTolerance& tolerance) {
   run(tr("simplified"), [tolerance](const auto& given, const Cell&, Prepared&, auto&) -> Expected<Result> {
     Result result;
@@ -153,56 +178,53 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
           auto options = optionsFor(*given, monitor);
           if (!options) return makeError(options.error());
-          if (prepared.revision != cell.revision) {
-            prepared.scene =
-                manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
-            prepared.revision = cell.revision;
-          }
+          prepare(cell, prepared);
           auto kept = manipulation::keptFree(prepared.scene, *given, smooth.trajectory, *options, cell.configuration);
           if (!kept) return makeError(kept.error());
           if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
-          smooth.trajectory = std::move(kept->trajectory);
-          result.check = std::move(kept->check);
-          for (const auto& nearer : kept->nearer)
-            result.line += tr(". Kept nearer to the recording from %1 to %2 s")
-                               .arg(nearer.t_in, 0, 'f', 2)
-                               .arg(nearer.t_out, 0, 'f', 2);
+          takeKept(std::move(*kept), result);
+          return result;
         }
         result.motions.push_back(std::move(smooth.trajectory));
         return result;
       });
 }
 
-void MotionWork::retime(trajectory::RetimingOptions options) {
-  run(tr("re-timed"), [options](const auto& given, const Cell& cell, Prepared&, auto&) mutable -> Expected<Result> {
-    const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
-                                     [&](const auto& e) { return e->name == given->entity; });
-    if (options.limits.velocity.empty()) {
-      const auto jerk = options.limits.jerk;
-      options.limits = limitsOf(entity == cell.entities.end() ? workcell::Entity{} : **entity, *given);
-      if (!jerk.empty())
-        for (const double a : options.limits.acceleration) options.limits.jerk.push_back(a / jerk.front());
-    }
-    auto timed = trajectory::retimed(*given, options);
-    if (!timed) return makeError(timed.error());
-    Result result;
-    const auto& report = timed->report;
-    result.line = tr("%1 s → %2 s; at most %3 from the path")
-                      .arg(report.duration_before, 0, 'f', 2)
-                      .arg(report.duration_after, 0, 'f', 2)
-                      .arg(distanceText(report.max_deviation));
-    if (options.mode == trajectory::TimingMode::kTimeOptimal)
-      result.line += tr("; limits used: speed %1 %, acceleration %2 %")
-                         .arg(100.0 * report.use.velocity, 0, 'f', 0)
-                         .arg(100.0 * report.use.acceleration, 0, 'f', 0);
-    if (entity != cell.entities.end()) {
-      auto consistent = manipulation::posesFromJoints(**entity, timed->trajectory);
-      if (!consistent) return makeError(consistent.error());
-      timed->trajectory = std::move(*consistent);
-    }
-    result.motions.push_back(std::move(timed->trajectory));
-    return result;
-  });
+void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
+  run(tr("re-timed"),
+      [options, keep_free](const auto& given, const Cell& cell, Prepared& prepared,
+                           workcell::ImportMonitor& monitor) mutable -> Expected<Result> {
+        const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
+                                         [&](const auto& e) { return e->name == given->entity; });
+        if (options.limits.velocity.empty()) {
+          const auto jerk = options.limits.jerk;
+          options.limits = limitsOf(entity == cell.entities.end() ? workcell::Entity{} : **entity, *given);
+          if (!jerk.empty())
+            for (const double a : options.limits.acceleration) options.limits.jerk.push_back(a / jerk.front());
+        }
+        Result result;
+        if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
+          auto check = optionsFor(*given, monitor);
+          if (!check) return makeError(check.error());
+          prepare(cell, prepared);
+          auto free = manipulation::retimedFree(prepared.scene, *given, options, *check, cell.configuration);
+          if (!free) return makeError(free.error());
+          if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
+          result.line = retimingLine(free->report, options.mode);
+          takeKept(std::move(free->kept), result);
+          return result;
+        }
+        auto timed = trajectory::retimed(*given, options);
+        if (!timed) return makeError(timed.error());
+        result.line = retimingLine(timed->report, options.mode);
+        if (entity != cell.entities.end()) {
+          auto consistent = manipulation::posesFromJoints(**entity, timed->trajectory);
+          if (!consistent) return makeError(consistent.error());
+          timed->trajectory = std::move(*consistent);
+        }
+        result.motions.push_back(std::move(timed->trajectory));
+        return result;
+      });
 }
 
 void MotionWork::check() {
@@ -211,11 +233,7 @@ void MotionWork::check() {
          workcell::ImportMonitor& monitor) -> Expected<Result> {
         auto options = optionsFor(*given, monitor);
         if (!options) return makeError(options.error());
-        if (prepared.revision != cell.revision) {
-          prepared.scene =
-              manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
-          prepared.revision = cell.revision;
-        }
+        prepare(cell, prepared);
         auto check = manipulation::checkPath(prepared.scene, given->entity, *given, *options, cell.configuration);
         if (!check) return makeError(check.error());
         Result result;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/trajectory/motion_list.h"
+#include "manipulation/kept_free.h"
 #include "manipulation/prepared_scene.h"
 #include "trajectory/editing.h"
 #include "trajectory/retiming.h"
@@ -27,8 +28,8 @@ class MotionWork : public QObject {
   void simplify(const trajectory::PathTolerance& tolerance);
   /// Smoothed within the tolerance; `keep_free`: nearer to the recording where it would collide.
   void smooth(const trajectory::PathTolerance& tolerance, bool keep_free);
-  /// New times; limits of joints are the robot's where `options` has none.
-  void retime(trajectory::RetimingOptions options);
+  /// New times; limits of joints are the robot's where `options` has none; `keep_free` as for smooth().
+  void retime(trajectory::RetimingOptions options, bool keep_free);
   /// Limits, singular places, configurations and collisions along the current motion.
   void check();
 
@@ -66,6 +67,8 @@ class MotionWork : public QObject {
   using Work = std::function<Expected<Result>(const std::shared_ptr<const trajectory::Trajectory>&, const Cell&,
                                               Prepared&, workcell::ImportMonitor&)>;
   void run(const QString& word, Work work);
+  static void prepare(const Cell& cell, Prepared& prepared);
+  static void takeKept(manipulation::KeptFree kept, Result& result);
   std::shared_ptr<const Cell> cell() const;
   void tell(const QString& line, bool careful);
 

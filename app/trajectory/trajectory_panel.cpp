@@ -13,6 +13,7 @@
 #include "app/panels/form.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
+#include "app/trajectory/chart_limits.h"
 #include "app/trajectory/motion_chart.h"
 #include "app/trajectory/motion_list.h"
 #include "app/trajectory/motion_player.h"
@@ -184,14 +185,7 @@ void TrajectoryPanel::showCurrent() {
     return;
   }
   chart_->setCurves(std::make_shared<const trajectory::MotionCurves>(trajectory::motionCurves(*trajectory)));
-  std::vector<MotionChart::Limit> limits;
-  if (motion->entity) {
-    const auto bounds = limitsOf(*motion->entity, *trajectory);
-    if (trajectory->hasJoints())
-      for (std::size_t j = 0; j < trajectory->joint_names.size(); ++j)
-        limits.push_back({trajectory->joint_names[j], bounds.velocity[j], bounds.acceleration[j], 0.0});
-  }
-  chart_->setLimits(std::move(limits));
+  chart_->setLimits(motion->entity ? chartLimits(*motion->entity, *trajectory) : std::vector<MotionChart::Limit>{});
   if (!motion->replay) showLine(motion->problem, true);
 }
 

@@ -59,8 +59,8 @@ class TrajectoryPanel : public QWidget {
   MotionPlayer& player_;
   TimeBar* bar_;
   MotionChart* chart_;
-  QToolButton *first_, *back_, *play_, *next_, *last_, *loop_, *shown_, *swept_, *record_, *trim_, *smooth_, *check_, *export_,
-      *edit_;
+  QToolButton *first_, *back_, *play_, *next_, *last_, *loop_, *shown_, *swept_, *record_, *trim_, *smooth_, *check_,
+      *export_, *edit_;
   QComboBox *speed_, *group_, *order_;
   QLabel* info_;
   bool recording_ = false;

@@ -249,6 +249,42 @@ TEST(KeptFree, IsNearerToTheRecordingWhereSmoothingWouldCollide) {
   }
 }
 
+/// The same corner with new times: frames that are far apart would cut it by the straight piece between them.
+TEST(RetimedFree, GoesRoundTheCornerThatFramesFarApartWouldCut) {
+  const auto scene =
+      PreparedScene::prepare({solid(1, "block", geometry::makeBox({0.2, 0.2, 0.2})),
+                              solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({-0.2, -0.1115, 0}))},
+                             {}, {});
+  Trajectory recording;
+  recording.entity = "box";
+  for (int i = 0; i <= 500; ++i) {
+    const double s = 0.001 * i;
+    const dvec3 p = s < 0.3115 ? dvec3(-0.2 + s, -0.1115, 0) : dvec3(0.1115, -0.1115 + (s - 0.3115), 0);
+    recording.addFrame({0.01 * i, Pose::translation(p)});
+  }
+  ASSERT_TRUE(checkPath(scene, "box", recording, {}, {})->findings.empty());
+  trajectory::RetimingOptions wide;
+  wide.limits = {{0.5, 0.5, 0.5, 2, 2, 2}, {5, 5, 5, 20, 20, 20}, {}};
+  wide.sample_s = 0.15;
+  const auto plain = trajectory::retimed(recording, wide);
+  ASSERT_TRUE(plain.has_value());
+  ASSERT_FALSE(checkPath(scene, "box", plain->trajectory, {}, {})->findings.empty()) << "the corner must be cut";
+  ASSERT_EQ(plain->given.size(), plain->trajectory.size());
+  for (std::size_t i = 0; i < plain->given.size(); ++i) {
+    EXPECT_EQ(plain->given[i].t, plain->trajectory[i].t);
+    EXPECT_LT(glm::distance(plain->given[i].X_WT.p, plain->trajectory[i].X_WT.p), 1e-4);
+  }
+  const auto kept = retimedFree(scene, recording, wide, {}, {});
+  ASSERT_TRUE(kept.has_value()) << kept.error().message();
+  EXPECT_TRUE(kept->kept.check.findings.empty());
+  EXPECT_GT(kept->kept.trajectory.size(), plain->trajectory.size()) << "only frames closer together help here";
+  EXPECT_NEAR(kept->kept.trajectory.duration(), plain->trajectory.duration(), 1e-6);
+  wide.limits.velocity.clear();
+  EXPECT_FALSE(retimedFree(scene, recording, wide, {}, {}).has_value());
+  recording.entity = "nobody";
+  EXPECT_FALSE(retimedFree(scene, recording, wide, {}, {}).has_value());
+}
+
 TEST(PathCheck, CanBeEndedAndTellsHowFarItIs) {
   const auto scene = PreparedScene::prepare(
       {solid(1, "wall", geometry::makeBox({0.001, 1, 1})), solid(2, "box", geometry::makeBox(dvec3(0.02)))}, {}, {});
