@@ -123,7 +123,7 @@ std::optional<ZoneContacts> ContactFinder::attempt(Search& search, std::size_t l
   if (search.any(search.surface_mask)) {
     search.surfaces.setMask(search.surface_mask);
     auto told = search.surfaces.attempt(radius, most);
-    if (!told) search.weights = search.surfaces.weights();
+    if (!told) search.weights = search.surfaces.isRough() ? std::vector<std::size_t>() : search.surfaces.weights();
     if (!told) return std::nullopt;
     result = std::move(*told);
   }

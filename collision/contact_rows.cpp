@@ -9,12 +9,15 @@
 #include <optional>
 #include <tuple>
 
+#include "collision/ring_fit.h"
+
 namespace hapticell::collision {
 namespace {
 
 constexpr std::size_t kMostCopies = 9;  // of a group, for surfaces with several ends
 constexpr double kCorner = 1e-4;        // m below a surface,
 constexpr double kJustAbove = 2e-5;     // or above its boundary: near enough to a corner to need its bisector
+constexpr double kRoughRing = 5e-5;     // m
 constexpr double kTie = 1e-9;           // m: which of two equals is kept must not hang on rounding
 
 /// Curvature of the surface that a ball's centre runs on.
@@ -141,8 +144,15 @@ void addBisector(const BallQuery& ball, std::vector<ContactRow>& rows) {
   rows.push_back(row);
 }
 
-void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
-                  std::vector<ContactGroup>& groups) {
+/// The quadric of a ring is not good for all of the reach.
+static bool isRough(const BallQuery& ball, const SurfaceElement& element, const ContactRow& row) {
+  if (ball.rough_rings || element.shape.type != SurfaceType::kTorus || row.bend == 0.0) return false;
+  const dmat3 R = ball.X_WM.R();
+  return ringDeviation(ball, element, glm::transpose(R) * row.M_W * R) > kRoughRing;
+}
+
+Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
+                     std::vector<ContactGroup>& groups) {
   ContactGroup group = like;
   std::vector<Ended> ended;
   double deepest = -1e300;
@@ -150,7 +160,7 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
   for (const auto name : elements) {
     const SurfaceElement& element = ball.element(name);
     const double value = elementValue(element, ball.p_M, ball.radius);
-    if (value > ball.reach) return;
+    if (value > ball.reach) return Telling::kTold;
     if (value > deepest) deepest = value, best = name;
   }
   for (const auto name : elements) {
@@ -158,6 +168,7 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
     const double value = elementValue(element, ball.p_M, ball.radius);
     if (value < -ball.reach && !(deepest < -ball.reach && name == best)) continue;
     ContactRow row = rowOf(ball, element.shape, ball.radius);
+    if (isRough(ball, element, row)) return Telling::kRoughRing;
     row.element = name;
     // Where facets stand in front of a hollow, what the exact check of the motion allows ends there.
     row.gap -= element.raised;
@@ -188,10 +199,7 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
   // A or (f and t1 and t2) is (A or (f and t1)) and (A or (f and t2)).
   std::vector<ContactGroup> copies{std::move(group)};
   for (const Ended& ends : ended) {
-    if (copies.size() * std::max<std::size_t>(2, ends.trims.size()) > kMostCopies) {
-      for (ContactGroup& copy : copies) copy.rows[ends.row].gap = -1e9;  // never free: a wall rather than a hole
-      continue;
-    }
+    if (copies.size() * std::max<std::size_t>(2, ends.trims.size()) > kMostCopies) return Telling::kTooManyEnds;
     std::vector<ContactGroup> next;
     const SurfaceElement& element = ball.element(copies.front().rows[ends.row].element);
     for (ContactGroup& copy : copies) {
@@ -224,11 +232,11 @@ void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& eleme
     copies = std::move(next);
   }
   for (ContactGroup& copy : copies) {
-    std::erase_if(copy.rows, [](const ContactRow& row) { return row.gap < -1e8; });
     dropDominated(copy.rows, ball.reach);
     addBisector(ball, copy.rows);
     if (!copy.rows.empty()) groups.push_back(std::move(copy));
   }
+  return Telling::kTold;
 }
 
 void keepSupports(std::vector<ContactGroup>& groups, double rotation) {

@@ -43,15 +43,23 @@ struct BallQuery {
   double boundary = 0.0;                ///< m: the distance that may be felt as contact.
   double reach = 0.0;                   ///< Rows deeper than that and groups freer than that are left out.
   const SignatureCell* cell = nullptr;  ///< Whose own elements the lists may name; null: none.
+  bool rough_rings = true;              ///< A ring's quadric will do however far it is off within the reach.
 
   const SurfaceElement& element(std::uint32_t name) const {
     return cell != nullptr ? cell->element(model, name) : model.elements()[name];
   }
 };
 
-/// Appends the groups of one list of elements (one or, where a surface has several ends, more), `like` with rows.
-void appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
-                  std::vector<ContactGroup>& groups);
+enum class Telling : std::uint8_t {
+  kTold,
+  kTooManyEnds,  ///< Surfaces with several ends would take too many groups.
+  kRoughRing,    ///< A ring's quadric is off by more than 0.05 mm within the reach, and rough_rings is not set.
+};
+
+/// Appends the groups of one list of elements (one or, where a surface has several ends, more), `like` with rows. What
+/// cannot be told within this reach can be within a smaller one; `groups` is then of no use.
+Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
+                     std::vector<ContactGroup>& groups);
 
 /// Leaves out rows that another row of the group makes needless within the reach.
 void dropDominated(std::vector<ContactRow>& rows, double reach);

@@ -19,6 +19,28 @@ constexpr std::size_t kMostTests = 400;      // of a place being free
 constexpr std::size_t kTestWork = 300;       // of one, in element values
 constexpr std::size_t kMostOwn = 128;        // new elements of a cell
 constexpr std::size_t kMostEnds = 3;
+constexpr int kHullSteps = 40;
+
+/// From the point of the convex hull of `points` that is nearest to q, towards q: across it stands the plane that holds
+/// them farthest apart (Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a convex
+/// set", 1966). `across`: unit, nothing along it counts; zero: everything does. Zero where q is in the hull.
+dvec3 awayFromHull(const std::vector<dvec3>& points, const dvec3& q, const dvec3& across) {
+  const auto seen = [&](const dvec3& p) { return (p - q) - glm::dot(p - q, across) * across; };
+  dvec3 v = seen(points.front());
+  for (int i = 0; i < kHullSteps; ++i) {
+    dvec3 support = v;
+    double least = glm::dot(v, v) * (1.0 - 1e-6);
+    for (const dvec3& p : points) {
+      const dvec3 s = seen(p);
+      if (glm::dot(v, s) < least) least = glm::dot(v, s), support = s;
+    }
+    const dvec3 way = support - v;
+    const double length = glm::dot(way, way);
+    if (length < 1e-24) break;
+    v += std::clamp(-glm::dot(v, way) / length, 0.0, 1.0) * way;
+  }
+  return -v;
+}
 
 /// A plane with q in front and all of `freed` behind it, if one of some likely directions gives one.
 std::optional<ElementTrim> oneEnd(const std::vector<dvec3>& freed, const dvec3& nhat, const dvec3& q) {
@@ -33,7 +55,8 @@ std::optional<ElementTrim> oneEnd(const std::vector<dvec3>& freed, const dvec3& 
   }
   std::optional<ElementTrim> best;
   double widest = kLeastRoom;
-  for (const dvec3& way : {q - nearest, mean, near_mean, nhat}) {
+  for (const dvec3& way :
+       {q - nearest, mean, near_mean, nhat, awayFromHull(freed, q, dvec3(0.0)), awayFromHull(freed, q, nhat)}) {
     for (const dvec3& d : {way, way - glm::dot(way, nhat) * nhat}) {
       if (glm::length(d) < 1e-12) continue;
       const dvec3 n = glm::normalize(d);

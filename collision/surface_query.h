@@ -42,6 +42,9 @@ class SurfaceQuery {
 
   /// Some attempt has failed for want of time only.
   bool isCold() const { return new_work_ > kMostNewWork; }
+  /// The last attempt failed because a ring's quadric is not good for that radius: a smaller one is, facets do not
+  /// help.
+  bool isRough() const { return rough_; }
   /// Of the last attempt, per pair (moving * environment.size() + environment): entries before the limit, or so far as
   /// it got; the pair at which it was given up counts most.
   const std::vector<std::size_t>& weights() const { return weights_; }
@@ -79,6 +82,8 @@ class SurfaceQuery {
   std::vector<ContactGroup> groups_;
   std::vector<TrianglePair> rod_pairs_;
   bool facets_ = false;
+  bool rough_ = false;        ///< A ring was told too roughly.
+  bool rough_rings_ = false;  ///< At this radius they may be.
   bool may_fall_back_ = false;
   std::size_t new_work_ = 0;
   std::size_t work_ = 0;

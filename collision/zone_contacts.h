@@ -53,6 +53,8 @@ struct ZoneOptions {
   double safety_distance = 0.0;  ///< Metres; contacts are looked for this much farther out.
   double max_rotation = 0.3;     ///< Radians that the part may turn within the wanted radius; shrinks with it.
   double min_radius = 0.0005;    ///< Metres: below it the fallback of zoneContacts takes over.
+  double needed_radius =
+      0.0;  ///< Metres: a ring's quadric may be rough (over 0.05 mm off) rather than the zone smaller.
   /// Which pairs count, row by row: pair_mask[moving * environment.size() + environment]; empty = all.
   std::span<const std::uint8_t> pair_mask;
   bool only_complete = false;  ///< An incomplete answer is of no use: none is made (no contacts, `complete` false).
@@ -65,9 +67,9 @@ struct ZoneContacts {
                          ///< own reach is complete within reach * radius / wanted radius.
   bool complete = true;  ///< False: more than max_entries even at min_radius; then only the nearest
                          ///< contacts stand, each for itself (AND).
-  bool pending = false;   ///< ContactFinder: not incomplete for good, the next query goes on with the work.
-  bool facets = false;    ///< ContactFinder: some entries stand for facets, not for a recognised surface.
-  bool crowded = false;   ///< Turning was left out of what implies what among the facets.
+  bool pending = false;  ///< ContactFinder: not incomplete for good, the next query goes on with the work.
+  bool facets = false;   ///< ContactFinder: some entries stand for facets, not for a recognised surface.
+  bool crowded = false;  ///< Turning was left out of what implies what among the facets.
   std::size_t work = 0;  ///< What it cost, in directions looked at (about a microsecond each): repeats exactly.
 };
 

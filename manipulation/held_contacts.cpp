@@ -146,7 +146,9 @@ ConstraintDraft HeldEntity::draft(ConstraintInputs& inputs) {
   inputs.own = own_;
   updateWaysOut();
   inputs.freeing = freeing_;
-  return draftConstraints(inputs);
+  ConstraintDraft draft = draftConstraints(inputs);
+  draft.options.needed_radius = needed_radius_ * inputs.mapping.scale();
+  return draft;
 }
 
 /// The answer's set for where the entity is by now; nothing while there is none.

@@ -99,6 +99,7 @@ struct ManipulationLoop::Worker {
       const std::lock_guard lock(mutex);
       preparing = false;
       if (!made) {
+        previous = std::move(progress.given_up);
         results.push_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});
         continue;
       }

@@ -65,7 +65,19 @@ std::shared_ptr<const PreparedScene> PreparedScene::prepare(std::vector<workcell
   PreparationProgress unwatched;
   PreparationProgress& watched = progress != nullptr ? *progress : unwatched;
   scene->run(jobs, previous, watched);
-  return watched.build.cancelled ? nullptr : scene;
+  if (!watched.build.cancelled) return scene;
+  scene->dropUnfinished();
+  watched.given_up = std::move(scene);
+  return nullptr;
+}
+
+void PreparedScene::dropUnfinished() {
+  parts_.clear();
+  keys_.clear();
+  std::erase_if(meshes_, [](const auto& entry) {
+    const PreparedMesh& mesh = entry.second;
+    return !mesh.surfaces || !mesh.collider || !mesh.pieces;
+  });
 }
 
 void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,

@@ -34,11 +34,16 @@ struct ScenePart {
   PreparedMesh mesh;
 };
 
+class PreparedScene;
+
 /// How far a preparation is, for whoever shows or ends it. Any thread may read, and cancel, at any time.
 struct PreparationProgress {
   std::atomic<std::size_t> steps{0};  ///< In all (a triangle counts once for each thing that is made of it),
   std::atomic<std::size_t> done{0};   ///< and of these so far.
   collision::BuildProgress build;     ///< Its `cancelled` ends the preparation.
+  /// After a preparation that was cancelled: the meshes it had made ready, for the next one's `previous`. Of the
+  /// preparing thread.
+  std::shared_ptr<const PreparedScene> given_up;
 };
 
 /// The document as the manipulation loop works on it: its entities, their parts ready for queries, and what is checked
@@ -46,7 +51,8 @@ struct PreparationProgress {
 class PreparedScene {
  public:
   /// Takes as long as the meshes need, on all the machine's cores; meshes that `previous` has prepared are
-  /// taken over from it. Entities without a mesh have no parts. Null when cancelled.
+  /// taken over from it. Entities without a mesh have no parts. Null when cancelled (see
+  /// PreparationProgress::given_up).
   static std::shared_ptr<const PreparedScene> prepare(std::vector<workcell::Entity> entities,
                                                       workcell::PairPolicy pairs,
                                                       const workcell::PairDefaults& defaults,
@@ -82,6 +88,7 @@ class PreparedScene {
   void addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                std::vector<Job>& jobs);
   void run(const std::vector<Job>& jobs, const PreparedScene* previous, PreparationProgress& progress);
+  void dropUnfinished();
 
   std::vector<workcell::Entity> entities_;
   workcell::PairPolicy pairs_;

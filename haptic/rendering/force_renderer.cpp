@@ -24,6 +24,7 @@ constexpr double kControllerFilter = 40.0;                   // Hz: it damps mor
 constexpr double kSoft = 1000.0;                             // N/m.
 constexpr double kDampingLimit = 8.0;                        // N s/m an entry can ask for.
 constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
+constexpr double kDamperFade = 0.01;                         // s.
 constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
 
 /// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
@@ -75,7 +76,8 @@ void ForceRenderer::noteApplied(const dvec3& force_D, const dvec3& torque_D) {
 }
 
 void ForceRenderer::reset(const Pose& X_DS) {
-  has_set_ = offered_ = contact_ = false;
+  has_set_ = offered_ = contact_ = late_ = false;
+  damper_ = 0.0;
   load_.reset();
   load_D_ = dvec3(0.0);
   started_ = X_DS.isValid();
@@ -103,9 +105,15 @@ Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
   return Adoption::kAdopted;
 }
 
+/// A proxy that comes after the stylus from far off may brush rows that are not in its way when it is there.
+bool ForceRenderer::isLate(const ProxyStep& solved) const {
+  return length(solved.lag_D) > 0.0 && (!contact_ || late_);
+}
+
 /// From the stylus to the proxy, m. A proxy that is only late pulls at nobody.
 MetricVector ForceRenderer::stretchOf(const ProxyStep& solved, const Pose& X_DS) const {
   const MetricVector trusted_D = limited(kTrustShare * solved.trust_D, kTrustForce / stiffness_);
+  if (isLate(solved)) return trusted_D;
   return mover_.way(solved.X_DP, X_DS) + solved.lag_D + trusted_D - solved.trust_D;
 }
 
@@ -139,7 +147,7 @@ MetricVector ForceRenderer::takeOutJump(const ProxyStep& solved, const MetricVec
   stretch_D_ = stretch_D;
   const MetricVector carried{dt * solved.v_DO, dvec3(0.0)};
   const double allowed = solved.outrun * length(stylus_step - carried) + length(carried) + kJumpAllowance;
-  if (!contact_ || !solved.contact) return limited(proxy_step, allowed);
+  if ((!contact_ && !late_) || !solved.contact) return limited(proxy_step, allowed);
   const MetricVector excess = growth - limited(growth, allowed);
   if (!(excess == MetricVector{})) {
     const MetricVector borne_before = borne(stretch_D - excess);
@@ -193,7 +201,7 @@ MetricVector ForceRenderer::couplingForce(const ProxyStep& solved) const {
   // The coupling damps the stylus against the proxy; the controller damps the stylus itself, since on a convex surface
   // the proxy outruns the stylus and more of the coupling's damping would make energy instead of taking it.
   // Without a contact the proxy only catches up with the stylus: no motion to damp.
-  const double damping = solved.contact ? damping_ : 0.0;
+  const double damping = damper_ * damping_;
   const MetricVector outward = (1.0 / pull) * last_.spring;
   const MetricVector v_rel = v_stylus_D_ - v_proxy_D_;
   MetricVector controlled = -passivity_.damping() * (v_slow_D_ - MetricVector{solved.v_DO, dvec3(0.0)});
@@ -266,6 +274,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
     solved = mover_.move(sets_[current_], proxy_, X_DS, dt);
 
   const MetricVector stretch_D = stretchOf(solved, X_DS);
+  const bool late = isLate(solved);
+  if (late) solved.contact = false;
   const MetricVector proxy_step = takeOutJump(solved, stretch_D, jump, stylus_step, dt);
   filterVelocities(stylus_step, proxy_step, dt);
   decayOffset(solved, stylus_step, dt);
@@ -278,6 +288,9 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   proxy_ = solved.X_DP;
   stylus_ = X_DS;
   contact_ = solved.contact;
+  late_ = late;
+  // What still presses when a contact ends (the zone's edge, an offset) must not lose its damping in one step.
+  damper_ = contact_ ? 1.0 : std::max(0.0, damper_ - dt / kDamperFade);
 
   last_.applied = last_.wanted = couplingForce(solved);
   last_.limit = kNoLimit;

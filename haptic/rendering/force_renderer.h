@@ -118,6 +118,7 @@ class ForceRenderer {
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
   ProxyStep changeSet(const Pose& X_DS, double dt, SetJump& jump);
+  bool isLate(const ProxyStep& solved) const;
   MetricVector stretchOf(const ProxyStep& solved, const Pose& X_DS) const;
   MetricVector takeOutJump(const ProxyStep& solved, const MetricVector& stretch_D, const SetJump& jump,
                            const MetricVector& stylus_step, double dt);
@@ -160,6 +161,8 @@ class ForceRenderer {
   PassivityController passivity_;
   SpringRation ration_;
   bool contact_ = false;
+  bool late_ = false;    ///< The proxy comes out of free air after the stylus and has not arrived: nothing presses yet.
+  double damper_ = 0.0;  ///< Share of the coupling's damping that acts.
 };
 
 }  // namespace hapticell::haptic

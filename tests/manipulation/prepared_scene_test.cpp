@@ -32,6 +32,25 @@ TEST(PreparedScene, IsGivenUpWhenCancelled) {
   EXPECT_LT(progress.done, progress.steps);
 }
 
+TEST(PreparedScene, WhatWasReadyWhenItWasCancelledIsNotMadeAgain) {
+  const auto first = PreparedScene::prepare({test::solid(1, "ball", geometry::makeSphere(0.1, 24))}, {}, {});
+  std::vector<workcell::Entity> entities = first->entities();
+  entities.push_back(test::solid(2, "large", geometry::makeSphere(0.1, 64)));
+  PreparationProgress progress;
+  progress.build.cancelled = true;
+  EXPECT_EQ(PreparedScene::prepare(entities, {}, {}, first.get(), &progress), nullptr);
+  ASSERT_NE(progress.given_up, nullptr);
+  PreparationProgress again;
+  const auto scene = PreparedScene::prepare(first->entities(), {}, {}, progress.given_up.get(), &again);
+  ASSERT_NE(scene, nullptr);
+  EXPECT_EQ(again.steps, 0u) << "the ball was ready";
+  EXPECT_EQ(scene->parts()[0].mesh.collider, first->parts()[0].mesh.collider);
+  PreparationProgress whole;
+  ASSERT_NE(PreparedScene::prepare(entities, {}, {}, progress.given_up.get(), &whole), nullptr);
+  EXPECT_EQ(whole.steps, 3 * entities[1].mesh->triangles.size()) << "the large one was not";
+  EXPECT_EQ(whole.done, whole.steps);
+}
+
 TEST(PreparedScene, CutsLargeMeshesWhereTheyAreMetOnly) {
   auto large = geometry::makeSphere(0.2, 256);
   ASSERT_GT(large.triangles.size(), 60000u);
