@@ -12,7 +12,6 @@ namespace hapticell::app {
 
 namespace {
 
-constexpr qint64 kPatience = 500;  // ms
 constexpr int kMargin = 12;
 
 }  // namespace
@@ -53,7 +52,7 @@ void PreparationBar::setShare(std::optional<double> share) {
   const int percent = static_cast<int>(100.0 * *share);
   text_->setText(tr("Preparing contacts %1 %").arg(percent));
   bar_->setValue(percent);
-  if (since_.elapsed() < kPatience) return;
+  if (since_.elapsed() < patience_) return;
   adjustSize();
   if (const QWidget* over = parentWidget()) move(kMargin, over->height() - height() - kMargin);
   show();
