@@ -85,6 +85,8 @@ class HeldEntity {
   /// What was noticed when it was taken: links that touch each other at rest and so are not checked; what it starts
   /// inside of and which way it comes free.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// The newest set is a plain one (the nearest points of each pair), since no complete one would be of use here.
+  bool isPlain() const { return crowded_; }
 
   /// Goes towards what the stylus (or proxy) at X_DP means, as far as it is free, and along what stands in the way
   /// where that pair slides. `built` is the newest set, or null. No joint goes further than its greatest speed allows

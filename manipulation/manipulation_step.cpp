@@ -239,6 +239,16 @@ void ManipulationEngine::findPassed() {
   passed_.swap(now);
 }
 
+/// Once for each two entities.
+void ManipulationEngine::tellWherePlain() {
+  if (!held_ || contacts_.empty() || !held_->isPlain()) return;
+  const HeldPair& pair = held_->pairs()[contacts_.front()];
+  const std::string sentence = scene_->find(held_->id())->name + " against " + scene_->find(pair.other)->name +
+                               ": the meshes are too dense there to tell all contacts, so only the nearest point of " +
+                               "each pair is felt";
+  if (told_.insert(sentence).second) notice(sentence);
+}
+
 void ManipulationEngine::step(std::int64_t now_ns) {
   last_step_ns_ = step_ == 0 ? now_ns : now_ns_;
   now_ns_ = now_ns;
@@ -258,6 +268,7 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   updateLoad();
   updateSet();
   findContacts();
+  tellWherePlain();
   for (const std::size_t i : contacts_) {
     stopped_ = stopped_ || held_->pairs()[i].on_contact == workcell::OnContact::kStop;
   }

@@ -102,6 +102,7 @@ class ManipulationEngine {
   double stepTime() const;
   void findContacts();
   void findPassed();
+  void tellWherePlain();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
   void notice(const std::string& sentence) { results_.emplace_back(result::Notice{sentence}); }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "tests/manipulation/hand_link.h"
 #include "tests/manipulation/test_cells.h"
@@ -79,6 +80,49 @@ TEST(StartInside, AnOpenSoupIsToldByItsWindingNumber) {
   entities = test::boxOverTable(-0.055);
   entities[0].mesh = std::make_shared<const geometry::TriangleMesh>(open);
   leadsOut(entities, "(an open mesh: told by its winding number)", {0, 0, 1});
+}
+
+/// A rug of needles, 0.7 mm apart: no 64 entries tell what a plate meets of it.
+geometry::TriangleMesh needles(int side) {
+  geometry::TriangleMesh rug;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> height(-2e-4, 0.0);
+  for (int i = 0; i < side; ++i) {
+    for (int k = 0; k < side; ++k) {
+      const dvec3 tip(7e-4 * (i - side / 2), 7e-4 * (k - side / 2), height(random));
+      const auto first = static_cast<std::uint32_t>(rug.vertices.size());
+      for (const dvec3& corner :
+           {dvec3(0.0), dvec3(2e-4, 0, -3e-3), dvec3(-1e-4, 2e-4, -3e-3), dvec3(-1e-4, -2e-4, -3e-3)})
+        rug.vertices.push_back(tip + corner);
+      rug.triangles.insert(rug.triangles.end(), {{first, first + 1, first + 2},
+                                                 {first, first + 2, first + 3},
+                                                 {first, first + 3, first + 1},
+                                                 {first + 1, first + 3, first + 2}});
+    }
+  }
+  return rug;
+}
+
+TEST(Engine, SaysWhereAMeshIsTooDenseForAllContacts) {
+  HandLink link;
+  ManipulationEngine engine(link, {});
+  auto entities = test::boxOverTable(0.004);
+  entities[0] = test::solid(1, "rug", needles(60));
+  engine.apply(command::SetDocument{std::move(entities), {}});
+  engine.apply(command::Grab{2});
+  ASSERT_NE(engine.held(), nullptr);
+  std::int64_t now = 0;
+  for (int i = 0; i <= 30; ++i) {
+    link.state.X_DS.p = link.state.X_DP.p = {0, 0, std::max(-0.0045, -2e-4 * i)};
+    engine.step(now += 10'000'000);
+  }
+  EXPECT_GT(engine.placement(2).X_WE.p.z, 0.03) << "it still stops";
+  int told = 0;
+  for (const Result& result : engine.takeResults()) {
+    const auto* notice = std::get_if<result::Notice>(&result);
+    told += notice != nullptr && notice->sentence.find("box against rug: the meshes are too dense") == 0;
+  }
+  EXPECT_EQ(told, 1);
 }
 
 TEST_F(EngineTest, ButtonTakesAndLetsGo) {
