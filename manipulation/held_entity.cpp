@@ -4,12 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/inverse_factory.h"
-#include "manipulation/mannequin_head.h"
-#include "manipulation/mannequin_manipulator.h"
-#include "manipulation/robot_base_manipulator.h"
+#include "manipulation/manipulator_kinds.h"
 #include "manipulation/robot_manipulator.h"
-#include "manipulation/solid_manipulator.h"
 #include "workcell/mechanism.h"
 
 namespace hapticell::manipulation {
@@ -22,14 +18,6 @@ using workcell::ForceClass;
 using workcell::OnContact;
 
 constexpr double kStickingFriction = 1e3;  ///< A contact that stops: it sticks whatever the push.
-
-Error refusal(const Entity& entity, std::string found, std::string expected) {
-  return {.file = {},
-          .place = "entity '" + entity.name + "'",
-          .found = std::move(found),
-          .expected = std::move(expected),
-          .fix = {}};
-}
 
 Pose placementOf(const Entity& entity, const Placements& placements, std::vector<double>& joints) {
   const auto moved = placements.find(entity.id);
@@ -48,27 +36,6 @@ void blend(const config::Configuration& configuration, const Entity& a, const En
   feel.friction = std::sqrt(m1.friction * m2.friction);
 }
 
-/// The middle of a mechanism's part: where a hand takes it, away from its joint.
-Pose middleOf(const kinematics::RobotModel& model, int link) {
-  geometry::Bounds bounds;
-  for (const kinematics::LinkShape& shape : model.links[static_cast<std::size_t>(link)].visuals) {
-    for (const dvec3& p_SV : shape.mesh->vertices) bounds.add(shape.X_LS * p_SV);
-  }
-  return bounds.isEmpty() ? Pose::identity() : Pose::translation(bounds.center());
-}
-
-kinematics::SingularityChoice singularityChoice(const std::string& at_singularity) {
-  using Choice = kinematics::SingularityChoice;
-  if (at_singularity == "keep_orientation") return Choice::kKeepOrientation;
-  return at_singularity == "keep_joint_4" ? Choice::kKeepJoint4 : Choice::kKeepPosition;
-}
-
-std::string choicesOf(const Entity& entity) {
-  if (entity.kind == EntityKind::kMannequin) return "whole, left_hand, right_hand, both_hands, head or self_origin";
-  return entity.robot ? "tcp, tcp_with_axes, base, base_keeping_tcp or frame:NAME of one of its links"
-                      : "self_origin, geometric_center or frame:NAME of an entity";
-}
-
 }  // namespace
 
 Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const PreparedScene> scene,
@@ -79,7 +46,7 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   if (found == nullptr)
     return makeError(
         {.file = {}, .place = {}, .found = "there is no such entity", .expected = "one of the document", .fix = {}});
-  if (found->locked) return makeError(refusal(*found, "it is locked", "an entity that may be moved"));
+  if (found->locked) return makeError(takingRefused(*found, "it is locked", "an entity that may be moved"));
   std::unique_ptr<HeldEntity> held(new HeldEntity);
   held->scene_ = std::move(scene);
   held->id_ = entity;
@@ -94,27 +61,6 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   held->gatherPairs(held->form_, placements, options, configuration);
   held->startBoundaries();
   return held;
-}
-
-bool HeldEntity::makeMannequinManipulator(const Entity& entity, const MovedBy& moved_by) {
-  using Kind = MovedBy::Kind;
-  using Hands = MannequinManipulator::Hands;
-  const Kind kind = moved_by.kind;
-  const bool by_hand = kind == Kind::kLeftHand || kind == Kind::kRightHand || kind == Kind::kBothHands;
-  if (!(by_hand || kind == Kind::kHead) || !entity.figure || !entity.robot) return false;
-  std::vector<MannequinManipulator::Part> parts;
-  for (const MovedPart& part : moved_parts_) parts.push_back({part.link, part.X_LP});
-  if (kind == Kind::kHead) {
-    manipulator_ = std::make_unique<MannequinHead>(entity.figure, entity.robot, moved_by.lock_trunk, std::move(parts));
-    return true;
-  }
-  const Hands both = moved_by.hands_apart ? Hands::kBothApart : Hands::kBoth;
-  const Hands hands = kind == Kind::kLeftHand ? Hands::kLeft : kind == Kind::kRightHand ? Hands::kRight : both;
-  const MannequinManipulator::Locks locks{moved_by.lock_trunk, moved_by.lock_pelvis, moved_by.on_seat,
-                                          moved_by.may_step};
-  manipulator_ =
-      std::make_unique<MannequinManipulator>(entity.figure, entity.robot, hands, locks, accepted_, std::move(parts));
-  return true;
 }
 
 void HeldEntity::gatherMovedParts(const Placements& placements) {
@@ -168,33 +114,6 @@ std::vector<std::pair<workcell::EntityId, EntityConfiguration>> HeldEntity::carr
   return result;
 }
 
-Expected<void> HeldEntity::makeRobotManipulator(const Entity& entity, const RobotManipulator::Tool& tool,
-                                                std::vector<RobotManipulator::Part> parts,
-                                                const std::string& at_singularity, bool by_base) {
-  kinematics::InverseOptions inverse_options;
-  inverse_options.at_singularity = singularityChoice(at_singularity);
-  auto inverse = kinematics::createInverse(*entity.robot, tool.tip_link, tool.X_LT, inverse_options);
-  if (!inverse) return makeError(inverse.error());
-  if (by_base) {
-    manipulator_ =
-        std::make_unique<RobotBaseManipulator>(entity.robot, tool, std::move(*inverse), std::move(parts), accepted_);
-    return {};
-  }
-  auto manipulator = std::make_unique<RobotManipulator>(entity.robot, tool, std::move(*inverse), std::move(parts));
-  if (at_singularity == "stop") manipulator->stopAtSingularities();
-  arm_ = manipulator.get();
-  friction_.clear();
-  for (const Member& member : members_) {
-    const Entity& one = *scene_->find(member.id);
-    const auto own =
-        one.mechanism ? workcell::frictionOf(*one.mechanism, *one.robot) : std::vector<double>(one.robot->dof(), 0.0);
-    friction_.insert(friction_.end(), own.begin(), own.end());
-  }
-  manipulator_ = std::move(manipulator);
-  updateJointFriction();
-  return {};
-}
-
 /// Rounded, so that the server is not told of every hair's breadth.
 void HeldEntity::updateJointFriction() {
   constexpr double kStep = 0.05, kMost = 3.0;  // N
@@ -205,47 +124,26 @@ void HeldEntity::updateJointFriction() {
 
 Expected<void> HeldEntity::makeManipulator(const Entity& entity, const HoldOptions& options,
                                            const config::Configuration& configuration) {
-  std::vector<Pose> X_EP;
-  std::vector<RobotManipulator::Part> robot_parts;
-  for (const MovedPart& part : moved_parts_) {
-    // What hangs on the robot's base, not on a link of it, goes with its root.
-    robot_parts.push_back({std::max(0, part.link), part.X_LP});
-    X_EP.push_back(PreparedScene::partPose(entity, Pose::identity(), accepted_.joints, part.link) * part.X_LP);
-  }
-  MovedBy::Kind kind = options.moved_by.kind;
-  if (makeMannequinManipulator(entity, options.moved_by)) return {};
-  if ((options.moved_by.lock_trunk || options.moved_by.lock_pelvis) && entity.kind != EntityKind::kMannequin) {
-    return makeError(refusal(entity, "it has no trunk to lock", "a mannequin"));
-  }
-  const bool robot = entity.robot != nullptr && entity.kind != EntityKind::kMannequin;  // Or a mechanism.
-  if (kind == MovedBy::Kind::kWhole) kind = MovedBy::Kind::kSelfOrigin;
-  if (kind == MovedBy::Kind::kDefault) kind = robot ? MovedBy::Kind::kTcp : MovedBy::Kind::kSelfOrigin;
-  const int named_link = robot && kind == MovedBy::Kind::kFrame ? entity.robot->findLink(options.moved_by.frame) : -1;
-  const bool keeps_tcp = robot && kind == MovedBy::Kind::kBase && options.moved_by.keep_tcp;
-  if (robot && (kind == MovedBy::Kind::kTcp || named_link >= 0 || keeps_tcp)) {
-    int tip = named_link >= 0 ? named_link : entity.robot->findLink(entity.tip_link);
-    if (tip < 0) tip = entity.robot->defaultTip();
-    if (tip < 0) return makeError(refusal(entity, "the robot has no tip", "a robot with a moving link"));
-    const Pose X_LT = named_link < 0 ? entity.X_LT : entity.mechanism ? middleOf(*entity.robot, tip) : Pose::identity();
-    const std::string& chosen = options.moved_by.at_singularity;
-    const std::string& at_singularity = chosen.empty() ? configuration.robot.at_singularity : chosen;
-    return makeRobotManipulator(entity, {tip, X_LT}, std::move(robot_parts), at_singularity, keeps_tcp);
-  }
-  Pose X_EM;
-  if (kind == MovedBy::Kind::kFrame) {
-    const PreparedScene::FoundFrame frame = scene_->findFrame(options.moved_by.frame);
-    if (frame.entity == nullptr) {
-      return makeError(
-          refusal(entity, "there is no frame '" + options.moved_by.frame + "' to move it by", choicesOf(entity)));
-    }
-    X_EM = entity.X_WE.inverse() * frame.entity->X_WE * frame.X_EF;
-  } else if (kind == MovedBy::Kind::kGeometricCenter && entity.mesh) {
-    X_EM = Pose::translation(entity.mesh->bounds().center());
-  } else if (kind == MovedBy::Kind::kTcp || kind > MovedBy::Kind::kWhole || (kind == MovedBy::Kind::kBase) != robot) {
-    return makeError(refusal(entity, "it cannot be moved by that", choicesOf(entity)));
-  }
-  manipulator_ = std::make_unique<SolidManipulator>(X_EM, std::move(X_EP));
+  std::vector<Taking::Part> parts;
+  for (const MovedPart& part : moved_parts_) parts.push_back({part.link, part.X_LP});
+  const Taking taking{entity, accepted_, resolved(options.moved_by, entity), *scene_, configuration, parts};
+  auto made = manipulation::makeManipulator(taking, manipulatorKinds());
+  if (!made) return makeError(made.error());
+  manipulator_ = std::move(*made);
+  arm_ = dynamic_cast<const RobotManipulator*>(manipulator_.get());
+  if (arm_ != nullptr) gatherFriction();
   return {};
+}
+
+void HeldEntity::gatherFriction() {
+  friction_.clear();
+  for (const Member& member : members_) {
+    const Entity& one = *scene_->find(member.id);
+    const auto own =
+        one.mechanism ? workcell::frictionOf(*one.mechanism, *one.robot) : std::vector<double>(one.robot->dof(), 0.0);
+    friction_.insert(friction_.end(), own.begin(), own.end());
+  }
+  updateJointFriction();
 }
 
 void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements, const HoldOptions& options,

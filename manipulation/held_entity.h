@@ -143,7 +143,6 @@ class HeldEntity {
   /// m: least boundary, so that the exact check has room to work in.
   static constexpr double kSkin = 20e-6;
   HeldEntity();
-  bool makeMannequinManipulator(const workcell::Entity& entity, const MovedBy& moved_by);
   void gatherMovedParts(const Placements& placements);
   void standOnAxes(const Placements& placements);
   bool isMember(workcell::EntityId id) const;
@@ -151,9 +150,7 @@ class HeldEntity {
   workcell::EntityId toldAs(workcell::EntityId owner) const { return isMember(owner) ? owner : id_; }
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options,
                                  const config::Configuration& configuration);
-  Expected<void> makeRobotManipulator(const workcell::Entity& entity, const RobotManipulator::Tool& tool,
-                                      std::vector<RobotManipulator::Part> parts, const std::string& at_singularity,
-                                      bool by_base);
+  void gatherFriction();
   void gatherPairs(const workcell::Entity& entity, const Placements& placements, const HoldOptions& options,
                    const config::Configuration& configuration);
   void gatherOwnPairs(const workcell::Entity& entity, const HoldOptions& options,
