@@ -36,6 +36,7 @@ void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   const dvec3 light = lightDirection(frame.sample);
   const glm::dmat4 view = glm::lookAt(middle + light, middle, dvec3(0, 1, 0));
   light_from_world_ = glm::ortho(-radius, radius, -radius, radius, -scene - radius, scene + radius) * view;
+  texel_ = 2.0 * radius / kMapSize;
   target_.bind();
   gl_.glClear(GL_DEPTH_BUFFER_BIT);
   gl_.glEnable(GL_DEPTH_TEST);
@@ -43,7 +44,7 @@ void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
   gl_.glPolygonOffset(2.5f, 6.0f);
   if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   program_->bind();
-  const std::vector<ItemBatch> batches = shadowBatches(frame, 2.0 * radius / kMapSize, meshes);
+  const std::vector<ItemBatch> batches = shadowBatches(frame, texel_, meshes);
   std::vector<ItemInstance> uses;
   for (const ItemBatch& batch : batches)
     for (const std::uint32_t item : batch.items)

@@ -16,6 +16,8 @@ class ShadowPass {
   /// borders.
   void draw(const Frame& frame, GpuMeshCache& meshes);
   bool ready() const { return ready_; }
+  /// Metres of the cell that a texel of the map covers.
+  double texel() const { return texel_; }
   GLuint map() const { return target_.depth(); }
   const glm::dmat4& lightFromWorld() const { return light_from_world_; }
 
@@ -25,6 +27,7 @@ class ShadowPass {
   RenderTarget target_;
   InstanceBuffer uses_;
   glm::dmat4 light_from_world_{1.0};
+  double texel_ = 0.0;
   bool ready_ = false;
 };
 

@@ -8,6 +8,8 @@
 namespace hapticell::app {
 namespace {
 
+constexpr double kShadowShift =
+    3.0;  // Texels of the shadow map that a face looks at its shadow from the side of the light.
 constexpr double kFrontRange = 0.01;  // Of the depth range: what is drawn over the scene.
 fvec3 linear(const std::array<float, 3>& srgb) {
   return {srgb[0] * srgb[0], srgb[1] * srgb[1], srgb[2] * srgb[2]};
@@ -91,6 +93,7 @@ void SurfacePass::prepare(QOpenGLShaderProgram& program, const Frame& frame, con
   if (!shadow) return;
   setMatrix(gl_, program, "light_from_view", shadow->lightFromWorld() * glm::inverse(view.view_from_world));
   bindTexture(gl_, program, "shadow_map", 0, shadow->map());
+  program.setUniformValue("shadow_shift", static_cast<float>(kShadowShift * shadow->texel()));
   program.setUniformValue("turn", static_cast<float>(frame.sample));
 }
 

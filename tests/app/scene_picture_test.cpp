@@ -124,6 +124,31 @@ TEST_F(ScenePicture, ShedDetailStillShowsWhatStandsBehindAFence) {
   EXPECT_GT(orange, 1500) << "a box in its place would hide the ball";
 }
 
+TEST_F(ScenePicture, FacesThatTheLightGrazesHaveNoStripes) {
+  frame_.edges = false;
+  frame_.floor = false;
+  const dvec3 light = keyLightDirection_W();
+  // A wall whose face turns a few degrees towards the light, looked at along its normal from a little above.
+  for (const double turn : {0.04, 0.1, 0.2}) {
+    frame_.items.clear();
+    add(shared(geometry::makeBox({2.0, 0.1, 2.0})), {0, 0, 1.0});
+    const double along = std::atan2(light.y, light.x) + 0.5 * 3.14159265 - turn;  // Of the face's normal.
+    frame_.items[0].X_WM.q = glm::angleAxis(along + 0.5 * 3.14159265, dvec3(0, 0, 1));
+    frame_.camera.azimuth = along + 0.5 * 3.14159265;
+    frame_.camera.elevation = 0.2;
+    frame_.camera.target_W = {0, 0, 1};
+    frame_.camera.distance = 5.0;
+    const QImage picture = draw(8);
+    double low = 255.0, high = 0.0;
+    for (int y = 70; y < 130; ++y)
+      for (int x = 120; x < 200; ++x) {
+        low = std::min<double>(low, qGray(picture.pixel(x, y)));
+        high = std::max<double>(high, qGray(picture.pixel(x, y)));
+      }
+    EXPECT_LT(high - low, 6.0) << turn;
+  }
+}
+
 TEST_F(ScenePicture, LooksAsItDid) {
   add(shared(geometry::makeBox({0.6, 0.4, 0.3})), {0, 0, 0.15});
   add(shared(geometry::makeCylinder(0.15, 0.6, 48)), {0.6, 0.1, 0.3}, {0.55f, 0.6f, 0.7f});

@@ -9,6 +9,8 @@ uniform mat4 clip_from_view;
 uniform mat3 world_from_view;
 #ifdef SHADOWED
 uniform mat4 light_from_view;
+uniform vec3 key_direction;     // World, towards the light.
+uniform float shadow_shift;     // Metres.
 #endif
 #ifdef SECTIONED
 uniform vec4 section;  // Drawn is where dot(xyz, view_position) <= w.
@@ -25,7 +27,12 @@ void main() {
                      dot(view_from_model[2].xyz, normal));
   world_normal = world_from_view * turned;
 #ifdef SHADOWED
-  light_position = light_from_view * vec4(view_position, 1.0);
+  // A face that the light only grazes would lie in its own shadow here and there: it looks from a little nearer to the
+  // light, along its normal, the more the flatter the light.
+  vec3 n = normalize(world_normal);
+  float facing = dot(n, key_direction);
+  vec3 aside = n * (facing < 0.0 ? -1.0 : 1.0) * shadow_shift * sqrt(max(0.0, 1.0 - facing * facing));
+  light_position = light_from_view * vec4(view_position + aside * world_from_view, 1.0);
 #else
   light_position = vec4(0.0);
 #endif
