@@ -16,6 +16,7 @@ void DetailGovernor::frameTook(double seconds) {
   last_took_[level] = seconds;
   if (seconds > budget_s_) {
     // A step that was just given back was one too many: wait longer before the next try.
+    patience_ = std::max(patience_, kPatience);
     if (just_raised_) patience_ = std::min(patience_ * 2, 600);
     const int steps = seconds > 2.5 * budget_s_ ? 2 : 1;
     level_ = static_cast<DetailLevel>(std::min(level + steps, last));

@@ -22,7 +22,10 @@ enum class DetailLevel {
 class DetailGovernor {
  public:
   /// `budget_s`: what one frame may take while moving; 10 Hz guaranteed leaves 0.1 s for everything in the GUI thread.
-  explicit DetailGovernor(double budget_s = 0.055) : budget_s_(budget_s) {}
+  /// `first`: where it begins on a machine that it does not know yet; below full it climbs quickly until a frame was
+  /// too slow.
+  explicit DetailGovernor(double budget_s = 0.055, DetailLevel first = DetailLevel::kFull)
+      : budget_s_(budget_s), level_(first), patience_(first == DetailLevel::kFull ? kPatience : kQuickPatience) {}
 
   DetailLevel level() const { return level_; }
   /// Tells how long a frame at level() took, in seconds.
@@ -30,10 +33,11 @@ class DetailGovernor {
   double budget() const { return budget_s_; }
 
  private:
+  static constexpr int kPatience = 20, kQuickPatience = 2;  // Frames.
   double budget_s_;
-  DetailLevel level_ = DetailLevel::kFull;
+  DetailLevel level_;
   int good_frames_ = 0;
-  int patience_ = 20;
+  int patience_;
   double last_took_[6]{};  ///< At each level; 0: not drawn yet.
   bool just_raised_ = false;
 };

@@ -2,6 +2,7 @@
 #include "app/viewport/gpu_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/viewport/instance_buffer.h"
 
@@ -93,16 +94,27 @@ GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& m
   if (entry.source.lock() != mesh) {
     entry.mesh.reset();
     entry.source = mesh;
-    if (mesh->triangles.size() <= kSmallMesh)
+    if (mesh->triangles.size() <= kSmallMesh && hasTime())
       entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh), counted_);
     else
       entry.prepared = worker_.prepare(mesh);
   }
   if (entry.prepared && entry.prepared->ready.load(std::memory_order_acquire)) {
+    if (!hasTime()) {
+      left_over_ = true;
+      return nullptr;
+    }
     entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh, counted_);
     entry.prepared.reset();
   }
   return entry.mesh.get();
+}
+
+/// Many small parts, or many that are ready at once, must not make one long frame.
+bool GpuMeshCache::hasTime() {
+  if (most_ms_ < 0 || all_now_) return true;
+  if (!spending_.isValid()) spending_.start();
+  return spending_.elapsed() < most_ms_;
 }
 
 std::size_t GpuMeshCache::pending() const {
@@ -111,6 +123,9 @@ std::size_t GpuMeshCache::pending() const {
 }
 
 void GpuMeshCache::collect() {
+  spending_.invalidate();
+  all_now_ = false;
+  if (std::exchange(left_over_, false)) on_ready_();
   std::erase_if(entries_, [](const auto& entry) { return !entry.second.used || entry.second.source.expired(); });
   for (auto& entry : entries_) entry.second.used = false;
 }

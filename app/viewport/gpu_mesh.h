@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <map>
 #include <memory>
 
@@ -55,7 +56,10 @@ class GpuMesh {
 class GpuMeshCache {
  public:
   /// `on_ready` is called in the worker's thread whenever another mesh can be drawn.
-  GpuMeshCache(Gl& gl, std::function<void()> on_ready) : gl_(gl), worker_(std::move(on_ready)) {}
+  GpuMeshCache(Gl& gl, std::function<void()> on_ready) : gl_(gl), on_ready_(on_ready), worker_(std::move(on_ready)) {}
+  /// What one frame may spend on making meshes ready; what is left over comes with the next one, which `on_ready` asks
+  /// for. Negative, as it begins: without limit.
+  void setFrameMilliseconds(qint64 most) { most_ms_ = most; }
   /// Null while it is being made ready.
   GpuMesh* of(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
   /// Frees what was not asked for since the last call.
@@ -63,7 +67,10 @@ class GpuMeshCache {
   /// How many are being made ready.
   std::size_t pending() const;
   /// Waits until of() has an answer for all that were asked for.
-  void wait() { worker_.wait(); }
+  void wait() {
+    worker_.wait();
+    all_now_ = true;
+  }
   DrawCount& counted() { return counted_; }
 
  private:
@@ -73,7 +80,12 @@ class GpuMeshCache {
     std::shared_ptr<PreparedMesh> prepared;
     bool used = true;
   };
+  bool hasTime();
   Gl& gl_;
+  std::function<void()> on_ready_;
+  qint64 most_ms_ = -1;
+  QElapsedTimer spending_;                    ///< On new meshes of this frame.
+  bool left_over_ = false, all_now_ = false;  ///< `all_now_`: somebody waited for them.
   DrawCount counted_;
   DisplayMeshWorker worker_;
   std::map<const geometry::TriangleMesh*, Entry> entries_;

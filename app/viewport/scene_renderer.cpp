@@ -233,6 +233,9 @@ std::size_t SceneRenderer::missingParts() const {
 DrawCount SceneRenderer::lastCount() const {
   return passes_->meshes.counted();
 }
+void SceneRenderer::setFrameMilliseconds(int most) {
+  passes_->meshes.setFrameMilliseconds(most);
+}
 void SceneRenderer::waitForParts() {
   passes_->meshes.wait();
 }

@@ -38,6 +38,9 @@ class SceneRenderer {
   std::optional<PickedPoint> pick(int x, int y);
   /// Parts that are not drawn yet because their edges and normals are still being worked out.
   std::size_t missingParts() const;
+  /// What one frame may spend on new parts, so that a cell that was just read does not make one long frame; negative,
+  /// as it begins: without limit.
+  void setFrameMilliseconds(int most);
   /// Waits until none is missing.
   void waitForParts();
   /// What the last call of draw() drew: calls, triangles of faces, uses of meshes.

@@ -40,6 +40,21 @@ TEST(DetailGovernor, GivesDetailBackWhenTheLoadIsGone) {
   EXPECT_EQ(governor.level(), DetailLevel::kFull);
 }
 
+TEST(DetailGovernor, BeginsLowOnAnUnknownMachineAndClimbsAsFarAsItFits) {
+  DetailGovernor quick(0.05, DetailLevel::kHalfSize);
+  for (int i = 0; i < 10; ++i) quick.frameTook(0.004);
+  EXPECT_EQ(quick.level(), DetailLevel::kFull);
+  DetailGovernor slow(0.05, DetailLevel::kHalfSize);
+  int over = 0;
+  for (int i = 0; i < 200; ++i) {
+    const double took = cost(slow.level(), 0.2);
+    if (took > 0.05) ++over;
+    slow.frameTook(took);
+  }
+  EXPECT_LE(over, 4);
+  EXPECT_EQ(slow.level(), DetailLevel::kNoEdges);
+}
+
 TEST(FrameMeter, CountsTheFramesOfTheLastSecond) {
   FrameMeter meter;
   for (int i = 0; i < 100; ++i) meter.frame(0.05 * i, 0.01 + 0.001 * (i % 5));
