@@ -15,6 +15,7 @@
 #include "app/panels/form.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 
@@ -60,18 +61,21 @@ namespace {
 
 constexpr std::array<double, 5> kUnits{0.001, 0.01, 1.0, 0.0254, 0.3048};
 
-QString millimetres(double metres, int decimals = 0) {
-  return QString::number(1000.0 * metres, 'f', decimals);
+/// A deviation of a mesh: a decimal more than the user's.
+QString fineLengthText(double metres) {
+  const Units units = unitsNow();
+  return numberText(units.perMetre() * metres, units.length_decimals + 1) + QLatin1Char(' ') + units.lengthUnit();
 }
 
 QString sizeLine(const FileImport& file) {
   const double factor =
       file.choices.metres_per_unit.value_or(file.facts->metres_per_unit) / file.facts->metres_per_unit;
   const dvec3 size = file.facts->size * factor;
-  const double largest = std::max({size.x, size.y, size.z});
-  const int decimals = largest < 0.1 ? 2 : largest < 1.0 ? 1 : 0;
-  return QStringLiteral("%1 × %2 × %3 mm")
-      .arg(millimetres(size.x, decimals), millimetres(size.y, decimals), millimetres(size.z, decimals));
+  const Units units = unitsNow();
+  const double largest = units.perMetre() * std::max({size.x, size.y, size.z});
+  const int decimals = largest < 10.0 ? 3 : largest < 100.0 ? 2 : largest < 1000.0 ? 1 : 0;
+  const auto number = [&](double metres) { return numberText(units.perMetre() * metres, decimals); };
+  return QStringLiteral("%1 × %2 × %3 %4").arg(number(size.x), number(size.y), number(size.z), units.lengthUnit());
 }
 
 QString capital(QString text) {
@@ -285,7 +289,7 @@ void ImportPanel::showFile(const FileImport& file) {
   const QString triangles = tr("%1%2 triangles").arg(same ? QString() : tr("about "), countText(estimate.triangles));
   estimate_->setText(
       facts.can_be_cut_finer
-          ? tr("%1 mm, %2, %3").arg(millimetres(estimate.chord, 2), triangles, durationText(estimate.seconds))
+          ? QStringLiteral("%1, %2, %3").arg(fineLengthText(estimate.chord), triangles, durationText(estimate.seconds))
           : triangles);
   tree_->setCurrent(file.choices.merge ? 0 : 1);
   const bool several = facts.parts > 1 || file.examined_with.merge;

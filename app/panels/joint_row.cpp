@@ -9,20 +9,32 @@
 
 #include "app/style/fonts.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+}  // namespace
 
 JointRow::JointRow(const Scale& scale, QWidget* parent) : QWidget(parent), scale_(scale) {
   setFixedHeight(22);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(scale.name);
-  setToolTip(
-      tr("%1, %2 to %3 %4").arg(scale.name).arg(scale.lower, 0, 'f', 1).arg(scale.upper, 0, 'f', 1).arg(scale.unit));
+}
+
+bool JointRow::event(QEvent* event) {
+  // When it is wanted: the units in force may be others by then.
+  if (event->type() == QEvent::ToolTip)
+    setToolTip(tr("%1, %2 to %3").arg(scale_.name, textOf(scale_.lower), textOf(scale_.upper)));
+  return QWidget::event(event);
 }
 
 void JointRow::setValue(double value) {
-  if (std::abs(value - value_) < 1e-9) return;
   value_ = value;
+  if (std::abs(value - shown_) < 0.005) return;
+  shown_ = value;
   setAccessibleDescription(valueText());
   update();
 }
@@ -33,9 +45,19 @@ bool JointRow::isAtLimit() const {
 }
 
 QString JointRow::valueText() const {
-  const double shown = std::abs(value_) < 0.05 ? 0.0 : value_;
-  return QString::number(shown, 'f', 1) +
-         (scale_.unit == QStringLiteral("°") ? scale_.unit : QLatin1Char(' ') + scale_.unit);
+  return textOf(value_);
+}
+
+QString JointRow::textOf(double value) const {
+  return isAngle() ? angleText(value * kDegree) : lengthText(0.001 * value);
+}
+
+/// An end of the scale, short: whole degrees and millimetres, of larger units as many decimals as say the same.
+QString JointRow::endText(double value) const {
+  const Units units = unitsNow();
+  const double factor = isAngle() ? kDegree * units.perRadian() : 0.001 * units.perMetre();
+  const int decimals = factor >= 0.9 ? 0 : static_cast<int>(std::ceil(-std::log10(factor)));
+  return numberText(factor * value, decimals) + (isAngle() && decimals == 0 ? units.angleUnit() : QString());
 }
 
 void JointRow::paintEnds(QPainter& painter) const {
@@ -44,8 +66,7 @@ void JointRow::paintEnds(QPainter& painter) const {
   const auto end = [&](double limit, const QRect& box, Qt::Alignment side) {
     const bool hit = isAtLimit() && std::abs(value_ - limit) < 0.5 * (scale_.upper - scale_.lower);
     painter.setPen(hit ? theme.limit_text : theme.text2);
-    const QString unit = scale_.unit == QStringLiteral("°") ? scale_.unit : QString();
-    painter.drawText(box, Qt::AlignVCenter | side, QString::number(std::round(limit), 'f', 0) + unit);
+    painter.drawText(box, Qt::AlignVCenter | side, endText(limit));
   };
   end(scale_.lower, QRect(24, 0, rail.left() - 24 - 8, height()), Qt::AlignRight);
   end(scale_.upper, QRect(rail.right() + 10, 0, width() - rail.right() - 10, height()), Qt::AlignLeft);
@@ -135,7 +156,6 @@ void JointRow::keyPressEvent(QKeyEvent* event) {
 }
 
 double unitOf(const kinematics::Joint& joint) {
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   return joint.type == kinematics::JointType::kPrismatic ? 0.001 : kDegree;
 }
 

@@ -26,7 +26,7 @@ class JointRow : public QWidget {
   bool isDragged() const { return dragged_; }
   /// Within a hundredth of the range (at most 2 units) of an end.
   bool isAtLimit() const;
-  /// "22.8°".
+  /// "22.8°", in the units in force.
   QString valueText() const;
   /// Pixel of a value on the scale.
   int pixelOf(double value) const;
@@ -38,6 +38,7 @@ class JointRow : public QWidget {
   void ended(bool keep);
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -45,11 +46,15 @@ class JointRow : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  bool isAngle() const { return scale_.unit == QStringLiteral("°"); }
+  QString textOf(double value) const;
+  QString endText(double value) const;
   void paintEnds(QPainter& painter) const;
   void moveTo(double pixel);
   QRect track() const;
   Scale scale_;
   double value_ = 0.0;
+  double shown_ = 0.0;  ///< That was painted last.
   bool dragged_ = false;
 };
 

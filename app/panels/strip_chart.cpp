@@ -11,6 +11,7 @@
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 #include "app/viewport/strip_text.h"
 
 namespace hapticell::app {
@@ -18,6 +19,12 @@ namespace hapticell::app {
 namespace {
 constexpr double kRateTop = 1100.0;  // Hz at the top of the rates' strip.
 constexpr int kRatesHeight = 30;
+
+/// A round distance without needless decimals: "10 mm", "0.4 in".
+QString gapText(double metres) {
+  const Units units = unitsNow();
+  return QString::number(units.perMetre() * metres, 'g', 3) + QLatin1Char(' ') + units.lengthUnit();
+}
 }  // namespace
 
 /// Where values are in pixels.
@@ -99,8 +106,8 @@ void StripChart::paintLevels(QPainter& painter, const Axes& axes) const {
     painter.setPen(color);
     painter.drawText(place.translated(0, y - 8), side | Qt::AlignVCenter, text);
   };
-  word(left, near, theme.near_miss_text, QString::number(1000.0 * near_miss_m_, 'g', 3), Qt::AlignRight);
-  word(left, plot.top() + 4, theme.selection, tr("%1 mm").arg(1000.0 * axes.gap_top, 0, 'g', 4), Qt::AlignRight);
+  word(left, near, theme.near_miss_text, gapText(near_miss_m_), Qt::AlignRight);
+  word(left, plot.top() + 4, theme.selection, gapText(axes.gap_top), Qt::AlignRight);
   word(left, plot.bottom(), theme.selection, QStringLiteral("0"), Qt::AlignRight);
   const QRectF right(plot.right() + 8, 0, 52, 16);
   word(right, plot.bottom(), theme.text1, QStringLiteral("0"), Qt::AlignLeft);
@@ -186,7 +193,7 @@ void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.near_miss_text);
   painter.drawText(QRect(12, top + 40, 160, 20), Qt::AlignVCenter,
-                   tr("Near miss under %1 mm").arg(1000.0 * near_miss_m_, 0, 'g', 3));
+                   tr("Near miss under %1").arg(gapText(near_miss_m_)));
   if (!history_.samples().empty()) return;
   painter.setPen(theme.text2);
   painter.drawText(axes.plot, Qt::AlignCenter, tr("Nothing is measured yet. Connect a stylus and hold an entity."));

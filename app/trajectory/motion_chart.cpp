@@ -10,13 +10,13 @@
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
 
 using trajectory::MotionCurve;
 
-constexpr double kDegrees = 57.29577951308232;
 constexpr int kLegendRow = 17, kLegendTop = 36;  // Above it stands the choice of the curves.
 
 struct Range {
@@ -133,13 +133,19 @@ std::vector<MotionChart::Shown> MotionChart::shown() const {
 
 double MotionChart::unitFactor() const {
   const bool metres = group_ == Group::kPath || group_ == Group::kPlace;
-  if (!metres) return kDegrees;
-  // Millimetres for places and speeds; metres where figures would have five digits.
-  return order_ == Order::kValue || order_ == Order::kSpeed ? 1000.0 : 1.0;
+  const Units units = unitsNow();
+  if (!metres) return units.perRadian();
+  // Metres where figures would have five digits.
+  const bool small = order_ == Order::kValue || order_ == Order::kSpeed;
+  return small || units.length == Units::Length::kInch ? units.perMetre() : 1.0;
 }
 
 QString MotionChart::unit() const {
-  const QString base = unitFactor() == kDegrees ? QStringLiteral("°") : unitFactor() == 1000.0 ? tr("mm") : tr("m");
+  const bool metres = group_ == Group::kPath || group_ == Group::kPlace;
+  const Units units = unitsNow();
+  const QString base = !metres                            ? units.angleUnit()
+                       : unitFactor() == units.perMetre() ? units.lengthUnit()
+                                                          : QStringLiteral("m");
   switch (order_) {
     case Order::kSpeed:
       return base + tr("/s");

@@ -182,7 +182,14 @@ class TrajectoryDocks : public QObject {
     entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
     entry({"actionTraining", tr("Train along a motion…"), "hand", {}, {}}, [this] { training_.open(); });
     entry({"actionImportMotion", tr("Import motions…"), "import", {}, {}}, [this] { files_.askImport(); });
-    if (auto* tools = host_.window().findChild<QToolBar*>("toolMain")) tools->addAction(record_);
+    if (auto* tools = host_.window().findChild<QToolBar*>("toolMain")) {
+      // With the tools, before what stands at the right end.
+      QAction* right = nullptr;
+      for (QAction* tool : tools->actions())
+        if (QWidget* widget = tools->widgetForAction(tool); widget && widget->objectName() == "toolSpacer")
+          right = tool;
+      tools->insertAction(right, record_);
+    }
   }
 
   void openMotion(const QString& section) {
