@@ -49,6 +49,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   setStatusBar(status_);
   actions_ = std::make_unique<Actions>(*this);
   auto* spacer = new QWidget(this);
+  spacer->setObjectName("toolSpacer");
   spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   actions_->tool_bar->addWidget(spacer);
   actions_->tool_bar->addWidget(layouts_.makeChoice(this));
@@ -239,7 +240,10 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
     since_numbers_.start();
     updateStatus();
   }
-  if (numbers || viewport_->scene().revision() != before) viewport_->refresh();
+  if (viewport_->scene().revision() != before)
+    viewport_->refresh();
+  else if (numbers)
+    viewport_->refreshNumbers();
 }
 
 void MainWindow::setDeviceText(const QString& text) {

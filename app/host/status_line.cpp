@@ -39,7 +39,14 @@ void StatusLine::setSentence(Mark mark, const QString& sentence) {
 }
 
 void StatusLine::setRates(const Rates& rates) {
+  const bool full = rates.haptic_full == rates_.haptic_full && rates.collision_full == rates_.collision_full &&
+                    rates.window_full == rates_.window_full;
+  const bool haptic = haptic_.take(rates.haptic_hz), collision = collision_.take(rates.collision_hz);
+  if (!window_.take(rates.window_hz) && !haptic && !collision && full) return;
   rates_ = rates;
+  rates_.haptic_hz = haptic_.shown();
+  rates_.collision_hz = collision_.shown();
+  rates_.window_hz = window_.shown();
   update();
 }
 
@@ -50,6 +57,7 @@ void StatusLine::setDevice(const QString& text) {
 }
 
 void StatusLine::setSound(const QString& text, bool on) {
+  if (text == sound_ && on == sound_on_) return;
   sound_ = text;
   sound_on_ = on;
   update();

@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include "app/host/message_log.h"
+#include "app/style/steady_number.h"
 #include "app/viewport/strip_text.h"
 
 namespace hapticell::app {
@@ -20,6 +21,7 @@ class StatusLine : public QStatusBar {
     double haptic_full = 1000.0, collision_full = 1000.0, window_full = 60.0;
   };
   void setSentence(Mark mark, const QString& sentence);
+  /// Shown anew where they differ visibly.
   void setRates(const Rates& rates);
   void setDevice(const QString& text);
   void setSound(const QString& text, bool on);
@@ -37,7 +39,9 @@ class StatusLine : public QStatusBar {
   QString sentence_, device_, message_, sound_;
   bool sound_on_ = false;
   Severity severity_ = Severity::kInformation;
+  static constexpr double kShare = 0.05;  ///< A rate is shown anew when it differs by so much.
   Rates rates_;
+  SteadyNumber haptic_{kShare}, collision_{kShare}, window_{kShare};
   QTimer message_timer_;
 };
 

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/style/style_painting.h"
@@ -70,6 +71,12 @@ void ValueField::unitsChanged() {
   lineEdit()->setTextMargins(0, 0, unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + 4, 0);
   if (!hasFocus()) lineEdit()->setText(textFromValue(value()));
   update();
+}
+
+void ValueField::setValue(double value) {
+  constexpr double kSame = 1e-9;  // Far below the last of the kept decimals.
+  if (std::abs(value - this->value()) < kSame && lineEdit()->text() == textFromValue(value)) return;
+  QDoubleSpinBox::setValue(value);
 }
 
 QString ValueField::shownUnit() const {

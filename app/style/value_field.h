@@ -23,6 +23,8 @@ class ValueField : public QDoubleSpinBox {
   };
   explicit ValueField(const Format& format, QWidget* parent = nullptr);
 
+  /// What shows the same number already is not painted anew: panels tell their numbers ten times a second.
+  void setValue(double value);
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& place) const override;

@@ -16,6 +16,7 @@ struct StripCell {
   Mark mark = Mark::kNone;
   std::string value;
   std::string meaning;
+  friend bool operator==(const StripCell&, const StripCell&) = default;
 };
 
 /// What is needed besides the snapshot.

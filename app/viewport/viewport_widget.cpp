@@ -14,6 +14,9 @@ namespace {
 constexpr double kTurnSeconds = 0.25;
 constexpr double kSettleSeconds = 0.16;  // After so long without motion the picture is refined.
 constexpr double kBandSeconds = 0.03;    // What a piece of a still picture may take.
+constexpr double kRestSeconds = 6.0;     // What refining one picture may take in all,
+constexpr int kLeastSamples = 4;         // but so many samples it has.
+constexpr int kNewPartsMilliseconds = 20;
 constexpr double kStylusPixels = 150.0;
 
 std::array<float, 3> triple(const QColor& color) {
@@ -55,6 +58,7 @@ void ViewportWidget::initializeGL() {
     QMetaObject::invokeMethod(
         this, [this] { showNewPart(); }, Qt::QueuedConnection);
   });
+  renderer_->setFrameMilliseconds(kNewPartsMilliseconds);
   dirty_ = true;
   // Moving the widget to another window makes a new context; everything of the old one goes with it.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
@@ -70,6 +74,18 @@ ViewSize ViewportWidget::viewSize() const {
 
 void ViewportWidget::refresh() {
   update();
+}
+
+void ViewportWidget::refreshNumbers() {
+  if (spokenNumbers() != drawn_numbers_) update();
+}
+
+std::vector<StripCell> ViewportWidget::spokenNumbers() const {
+  const auto& snapshot = scene_.snapshot();
+  std::vector<StripCell> said;
+  if (snapshot && snapshot->connected) said = stripCells(*snapshot, strip_);
+  for (const OverlayLabel& label : overlayLabels(scene_)) said.push_back({label.mark, label.number, label.names});
+  return said;
 }
 
 void ViewportWidget::setCamera(const Camera& camera, bool animated) {
@@ -193,6 +209,11 @@ bool ViewportWidget::hasMoved() const {
   return dirty_ || scene_.revision() != drawn_revision_ || !sameCamera(camera_, drawn_camera_);
 }
 
+bool ViewportWidget::isFinished() const {
+  if (!renderer_ || hasMoved() || turn_.active || label_layout_.moving()) return false;
+  return sample_ >= SceneRenderer::kSamples || (sample_ >= kLeastSamples && rest_work_s_ > kRestSeconds);
+}
+
 void ViewportWidget::showNewPart() {
   dirty_ = true;
   update();
@@ -209,6 +230,7 @@ void ViewportWidget::drawMoving(double now) {
   drawn_camera_ = camera_;
   dirty_ = false;
   sample_ = band_ = 0;
+  rest_work_s_ = 0.0;
   refine_.start(static_cast<int>(1000 * kSettleSeconds) + 10);
 }
 
@@ -216,7 +238,7 @@ void ViewportWidget::refineStep() {
   if (!renderer_ || turn_.active || label_layout_.moving() || hasMoved()) return update();
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   if (now - last_motion_s_ < kSettleSeconds) return refine_.start(static_cast<int>(1000 * kSettleSeconds));
-  if (sample_ >= SceneRenderer::kSamples || !isVisible()) return;
+  if (isFinished() || !isVisible()) return;
   // Beside the window's own frames: putting the window together costs more than a band, so it waits for a whole sample.
   makeCurrent();
   const double took = refine(now);
@@ -234,6 +256,7 @@ double ViewportWidget::refine(double now) {
   renderer_->draw(frame);
   gl_.glFinish();
   const double took = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now;
+  rest_work_s_ += took;
   slowest_band_s_ = band_ == 0 ? took : std::max(slowest_band_s_, took);
   if (++band_ >= bands_) {
     band_ = 0;
@@ -268,6 +291,7 @@ std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLa
 }
 
 Overlay ViewportWidget::makeOverlay() {
+  drawn_numbers_ = spokenNumbers();
   Overlay overlay;
   overlay.theme = &themeOf(palette());
   overlay.camera = camera_;
@@ -323,7 +347,7 @@ void ViewportWidget::paintGL() {
   meter_.frame(start, static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - start);
   if (turn_.active || label_layout_.moving())
     refine_.start(0);
-  else if (!refine_.isActive() && sample_ < SceneRenderer::kSamples)
+  else if (!refine_.isActive() && !isFinished())
     refine_.start(2);
 }
 

@@ -68,6 +68,11 @@ class ViewportWidget : public QOpenGLWidget {
   void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
   /// The scene changed: draws when Qt finds time.
   void refresh();
+  /// The picture at rest is refined as far as it will be; from now on nothing is drawn until something changes. Sooner
+  /// where a sample is dear (software rendering): a picture takes some seconds of work at the most.
+  bool isFinished() const;
+  /// Draws anew only where the strip or a label would say something else than is drawn: a cell at rest costs nothing.
+  void refreshNumbers();
   /// All samples of the picture, overlay included, as an image of the widget's size.
   QImage finishedPicture();
   /// Median seconds of `count` frames at each level of detail, every one waited for: what the machine can do.
@@ -112,6 +117,8 @@ class ViewportWidget : public QOpenGLWidget {
   void paintOverlayImage();
   std::vector<PlacedLabel> placeLabels(const std::vector<OverlayLabel>& labels);
   Overlay makeOverlay();
+  /// What the strip and the labels say of the snapshot, to be compared with what is drawn.
+  std::vector<StripCell> spokenNumbers() const;
   PointerEvent eventFrom(const QMouseEvent& event) const;
   std::optional<PickedPoint> pickAt(const QPointF& position);
   dvec3 pointUnder(const QPointF& position);
@@ -139,7 +146,7 @@ class ViewportWidget : public QOpenGLWidget {
     QElapsedTimer clock;
     bool active = false;
   } turn_;
-  DetailGovernor governor_;
+  DetailGovernor governor_{0.055, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
   int band_ = 0, bands_ = 6;  ///< A sample of a still picture is drawn in bands, so that the window answers.
   FrameMeter meter_;
   QElapsedTimer clock_;
@@ -147,9 +154,11 @@ class ViewportWidget : public QOpenGLWidget {
   double last_overlay_s_ = 0.0;
   std::uint64_t drawn_revision_ = 0;
   Camera drawn_camera_;
+  std::vector<StripCell> drawn_numbers_;
   bool dirty_ = true;  ///< Size or theme changed.
   int sample_ = 0;
   double last_motion_s_ = 0.0, slowest_band_s_ = 0.0;
+  double rest_work_s_ = 0.0;  ///< Spent on refining the picture that stands.
   QTimer refine_;
   ToolChain tools_;
   bool tool_active_ = false;

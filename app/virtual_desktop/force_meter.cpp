@@ -17,6 +17,7 @@ ForceMeter::ForceMeter(QWidget* parent) : QWidget(parent) {
 }
 
 void ForceMeter::setDevice(double continuous_n, double peak_n) {
+  if (continuous_n == continuous_ && peak_n == peak_) return;
   continuous_ = continuous_n;
   peak_ = peak_n;
   update();
@@ -59,6 +60,12 @@ WorkspaceView::WorkspaceView(QWidget* parent) : QWidget(parent) {
 }
 
 void WorkspaceView::setState(const double (&min)[3], const double (&max)[3], const double (&tip)[3], bool known) {
+  constexpr double kSeen = 2e-4;  // m: less does not move the dot by a pixel.
+  const auto same = [](const double(&a)[3], const double(&b)[3]) {
+    return std::equal(std::begin(a), std::end(a), std::begin(b),
+                      [](double x, double y) { return std::abs(x - y) < kSeen; });
+  };
+  if (known == known_ && same(min, min_) && same(max, max_) && same(tip, tip_)) return;
   std::copy(std::begin(min), std::end(min), min_);
   std::copy(std::begin(max), std::end(max), max_);
   std::copy(std::begin(tip), std::end(tip), tip_);

@@ -323,6 +323,7 @@ void VirtualDesktopPanel::addRates(QVBoxLayout& column) {
     grid->addWidget(makeLabel(names[i], TextRole::kSecond, true), 0, i);
     rates_[i][0] = makeLabel({}, TextRole::kSection);
     rates_[i][1] = makeLabel({}, TextRole::kSecond, true);
+    for (QLabel* label : rates_[i]) label->setObjectName("labelRate");
     grid->addWidget(rates_[i][0], 1, i);
     grid->addWidget(rates_[i][1], 2, i);
     grid->setColumnStretch(i, 1);

@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 
+#include "app/style/steady_number.h"
 #include "app/virtual_desktop/virtual_desktop_settings.h"
 
 class QCheckBox;
@@ -14,6 +15,10 @@ class QLabel;
 class QPushButton;
 class QStackedWidget;
 class QVBoxLayout;
+
+namespace hapticell::manipulation {
+struct SceneSnapshot;
+}
 
 namespace hapticell::app {
 
@@ -58,6 +63,7 @@ class VirtualDesktopPanel : public QWidget {
   void showSettings();
   void showConnection();
   void showForces();
+  void showRates(const manipulation::SceneSnapshot& now);
   void listEntities();
 
   Host& host_;
@@ -65,6 +71,9 @@ class VirtualDesktopPanel : public QWidget {
   QCheckBox* forces_;
   QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *device_icon_, *scale_note_, *workspace_text_;
   QLabel* rates_[3][2];
+  /// Rates, and milliseconds beside them.
+  SteadyNumber steady_rates_[3]{SteadyNumber(0.05), SteadyNumber(0.05), SteadyNumber(0.05)};
+  SteadyNumber steady_times_[3]{SteadyNumber(0.3, 0.1), SteadyNumber(0.3, 0.3), SteadyNumber(0.3, 1.0)};
   QLabel* mend_why_;
   QStackedWidget* meter_or_mend_;
   ForceMeter* meter_;

@@ -168,13 +168,21 @@ void VirtualDesktopPanel::showSnapshot() {
     workspace_->setState({-0.08, -0.065, -0.065}, {0.08, 0.065, 0.065}, {0, 0, 0}, false);
     workspace_text_->setText(tr("No device"));
   }
-  const auto rate = [](double hertz) { return hertz > 0.0 ? tr("%1 Hz").arg(std::lround(hertz)) : tr("off"); };
-  rates_[0][0]->setText(rate(now.rate_haptic_hz));
-  rates_[0][1]->setText(tr("late %1 ms").arg(now.late_p99_ms, 0, 'f', 2));
-  rates_[1][0]->setText(rate(now.rate_manipulation_hz));
-  rates_[1][1]->setText(tr("step %1 ms").arg(now.step_p99_ms, 0, 'f', 1));
-  rates_[2][0]->setText(rate(controller_.isStarted() ? controller_.guiRate() : 0.0));
-  rates_[2][1]->setText(tr("frame %1 ms").arg(1000.0 * host_.viewport().lastFrameSeconds(), 0, 'f', 1));
+  showRates(now);
+}
+
+void VirtualDesktopPanel::showRates(const manipulation::SceneSnapshot& now) {
+  const double window = controller_.isStarted() ? controller_.guiRate() : 0.0;
+  const double hertz[3]{now.rate_haptic_hz, now.rate_manipulation_hz, window};
+  const double times[3]{now.late_p99_ms, now.step_p99_ms, 1000.0 * host_.viewport().lastFrameSeconds()};
+  const QString words[3]{tr("late %1 ms"), tr("step %1 ms"), tr("frame %1 ms")};
+  const auto rate = [](double value) { return value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : tr("off"); };
+  for (int i = 0; i < 3; ++i) {
+    steady_rates_[i].take(hertz[i]);
+    steady_times_[i].take(times[i]);
+    rates_[i][0]->setText(rate(steady_rates_[i].shown()));
+    rates_[i][1]->setText(words[i].arg(steady_times_[i].shown(), 0, 'f', i == 0 ? 2 : 1));
+  }
 }
 
 void VirtualDesktopPanel::showSettings() {

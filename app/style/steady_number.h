@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+namespace hapticell::app {
+
+/// A measured number as it is shown: it stays until it differs enough to matter, so that a trembling last digit neither
+/// dances before the eyes nor has the window painted anew. GUI thread.
+class SteadyNumber {
+ public:
+  /// `share`: what it must differ by, as a part of the shown value; `least`: and by this much at the least.
+  explicit SteadyNumber(double share, double least = 0.0) : share_(share), least_(least) {}
+  /// The newest value; true when another one is shown from now on. Zero is never held back, nor what leaves it.
+  bool take(double now) {
+    const bool same_sign = (now == 0.0) == (shown_ == 0.0);
+    if (same_sign && std::abs(now - shown_) <= std::fmax(share_ * std::abs(shown_), least_)) return false;
+    shown_ = now;
+    return true;
+  }
+  double shown() const { return shown_; }
+
+ private:
+  double share_, least_, shown_ = 0.0;
+};
+
+}  // namespace hapticell::app
