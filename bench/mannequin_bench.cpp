@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures the mannequin: forward kinematics, cold and near solves, drags. Prints a table for docs/performance.md.
+// Measures the mannequin: forward kinematics, cold and near solves, drags, a held object, recorded motions of which
+// only hands and feet are told. Prints a table for docs/performance.md. usage: mannequin_bench [GOALS [MOTION...]]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "bench/mannequin_goals.h"
+#include "bench/mannequin_recorded.h"
 #include "mannequin/joint_limits.h"
 #include "mannequin/support_polygon.h"
 
@@ -134,6 +136,61 @@ void measureDrag(const Figure& figure, const char* name, bool two_hands, bool lo
               quantile(times, 0.5), quantile(times, 0.99), swing * 180.0 / M_PI, 1000.0 * foot);
 }
 
+/// An object between both hands, 1 to 2 mm a tick along lines that lead out of reach: what the hands slip on it.
+void measureHeldObject(const Figure& figure, int paths) {
+  std::mt19937_64 random(17);
+  const PostureSolver solver(figure);
+  std::vector<double> times;
+  double slip = 0.0, turn = 0.0;
+  int beyond = 0;
+  for (int p = 0; p < paths; ++p) {
+    const bench::ReachableGoal a = bench::makeGoal(figure, {0.6, false}, random);
+    const bench::ReachableGoal b = bench::makeGoal(figure, {1.0, false}, random);
+    Posture posture = a.reached;
+    const FigurePose start = forwardKinematics(figure, posture);
+    const Pose left = handPose(start, Side::kLeft), right = handPose(start, Side::kRight);
+    const Pose X_LR = left.inverse() * right;
+    const Pose X_WO{0.5 * (left.p + right.p), dquat(1, 0, 0, 0)};
+    PostureTask task;
+    task.feet = a.task.feet;
+    const dvec3 way = 1.5 * glm::normalize(b.task.hands[1]->p - right.p + dvec3(1e-6, 0, 0));
+    for (int t = 1; t <= 1000; ++t) {
+      HeldObject held{X_WO, {X_WO.inverse() * left, X_WO.inverse() * right}};
+      held.X_WO.p += way * (static_cast<double>(t) / 1000.0);
+      task.held = held;
+      const auto begin = Clock::now();
+      const PostureResult result = solver.follow(task, posture);
+      times.push_back(microseconds(begin));
+      posture = result.posture;
+      beyond += result.status == PostureStatus::kOutOfReach ? 1 : 0;
+      const FigurePose now = forwardKinematics(figure, posture);
+      const Twist off = difference(handPose(now, Side::kLeft).inverse() * handPose(now, Side::kRight), X_LR);
+      slip = std::max(slip, glm::length(off.linear));
+      turn = std::max(turn, glm::length(off.angular));
+    }
+  }
+  std::printf("%-34s %6zu ticks  median %7.1f  p99 %7.1f us  slip %.1e m, %.1e rad at most; out of reach %d %%\n",
+              "drag, held object", times.size(), quantile(times, 0.5), quantile(times, 0.99), slip, turn,
+              static_cast<int>(100 * beyond / static_cast<int>(times.size())));
+}
+
+void measureRecorded(const char* file) {
+  const Expected<MotionClip> clip = readMotionFile(file);
+  if (!clip) {
+    std::printf("%s\n", clip.error().message().c_str());
+    return;
+  }
+  const Expected<Figure> figure = makeFigure({Sex::kMale, 1.755});
+  const bench::RecordedError error = bench::replayHandsAndFeet(*figure, *clip);
+  const std::string path(file), name = path.substr(path.find_last_of('/') + 1);
+  std::printf(
+      "hands and feet of %-14s %6d frames  median %7.1f us  trunk %.1f deg (axis %.1f)  swivel %.1f deg  elbow %.0f mm "
+      " hand "
+      "%.1f mm at most\n",
+      name.c_str(), error.frames, error.median_us, error.trunk_deg, error.trunk_axis_deg, error.swivel_deg,
+      error.elbow_mm, error.worst_hand_mm);
+}
+
 void measureFourSizes() {
   const std::vector<NamedFigure> figures = boundaryFigures();
   std::mt19937_64 random(13);
@@ -166,6 +223,8 @@ int main(int argc, char** argv) {
   measureDrag(*figure, "drag, one hand, trunk locked", false, true, 0.0, 20);
   measureDrag(*figure, "drag, one hand, out of reach", false, false, 1.0, 10);
   measureDrag(*figure, "drag, two hands", true, false, 0.0, 20);
+  measureHeldObject(*figure, 20);
   measureFourSizes();
+  for (int k = 2; k < argc; ++k) measureRecorded(argv[k]);
   return 0;
 }

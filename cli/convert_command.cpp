@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/import_arguments.h"
 #include "cli/progress_line.h"
+#include "cli/number_range.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/length_unit.h"
@@ -141,7 +142,7 @@ void addConvertCommand(CLI::App& app, Action& chosen) {
                       "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m)");
   CLI::Option* simplify =
       command->add_option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
-          ->check(CLI::Range(1e-9, 1e3));
+          ->check(numberRange(1e-9, 1e3));
   command->add_flag("--hull", options->hull, "The convex hull of each part")->excludes(simplify);
   command->add_option("--up", options->up, "The axis of the read file that points up: x, y or z");
   addTessellationOptions(*command, options->tessellation);

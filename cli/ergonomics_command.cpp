@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
+#include "cli/number_range.h"
 #include "mannequin/ergonomics/motion_scores.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/reba.h"
@@ -113,7 +114,7 @@ void addMotionOptions(CLI::App& method, const std::string& name, ErgonomicsOptio
     whole("--coupling", options.task.coupling, 3, "Of the motion (0 to 3)");
     whole("--activity", options.task.activity, 3, "Of the motion (0 to 3)");
   } else {
-    method.add_option("--load-kg", options.task.load_kg, "Of the motion, kg")->check(CLI::NonNegativeNumber);
+    method.add_option("--load-kg", options.task.load_kg, "Of the motion, kg")->check(numberRange(0.0, 1e6));
   }
 }
 

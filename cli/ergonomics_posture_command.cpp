@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `ergonomics posture`, `en1005`, `iso11226`, `eaws` and `workplace`: what needs a figure, zones, or a whole cell.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <ctime>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_posture_input.h"
 #include "manipulation/mannequin_workplace.h"
+#include "mannequin/ergonomics/hand_force.h"
 #include "mannequin/ergonomics/posture_report.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/posture_file.h"
@@ -134,6 +136,26 @@ Expected<void> writeReports(const PostureOptions& options, PostureReportInput& i
   return {};
 }
 
+ordered_json handForcesReport(const HandForces& forces) {
+  ordered_json document;
+  const std::array<const char*, 2> sides{"left", "right"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    ordered_json& side = document[sides[i]];
+    side["force_n"] = forces.force_n[i] ? ordered_json(*forces.force_n[i]) : ordered_json();
+    side["elbow_moment_nm"] = forces.elbow_nm[i];
+    side["shoulder_moment_nm"] = forces.shoulder_nm[i];
+  }
+  document["lumbar_moment_nm"] = forces.lumbar_nm;
+  document["limits"] = ordered_json::array();
+  for (const ForceLimit& limit : forces.limits) {
+    document["limits"].push_back({{"method", limit.method},
+                                  {"hand", limit.hand < 0 ? "both" : sides[static_cast<std::size_t>(limit.hand)]},
+                                  {"force_n", limit.force_n},
+                                  {"next_class_n", limit.limit_n ? ordered_json(*limit.limit_n) : ordered_json()}});
+  }
+  return document;
+}
+
 ExitStatus failed(const Error& error) {
   report(error);
   return ExitStatus::kBadInput;
@@ -148,6 +170,7 @@ ExitStatus runPosture(const PostureOptions& options, const ResultWriter& writer)
   ordered_json document = postureScoresReport(subject->input, scores);
   if (subject->input.task.is_lift)
     document["niosh"] = liftOfPosture(subject->input.figure, pose, scores, subject->input.task);
+  document["hand_forces"] = handForcesReport(handForces(subject->input.figure, pose, subject->input.task));
   if (!subject->warnings.empty()) document["warnings"] = subject->warnings;
   if (auto written = writer.write(document); !written) return failed(written.error());
   return options.fail_over && scores.rula() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;

@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/hand_targets.h"
 #include "cli/timing.h"
-#include "mannequin/body_shape.h"
+#include "mannequin/body_skin.h"
 #include "mannequin/figure.h"
 #include "mannequin/forward_kinematics.h"
 #include "mannequin/joint_limits.h"

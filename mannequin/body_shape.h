@@ -26,6 +26,8 @@ struct Flesh {
 
   /// About the distance (m) of a point to the surface, negative inside; never larger than the true one.
   double distance(const dvec3& p) const;
+  /// The same with the way out at that point: unit, of the blob that is nearest.
+  double distance(const dvec3& p, dvec3& outward) const;
   geometry::Bounds bounds() const;
 };
 
@@ -43,13 +45,7 @@ std::vector<Flesh> fleshOf(const Figure& figure);
 /// and no gap opens in any posture.
 geometry::TriangleMesh bodyMesh(const Flesh& flesh, double cell);
 
-/// The whole figure's skin in a posture: one closed surface in the world that flows over the joints (each body blends
-/// with those it is jointed to and with nothing else), and the body that each vertex belongs to, for its colour.
-/// Made anew for each posture from the placed flesh, so nothing can collapse at a joint. Takes about a second at 8 mm.
-struct Skin {
-  geometry::TriangleMesh mesh;
-  std::vector<std::uint8_t> body_of_vertex;
-};
-Skin skinOf(const Figure& figure, const Posture& posture, double cell = 0.008);
+/// Smooth minimum of two distances: a polynomial over `k` metres.
+double blended(double a, double b, double k);
 
 }  // namespace hapticell::mannequin

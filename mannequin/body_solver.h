@@ -8,6 +8,8 @@
 
 namespace hapticell::mannequin {
 
+inline constexpr double kLever = 0.2;  ///< m that a rad of hand or foot counts.
+
 /// A task with everything said: what the solver's iterations work towards.
 struct ResolvedTask {
   std::array<bool, 2> has_hand{};
@@ -43,6 +45,7 @@ struct StepLimits {
   double turn = 0.6;     ///< rad in any joint
   double lambda = 1e-3;  ///< Regularisation of the hands' rows.
   double comfort = 0.0;  ///< Share of the way to comfort that is wished for per step.
+  double slack = 1e-9;   ///< m^2 by which a step for comfort may raise the merit.
 };
 
 /// One state on its way to a task.
@@ -76,6 +79,8 @@ class BodySolver {
   Variables response(Side hand, const Twist& motion, VariableAxes& axes) const;
 
   int iterations() const { return iterations_; }
+  /// Where another one's steps are to be counted too.
+  void count(int iterations) { iterations_ = iterations; }
 
  private:
   void measure();

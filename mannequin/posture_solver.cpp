@@ -17,7 +17,7 @@ using S = Segment;
 constexpr double kGoodArms = 0.25;    ///< Cost of closed-form arms below which the present trunk is worth a try.
 constexpr double kNearMerit = 0.003;  ///< m^2: the start itself is nearly there.
 constexpr int kPolishSteps = 20;
-constexpr int kComfortSteps = 2;
+constexpr double kComfortSlack = 4e-4;       ///< m^2, 20 mm: what closed-form arms make good again.
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
 constexpr double kMostTickTurn = 1.8 * kDegree;
 constexpr double kComfortableStretch = 0.985;
@@ -48,14 +48,22 @@ PostureResult resultOf(const BodySolver& solver, const Posture& start, const Fig
   return result;
 }
 
-/// After a solution: a few steps that only make it more comfortable, then the hands exactly.
-void makeComfortable(const ResolvedTask& task, BodySolver& solver) {
-  const BodyState solved = solver.state();
-  for (int i = 0; i < kComfortSteps; ++i) solver.step({0.4, 1e-5, 0.5});
-  solver.finishArms();
-  if (task.held) solver.bindHeld();
-  if (solver.errors().solved()) return;
-  solver.set(solved);
+/// After a solution: steps towards comfort, the hands put back by their closed form after each; one after which the
+/// task is not met is taken back and the next is smaller.
+void makeComfortable(const ResolvedTask& task, int steps, BodySolver& solver) {
+  StepLimits limits{0.4, 1e-5, 1.0, kComfortSlack};
+  for (int i = 0; i < steps && limits.comfort > 0.1; ++i) {
+    const BodySolver before = solver;
+    const bool moved = solver.step(limits);
+    solver.finishArms();
+    if (task.held) solver.bindHeld();
+    if (moved && solver.errors().solved()) continue;
+    const int iterations = solver.iterations();
+    solver = before;
+    solver.count(iterations);
+    limits.turn *= 0.5;
+    limits.comfort *= 0.5;
+  }
 }
 
 /// A held object must not slip in the hands: bind them, with more steps where the arm alone cannot.
@@ -101,7 +109,7 @@ PostureResult PostureSolver::solve(const PostureTask& task, const Posture& start
       if (solver.errors().merit < best.errors().merit) best = solver;
     }
   }
-  if (best.errors().solved()) makeComfortable(resolved, best);
+  if (best.errors().solved()) makeComfortable(resolved, task.comfort_steps, best);
   if (resolved.held) closeHeld(best);
   PostureResult result = resultOf(best, start, start_pose, resolved);
   result.iterations = iterations;

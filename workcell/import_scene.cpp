@@ -47,6 +47,19 @@ std::string plainName(std::string name) {
   return name.empty() ? "_" : name;
 }
 
+/// A chord that is no number would have the mesher divide for ever.
+Expected<void> checkTessellation(const ImportOptions& options, const std::filesystem::path& file) {
+  const auto within = [](double value, double least, double greatest) { return value >= least && value <= greatest; };
+  const Tessellation& t = options.tessellation;
+  if (!within(t.chord, 1e-9, 1e3)) return makeError({file.string(), "chord", number(t.chord), "1e-9 to 1000 m", ""});
+  if (!within(t.angle, 1e-3, 3.2)) return makeError({file.string(), "angle", number(t.angle), "0.001 to 3.2 rad", ""});
+  if (!within(options.relative_chord, 0.0, 1.0))
+    return makeError({file.string(), "relative chord", number(options.relative_chord), "0 to 1", ""});
+  if (options.metres_per_unit && !within(*options.metres_per_unit, 1e-12, 1e12))
+    return makeError({file.string(), "unit", number(*options.metres_per_unit), "metres above 0", ""});
+  return {};
+}
+
 }  // namespace
 
 bool holdsScene(const std::filesystem::path& file) {
@@ -67,6 +80,7 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
   if (!std::filesystem::is_regular_file(absolute, fault)) {
     return makeError({file.string(), "", "not a regular file", "a file", ""});
   }
+  if (const auto sound = checkTessellation(options, file); !sound) return makeError(sound.error());
   if (isSdfCell(absolute)) return readSdfCell(absolute, monitor);
   ImporterCall call;
   call.file = file.string();

@@ -8,6 +8,7 @@
 
 #include "app/ergonomics/height_strips.h"
 #include "app/ergonomics/live_scores.h"
+#include "app/ergonomics/load_rows.h"
 #include "app/ergonomics/score_columns.h"
 #include "app/ergonomics/sub_score_table.h"
 #include "app/host/document_model.h"
@@ -20,6 +21,10 @@
 namespace hapticell::app {
 
 using ergonomics::ColourMethod;
+
+namespace {
+constexpr int kLoadTab = 4;
+}
 
 ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent)
     : QWidget(parent), context_(context), scores_(scores) {
@@ -42,7 +47,7 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   rows->setSpacing(8);
   column->addWidget(content_);
   column->addStretch(1);
-  methods_ = new Segmented({tr("RULA"), tr("REBA"), tr("OWAS"), tr("EN, ISO")});
+  methods_ = new Segmented({tr("RULA"), tr("REBA"), tr("OWAS"), tr("EN, ISO"), tr("Load")});
   methods_->setObjectName("segmentsMethod");
   methods_->setCurrent(0);
   task_ = new QPushButton(tr("Task data…"));
@@ -50,6 +55,8 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   auto* report = new QPushButton(tr("Report…"));
   report->setObjectName("buttonReport");
   methods_->button(3)->setToolTip(tr("EN 1005-4 and ISO 11226: zones and holding times of the parts"));
+  methods_->button(kLoadTab)->setToolTip(
+      tr("The lifting equation and what the hands bear; the colours stay those of RULA"));
   rows->addWidget(methods_);
   rows->addWidget(sideBySide({task_, report}));
   live_ = makeLabel({}, TextRole::kSecond, true);
@@ -83,7 +90,8 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   sums_ = makeLabel({}, TextRole::kSecond, true);
   sums_->setObjectName("labelSums");
   sums_->setWordWrap(true);
-  rows->addWidget(makeLabel(tr("Sub-scores of the worse side"), TextRole::kSecond, true));
+  table_title_ = makeLabel({}, TextRole::kSecond, true);
+  rows->addWidget(table_title_);
   sub_scores_ = new SubScoreTable;
   rows->addWidget(sub_scores_);
   rows->addWidget(sums_);
@@ -99,7 +107,8 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   heights_ = new HeightStrips(scores_);
   rows->addWidget(heights_);
   connect(methods_, &Segmented::chosen, this, [this](int i) {
-    method_ = static_cast<ColourMethod>(i);
+    shows_load_ = i == kLoadTab;
+    method_ = shows_load_ ? ColourMethod::kRula : static_cast<ColourMethod>(i);
     columns_->setMethod(method_);
     showScores();
     emit methodChanged();
@@ -137,9 +146,14 @@ void ErgonomicsPanel::showScores() {
                      .arg(scores.sides[1].rula_score)
                      .arg(scores.eaws_points, 0, 'f', 0));
   columns_->update();
-  sub_scores_->setRows(subScoreRows(scores, method_));
+  sub_scores_->setRows(shows_load_ ? loadRows(scores_) : subScoreRows(scores, method_));
+  table_title_->setText(shows_load_ ? tr("Lift (NIOSH) and forces on the hands") : tr("Sub-scores of the worse side"));
   QString sums;
-  if (method_ == ColourMethod::kRula || method_ == ColourMethod::kReba) {
+  if (shows_load_) {
+    sums =
+        tr("Limits are where a method's next class begins; moments hold the arms' own weight. No table of strength is "
+           "behind them.");
+  } else if (method_ == ColourMethod::kRula || method_ == ColourMethod::kReba) {
     const bool rula = method_ == ColourMethod::kRula;
     const ergonomics::Rula by_rula;
     const ergonomics::Reba by_reba;

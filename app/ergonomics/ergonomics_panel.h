@@ -42,7 +42,8 @@ class ErgonomicsPanel : public QWidget {
   ergonomics::ColourMethod method_ = ergonomics::ColourMethod::kRula;
   QWidget *empty_, *content_;
   Segmented* methods_;
-  QLabel *live_, *title_, *why_, *sums_, *lift_, *missing_;
+  QLabel *live_, *title_, *why_, *table_title_, *sums_, *lift_, *missing_;
+  bool shows_load_ = false;  ///< The tab about lifting and forces, which has no colours of its own.
   ScoreColumns* columns_;
   SubScoreTable* sub_scores_;
   HeightStrips* heights_;

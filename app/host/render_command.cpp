@@ -10,6 +10,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/host/video_writer.h"
+#include "app/mannequin/figure_skins.h"
 #include "app/viewport/picture_renderer.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -148,6 +149,14 @@ Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
   if (!document) return makeError(document.error());
   SceneModel scene;
   scene.setEntities(document->snapshotEntities());
+  for (const workcell::Entity& entity : scene.entities()) {
+    if (!entity.figure || !entity.visible) continue;
+    std::vector<double> joints = entity.joints;
+    joints.resize(entity.robot->dof(), 0.0);
+    SceneModel::Skin skin = makeSkin(entity, joints);
+    skin.alone = true;
+    scene.setSkin(entity.id, std::move(skin));
+  }
   const auto camera = cameraFor(command, *document, scene);
   if (!camera) return makeError(camera.error());
   return renderScene(command, scene, *camera);

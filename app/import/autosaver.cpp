@@ -34,6 +34,15 @@ void Autosaver::save() {
   });
 }
 
+void Autosaver::adopt(const std::filesystem::path& copy) {
+  writer_.waitForDone();
+  path_ = document_.document().path();
+  saved_revision_ = document_.document().revision();
+  std::error_code fault;
+  std::filesystem::rename(copy, workcell::autosavePath(path_), fault);
+  written_ = !fault;
+}
+
 void Autosaver::discard() {
   if (!written_) return;
   written_ = false;

@@ -20,6 +20,8 @@ class Autosaver : public QObject {
   void setInterval(int milliseconds) { timer_.setInterval(milliseconds); }
   /// Writes the copy now, where there is something unsaved.
   void save();
+  /// The open document is what this copy holds: from here on the copy is as if save() had written it.
+  void adopt(const std::filesystem::path& copy);
   /// The document was saved, closed or replaced in an orderly way: no copy is needed.
   void discard();
 

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <algorithm>
+#include <utility>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -133,6 +134,19 @@ void FileWork::tellError(const QString& title, const Error& error) {
                         QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
 }
 
+void FileWork::tellRemarks(const QString& name, const std::vector<std::string>& remarks) {
+  if (remarks.empty()) return;
+  QStringList lines;
+  for (const std::string& remark : remarks) lines << QString::fromStdString(remark);
+  constexpr qsizetype kAtOnce = 5;
+  const QString title = tr("%1 was read with remarks").arg(name);
+  if (lines.size() <= kAtOnce) return host_.messages().tell(Severity::kWarning, title, lines.join('\n'));
+  const QString first = lines.mid(0, kAtOnce).join('\n') + '\n' + tr("and %1 more").arg(lines.size() - kAtOnce);
+  host_.messages().tell(
+      Severity::kWarning, title, first,
+      {{tr("Show all"), [this, title, lines] { host_.messages().tell(Severity::kWarning, title, lines.join('\n')); }}});
+}
+
 void FileWork::offer(Severity severity, const QString& title, const QString& text, std::vector<MessageAction> actions) {
   host_.messages().tell(severity, title, text, std::move(actions));
   const bool held = host_.snapshot() && host_.snapshot()->held != 0;
@@ -149,12 +163,13 @@ void FileWork::clear() {
 
 void FileWork::open(const QString& path) {
   session_.cancelAll();
+  restored_.clear();
   opener_.open(path);
 }
 
 void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path) {
   showOther();
-  const QString name = QFileInfo(path).fileName();
+  const QString name = QFileInfo(path).fileName(), restored = std::exchange(restored_, {});
   if (!opened->document) {
     tellError(tr("%1 was not opened").arg(name), opened->document.error());
     emit this->opened(path, false);
@@ -167,29 +182,46 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
   }
   autosaver_.discard();
   host_.documentModel().adopt(std::move(document));
-  offerCopy(path);
-  for (const std::string& warning : opened->notes.warnings)
-    host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name),
-                          QString::fromStdString(warning));
+  std::vector<std::string> remarks = opened->notes.warnings;
+  std::erase_if(remarks, [&](const std::string& remark) {  // What offerMissing() tells of all of them at once.
+    return std::any_of(opened->missing.begin(), opened->missing.end(), [&](const std::filesystem::path& file) {
+      return remark.find("is kept without its shape: " + file.string()) != std::string::npos;
+    });
+  });
+  tellRemarks(name, remarks);
+  if (!restored.isEmpty()) autosaver_.adopt(restored.toStdString());
   offerMissing(opened->missing);
+  offerCopies(path);  // Last, so that it stands on top.
   emit this->opened(path, true);
 }
 
-void FileWork::offerCopy(const QString& path) {
-  if (host_.documentModel().document().isDirty()) return;  // It is the copy.
-  const auto copy = workcell::findAutosave(path.toStdString());
-  if (!copy) return;
-  const QString file = QString::fromStdString(copy->string());
-  const QString when = QFileInfo(file).lastModified().toString(tr("d MMMM, HH:mm"));
+void FileWork::offerCopies(const QString& path) {
+  if (host_.documentModel().document().isDirty()) return;  // It is a copy.
   const QString what = path.isEmpty() ? tr("A new workcell") : QFileInfo(path).fileName();
-  offer(Severity::kWarning, tr("%1 was not closed in order").arg(what),
-        tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
-        {{tr("Restore the copy"), [this, file, path] { opener_.openCopy(file, path); }},
-         {tr("Forget it"), [path] { workcell::discardAutosave(path.toStdString()); }}});
+  const auto remove = [](const std::filesystem::path& copy) {
+    std::error_code ignored;
+    std::filesystem::remove(copy, ignored);
+  };
+  // Moved aside first: the next autosave would write over what is on offer.
+  std::vector<std::filesystem::path> copies = workcell::keepAutosaves(path.toStdString());
+  std::reverse(copies.begin(), copies.end());  // The newest on top.
+  for (const std::filesystem::path& copy : copies) {
+    const QString file = QString::fromStdString(copy.string());
+    const QString when = QFileInfo(file).lastModified().toString(tr("d MMMM, HH:mm"));
+    offer(Severity::kWarning, tr("%1 was not closed in order").arg(what),
+          tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
+          {{tr("Restore the copy"), [this, file, path] { restore(file, path); }},
+           {tr("Forget it"), [copy, remove] { remove(copy); }}});
+  }
+}
+
+void FileWork::restore(const QString& copy, const QString& path) {
+  opener_.openCopy(copy, path);
+  restored_ = copy;
 }
 
 void FileWork::offerLeftOver() {
-  offerCopy({});
+  offerCopies({});
 }
 
 void FileWork::offerReload(const QStringList& paths) {
@@ -222,9 +254,7 @@ void FileWork::reload(const std::vector<std::string>& paths) {
     auto reload = std::make_shared<ShapeReload>(reloadShapes(state, paths, monitor));
     if (monitor.isCancelled()) return makeError({name.toStdString(), "", "the reading was cancelled", "", ""});
     return BackgroundWork::Then([this, reload, name, text] {
-      for (const std::string& problem : reload->problems)
-        host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name),
-                              QString::fromStdString(problem));
+      tellRemarks(name, reload->problems);
       const auto& document = host_.documentModel().document();
       // What was removed meanwhile needs no shape.
       std::erase_if(reload->commands, [&](const workcell::Command& command) {
@@ -263,6 +293,7 @@ void FileWork::findMissing() {
   if (folder.isEmpty()) return;
   const std::filesystem::path base = document.path().empty() ? std::filesystem::path(QDir::currentPath().toStdString())
                                                              : document.path().parent_path();
+  restored_.clear();
   opener_.openText(workcell::documentText(document.state(), base), base,
                    QString::fromStdString(document.path().string()),
                    [folder](const std::filesystem::path& file) { return findBelow(folder, file); });
@@ -296,9 +327,7 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
 }
 
 void FileWork::tellReport(const QString& name, const workcell::ImportReport& report) {
-  for (const std::string& warning : report.warnings)
-    host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name),
-                          QString::fromStdString(warning));
+  tellRemarks(name, report.warnings);
   host_.messages().tell(Severity::kInformation, tr("%1 is in the cell").arg(name), reportText(report));
 }
 

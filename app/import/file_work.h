@@ -58,8 +58,11 @@ class FileWork : public QObject {
   void takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path);
   void takeImported(const QString& path, const ImportSession::Result& result);
   void tellReport(const QString& name, const workcell::ImportReport& report);
+  /// All as one message: long lists would bury what is asked.
+  void tellRemarks(const QString& name, const std::vector<std::string>& remarks);
   void tellError(const QString& title, const Error& error);
-  void offerCopy(const QString& path);
+  void offerCopies(const QString& path);
+  void restore(const QString& copy, const QString& path);
   void offerReload(const QStringList& paths);
   void cancelOther();
   /// Tells something with buttons, and brings the messages to the front where that is no disturbance.
@@ -81,6 +84,7 @@ class FileWork : public QObject {
   ImportPanel* panel_;
   QDockWidget *dock_, *mesh_dock_;
   QTimer patience_;
+  QString restored_;  ///< The copy that is being opened.
 };
 
 }  // namespace hapticell::app

@@ -19,10 +19,12 @@
 #include "app/mannequin/beside.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/figure_drawings.h"
+#include "app/mannequin/figure_skins.h"
 #include "app/mannequin/hand_gizmo.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
+#include "app/mannequin/marker_panel.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
 
@@ -46,13 +48,16 @@ QScrollArea* scrolled(QWidget* content) {
 class MannequinDocks : public QObject {
  public:
   explicit MannequinDocks(Host& host)
-      : QObject(&host.window()), host_(host), context_(host), drag_(context_), gizmo_(context_, drag_) {
+      : QObject(&host.window()), host_(host), context_(host), drag_(context_), gizmo_(context_, drag_), skins_(host) {
     panel_ = new MannequinPanel(context_, drag_);
     drawings_ = new FigureDrawings(context_);
     panel_->drawings().addWidget(drawings_);
     dock_ = makeDock("dockMannequin", tr("Mannequin"), scrolled(panel_));
     host_.addDock(dock_, Qt::RightDockWidgetArea);
     dock_->hide();
+    markers_ = makeDock("dockMarkers", tr("Recorded markers"), new MarkerPanel(context_));
+    host_.addDock(markers_, Qt::BottomDockWidgetArea, host_.window().findChild<QDockWidget*>("dockCollisions"));
+    markers_->hide();
     connect(panel_, &MannequinPanel::addWanted, this, [this] { add({}); });
     connect(&host.selection(), &Selection::changed, this, [this](workcell::EntityId entity) {
       const bool ours = context_.entity() && context_.entity()->id == entity;
@@ -66,6 +71,7 @@ class MannequinDocks : public QObject {
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, panel_, &MannequinPanel::showNow);
     connect(timer, &QTimer::timeout, drawings_, &FigureDrawings::showNow);
+    connect(timer, &QTimer::timeout, this, [this] { skins_.look(); });
     timer->start(kRefreshMilliseconds);
   }
 
@@ -104,6 +110,10 @@ class MannequinDocks : public QObject {
       sizes->addAction(tr(name), this, [this, request = request] { add(request); });
     menu->addSeparator();
     entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] { bringToFront(); });
+    entry("actionMarkers", tr("Recorded markers (C3D)…"), {}, [this] {
+      markers_->show();
+      markers_->raise();
+    });
   }
 
   void add(const mannequin::BodyRequest& request) {
@@ -146,9 +156,10 @@ class MannequinDocks : public QObject {
   MannequinContext context_;
   FigureDrag drag_;
   HandGizmo gizmo_;
+  FigureSkins skins_;
   MannequinPanel* panel_;
   FigureDrawings* drawings_;
-  QDockWidget* dock_;
+  QDockWidget *dock_, *markers_;
 };
 
 }  // namespace

@@ -109,6 +109,10 @@
         <translation>%1 N à %2 s</translation>
     </message>
     <message>
+        <source>%1 N m</source>
+        <translation>%1 N m</translation>
+    </message>
+    <message>
         <source>%1 N were commanded. If nothing was felt: is the device's power on, is its emergency stop released, is it calibrated?</source>
         <translation>%1 N ont été commandés. Si rien n'a été senti : le périphérique est-il sous tension, son arrêt d'urgence relâché, est-il étalonné ?</translation>
     </message>
@@ -369,6 +373,10 @@
         <translation>%1 s → %2 s ; au plus %3 du chemin</translation>
     </message>
     <message>
+        <source>%1 s, %2 of %3 markers seen</source>
+        <translation>%1 s, %2 marqueurs vus sur %3</translation>
+    </message>
+    <message>
         <source>%1 s, RULA %2, worst frame %3 s</source>
         <translation>%1 s, RULA %2, pire image à %3 s</translation>
     </message>
@@ -485,12 +493,24 @@
         <translation>%1, comme le dit le fichier</translation>
     </message>
     <message>
+        <source>%1, heaviest class</source>
+        <translation>%1, classe la plus lourde</translation>
+    </message>
+    <message>
         <source>%1, least distance</source>
         <translation>%1, distance minimale</translation>
     </message>
     <message>
+        <source>%1, left</source>
+        <translation>%1, gauche</translation>
+    </message>
+    <message>
         <source>%1, not calibrated for you</source>
         <translation>%1, pas étalonné pour vous</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, droite</translation>
     </message>
     <message>
         <source>%1, round trip %2 ms</source>
@@ -511,6 +531,10 @@
     <message>
         <source>%1: %2 % seen, %3 mm away, %4</source>
         <translation>%1 : vu à %2 %, à %3 mm, %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 markers, %3 s at %4 Hz</source>
+        <translation>%1 : %2 marqueurs, %3 s à %4 Hz</translation>
     </message>
     <message>
         <source>%1: %2 on %3</source>
@@ -627,6 +651,10 @@
     <message>
         <source>, hidden by %1</source>
         <translation>, caché par %1</translation>
+    </message>
+    <message>
+        <source>, not seen: %1</source>
+        <translation>, non vus : %1</translation>
     </message>
     <message>
         <source>, waits %1 s</source>
@@ -1529,6 +1557,10 @@
         <translation>Coin</translation>
     </message>
     <message>
+        <source>Coupling</source>
+        <translation>Prise</translation>
+    </message>
+    <message>
         <source>Ctrl</source>
         <translation>Ctrl</translation>
     </message>
@@ -2117,6 +2149,10 @@
         <translation>Français</translation>
     </message>
     <message>
+        <source>Frequency</source>
+        <translation>Fréquence</translation>
+    </message>
+    <message>
         <source>Friction</source>
         <translation>Frottement</translation>
     </message>
@@ -2209,6 +2245,10 @@
         <translation>Poignée à</translation>
     </message>
     <message>
+        <source>Hands away</source>
+        <translation>Mains éloignées</translation>
+    </message>
+    <message>
         <source>Hands, size and posture</source>
         <translation>Mains, taille et posture</translation>
     </message>
@@ -2251,6 +2291,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Head, gaze</source>
         <translation>Tête, regard</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
     </message>
     <message>
         <source>Height of the work and RULA, four bodies</source>
@@ -2609,12 +2653,20 @@ Licence Apache 2.0</translation>
         <translation>Bras et main gauches</translation>
     </message>
     <message>
+        <source>Left elbow</source>
+        <translation>Coude gauche</translation>
+    </message>
+    <message>
         <source>Left hand</source>
         <translation>Main gauche</translation>
     </message>
     <message>
         <source>Left leg</source>
         <translation>Jambe gauche</translation>
+    </message>
+    <message>
+        <source>Left shoulder</source>
+        <translation>Épaule gauche</translation>
     </message>
     <message>
         <source>Length</source>
@@ -2633,8 +2685,20 @@ Licence Apache 2.0</translation>
         <translation>Lâcher</translation>
     </message>
     <message>
+        <source>Lift</source>
+        <translation>Levage</translation>
+    </message>
+    <message>
+        <source>Lift (NIOSH) and forces on the hands</source>
+        <translation>Levage (NIOSH) et forces sur les mains</translation>
+    </message>
+    <message>
         <source>Lifting (NIOSH)</source>
         <translation>Levage (NIOSH)</translation>
+    </message>
+    <message>
+        <source>Lifting index</source>
+        <translation>Indice de levage</translation>
     </message>
     <message>
         <source>Light</source>
@@ -2649,12 +2713,20 @@ Licence Apache 2.0</translation>
         <translation>Limites et collisions sur tout le mouvement</translation>
     </message>
     <message>
+        <source>Limits are where a method's next class begins; moments hold the arms' own weight. No table of strength is behind them.</source>
+        <translation>Les limites sont le début de la classe suivante d'une méthode ; les moments comprennent le poids des bras. Aucune table de force ne les fonde.</translation>
+    </message>
+    <message>
         <source>Limits, singular places, configurations and collisions, between the frames too</source>
         <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
     </message>
     <message>
         <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
         <translation>Ligne : fréquence. Barres : retard pour 99 pas sur 100, pleine hauteur %1 ms</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
     </message>
     <message>
         <source>Load, left hand</source>
@@ -2705,6 +2777,10 @@ Licence Apache 2.0</translation>
         <translation>Recherche…</translation>
     </message>
     <message>
+        <source>Low back</source>
+        <translation>Bas du dos</translation>
+    </message>
+    <message>
         <source>Lower stop</source>
         <translation>Butée basse</translation>
     </message>
@@ -2735,6 +2811,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Mannequin</source>
         <translation>Mannequin</translation>
+    </message>
+    <message>
+        <source>Markers (*.c3d);;All files (*)</source>
+        <translation>Marqueurs (*.c3d);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -2803,6 +2883,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Mirrored on the plane</source>
         <translation>Symétrique par rapport au plan</translation>
+    </message>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Instant de l'enregistrement</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -3337,6 +3421,10 @@ Licence Apache 2.0</translation>
         <translation>Ouvrez un enregistrement (BVH, AMC) pour noter chacune de ses images.</translation>
     </message>
     <message>
+        <source>Open a recording of markers (C3D) to see them in the scene.</source>
+        <translation>Ouvrez un enregistrement de marqueurs (C3D) pour les voir dans la scène.</translation>
+    </message>
+    <message>
         <source>Open a workcell</source>
         <translation>Ouvrir une cellule</translation>
     </message>
@@ -3353,12 +3441,20 @@ Licence Apache 2.0</translation>
         <translation>Ouvrez-la par la poignée : un guide mène, on sent les butées et un cran.</translation>
     </message>
     <message>
+        <source>Open markers…</source>
+        <translation>Ouvrir des marqueurs…</translation>
+    </message>
+    <message>
         <source>Open motion…</source>
         <translation>Ouvrir un mouvement…</translation>
     </message>
     <message>
         <source>Open recent</source>
         <translation>Ouverts récemment</translation>
+    </message>
+    <message>
+        <source>Open recorded markers</source>
+        <translation>Ouvrir des marqueurs enregistrés</translation>
     </message>
     <message>
         <source>Open — %1</source>
@@ -3969,6 +4065,14 @@ Licence Apache 2.0</translation>
         <translation>Enregistrer ce qui bouge  (R)</translation>
     </message>
     <message>
+        <source>Recorded markers</source>
+        <translation>Marqueurs enregistrés</translation>
+    </message>
+    <message>
+        <source>Recorded markers (C3D)…</source>
+        <translation>Marqueurs enregistrés (C3D)…</translation>
+    </message>
+    <message>
         <source>Recording</source>
         <translation>Enregistrement</translation>
     </message>
@@ -4057,12 +4161,20 @@ Licence Apache 2.0</translation>
         <translation>Bras et main droits</translation>
     </message>
     <message>
+        <source>Right elbow</source>
+        <translation>Coude droit</translation>
+    </message>
+    <message>
         <source>Right hand</source>
         <translation>Main droite</translation>
     </message>
     <message>
         <source>Right leg</source>
         <translation>Jambe droite</translation>
+    </message>
+    <message>
+        <source>Right shoulder</source>
+        <translation>Épaule droite</translation>
     </message>
     <message>
         <source>Ring</source>
@@ -4777,6 +4889,10 @@ Licence Apache 2.0</translation>
         <translation>Le bouton gauche est libre : un clic choisit, un glissement trace un cadre.</translation>
     </message>
     <message>
+        <source>The lifting equation and what the hands bear; the colours stay those of RULA</source>
+        <translation>L'équation de levage et ce que portent les mains ; les couleurs restent celles de RULA</translation>
+    </message>
+    <message>
         <source>The load is lifted or lowered</source>
         <translation>La charge est levée ou baissée</translation>
     </message>
@@ -4791,6 +4907,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The mannequin cannot be drawn so</source>
         <translation>Le mannequin ne peut pas être dessiné ainsi</translation>
+    </message>
+    <message>
+        <source>The markers cannot be shown</source>
+        <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
     <message>
         <source>The material's, from hapticell.toml; the server lowers it to what the device bears</source>
@@ -5149,6 +5269,10 @@ Licence Apache 2.0</translation>
         <translation>Retourner</translation>
     </message>
     <message>
+        <source>Turned</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
         <source>Turns about</source>
         <translation>Tourne autour de</translation>
     </message>
@@ -5287,6 +5411,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Way</source>
         <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>Way of the lift</source>
+        <translation>Course du levage</translation>
     </message>
     <message>
         <source>Way there</source>
@@ -5523,6 +5651,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>along %1</source>
         <translation>le long de %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
     </message>
     <message>
         <source>another clicked</source>
@@ -5789,8 +5921,16 @@ Licence Apache 2.0</translation>
         <translation>pas de distance</translation>
     </message>
     <message>
+        <source>no load is acceptable</source>
+        <translation>aucune charge n'est acceptable</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>aucun</translation>
+    </message>
+    <message>
+        <source>none in the task</source>
+        <translation>aucun dans la tâche</translation>
     </message>
     <message>
         <source>none near</source>
@@ -6003,6 +6143,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>°</source>
         <translation>°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
     </message>
     <message>
         <source>–</source>

@@ -133,6 +133,34 @@ void SceneModel::setExtras(const std::string& owner, std::vector<RenderItem> ext
   ++revision_;
 }
 
+void SceneModel::setSkin(workcell::EntityId entity, Skin skin) {
+  for (RenderItem& part : skin.parts) {
+    part.bounds_M = part.mesh->bounds();
+    part.color = quietened(part.color);
+    part.entity = entity;
+  }
+  skins_[entity] = std::move(skin);
+  ++revision_;
+}
+
+void SceneModel::showSkinAlone(workcell::EntityId entity) {
+  const auto found = skins_.find(entity);
+  if (found == skins_.end() || found->second.alone) return;
+  found->second.alone = true;
+  ++revision_;
+}
+
+const SceneModel::Skin* SceneModel::skinOf(const workcell::Entity& entity) const {
+  const auto found = skins_.find(entity.id);
+  if (found == skins_.end() || found->second.robot != entity.robot) return nullptr;
+  if (looks_.contains(entity.id) || playedOf(entity.id)) return nullptr;
+  if (snapshot_ && snapshot_->held == entity.id) return nullptr;
+  const std::vector<double> now = joints(entity);
+  const auto same = [](double a, double b) { return std::abs(a - b) < kSeen; };
+  const bool fits = std::equal(now.begin(), now.end(), found->second.joints.begin(), found->second.joints.end(), same);
+  return fits ? &found->second : nullptr;
+}
+
 void SceneModel::setPlayed(std::vector<GhostPose> played) {
   if (played == played_) return;
   played_ = std::move(played);
@@ -219,7 +247,12 @@ void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, 
 
 void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
   const std::size_t first = items.size();
-  appendShapes(entity, placement_W(entity), joints(entity), items);
+  const Skin* skin = skinOf(entity);
+  if (!skin || !skin->alone) appendShapes(entity, placement_W(entity), joints(entity), items);
+  for (std::size_t i = 0; skin && i < skin->parts.size(); ++i) {
+    items.push_back(skin->parts[i]);
+    items.back().X_WM = placement_W(entity);
+  }
   for (std::size_t i = first; i < items.size(); ++i) {
     const int link = items[i].link;
     const auto looks = looks_.find(entity.id);

@@ -43,6 +43,17 @@ class SceneModel {
   /// Shapes beside the document's, kept by `owner` until it gives others (none: takes them away): zones, volumes,
   /// bodies of other sizes. They are not picked; their meshes' bounds are found here.
   void setExtras(const std::string& owner, std::vector<RenderItem> extras);
+  /// One smooth skin in place of a jointed entity's links, as long as its joints are those: parts in the entity's
+  /// frame, each of a colour. Not while it is held, played or in looks of its own. Until `alone` the links are drawn
+  /// too, so that nothing flickers while the skin is made ready.
+  struct Skin {
+    std::shared_ptr<const kinematics::RobotModel> robot;  ///< Whose skin it is: another size needs another.
+    std::vector<double> joints;
+    std::vector<RenderItem> parts;  ///< Mesh and colour.
+    bool alone = false;
+  };
+  void setSkin(workcell::EntityId entity, Skin skin);
+  void showSkinAlone(workcell::EntityId entity);
   /// Entities that are shown elsewhere than they stand: a motion that is played. Empty ends it.
   void setPlayed(std::vector<GhostPose> played);
 
@@ -77,6 +88,8 @@ class SceneModel {
   std::uint32_t setColorOf(const manipulation::PairState& pair) const;
   geometry::Bounds boundsOf_M(const std::shared_ptr<const geometry::TriangleMesh>& mesh) const;
   void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
+  /// The skin that is to be drawn now; null: the links.
+  const Skin* skinOf(const workcell::Entity& entity) const;
   /// Shapes where they stand for this placement and these joints, without marks.
   void appendShapes(const workcell::Entity& entity, const Pose& X_WE, std::vector<double> joints,
                     std::vector<RenderItem>& items) const;
@@ -90,6 +103,7 @@ class SceneModel {
   std::vector<GhostPose> played_;
   std::map<workcell::EntityId, std::map<int, LinkLook>> looks_;
   std::map<std::string, std::vector<RenderItem>> extras_;
+  std::map<workcell::EntityId, Skin> skins_;
   StylusMesh stylus_;
   std::map<std::shared_ptr<const geometry::TriangleMesh>, geometry::Bounds>
       mesh_bounds_;  // Millions of vertices: once.

@@ -48,6 +48,9 @@ TEST(ErgonomicsDock, ScoresFollowThePosture) {
   EXPECT_EQ(page.rows().size(), 4u) << "OWAS";
   page.segment("segmentsMethod", 3);
   EXPECT_EQ(page.rows().size(), 10u) << "EN 1005-4 and ISO 11226";
+  page.segment("segmentsMethod", 4);
+  EXPECT_EQ(page.rows().size(), 7u) << "no lift and no loads in the task: moments of the body itself";
+  EXPECT_TRUE(page.rows().back().reason.endsWith("N m"));
 }
 
 TEST(ErgonomicsDock, TheBetterPostureIsTakenAsOneStep) {

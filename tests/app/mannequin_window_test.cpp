@@ -8,10 +8,12 @@
 #include "app/host/hold_choice.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/mannequin_panel.h"
+#include "app/mannequin/marker_panel.h"
 #include "app/panels/joint_row.h"
 #include "app/style/icon.h"
 #include "geometry/shapes.h"
 #include "tests/app/mannequin_page.h"
+#include "tests/support/test_data.h"
 
 namespace hapticell::app {
 namespace {
@@ -198,6 +200,33 @@ TEST(MannequinGizmo, EndsWhereTheMouseLetGoHoweverLittleOfTheWayWasHeard) {
     EXPECT_LT(glm::length(hand.grip() - start - dvec3(0.0, 0.0, 0.12)), 0.005) << moves;
     page.trigger("actionUndo");
   }
+}
+
+TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
+  MannequinPage page;
+  ASSERT_TRUE(page.addMannequin());
+  const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
+  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, MannequinPage::kPatience))
+      << "trousers, shirt, skin, shoes and hands: " << drawn();
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
+  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, MannequinPage::kPatience)) << "and again in the next posture";
+}
+
+TEST(Markers, AreShownMomentByMoment) {
+  HAPTICELL_SHARED_DATA_OR_SKIP(file, "mocap/cmu_02_05.c3d");
+  MannequinPage page;
+  page.bringDock("actionMarkers");
+  auto* panel = page.window().findChild<MarkerPanel*>();
+  ASSERT_NE(panel, nullptr);
+  panel->open(QString::fromStdString(file.string()));
+  const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
+  ASSERT_TRUE(page.until([&] { return drawn() > 0; }, MannequinPage::kPatience));
+  EXPECT_TRUE(page.words("labelMarkers").contains("41 markers, 15.4")) << page.words("labelMarkers").toStdString();
+  const auto where = page.window().viewport().scene().items({}).front().X_WM.p;
+  panel->setFrame(900);
+  EXPECT_GT(glm::length(page.window().viewport().scene().items({}).front().X_WM.p - where), 0.01);
+  page.window().findChild<QDockWidget*>("dockMarkers")->hide();
+  EXPECT_EQ(drawn(), 0u);
 }
 
 TEST(MannequinTree, HasItsOwnIcon) {

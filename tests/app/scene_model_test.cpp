@@ -84,6 +84,40 @@ TEST(SceneModel, MarksAreOnWhatIsTouchedAndWhatIsHeld) {
   EXPECT_EQ(items[2].state, kNearMiss);
 }
 
+TEST(SceneModel, ASkinStandsForTheLinksAsLongAsTheJointsAreItsOwn) {
+  SceneModel scene;
+  const workcell::Entity robot = turntable(2);
+  scene.setEntities({robot});
+  RenderItem part;
+  part.mesh = box();
+  scene.setSkin(2, {robot.robot, {0.0}, {part, part}, false});
+  EXPECT_EQ(scene.items({}).size(), 3u) << "the links too, until it is ready";
+  scene.showSkinAlone(2);
+  ASSERT_EQ(scene.items({}).size(), 2u);
+  EXPECT_EQ(scene.items({})[0].entity, 2u);
+  scene.setLinkLooks(2, {{1, LinkLook{}}});
+  EXPECT_EQ(scene.items({}).size(), 1u) << "a link's own colour wants the link";
+  scene.setLinkLooks(2, {});
+  scene.setPlayed({{2, Pose::identity(), {0.0}}});
+  EXPECT_EQ(scene.items({}).size(), 1u);
+  scene.setPlayed({});
+  manipulation::SceneSnapshot snapshot;
+  snapshot.entities.push_back({2, Pose::translation({0, 0, 1}), {0.0}, false, false});
+  scene.setSnapshot(snapshot);
+  ASSERT_EQ(scene.items({}).size(), 2u);
+  EXPECT_EQ(scene.items({})[1].X_WM.p, dvec3(0, 0, 1)) << "it goes along";
+  snapshot.entities[0].joints = {0.3};
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(scene.items({}).size(), 1u);
+  snapshot.entities[0].joints = {0.0};
+  snapshot.held = 2;
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(scene.items({}).size(), 1u);
+  scene.setSnapshot(std::nullopt);
+  scene.setEntities({turntable(2)});
+  EXPECT_EQ(scene.items({}).size(), 1u) << "of another size";
+}
+
 TEST(SceneModel, RevisionTellsWhetherAPictureWouldDiffer) {
   SceneModel scene;
   scene.setEntities({solid(1)});

@@ -102,7 +102,10 @@ def test_fewer_triangles_say_how_far_they_are_off(case):
     assert made["triangles"] < 300 and 0 < made["deviation"] <= 0.001, made
     hull = case.run("convert", "rod.stl", "--hull", "-o", "hull.stl")
     assert hull["deviation"] < 1e-6, hull
-    case.run("convert", "rod.stl", "--simplify", "0", "-o", "none.stl", expect=2)
+    for none in ("0", "nan", "inf", "-1", "1e-3x"):
+        case.run("convert", "rod.stl", "--simplify", none, "-o", "none.stl", expect=2)
+        for option in ("--chord", "--angle"):
+            case.run("convert", "rod.stl", option, none, "-o", "none.stl", expect=2)
     case.run("convert", "rod.stl", "--simplify", "0.001", "--hull", "-o", "none.stl", expect=2)
     assert not (case.folder / "none.stl").exists()
 

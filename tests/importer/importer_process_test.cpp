@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <thread>
 
 #include "tests/support/test_data.h"
@@ -86,6 +87,22 @@ TEST_F(FakeImporter, rubbishInPlaceOfASceneIsRefused) {
   EXPECT_THAT(scene.error().message(), HasSubstr("not a scene"));
   EXPECT_FALSE(read("echo done >&4"));
   EXPECT_FALSE(read("head -c 300000 /dev/zero | tr '\\0' x >&4"));
+}
+
+TEST_F(FakeImporter, choicesThatAreNoNumbersAreRefusedBeforeItIsStarted) {
+  const fs::path file = folder_.write("part.step", "ISO-10303-21;");
+  const double bad = std::numeric_limits<double>::quiet_NaN();
+  ImportOptions chord, angle, relative, unit;
+  chord.tessellation.chord = bad;
+  angle.tessellation.angle = 0.0;
+  relative.relative_chord = bad;
+  unit.metres_per_unit = -1.0;
+  for (const ImportOptions& options : {chord, angle, relative, unit}) {
+    const auto scene = readScene(file, options, nullptr);
+    ASSERT_FALSE(scene);
+    EXPECT_THAT(scene.error().message(), HasSubstr("part.step"));
+    EXPECT_FALSE(scene.error().place.empty());
+  }
 }
 
 TEST_F(FakeImporter, aMissingProgramIsTold) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mannequin/body_shape.h"
+#include "mannequin/body_skin.h"
 
 #include <gtest/gtest.h>
 
@@ -63,6 +63,50 @@ TEST(Body, TheSkinIsOnePieceInEveryPostureAndAsTallAsTheFigure) {
       EXPECT_LT(density, 1250.0);
     }
   }
+}
+
+double areaOf(const geometry::TriangleMesh& mesh) {
+  double area = 0.0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    area += 0.5 * glm::length(glm::cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0)));
+  return area;
+}
+
+TEST(Body, TheSkinIsCutIntoItsColoursWithoutAGap) {
+  const Figure figure = *makeFigure({Sex::kMale, 1.75});
+  const Posture posture = *libraryPosture(figure, "squatting");
+  const Skin whole = skinOf(figure, posture, 0.02);
+  const auto parts = skinParts(figure, posture, 0.02, true);
+  EXPECT_EQ(parts.size(), 4u) << "trousers, shirt, skin, shoes";
+  double area = 0.0;
+  geometry::TriangleMesh sewn;
+  for (const SkinPart& part : parts) {
+    area += areaOf(part.mesh);
+    geometry::append(sewn, part.mesh, Pose::identity());
+  }
+  EXPECT_NEAR(area, areaOf(whole.mesh), 1e-9);
+  geometry::weld(sewn, 1e-9);
+  EXPECT_TRUE(geometry::isClosed(sewn));
+  double less = 0.0;
+  for (const SkinPart& part : skinParts(figure, posture, 0.02, false)) less += areaOf(part.mesh);
+  EXPECT_LT(less, area - 0.02) << "two hands, coarse as they are";
+}
+
+TEST(Body, AStraightLegDoesNotSwellAtTheKnee) {
+  const Figure figure = *makeFigure({Sex::kMale, 1.755});
+  const Posture posture = *libraryPosture(figure, "zero");
+  const Skin skin = skinOf(figure, posture, 0.012);
+  const double knee = forwardKinematics(figure, posture)[Segment::kLeftShank].p_WS.z;
+  const auto width = [&](double z) {
+    double low = 1e9, high = -1e9;
+    for (const dvec3& v : skin.mesh.vertices) {
+      if (std::abs(v.z - z) > 0.008 || v.y < 0.0) continue;
+      low = std::min(low, v.x);
+      high = std::max(high, v.x);
+    }
+    return high - low;
+  };
+  EXPECT_LT(width(knee), width(knee + 0.06) + 0.004);
 }
 
 TEST(FigureModel, StandsAsTheFigureDoes) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <random>
 
+#include "bench/mannequin_recorded.h"
 #include "mannequin/forward_kinematics.h"
 #include "mannequin/limb_inverse.h"
 #include "mannequin/motion_clip.h"
@@ -254,6 +255,20 @@ TEST(Swivel, ElbowsAreWhereRecordedPeopleHoldThem) {
     RecordProperty(std::string(name) + " swivel deg", std::to_string(error.mean_deg));
     std::printf("%s: swivel %.1f deg, elbow %.0f mm, %d samples\n", name, error.mean_deg, error.elbow_mm,
                 error.samples);
+  }
+}
+
+TEST(Recorded, PosturesOfWhichOnlyHandsAndFeetAreToldComeNearTheRealOnes) {
+  struct Asked {
+    const char* file;
+    double swivel_deg, trunk_deg;
+  };
+  for (const Asked& asked : {Asked{"mocap/02_01.bvh", 10.0, 5.0}, Asked{"mocap/02_06.bvh", 20.0, 15.0}}) {
+    HAPTICELL_SHARED_DATA_OR_SKIP(file, asked.file);
+    const auto error = bench::replayHandsAndFeet(*makeFigure({Sex::kMale, 1.755}), *readMotionFile(file));
+    EXPECT_LT(error.swivel_deg, asked.swivel_deg) << asked.file;
+    EXPECT_LT(error.trunk_deg, asked.trunk_deg) << asked.file;
+    EXPECT_LT(error.worst_hand_mm, 1.5) << asked.file;
   }
 }
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ergonomics/load_rows.h"
+
+#include <array>
+#include <utility>
+
+#include "app/ergonomics/live_scores.h"
+#include "mannequin/ergonomics/hand_force.h"
+
+namespace hapticell::app {
+namespace {
+
+using Row = SubScoreTable::Row;
+
+QString newtons(double force) {
+  return SubScoreTable::tr("%1 N").arg(force, 0, 'f', 0);
+}
+
+/// Bands of the lifting index as the manual's own bounds 1 and 3 have them.
+int bandOfIndex(double index) {
+  return index <= 1.0 ? 0 : index <= 2.0 ? 1 : index <= 3.0 ? 2 : 3;
+}
+
+void addLift(const ergonomics::LiftingResult& lift, std::vector<Row>& rows) {
+  const std::array<std::pair<QString, double>, 6> multipliers{{{SubScoreTable::tr("Hands away"), lift.hm},
+                                                               {SubScoreTable::tr("Height"), lift.vm},
+                                                               {SubScoreTable::tr("Way of the lift"), lift.dm},
+                                                               {SubScoreTable::tr("Turned"), lift.am},
+                                                               {SubScoreTable::tr("Frequency"), lift.fm},
+                                                               {SubScoreTable::tr("Coupling"), lift.cm}}};
+  for (const auto& [name, value] : multipliers)
+    rows.push_back({name,
+                    {},
+                    SubScoreTable::tr("× %1").arg(value, 0, 'f', 2),
+                    value >= 0.9   ? 0
+                    : value >= 0.7 ? 1
+                                   : 2});
+  rows.push_back({SubScoreTable::tr("Limit"),
+                  {},
+                  SubScoreTable::tr("%1 kg").arg(lift.recommended_weight_limit_kg, 0, 'f', 1),
+                  -1});
+  if (lift.lifting_index)
+    rows.push_back({SubScoreTable::tr("Lifting index"),
+                    {},
+                    QString::number(*lift.lifting_index, 'f', 2),
+                    bandOfIndex(*lift.lifting_index)});
+  else
+    rows.push_back({SubScoreTable::tr("Lifting index"), {}, SubScoreTable::tr("no load is acceptable"), 3});
+}
+
+void addForces(const ergonomics::HandForces& forces, std::vector<Row>& rows) {
+  for (const ergonomics::ForceLimit& limit : forces.limits) {
+    const QString method = QString::fromLatin1(limit.method.data(), static_cast<qsizetype>(limit.method.size()));
+    const QString name = limit.hand == 0   ? SubScoreTable::tr("%1, left").arg(method)
+                         : limit.hand == 1 ? SubScoreTable::tr("%1, right").arg(method)
+                                           : method;
+    const QString reason = limit.limit_n
+                               ? SubScoreTable::tr("%1 of %2").arg(newtons(limit.force_n), newtons(*limit.limit_n))
+                               : SubScoreTable::tr("%1, heaviest class").arg(newtons(limit.force_n));
+    rows.push_back({name, {}, reason, limit.band});
+  }
+  const std::array<std::pair<QString, double>, 5> moments{{{SubScoreTable::tr("Left elbow"), forces.elbow_nm[0]},
+                                                           {SubScoreTable::tr("Right elbow"), forces.elbow_nm[1]},
+                                                           {SubScoreTable::tr("Left shoulder"), forces.shoulder_nm[0]},
+                                                           {SubScoreTable::tr("Right shoulder"), forces.shoulder_nm[1]},
+                                                           {SubScoreTable::tr("Low back"), forces.lumbar_nm}}};
+  for (const auto& [name, moment] : moments)
+    rows.push_back({name, {}, SubScoreTable::tr("%1 N m").arg(moment, 0, 'f', 1), -1});
+}
+
+}  // namespace
+
+std::vector<Row> loadRows(const LiveScores& scores) {
+  std::vector<Row> rows;
+  const auto pose = mannequin::forwardKinematics(*scores.figure(), scores.posture());
+  const auto lift = ergonomics::scoreLift(*scores.figure(), pose, scores.scores(), scores.task());
+  if (!scores.task().is_lift) {
+    rows.push_back({SubScoreTable::tr("Lift"), {}, SubScoreTable::tr("none in the task"), -1});
+  } else if (lift) {
+    addLift(*lift, rows);
+  } else {
+    rows.push_back({SubScoreTable::tr("Lift"), {}, shown(lift.error().message()), 3});
+  }
+  if (rows.size() % 2 == 1) rows.push_back({});
+  addForces(ergonomics::handForces(*scores.figure(), pose, scores.task()), rows);
+  return rows;
+}
+
+}  // namespace hapticell::app

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mannequin/figure_skins.h"
+
+#include <memory>
+
+#include "app/host/host.h"
+#include "app/mannequin/beside.h"
+#include "app/viewport/viewport_widget.h"
+#include "kinematics/robot_model.h"
+#include "mannequin/body_skin.h"
+#include "mannequin/figure_model.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kRestMilliseconds = 500;    // Then it is dressed.
+constexpr int kShownMilliseconds = 1000;  // That its meshes may take to the graphics card.
+constexpr double kCell = 0.010;           // m
+
+bool isHand(std::size_t body) {
+  using mannequin::Segment;
+  return body >= mannequin::kSegmentCount || body == mannequin::indexOf(Segment::kLeftHand) ||
+         body == mannequin::indexOf(Segment::kRightHand);
+}
+
+}  // namespace
+
+SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<double>& joints) {
+  SceneModel::Skin skin;
+  skin.robot = entity.robot;
+  skin.joints = joints;
+  const mannequin::Posture posture = mannequin::toPosture(*entity.figure, {Pose::identity(), joints});
+  for (mannequin::SkinPart& part : mannequin::skinParts(*entity.figure, posture, kCell, false)) {
+    RenderItem item;
+    item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
+    item.color = part.color;
+    skin.parts.push_back(std::move(item));
+  }
+  geometry::TriangleMesh hands;
+  std::array<float, 3> color{};
+  std::vector<Pose> X_EL;
+  kinematics::forwardKinematics(*entity.robot, joints, X_EL);
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+    const int body = mannequin::bodyOfLink(*entity.robot, static_cast<int>(i));
+    if (body < 0 || !isHand(static_cast<std::size_t>(body))) continue;
+    for (const auto& shape : entity.robot->links[i].visuals) {
+      geometry::append(hands, *shape.mesh, X_EL[i] * shape.X_LS);
+      color = {shape.color[0], shape.color[1], shape.color[2]};
+    }
+  }
+  RenderItem item;
+  item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(hands));
+  item.color = color;
+  skin.parts.push_back(std::move(item));
+  return skin;
+}
+
+FigureSkins::FigureSkins(Host& host, QObject* parent) : QObject(parent), host_(host) {}
+
+void FigureSkins::look() {
+  SceneModel& scene = host_.viewport().scene();
+  for (const workcell::Entity& entity : scene.entities()) {
+    if (!entity.figure || !entity.robot) continue;
+    Dressed& dressed = dressed_[entity.id];
+    std::vector<double> joints = scene.joints(entity);
+    joints.resize(entity.robot->dof(), 0.0);
+    if (joints != dressed.joints || entity.figure.get() != dressed.figure) {
+      dressed.joints = std::move(joints);
+      dressed.figure = entity.figure.get();
+      dressed.state = Dressed::State::kMoves;
+      dressed.since.start();
+    } else if (dressed.state == Dressed::State::kMoves && dressed.since.elapsed() > kRestMilliseconds) {
+      ask(entity, dressed);
+    } else if (dressed.state == Dressed::State::kReady && dressed.since.elapsed() > kShownMilliseconds) {
+      dressed.state = Dressed::State::kAlone;
+      scene.showSkinAlone(entity.id);
+      host_.viewport().refresh();
+    }
+  }
+}
+
+void FigureSkins::ask(const workcell::Entity& entity, Dressed& dressed) {
+  if (asking_) return;
+  asking_ = true;
+  dressed.state = Dressed::State::kAsked;
+  runBeside(
+      this, [copy = entity, joints = dressed.joints] { return makeSkin(copy, joints); },
+      [this, id = entity.id, figure = dressed.figure](SceneModel::Skin skin) {
+        asking_ = false;
+        const auto found = dressed_.find(id);
+        if (found == dressed_.end() || found->second.joints != skin.joints || found->second.figure != figure) return;
+        found->second.state = Dressed::State::kReady;
+        found->second.since.start();
+        host_.viewport().scene().setSkin(id, std::move(skin));
+        host_.viewport().refresh();
+      });
+}
+
+}  // namespace hapticell::app

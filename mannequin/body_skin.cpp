@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mannequin/body_skin.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mannequin/rotations.h"
+#include "mannequin/surface_nets.h"
+
+namespace hapticell::mannequin {
+
+namespace {
+
+using S = Segment;
+
+/// All bodies placed, each with a sphere about it.
+struct PlacedBody {
+  SegmentPlace place;
+  dvec3 centre{0.0};
+  double radius = 0.0;
+};
+
+std::vector<PlacedBody> placeBodies(const Figure& figure, const Posture& posture, const std::vector<Flesh>& flesh) {
+  const FigurePose pose = forwardKinematics(figure, posture);
+  std::vector<PlacedBody> bodies(kBodies);
+  for (std::size_t i = 0; i < kSegmentCount; ++i) bodies[i].place = pose.segments[i];
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const auto places = phalanxPlaces(figure, posture, side, pose[armSegment(side, S::kLeftHand)]);
+    for (std::size_t d = 0; d < kDigits; ++d) {
+      for (std::size_t k = 0; k < kPhalanges; ++k) bodies[phalanxBody(side, d, k)].place = places[d][k];
+    }
+  }
+  for (std::size_t i = 0; i < kBodies; ++i) {
+    const geometry::Bounds bounds = flesh[i].bounds();
+    bodies[i].centre = bodies[i].place.point(bounds.center());
+    bodies[i].radius = bounds.radius();
+  }
+  return bodies;
+}
+
+/// The figure's skin as a field: bodies blend with the one that carries them.
+class SkinField {
+ public:
+  SkinField(const std::vector<Flesh>& flesh, const std::vector<PlacedBody>& bodies) : flesh_(flesh), bodies_(bodies) {}
+
+  /// Bodies that matter within `radius` of a point.
+  void choose(const dvec3& centre, double radius) {
+    chosen_.clear();
+    double nearest = 1e9;
+    for (const PlacedBody& body : bodies_) nearest = std::min(nearest, glm::length(centre - body.centre) + body.radius);
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      const double gap = glm::length(centre - bodies_[i].centre) - bodies_[i].radius;
+      if (gap < radius + 0.10 || gap < 0.0) chosen_.push_back(i);
+    }
+    fallback_ = chosen_.empty() ? nearest : 0.0;
+  }
+
+  double value(const dvec3& p) {
+    if (chosen_.empty()) return fallback_;
+    double result = measure(p);
+    for (const std::size_t i : chosen_) {
+      const std::size_t parent = parentBody(i);
+      if (i == 0 || distances_[parent] > 1e8) continue;
+      const double k = 0.8 * std::min(flesh_[i].blend, flesh_[parent].blend) * share(outward_[i], outward_[parent]);
+      if (k > kLeastBlend) result = std::min(result, blended(distances_[i], distances_[parent], k));
+    }
+    return result;
+  }
+
+  /// Distances of all bodies to a point (1e9: not chosen) in distancesAt(); the least of them.
+  double measure(const dvec3& p) {
+    distances_.fill(1e9);
+    double least = 1e9;
+    for (const std::size_t i : chosen_) {
+      const SegmentPlace& place = bodies_[i].place;
+      distances_[i] = flesh_[i].distance(glm::transpose(place.R_WS) * (p - place.p_WS), outward_[i]);
+      outward_[i] = place.R_WS * outward_[i];
+      least = std::min(least, distances_[i]);
+    }
+    return least;
+  }
+  const std::array<double, kBodies>& distances() const { return distances_; }
+
+ private:
+  static constexpr double kLeastBlend = 1e-4;  // m
+
+  /// How much two bodies flow together where they face these ways: not at all where they face alike, or a straight limb
+  /// would swell at its joints (after O. Gourmel et al., "A gradient-based implicit blend", 2013).
+  static double share(const dvec3& a, const dvec3& b) {
+    const double alike = std::max(0.0, glm::dot(a, b));
+    return 1.0 - alike * alike;
+  }
+
+  const std::vector<Flesh>& flesh_;
+  const std::vector<PlacedBody>& bodies_;
+  std::array<double, kBodies> distances_{};
+  std::array<dvec3, kBodies> outward_{};
+  std::vector<std::size_t> chosen_;
+  double fallback_ = 0.0;
+};
+
+/// A figure placed in a posture, as a field and what it is made of.
+class PlacedSkin {
+ public:
+  PlacedSkin(const Figure& figure, const Posture& posture)
+      : flesh_(fleshOf(figure)), bodies_(placeBodies(figure, posture, flesh_)), field_(flesh_, bodies_) {}
+
+  geometry::TriangleMesh surface(double cell) {
+    GridField grid{{}, cell, {}};
+    for (std::size_t i = 0; i < kBodies; ++i)
+      grid.bounds.add(geometry::transformed(bodies_[i].place.pose(), flesh_[i].bounds()));
+    grid.evaluate = [this](const dvec3& centre, double radius, const std::vector<dvec3>& points,
+                           std::vector<double>& values) {
+      field_.choose(centre, points.size() == 1 ? 2.0 * radius : radius);
+      values.resize(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i) values[i] = field_.value(points[i]);
+    };
+    geometry::TriangleMesh mesh = surfaceOf(grid);
+    for (dvec3& vertex : mesh.vertices) settle(vertex, cell);
+    return mesh;
+  }
+
+  /// Distances of all bodies to a point on the surface.
+  const std::array<double, kBodies>& distancesAt(const dvec3& p, double cell) {
+    field_.choose(p, cell);
+    field_.measure(p);
+    return field_.distances();
+  }
+
+  const std::vector<Flesh>& flesh() const { return flesh_; }
+
+ private:
+  /// From the middle of its cell's crossings onto the surface itself, or facets would show: one Newton step.
+  void settle(dvec3& p, double cell) {
+    field_.choose(p, cell);
+    const double value = field_.value(p), h = 0.1 * cell;
+    dvec3 slope(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      dvec3 step(0.0);
+      step[axis] = h;
+      slope[axis] = (field_.value(p + step) - field_.value(p - step)) / (2.0 * h);
+    }
+    const double square = glm::dot(slope, slope);
+    if (square > 0.04) p -= std::clamp(value, -0.5 * cell, 0.5 * cell) / square * slope;
+  }
+
+  std::vector<Flesh> flesh_;
+  std::vector<PlacedBody> bodies_;
+  SkinField field_;
+};
+
+bool isOfHand(std::size_t body) {
+  return body >= kSegmentCount || body == indexOf(S::kLeftHand) || body == indexOf(S::kRightHand);
+}
+
+/// Which colour each body has, hands apart where they are left out; the colours in the order of their first body.
+struct Wardrobe {
+  Wardrobe(const std::vector<Flesh>& flesh, bool hands) {
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      if (!hands && isOfHand(i)) {
+        group[i] = kLeftOut;
+        continue;
+      }
+      const auto known = std::find(colors.begin(), colors.end(), flesh[i].color);
+      group[i] = static_cast<std::size_t>(known - colors.begin());
+      if (known == colors.end()) colors.push_back(flesh[i].color);
+    }
+  }
+  static constexpr std::size_t kMost = 8, kLeftOut = kMost - 1;
+  std::vector<std::array<float, 3>> colors;
+  std::array<std::size_t, kBodies> group{};
+};
+
+/// How far a vertex is from each colour's bodies.
+using GroupDistances = std::array<double, Wardrobe::kMost>;
+
+std::size_t nearestOf(const GroupDistances& distances) {
+  return static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
+}
+
+/// Cuts a mesh into its colours where two of them are equally near.
+class Cutter {
+ public:
+  Cutter(const geometry::TriangleMesh& mesh, const std::vector<GroupDistances>& distances)
+      : mesh_(mesh), distances_(distances), parts_(Wardrobe::kMost) {}
+
+  std::vector<geometry::TriangleMesh> cut() {
+    for (const geometry::Triangle& triangle : mesh_.triangles) add(triangle);
+    return std::move(parts_);
+  }
+
+ private:
+  /// A corner of the mesh (`b` as `a`), or the place between two where both colours are equally near.
+  using Key = std::pair<std::uint32_t, std::uint32_t>;
+  using Corners = std::array<Key, 3>;
+  static Key at(std::uint32_t vertex) { return {vertex, vertex}; }
+
+  void add(const geometry::Triangle& t) {
+    std::array<std::size_t, 3> own{};
+    for (std::size_t i = 0; i < 3; ++i) own[i] = nearestOf(distances_[t[i]]);
+    if (own[0] == own[1] && own[1] == own[2]) return take(own[0], Corners{at(t[0]), at(t[1]), at(t[2])});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      if (own[j] != own[k] || own[i] == own[j]) continue;  // i stands alone.
+      const Key ij = between(t[i], t[j]), ik = between(t[i], t[k]);
+      take(own[i], Corners{at(t[i]), ij, ik});
+      take(own[j], Corners{ij, at(t[j]), at(t[k])});
+      take(own[j], Corners{ij, at(t[k]), ik});
+      return;
+    }
+    centres_.push_back((mesh_.vertices[t[0]] + mesh_.vertices[t[1]] + mesh_.vertices[t[2]]) / 3.0);
+    const Key centre = at(static_cast<std::uint32_t>(mesh_.vertices.size() + centres_.size() - 1));
+    for (std::size_t i = 0; i < 3; ++i) {  // Three colours meet: each corner keeps what is about it.
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      take(own[i], Corners{at(t[i]), between(t[i], t[j]), centre});
+      take(own[i], Corners{at(t[i]), centre, between(t[i], t[k])});
+    }
+  }
+
+  static Key between(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+  void take(std::size_t group, const Corners& corners) {
+    geometry::TriangleMesh& part = parts_[group];
+    geometry::Triangle triangle{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [known, is_new] =
+          known_[group].try_emplace(corners[i], static_cast<std::uint32_t>(part.vertices.size()));
+      if (is_new) part.vertices.push_back(placeOf(corners[i]));
+      triangle[i] = known->second;
+    }
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+      part.triangles.push_back(triangle);
+  }
+
+  dvec3 placeOf(const Key& corner) const {
+    const auto [a, b] = corner;
+    if (a >= mesh_.vertices.size()) return centres_[a - mesh_.vertices.size()];
+    if (a == b) return mesh_.vertices[a];
+    const std::size_t of_a = nearestOf(distances_[a]), of_b = nearestOf(distances_[b]);
+    const double at_a = distances_[a][of_a] - distances_[a][of_b], at_b = distances_[b][of_a] - distances_[b][of_b];
+    const double t = at_b - at_a > 1e-12 ? std::clamp(-at_a / (at_b - at_a), 0.02, 0.98) : 0.5;
+    return mesh_.vertices[a] + t * (mesh_.vertices[b] - mesh_.vertices[a]);
+  }
+
+  const geometry::TriangleMesh& mesh_;
+  const std::vector<GroupDistances>& distances_;
+  std::vector<geometry::TriangleMesh> parts_;
+  std::vector<dvec3> centres_;  ///< Of triangles in which three colours meet.
+  std::array<std::map<Key, std::uint32_t>, Wardrobe::kMost> known_;
+};
+
+}  // namespace
+
+Skin skinOf(const Figure& figure, const Posture& posture, double cell) {
+  PlacedSkin placed(figure, posture);
+  Skin result;
+  result.mesh = placed.surface(cell);
+  for (const dvec3& vertex : result.mesh.vertices) {
+    const auto& distances = placed.distancesAt(vertex, cell);
+    const auto nearest = std::min_element(distances.begin(), distances.end()) - distances.begin();
+    result.body_of_vertex.push_back(static_cast<std::uint8_t>(nearest));
+  }
+  return result;
+}
+
+std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, bool hands) {
+  PlacedSkin placed(figure, posture);
+  const geometry::TriangleMesh whole = placed.surface(cell);
+  const Wardrobe wardrobe(placed.flesh(), hands);
+  std::vector<GroupDistances> distances(whole.vertices.size());
+  for (std::size_t v = 0; v < whole.vertices.size(); ++v) {
+    distances[v].fill(1e9);
+    const auto& of_bodies = placed.distancesAt(whole.vertices[v], cell);
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      double& least = distances[v][wardrobe.group[i]];
+      least = std::min(least, of_bodies[i]);
+    }
+  }
+  std::vector<geometry::TriangleMesh> cut = Cutter(whole, distances).cut();
+  std::vector<SkinPart> parts;
+  for (std::size_t g = 0; g < wardrobe.colors.size(); ++g)
+    if (!cut[g].triangles.empty()) parts.push_back({wardrobe.colors[g], std::move(cut[g])});
+  return parts;
+}
+
+}  // namespace hapticell::mannequin

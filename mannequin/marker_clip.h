@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/vector.h"
+
+namespace hapticell::mannequin {
+
+/// Recorded places of markers on a body or a part: metres, z up.
+struct MarkerClip {
+  std::vector<std::string> names;            ///< One a marker, as the file has them; "marker 7" where it has none.
+  std::vector<std::optional<dvec3>> places;  ///< Frame by frame; empty where the cameras did not see a marker.
+  double frame_time = 1.0 / 120.0;           ///< s
+  double metres_per_unit = 1e-3;             ///< Of the file.
+  std::vector<std::string> warnings;         ///< What was assumed, a sentence each.
+
+  std::size_t frames() const { return names.empty() ? 0 : places.size() / names.size(); }
+  double seconds() const { return static_cast<double>(frames()) * frame_time; }
+  const std::optional<dvec3>& at(std::size_t frame, std::size_t marker) const {
+    return places[frame * names.size() + marker];
+  }
+  /// Share of the frames in which the marker was seen, 0 to 1.
+  double seenShare(std::size_t marker) const;
+};
+
+/// Reads C3D (the C3D File Format user guide, c3d.org): numbers of Intel, DEC and MIPS processors, whole or real
+/// points; analog channels are passed over. The frame count is that of TRIAL or POINT:LONG_FRAMES where they are there,
+/// since the header's has 16 bits. Errors name the byte: what is cut, contradicts itself or has no points.
+Expected<MarkerClip> parseC3d(std::string_view bytes, const std::string& name);
+/// The same of a file of at most 1 GB.
+Expected<MarkerClip> readC3d(const std::filesystem::path& file);
+
+}  // namespace hapticell::mannequin
