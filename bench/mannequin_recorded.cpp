@@ -47,7 +47,7 @@ RecordedError replayHandsAndFeet(const Figure& figure, const MotionClip& clip) {
     const FigurePose real = forwardKinematics(figure, motion->postures[f]);
     PostureTask task;
     task.balance = false;
-    task.comfort_steps = 30;
+    task.comfort_steps = 60;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const auto i = static_cast<std::size_t>(side);
       task.hands[i] = handPose(real, side);

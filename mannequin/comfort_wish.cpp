@@ -12,7 +12,7 @@ namespace {
 using S = Segment;
 
 constexpr double kStandingShare = 0.97;    ///< Of the leg's length that the hip stands above the ankle.
-constexpr double kForwardOfAnkle = 0.065;  ///< m: where the centre of mass likes to be.
+constexpr double kForwardOfAnkle = 0.050;  ///< m: where the centre of mass likes to be.
 constexpr double kPitchShare = 0.8;        ///< Of the spine's flexion that the pelvis takes over.
 
 /// The turn w as a combination of the ball joint's axes (which are not orthogonal).

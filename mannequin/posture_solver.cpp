@@ -17,6 +17,7 @@ using S = Segment;
 constexpr double kGoodArms = 0.25;    ///< Cost of closed-form arms below which the present trunk is worth a try.
 constexpr double kNearMerit = 0.003;  ///< m^2: the start itself is nearly there.
 constexpr int kPolishSteps = 20;
+constexpr int kBriefSteps = 2;
 constexpr double kComfortSlack = 4e-4;       ///< m^2, 20 mm: what closed-form arms make good again.
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
 constexpr double kMostTickTurn = 1.8 * kDegree;
@@ -48,9 +49,19 @@ PostureResult resultOf(const BodySolver& solver, const Posture& start, const Fig
   return result;
 }
 
+/// After a solution, where it must be quick: a few steps that hardly leave it, then the hands exactly.
+void makeBriefly(const ResolvedTask& task, int steps, BodySolver& solver) {
+  const BodyState solved = solver.state();
+  for (int i = 0; i < steps; ++i) solver.step({0.4, 1e-5, 0.5});
+  solver.finishArms();
+  if (task.held) solver.bindHeld();
+  if (!solver.errors().solved()) solver.set(solved);
+}
+
 /// After a solution: steps towards comfort, the hands put back by their closed form after each; one after which the
 /// task is not met is taken back and the next is smaller.
 void makeComfortable(const ResolvedTask& task, int steps, BodySolver& solver) {
+  if (steps <= kBriefSteps) return makeBriefly(task, steps, solver);
   StepLimits limits{0.4, 1e-5, 1.0, kComfortSlack};
   for (int i = 0; i < steps && limits.comfort > 0.1; ++i) {
     const BodySolver before = solver;

@@ -30,7 +30,7 @@ struct PostureTask {
   double balance_margin = 0.020;  ///< m inside the soles' edge.
   std::array<HandLoad, 2> loads = {};  ///< Carried; they count in the balance.
   int comfort_steps = 2;  ///< Steps that solve() takes towards comfort once the task is met; a recording of which only
-                          ///< hands and feet are known wants some 10.
+                          ///< hands and feet are known wants some 60.
 };
 
 enum class PostureStatus {
