@@ -57,6 +57,7 @@ struct SceneSnapshot {
   bool connected = false;
   bool forces_on = false;
   bool device_fault = false;  ///< The device cannot be read or commanded; the force is zero.
+  bool loop_stalled = false;  ///< The haptic server heard of no contacts for 2 s: it lets the force fade.
   double force_ramp = 0.0;  ///< 0 .. 1.
   Pose X_WStylus;           ///< The stylus as drawn in the cell.
   Pose X_DS;                ///< The stylus in its own workspace.

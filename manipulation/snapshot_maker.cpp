@@ -139,6 +139,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
   if (state_) {
     snapshot.forces_on = state_->forces_on;
     snapshot.device_fault = state_->device_fault;
+    snapshot.loop_stalled = state_->client_stalled;
     snapshot.force_ramp = state_->force_ramp;
     snapshot.X_DS = state_->X_DS;
     snapshot.X_WStylus = mapping_.toCell(state_->X_DS);

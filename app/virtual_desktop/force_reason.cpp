@@ -28,6 +28,8 @@ ForceReason forceReason(const ForceFacts& facts) {
   }
   if (facts.device_fault)
     return {tr("Forces off"), tr("The device does not answer: check its cable and power"), Mend::kNone, {}};
+  if (facts.stalled)
+    return {tr("Forces off"), tr("The scene's loop stands still: forces return once it answers"), Mend::kNone, {}};
   if (facts.forceless) return {tr("No forces"), tr("This device moves things, but exerts no force"), Mend::kNone, {}};
   if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
   if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};

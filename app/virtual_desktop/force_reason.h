@@ -15,6 +15,7 @@ struct ForceFacts {
   bool connected = false;     ///< A haptic server answers.
   bool forceless = false;     ///< The device has no motors: a 3-D mouse.
   bool device_fault = false;  ///< The device itself does not answer.
+  bool stalled = false;       ///< The loop of the scene stands still: the server lets the force fade.
   bool wanted = false;        ///< The user has switched forces on.
   bool on = false;            ///< They act.
   double ramp = 0.0;          ///< 0 .. 1.

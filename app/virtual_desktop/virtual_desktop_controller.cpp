@@ -309,6 +309,10 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   facts.on = facts.connected && snapshot_.forces_on;
   facts.ramp = snapshot_.force_ramp;
   facts.device_fault = facts.connected && snapshot_.device_fault;
+  // A loop that hangs brings no snapshot that could say so.
+  constexpr qint64 kStalled = 2000;  // ms
+  facts.stalled = facts.connected && forces_wanted_ &&
+                  (snapshot_.loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
   facts.held = snapshot_.held != 0;
   if (const workcell::Entity* held = host_.documentModel().document().find(snapshot_.held)) {
     facts.checked = held->checked;
@@ -408,6 +412,7 @@ void VirtualDesktopController::tick() {
     // Off though nobody asked for it: the server's safety chain or the connection.
     if (snapshot_.forces_on && !fresh.forces_on && forces_wanted_) sound_.strike(SoundEvent::kFault);
     snapshot_ = std::move(fresh);
+    since_snapshot_.start();
     // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
     const dquat q_WD = axes_W();
     snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
@@ -420,10 +425,11 @@ void VirtualDesktopController::tick() {
                           (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
     else
       host_.setDeviceText(deviceLine());
-    if (!told_.isValid() || told_.elapsed() >= 100) {
-      told_.start();
-      emit snapshotChanged();
-    }
+  }
+  // Also without a snapshot: a loop that stands still is to be told of.
+  if (!told_.isValid() || told_.elapsed() >= 100) {
+    told_.start();
+    emit snapshotChanged();
   }
 }
 

@@ -106,7 +106,7 @@ class VirtualDesktopController : public QObject {
   manipulation::SceneSnapshot snapshot_;
   std::optional<haptic::DeviceDescription> device_;
   QTimer timer_;
-  QElapsedTimer clock_, connecting_, pressed_, told_;
+  QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
   FrameMeter ticks_;
   bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
 };

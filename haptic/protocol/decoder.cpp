@@ -154,6 +154,7 @@ Expected<void> read(const wire::State& from, HapticState& to) {
   to.force_ramp = from.force_ramp();
   to.motor_temperature = from.motor_temperature();
   to.device_fault = from.device_fault();
+  to.client_stalled = from.client_stalled();
   if (!isWellFormed(to))
     return refuse("State", "a number that is not finite or out of its range", "valid poses, finite numbers");
   return {};

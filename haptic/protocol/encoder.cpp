@@ -79,7 +79,7 @@ Offset<wire::State> write(FlatBufferBuilder& builder, const HapticState& state) 
   const wire::Vector3 torque = toWire(state.torque_D);
   return wire::CreateState(builder, state.tick, state.server_stamp_ns, &stylus, &proxy, &velocity, &force,
                            state.buttons, state.adopted_set, state.forces_on, state.force_ramp, state.motor_temperature,
-                           state.device_fault, &torque);
+                           state.device_fault, &torque, state.client_stalled);
 }
 
 Offset<wire::Statistics> write(FlatBufferBuilder& builder, const ServerStatistics& s) {

@@ -49,6 +49,8 @@ SafetyOptions sane(const SafetyOptions& wanted) {
   options.ramp_time = saneOr(wanted.ramp_time, defaults.ramp_time);
   options.silence_limit = saneOr(wanted.silence_limit, defaults.silence_limit);
   options.silence_decay = saneOr(wanted.silence_decay, defaults.silence_decay);
+  options.set_silence_limit = saneOr(wanted.set_silence_limit, defaults.set_silence_limit);
+  options.set_silence_decay = saneOr(wanted.set_silence_decay, defaults.set_silence_decay);
   options.close_decay = saneOr(wanted.close_decay, defaults.close_decay);
   if (!std::isfinite(wanted.ramp_damping) || wanted.ramp_damping < 0.0) options.ramp_damping = defaults.ramp_damping;
   return options;
@@ -129,8 +131,9 @@ SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
 void SafetyChain::stepFade(const SafetyInput& input, double dt) noexcept {
   // A silence that is no number is no sign of life.
   const bool silent = !(input.link_silence <= options_.silence_limit);
-  if (silent) {
-    fade_ = std::max(0.0, fade_ - dt / options_.silence_decay);
+  const bool stalled = !(input.set_silence <= options_.set_silence_limit);
+  if (silent || stalled) {
+    fade_ = std::max(0.0, fade_ - dt / (silent ? options_.silence_decay : options_.set_silence_decay));
     return;
   }
   fade_ = gate_ == GateState::kClosed || gate_ == GateState::kWaiting ? 1.0

@@ -20,6 +20,8 @@ struct SafetyOptions {
   double ramp_damping = 2.0;      ///< N s/m at the ramp's beginning, falling to 0.
   double silence_limit = 0.6;     ///< Silent link: held so long, s,
   double silence_decay = 0.18;    ///< then to zero in this time, s.
+  double set_silence_limit = 2.0;  ///< A client that lives but says nothing of contacts: held so long, s,
+  double set_silence_decay = 0.5;  ///< then to zero in this time, s.
   double close_decay = 0.04;      ///< Socket closed, or forces switched off: to zero in this time, s.
 };
 
@@ -32,6 +34,7 @@ struct SafetyInput {
   bool enabled = false;               ///< The explicit enable of the controlling client (Esc clears it).
   bool link_open = true;              ///< A controlling client is connected.
   double link_silence = 0.0;          ///< Seconds since its last word.
+  double set_silence = 0.0;           ///< Seconds since its last constraint set.
   double reported_temperature = 0.0;  ///< Of the device, 0 .. 1 at the limit; 0 where it does not tell.
 };
 

@@ -161,10 +161,21 @@ void ClientTable::broadcast() {
       if (client->kind && !client->gone) client->stream->sendNewest(slot, frame);
     }
   };
-  if (loop_.updateState()) sendToAll(MessageStream::Slot::kState, encoder_.encode(loop_.state()));
+  if (loop_.updateState()) {
+    sendToAll(MessageStream::Slot::kState, encoder_.encode(loop_.state()));
+    tellOfStall(loop_.state().client_stalled);
+  }
   if (!loop_.updateFigures()) return;
   const double round_trip = controller_ != nullptr ? controller_->heartbeat.roundTrip() : 0.0;
   sendToAll(MessageStream::Slot::kStatistics, encoder_.encode(Message(statisticsOf(loop_.figures(), round_trip))));
+}
+
+void ClientTable::tellOfStall(bool stalled) {
+  if (stalled == stalled_) return;
+  stalled_ = stalled;
+  if (controller_ == nullptr) return;
+  report(controller_->name + (stalled ? " lives but has sent no constraint set for 2 s: the force fades."
+                                      : " sends constraint sets again: the force returns through the engage gate."));
 }
 
 bool ClientTable::overdue(const Client& client, std::int64_t now) const {

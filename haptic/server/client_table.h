@@ -53,6 +53,7 @@ class ClientTable {
   void refuse(Client& client, const std::string& sentence);
   void drop(Client& client, const std::string& why);
   void report(const std::string& sentence) const;
+  void tellOfStall(bool stalled);
   bool overdue(const Client& client, std::int64_t now) const;
   bool controllerIsSilent() const;
 
@@ -64,6 +65,7 @@ class ClientTable {
   ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
   std::vector<std::unique_ptr<Client>> clients_;
   Client* controller_ = nullptr;
+  bool stalled_ = false;  // As it was reported last.
 };
 
 }  // namespace hapticell::haptic

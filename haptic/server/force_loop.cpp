@@ -136,6 +136,7 @@ bool ForceLoop::changeSession() noexcept {
   renderer_.setOptions(options_.renderer);
   renderer_.reset(reading_.X_DS);
   control_ = {};
+  last_set_ns_ = clock_.now();
   return true;
 }
 
@@ -150,6 +151,7 @@ void ForceLoop::takeMessages(std::int64_t now) noexcept {
     renderer_.setOptions(wanted);
   }
   if (const ConstraintSet* set = take(sets_)) {
+    last_set_ns_ = now;
     // What moves has gone on since: the client's stamp is in this loop's clock.
     const double age = set->stamp_ns != 0 ? kSecondsPerNanosecond * static_cast<double>(now - set->stamp_ns) : 0.0;
     if (renderer_.adopt(*set, age) == Adoption::kAdopted && set->stamp_ns != 0) {
@@ -236,6 +238,9 @@ void ForceLoop::guardAndWrite(std::int64_t now, double dt) noexcept {
   input.link_open = session_.load(std::memory_order_acquire) != 0;
   const std::int64_t silence = now - last_heard_.load(std::memory_order_relaxed);
   input.link_silence = input.link_open ? std::max(0.0, kSecondsPerNanosecond * static_cast<double>(silence)) : 0.0;
+  const double without_set = kSecondsPerNanosecond * static_cast<double>(now - last_set_ns_);
+  input.set_silence = input.link_open ? std::max(0.0, without_set) : 0.0;
+  state_.client_stalled = control_.forces_enabled && input.set_silence > options_.safety.set_silence_limit;
   input.reported_temperature = reading_.motor_temperature;
   safety_result_ = safety_.tick(input);
   if (device_fault_ || motors_off_) {

@@ -47,8 +47,8 @@ struct TickTiming {
 /// tick() neither allocates, locks, logs nor throws. A simulated device is also advanced by the time that passed.
 ///
 /// A link is a controlling client's session. While it is open and heard the newest set is held, however old; closed,
-/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain); heard
-/// again, it comes back through the engage gate.
+/// the force falls to zero within 50 ms; silent for 600 ms, within 200 ms more (SafetyChain); without a new set for
+/// 2 s though heard (its loop hangs), within 500 ms more; heard again, it comes back through the engage gate.
 class ForceLoop {
  public:
   /// `device` must be open; it and `clock` must outlive the loop.
@@ -145,6 +145,7 @@ class ForceLoop {
   std::uint64_t rendered_session_ = 0;
   std::uint64_t tick_ = 0;
   HapticControl control_;
+  std::int64_t last_set_ns_ = 0;  // When a set came last, whatever became of it, or the session began.
   bool hand_from_link_ = false;
   DeviceReading reading_;
   bool device_fault_ = false;

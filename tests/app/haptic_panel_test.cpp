@@ -57,6 +57,8 @@ TEST(ForceReason, NoForceAlwaysHasAReasonAndWhatMendsIt) {
   EXPECT_EQ(forceReason(facts).why, "Ramp 43 %, 1 N/ms limit");
   facts.ramp = 1.0;
   EXPECT_EQ(forceReason(facts).why, "Ramp done, 1 N/ms limit");
+  facts.stalled = true;
+  EXPECT_TRUE(forceReason(facts).why.contains("stands still"));
 }
 
 TEST(ForceReason, ForcesThatCannotBeFeltSayWhyAndOfferTheRemedy) {

@@ -88,6 +88,7 @@ inline HapticState state() {
   s.force_ramp = *rc::gen::inRange(0, 1001) * 1e-3;
   s.motor_temperature = notNegative();
   s.device_fault = *rc::gen::arbitrary<bool>();
+  s.client_stalled = *rc::gen::arbitrary<bool>();
   return s;
 }
 

@@ -31,7 +31,7 @@ inline bool same(const HapticState& a, const HapticState& b) {
   return a.tick == b.tick && a.server_stamp_ns == b.server_stamp_ns && same(a.X_DS, b.X_DS) && same(a.X_DP, b.X_DP) &&
          a.v_DS == b.v_DS && a.force_D == b.force_D && a.torque_D == b.torque_D && a.buttons == b.buttons && a.adopted_set == b.adopted_set &&
          a.forces_on == b.forces_on && a.force_ramp == b.force_ramp && a.motor_temperature == b.motor_temperature &&
-         a.device_fault == b.device_fault;
+         a.device_fault == b.device_fault && a.client_stalled == b.client_stalled;
 }
 
 inline bool same(const ServerStatistics& a, const ServerStatistics& b) {

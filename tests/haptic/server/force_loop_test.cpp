@@ -154,6 +154,41 @@ TEST(ForceLoop, after_a_silence_the_force_comes_back_through_the_gate_only) {
   EXPECT_LT(session.max_step, 0.1);
 }
 
+TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_force) {
+  VirtualSession session({}, 1000.0, SafetyOptions{}.set_silence_limit);
+  const auto saySets = [&](int ticks, double height_step = 0.0) {
+    for (int i = 0; i < ticks; ++i) {
+      if (height_step != 0.0) session.holdAt(0.005 + height_step * i);
+      if (i % 100 == 0) session.link().sendSet(floorSet(++session.sets_said));
+      session.run(1);
+    }
+  };
+  session.holdAt(0.005);
+  session.link().sendControl({.forces_enabled = true});
+  saySets(1500);
+  saySets(150, -1e-4);
+  saySets(1000);
+  const double pressed = session.force();
+  ASSERT_GT(pressed, 2.0);
+  session.max_step = 0.0;
+  session.run(1800);
+  EXPECT_NEAR(session.force(), pressed, 0.02 * pressed) << "a loop that is slow only is waited for";
+  EXPECT_FALSE(session.state().client_stalled);
+  session.run(700);
+  EXPECT_EQ(session.force(), 0.0);
+  EXPECT_TRUE(session.state().client_stalled);
+  EXPECT_LT(session.max_step, 0.1);
+
+  saySets(1500);
+  EXPECT_FALSE(session.state().client_stalled);
+  EXPECT_EQ(session.force(), 0.0) << "the hand still pushes: the wanted force is not small";
+  session.holdAt(0.005);
+  saySets(2000);
+  saySets(1000, -1e-5);
+  EXPECT_GT(session.force(), 2.0);
+  EXPECT_LT(session.max_step, 0.1);
+}
+
 TEST(ForceLoop, short_silences_are_not_felt) {
   VirtualSession session;
   session.press();

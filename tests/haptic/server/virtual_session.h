@@ -21,11 +21,18 @@ inline ConstraintSet floorSet(std::uint64_t sequence, double height = 0.0, const
 }
 
 /// Simulated device, hand, force loop and link in virtual time; a client in the test's hands.
+///
+/// The client says a set once and holds on to it, so by default its loop is not taken for one that hangs.
 struct VirtualSession {
-  explicit VirtualSession(const InMemoryLinkOptions& network = {}, double rate_hz = 1000.0) : network_(network) {
+  static constexpr double kForEver = 1e9;
+  explicit VirtualSession(const InMemoryLinkOptions& network = {}, double rate_hz = 1000.0,
+                          double set_silence_limit = kForEver)
+      : network_(network) {
     static_cast<void>(device.open());
     device.place(Pose::translation(dvec3(0.0, 0.0, 0.005)));
-    loop_.emplace(device, clock, optionsFor(device, rate_hz));
+    ForceLoopOptions options = optionsFor(device, rate_hz);
+    options.safety.set_silence_limit = set_silence_limit;
+    loop_.emplace(device, clock, options);
     link_.emplace(*loop_, clock, describe(device), network_);
   }
 
@@ -68,6 +75,7 @@ struct VirtualSession {
   VirtualClock clock;
   SimulatedDevice device;
   double max_force = 0.0, max_step = 0.0;
+  std::uint64_t sets_said = 0;  ///< For tests that count their sets.
 
  private:
   InMemoryLinkOptions network_;
