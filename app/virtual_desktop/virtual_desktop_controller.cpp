@@ -10,6 +10,7 @@
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
+#include "app/settings/configuration_page.h"
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/preparation_bar.h"
@@ -54,6 +55,8 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     if (loop_) loop_->cancelPreparation();
   });
   profile_ = QString::fromStdString(host_.configuration().haptic.device);
+  server_host_ = QString::fromStdString(host_.configuration().server.host);
+  server_port_ = host_.configuration().server.port;
   host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput());
   connect(&sound_, &SoundPlayer::changed, this,
           [this] { host_.setSoundText(sound_.state(), sound_.isOn() && sound_.hasOutput()); });
@@ -105,8 +108,7 @@ VirtualDesktopController::~VirtualDesktopController() {
 
 void VirtualDesktopController::connectDevice() {
   if (loop_) return;
-  const auto& server = host_.configuration().server;
-  const auto options = haptic::linkOptionsFor(server.host, static_cast<std::uint16_t>(server.port));
+  const auto options = haptic::linkOptionsFor(server_host_.toStdString(), static_cast<std::uint16_t>(server_port_));
   if (!options) {
     host_.messages().tell(Severity::kProblem, tr("The key for the haptic server cannot be used."),
                           QString::fromStdString(options.error().message()));
@@ -296,8 +298,23 @@ void VirtualDesktopController::setClutch(bool on) {
 }
 
 QString VirtualDesktopController::serverAddress() const {
-  const auto& server = host_.configuration().server;
-  return QStringLiteral("%1:%2").arg(QString::fromStdString(server.host)).arg(server.port);
+  return QStringLiteral("%1:%2").arg(server_host_).arg(server_port_);
+}
+
+void VirtualDesktopController::useServer(const QString& host, int port) {
+  if (host == server_host_ && port == server_port_) return;
+  const bool was_started = isStarted();
+  disconnectDevice();
+  server_.stop();
+  server_host_ = host;
+  server_port_ = port;
+  auto kept = writeSetting(userConfigurationFile(), QStringLiteral("server.host"), host);
+  if (kept) kept = writeSetting(userConfigurationFile(), QStringLiteral("server.port"), QString::number(port));
+  if (!kept)
+    host_.messages().tell(Severity::kWarning, tr("%1 is used, but only until the end of the program.").arg(serverAddress()),
+                          QString::fromStdString(kept.error().message()));
+  if (was_started) connectDevice();
+  emit connectionChanged();
 }
 
 ForceFacts VirtualDesktopController::forceFacts() const {
@@ -324,7 +341,7 @@ ForceFacts VirtualDesktopController::forceFacts() const {
 
 void VirtualDesktopController::startServer() {
   server_tried_ = true;
-  server_.start(profile_, host_.configuration().server.port);
+  server_.start(profile_, server_port_);
 }
 
 void VirtualDesktopController::chooseDevice(const QString& profile) {
@@ -345,8 +362,7 @@ void VirtualDesktopController::chooseDevice(const QString& profile) {
 }
 
 void VirtualDesktopController::helpServer() {
-  const QString host = QString::fromStdString(host_.configuration().server.host);
-  const bool local = host == "127.0.0.1" || host == "localhost" || host == "::1";
+  const bool local = server_host_ == "127.0.0.1" || server_host_ == "localhost" || server_host_ == "::1";
   if (isConnected() || server_tried_ || !local || connecting_.elapsed() < kServerPatience) return;
   server_tried_ = true;
   startServer();

@@ -48,6 +48,11 @@ class VirtualDesktopController : public QObject {
   /// Starts the server now instead of waiting for one.
   void startServer();
   QString serverAddress() const;
+  /// Where the haptic server is looked for: what the configuration says until useServer() says otherwise.
+  const QString& serverHost() const { return server_host_; }
+  int serverPort() const { return server_port_; }
+  /// Another station from now on, kept in the user's configuration; connects anew when it was connected.
+  void useServer(const QString& host, int port);
   ForceFacts forceFacts() const;
   /// Glove and 3-D mouse.
   InputDevices& inputs() { return inputs_; }
@@ -92,6 +97,8 @@ class VirtualDesktopController : public QObject {
   std::unique_ptr<manipulation::ManipulationLoop> loop_;
   haptic::TcpLink* link_ = nullptr;  // Owned by the loop; only its thread-safe questions are asked.
   ServerProcess server_;
+  QString server_host_;
+  int server_port_ = 0;
   SoundPlayer sound_;
   QString profile_;
   MouseStylus mouse_;

@@ -113,9 +113,9 @@ void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(checks);
     check_dock_ = makeDock("dockDeviceCheck", tr("Device check"), scroll);
-    const auto& server = host_->configuration().server;
-    QObject::connect(check_dock_, &QDockWidget::visibilityChanged, checks, [checks, server](bool seen) {
-      seen ? checks->watch().start(server.host, server.port) : checks->watch().stop();
+    QObject::connect(check_dock_, &QDockWidget::visibilityChanged, checks, [this, checks](bool seen) {
+      if (!seen) return checks->watch().stop();
+      checks->watch().start(controller_->serverHost().toStdString(), controller_->serverPort());
     });
     QObject::connect(checks, &DeviceCheckPanel::stylusWanted, controller_.get(),
                      [this](bool wanted) { wanted ? controller_->disconnectDevice() : controller_->connectDevice(); });

@@ -23,6 +23,7 @@
 #include "app/virtual_desktop/device_listing.h"
 #include "app/virtual_desktop/force_meter.h"
 #include "app/virtual_desktop/input_panel.h"
+#include "app/virtual_desktop/station_panel.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 #include "config/device_profile.h"
 
@@ -137,6 +138,9 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
     if (file && read) stylus_->addItem(QString::fromStdString(read->name), QString::fromLatin1(profile));
   }
   addRow(*section, tr("Stylus"), stylus_);
+  auto* station = new StationPanel(controller_.serverHost(), controller_.serverPort());
+  section->addWidget(station);
+  connect(station, &StationPanel::stationChosen, &controller_, &VirtualDesktopController::useServer);
   auto* state = new QWidget;
   state->setMinimumHeight(kFieldHeight);
   auto* row = new QHBoxLayout(state);

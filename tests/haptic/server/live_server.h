@@ -75,6 +75,7 @@ struct LiveServer {
     ForceLoopOptions options = optionsFor(device);
     options.log_ticks = 60'000;
     options.safety.ramp_time = 0.1;
+    options.safety.set_silence_limit = 1e9;  // Tests say a set once and wait as long as the machine takes.
     return options;
   }
 };
