@@ -27,7 +27,8 @@ void StationPairing::start(const QString& host, int port, const QString& code) {
   port_ = port;
   typed_.reset();
   if (host_.isEmpty())
-    return end(false, tr("Give the other station's address: its name in the network, or four numbers like 192.168.1.20."));
+    return end(false,
+               tr("Give the other station's address: its name in the network, or four numbers like 192.168.1.20."));
   haptic::TcpLinkOptions options;
   if (code.trimmed().isEmpty()) {
     auto known = haptic::linkOptionsFor(host_.toStdString(), static_cast<std::uint16_t>(port_));

@@ -108,7 +108,8 @@ void StationPanel::showKnown() {
   code_->setPlaceholderText(known ? tr("Known; type another to change it") : QStringLiteral("K7QM-2F9X-…"));
   if (!pairing_.isRunning())
     say(known ? QString()
-              : tr("On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server "
+              : tr("On the other station, once: hapticell-haptic-server --pair shows the code; then "
+                   "hapticell-haptic-server "
                    "--listen and that station's address."));
 }
 

@@ -182,9 +182,11 @@ TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_fo
   saySets(1500);
   EXPECT_FALSE(session.state().client_stalled);
   EXPECT_EQ(session.force(), 0.0) << "the hand still pushes: the wanted force is not small";
+  EXPECT_LT(session.max_step, 0.1);
   session.holdAt(0.005);
   saySets(2000);
-  saySets(1000, -1e-5);
+  session.max_step = 0.0;
+  saySets(1500, -1e-5);
   EXPECT_GT(session.force(), 2.0);
   EXPECT_LT(session.max_step, 0.1);
 }
@@ -220,7 +222,7 @@ TEST(ForceLoop, a_message_of_an_earlier_client_is_not_taken) {
   VirtualClock clock;
   SimulatedDevice device;
   ASSERT_TRUE(device.open());
-  ForceLoop loop(device, clock, optionsFor(device));
+  ForceLoop loop(device, clock, patientOptionsFor(device));
   loop.openLink();
   loop.submit(floorSet(5));
   loop.submit(HapticControl{.forces_enabled = true});
@@ -338,7 +340,7 @@ TEST(ForceLoop, a_device_that_fails_gets_no_force_and_must_be_enabled_anew) {
   FailingDevice device;
   ASSERT_TRUE(device.open());
   device.inner.hand().hold(Pose::translation(dvec3(0.0, 0.0, 0.005)));
-  ForceLoop loop(device, clock, optionsFor(device));
+  ForceLoop loop(device, clock, patientOptionsFor(device));
   InMemoryLink link(loop, clock, describe(device));
   const auto run = [&](int ticks) {
     for (int i = 0; i < ticks; ++i) {
@@ -366,7 +368,7 @@ TEST(ForceLoop, shutting_down_stops_the_motors_for_good) {
   VirtualClock clock;
   FailingDevice device;
   ASSERT_TRUE(device.open());
-  ForceLoop loop(device, clock, optionsFor(device));
+  ForceLoop loop(device, clock, patientOptionsFor(device));
   device.written = dvec3(1.0);
   loop.shutDown();
   EXPECT_EQ(device.written, dvec3(0.0));

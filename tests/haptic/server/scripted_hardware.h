@@ -42,7 +42,7 @@ class ScriptedDevice final : public Device {
 };
 
 struct Hardware {
-  Hardware() : loop(device, clock, optionsFor(device)) {
+  Hardware() : loop(device, clock, patientOptionsFor(device)) {
     loop.openLink();
     loop.tick();
     loop.submit(floorSet(1));

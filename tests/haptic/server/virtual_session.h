@@ -20,19 +20,23 @@ inline ConstraintSet floorSet(std::uint64_t sequence, double height = 0.0, const
   return set;
 }
 
+/// The loop's own options but for one: the tests' clients say a set once and hold on to it, so by default their loop is
+/// not taken for one that hangs.
+inline ForceLoopOptions patientOptionsFor(const Device& device, double rate_hz = 1000.0,
+                                          double set_silence_limit = 1e9) {
+  ForceLoopOptions options = optionsFor(device, rate_hz);
+  options.safety.set_silence_limit = set_silence_limit;
+  return options;
+}
+
 /// Simulated device, hand, force loop and link in virtual time; a client in the test's hands.
-///
-/// The client says a set once and holds on to it, so by default its loop is not taken for one that hangs.
 struct VirtualSession {
-  static constexpr double kForEver = 1e9;
   explicit VirtualSession(const InMemoryLinkOptions& network = {}, double rate_hz = 1000.0,
-                          double set_silence_limit = kForEver)
+                          double set_silence_limit = 1e9)
       : network_(network) {
     static_cast<void>(device.open());
     device.place(Pose::translation(dvec3(0.0, 0.0, 0.005)));
-    ForceLoopOptions options = optionsFor(device, rate_hz);
-    options.safety.set_silence_limit = set_silence_limit;
-    loop_.emplace(device, clock, options);
+    loop_.emplace(device, clock, patientOptionsFor(device, rate_hz, set_silence_limit));
     link_.emplace(*loop_, clock, describe(device), network_);
   }
 
