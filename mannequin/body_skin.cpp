@@ -68,7 +68,8 @@ class SkinField {
     return result;
   }
 
-  /// Distances of all bodies to a point (1e9: not chosen) in distancesAt(); the least of them.
+  /// Distances of all bodies to a point (1e9: not chosen) in distancesAt(); the
+  /// least of them.
   double measure(const dvec3& p) {
     distances_.fill(1e9);
     double least = 1e9;
@@ -85,8 +86,9 @@ class SkinField {
  private:
   static constexpr double kLeastBlend = 1e-4;  // m
 
-  /// How much two bodies flow together where they face these ways: not at all where they face alike, or a straight limb
-  /// would swell at its joints (after O. Gourmel et al., "A gradient-based implicit blend", 2013).
+  /// How much two bodies flow together where they face these ways: not at all
+  /// where they face alike, or a straight limb would swell at its joints (after
+  /// O. Gourmel et al., "A gradient-based implicit blend", 2013).
   static double share(const dvec3& a, const dvec3& b) {
     const double alike = std::max(0.0, glm::dot(a, b));
     return 1.0 - alike * alike;
@@ -100,6 +102,30 @@ class SkinField {
   double fallback_ = 0.0;
 };
 
+/// Rounds off what is as fine as the cells without shrinking: G. Taubin, "A
+/// signal processing approach to fair surface design" (1995), its pair of steps
+/// a few times.
+void smooth(geometry::TriangleMesh& mesh) {
+  constexpr int kPasses = 6;
+  constexpr double kInward = 0.55, kOutward = -0.58;
+  std::vector<dvec3> sum(mesh.vertices.size());
+  std::vector<double> count(mesh.vertices.size());
+  for (int pass = 0; pass < 2 * kPasses; ++pass) {
+    std::fill(sum.begin(), sum.end(), dvec3(0.0));
+    std::fill(count.begin(), count.end(), 0.0);
+    for (const geometry::Triangle& t : mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum[t[i]] += mesh.vertices[t[(i + 1) % 3]] + mesh.vertices[t[(i + 2) % 3]];
+        count[t[i]] += 2.0;
+      }
+    }
+    const double share = pass % 2 == 0 ? kInward : kOutward;
+    for (std::size_t v = 0; v < sum.size(); ++v) {
+      if (count[v] > 0.0) mesh.vertices[v] += share * (sum[v] / count[v] - mesh.vertices[v]);
+    }
+  }
+}
+
 /// A figure placed in a posture, as a field and what it is made of.
 class PlacedSkin {
  public:
@@ -107,9 +133,16 @@ class PlacedSkin {
       : flesh_(fleshOf(figure)), bodies_(placeBodies(figure, posture, flesh_)), field_(flesh_, bodies_) {}
 
   geometry::TriangleMesh surface(double cell) {
+    return surface(cell, [](std::size_t) { return true; });
+  }
+
+  /// The surface about some of the bodies.
+  template <typename Wanted>
+  geometry::TriangleMesh surface(double cell, const Wanted& wanted) {
     GridField grid{{}, cell, {}};
-    for (std::size_t i = 0; i < kBodies; ++i)
-      grid.bounds.add(geometry::transformed(bodies_[i].place.pose(), flesh_[i].bounds()));
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      if (wanted(i)) grid.bounds.add(geometry::transformed(bodies_[i].place.pose(), flesh_[i].bounds()));
+    }
     grid.evaluate = [this](const dvec3& centre, double radius, const std::vector<dvec3>& points,
                            std::vector<double>& values) {
       field_.choose(centre, points.size() == 1 ? 2.0 * radius : radius);
@@ -118,6 +151,7 @@ class PlacedSkin {
     };
     geometry::TriangleMesh mesh = surfaceOf(grid);
     for (dvec3& vertex : mesh.vertices) settle(vertex, cell);
+    smooth(mesh);
     return mesh;
   }
 
@@ -131,7 +165,8 @@ class PlacedSkin {
   const std::vector<Flesh>& flesh() const { return flesh_; }
 
  private:
-  /// From the middle of its cell's crossings onto the surface itself, or facets would show: one Newton step.
+  /// From the middle of its cell's crossings onto the surface itself, or facets
+  /// would show: one Newton step.
   void settle(dvec3& p, double cell) {
     field_.choose(p, cell);
     const double value = field_.value(p), h = 0.1 * cell;
@@ -150,15 +185,20 @@ class PlacedSkin {
   SkinField field_;
 };
 
+bool isOfHand(std::size_t body, Side side) {
+  if (body < kSegmentCount) return body == indexOf(armSegment(side, S::kLeftHand));
+  return (body - kSegmentCount) / (kDigits * kPhalanges) == static_cast<std::size_t>(side);
+}
 bool isOfHand(std::size_t body) {
-  return body >= kSegmentCount || body == indexOf(S::kLeftHand) || body == indexOf(S::kRightHand);
+  return isOfHand(body, Side::kLeft) || isOfHand(body, Side::kRight);
 }
 
-/// Which colour each body has, hands apart where they are left out; the colours in the order of their first body.
+/// Which colour each body has, hands apart where they are left out; the colours
+/// in the order of their first body.
 struct Wardrobe {
-  Wardrobe(const std::vector<Flesh>& flesh, bool hands) {
+  Wardrobe(const std::vector<Flesh>& flesh, SkinRegion region) {
     for (std::size_t i = 0; i < kBodies; ++i) {
-      if (!hands && isOfHand(i)) {
+      if (region != SkinRegion::kWhole && isOfHand(i) != (region == SkinRegion::kHands)) {
         group[i] = kLeftOut;
         continue;
       }
@@ -191,7 +231,8 @@ class Cutter {
   }
 
  private:
-  /// A corner of the mesh (`b` as `a`), or the place between two where both colours are equally near.
+  /// A corner of the mesh (`b` as `a`), or the place between two where both
+  /// colours are equally near.
   using Key = std::pair<std::uint32_t, std::uint32_t>;
   using Corners = std::array<Key, 3>;
   static Key at(std::uint32_t vertex) { return {vertex, vertex}; }
@@ -264,10 +305,18 @@ Skin skinOf(const Figure& figure, const Posture& posture, double cell) {
   return result;
 }
 
-std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, bool hands) {
+std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region) {
   PlacedSkin placed(figure, posture);
-  const geometry::TriangleMesh whole = placed.surface(cell);
-  const Wardrobe wardrobe(placed.flesh(), hands);
+  geometry::TriangleMesh whole;
+  if (region == SkinRegion::kHands) {
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const auto hand = placed.surface(cell, [side](std::size_t body) { return isOfHand(body, side); });
+      geometry::append(whole, hand, Pose::identity());
+    }
+  } else {
+    whole = placed.surface(cell);
+  }
+  const Wardrobe wardrobe(placed.flesh(), region);
   std::vector<GroupDistances> distances(whole.vertices.size());
   for (std::size_t v = 0; v < whole.vertices.size(); ++v) {
     distances[v].fill(1e9);

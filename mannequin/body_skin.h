@@ -12,9 +12,11 @@
 
 namespace hapticell::mannequin {
 
-/// The whole figure's skin in a posture: one closed surface in the world that flows over the joints (each body blends
-/// with those it is jointed to and with nothing else), and the body that each vertex belongs to, for its colour.
-/// Made anew for each posture from the placed flesh, so nothing can collapse at a joint. Takes about a second at 8 mm.
+/// The whole figure's skin in a posture: one closed surface in the world that
+/// flows over the joints (each body blends with those it is jointed to and with
+/// nothing else), and the body that each vertex belongs to, for its colour.
+/// Made anew for each posture from the placed flesh, so nothing can collapse at
+/// a joint. Takes about a second at 8 mm.
 struct Skin {
   geometry::TriangleMesh mesh;
   std::vector<std::uint8_t> body_of_vertex;
@@ -26,7 +28,8 @@ struct SkinPart {
   std::array<float, 3> color{};
   geometry::TriangleMesh mesh;
 };
-/// `hands`: false leaves hands and fingers out, which want finer cells than a body.
-std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, bool hands);
+/// Which of it: hands and fingers want finer cells than a body.
+enum class SkinRegion { kWhole, kBody, kHands };
+std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region);
 
 }  // namespace hapticell::mannequin

@@ -6,22 +6,15 @@
 #include "app/host/host.h"
 #include "app/mannequin/beside.h"
 #include "app/viewport/viewport_widget.h"
-#include "kinematics/robot_model.h"
 #include "mannequin/body_skin.h"
 #include "mannequin/figure_model.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kRestMilliseconds = 500;    // Then it is dressed.
-constexpr int kShownMilliseconds = 1000;  // That its meshes may take to the graphics card.
-constexpr double kCell = 0.010;           // m
-
-bool isHand(std::size_t body) {
-  using mannequin::Segment;
-  return body >= mannequin::kSegmentCount || body == mannequin::indexOf(Segment::kLeftHand) ||
-         body == mannequin::indexOf(Segment::kRightHand);
-}
+constexpr int kRestMilliseconds = 500;              // Then it is dressed.
+constexpr int kShownMilliseconds = 1000;            // That its meshes may take to the graphics card.
+constexpr double kCell = 0.010, kHandCell = 0.004;  // m
 
 }  // namespace
 
@@ -30,28 +23,16 @@ SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<doub
   skin.robot = entity.robot;
   skin.joints = joints;
   const mannequin::Posture posture = mannequin::toPosture(*entity.figure, {Pose::identity(), joints});
-  for (mannequin::SkinPart& part : mannequin::skinParts(*entity.figure, posture, kCell, false)) {
-    RenderItem item;
-    item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
-    item.color = part.color;
-    skin.parts.push_back(std::move(item));
-  }
-  geometry::TriangleMesh hands;
-  std::array<float, 3> color{};
-  std::vector<Pose> X_EL;
-  kinematics::forwardKinematics(*entity.robot, joints, X_EL);
-  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
-    const int body = mannequin::bodyOfLink(*entity.robot, static_cast<int>(i));
-    if (body < 0 || !isHand(static_cast<std::size_t>(body))) continue;
-    for (const auto& shape : entity.robot->links[i].visuals) {
-      geometry::append(hands, *shape.mesh, X_EL[i] * shape.X_LS);
-      color = {shape.color[0], shape.color[1], shape.color[2]};
+  const auto add = [&](double cell, mannequin::SkinRegion region) {
+    for (mannequin::SkinPart& part : mannequin::skinParts(*entity.figure, posture, cell, region)) {
+      RenderItem item;
+      item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
+      item.color = part.color;
+      skin.parts.push_back(std::move(item));
     }
-  }
-  RenderItem item;
-  item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(hands));
-  item.color = color;
-  skin.parts.push_back(std::move(item));
+  };
+  add(kCell, mannequin::SkinRegion::kBody);
+  add(kHandCell, mannequin::SkinRegion::kHands);
   return skin;
 }
 

@@ -33,7 +33,7 @@ class FigureSkins : public QObject {
   bool asking_ = false;
 };
 
-/// The skin of an entity with a figure at these joints, its hands as their links have them. Takes most of a second.
+/// The skin of an entity with a figure at these joints. Takes about a second.
 SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<double>& joints);
 
 }  // namespace hapticell::app

@@ -76,7 +76,7 @@ TEST(Body, TheSkinIsCutIntoItsColoursWithoutAGap) {
   const Figure figure = *makeFigure({Sex::kMale, 1.75});
   const Posture posture = *libraryPosture(figure, "squatting");
   const Skin whole = skinOf(figure, posture, 0.02);
-  const auto parts = skinParts(figure, posture, 0.02, true);
+  const auto parts = skinParts(figure, posture, 0.02, SkinRegion::kWhole);
   EXPECT_EQ(parts.size(), 4u) << "trousers, shirt, skin, shoes";
   double area = 0.0;
   geometry::TriangleMesh sewn;
@@ -88,8 +88,12 @@ TEST(Body, TheSkinIsCutIntoItsColoursWithoutAGap) {
   geometry::weld(sewn, 1e-9);
   EXPECT_TRUE(geometry::isClosed(sewn));
   double less = 0.0;
-  for (const SkinPart& part : skinParts(figure, posture, 0.02, false)) less += areaOf(part.mesh);
+  for (const SkinPart& part : skinParts(figure, posture, 0.02, SkinRegion::kBody)) less += areaOf(part.mesh);
   EXPECT_LT(less, area - 0.02) << "two hands, coarse as they are";
+  const auto hands = skinParts(figure, posture, 0.006, SkinRegion::kHands);
+  ASSERT_EQ(hands.size(), 1u);
+  EXPECT_GT(areaOf(hands[0].mesh), 0.05) << "about 0.04 m^2 each";
+  EXPECT_LT(areaOf(hands[0].mesh), 0.14);
 }
 
 TEST(Body, AStraightLegDoesNotSwellAtTheKnee) {
