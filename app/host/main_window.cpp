@@ -25,6 +25,7 @@
 #include "app/start/start_page.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/views/view_actions.h"
 
@@ -187,10 +188,11 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateStatus() {
   const auto& now = snapshot();
+  const auto count = document_.document().state().entities.size();
+  const QString still =
+      count == 0 ? tr("The cell is empty.") : tr("%n entities in the cell.", nullptr, static_cast<int>(count));
   if (!now) {
-    const auto count = document_.document().state().entities.size();
-    status_->setSentence(Mark::kNone, count == 0 ? tr("The cell is empty.")
-                                                 : tr("%n entities in the cell.", nullptr, static_cast<int>(count)));
+    status_->setSentence(Mark::kNone, still);
     StatusLine::Rates idle;
     status_->setRates(idle);
     return;
@@ -199,7 +201,7 @@ void MainWindow::updateStatus() {
   if (!now->pairs.empty() && now->pairs.front().near_miss) mark = Mark::kNearMiss;
   if (!now->limits.empty()) mark = Mark::kLimit;
   if (!now->pairs.empty() && now->pairs.front().contact) mark = Mark::kContact;
-  status_->setSentence(mark, QString::fromStdString(now->status));
+  status_->setSentence(mark, now->status.empty() ? still : shownText(now->status));
   StatusLine::Rates rates;
   rates.haptic_hz = now->rate_haptic_hz;
   rates.collision_hz = now->rate_manipulation_hz;
@@ -216,6 +218,9 @@ void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget
       if (!onto && other != dock && !other->isFloating() && dockWidgetArea(other) == area) onto = other;
     right_docks_->add(dock);
   }
+  // A tab's title is its title bar, wherever it stands.
+  for (TabbedDocks* tabs : findChildren<TabbedDocks*>())
+    if (area != Qt::RightDockWidgetArea && onto && tabs->has(onto)) tabs->add(dock);
   addDockWidget(area, dock);
   if (onto) tabifyDockWidget(onto, dock);
   actions_->windows->addAction(dock->toggleViewAction());
@@ -224,7 +229,7 @@ void MainWindow::addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget
 void MainWindow::removeDock(QDockWidget* dock) {
   actions_->windows->removeAction(dock->toggleViewAction());
   removeDockWidget(dock);
-  right_docks_->remove(dock);
+  for (TabbedDocks* tabs : findChildren<TabbedDocks*>()) tabs->remove(dock);
 }
 
 void MainWindow::addToToolBar(QWidget* widget) {

@@ -23,6 +23,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
   setSizeGripEnabled(false);
   setFixedHeight(26);
   setObjectName("statusLine");
+  setAttribute(Qt::WA_OpaquePaintEvent);  // The window behind it need not be painted when a rate changes.
   message_timer_.setSingleShot(true);
   connect(&message_timer_, &QTimer::timeout, this, [this] {
     message_.clear();
@@ -121,7 +122,9 @@ void StatusLine::paintEvent(QPaintEvent*) {
   painter.fillRect(QRect(0, 0, width(), 1), theme.line);
   painter.setFont(textFont(TextRole::kSecond));
   int right = width();
-  const auto cell = [&](const QString& text, const QString& icon_name = {}, const QColor& color = {}) {
+  const auto cell = [&](const QString& whole, const QString& icon_name = {}, const QColor& color = {}) {
+    // The sentence of state is what the line is for: what stands beside it is cut first.
+    const QString text = painter.fontMetrics().elidedText(whole, Qt::ElideRight, width() / 5);
     const int room = icon_name.isEmpty() ? 12 : 34;
     const int wide = painter.fontMetrics().horizontalAdvance(text) + room + 12;
     painter.setPen(icon_name.isEmpty() ? theme.text2 : theme.text1);

@@ -112,7 +112,7 @@ void BodySize::addMeasures() {
     dimension_->addItem(QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())), static_cast<int>(i));
   }
   dimension_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  dimension_->setMinimumContentsLength(8);
+  dimension_->setMinimumContentsLength(12);
   measure_ = new ValueField({tr("mm"), 0, 10.0, 2300.0, 1.0});
   measure_->setObjectName("fieldMeasure");
   measure_->setToolTip(tr("A person's own measure goes before the most likely one of the survey (ANSUR II)"));

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QResizeEvent>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -29,6 +30,23 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kZoomRoom = 0.06;  // Metres about the nearest points of a pair that is zoomed to, at least.
+
+/// In a narrow dock the names of a pair are worth more than what its set says: columns go, the names stay.
+class NamesFirst : public QObject {
+ public:
+  explicit NamesFirst(QTableView& table) : QObject(&table), table_(table) {}
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() != QEvent::Resize) return false;
+    constexpr int kWithNearMiss = 700, kWithOnContact = 610;  // Pixels.
+    const int width = static_cast<QResizeEvent*>(event)->size().width();
+    table_.setColumnHidden(PairTableModel::kNearMiss, width < kWithNearMiss);
+    table_.setColumnHidden(PairTableModel::kOnContact, width < kWithOnContact);
+    return false;
+  }
+
+ private:
+  QTableView& table_;
+};
 
 }  // namespace
 
@@ -148,6 +166,7 @@ void CollisionsPanel::makeTable() {
   for (int i = 0; i < PairTableModel::kColumns; ++i) header->resizeSection(i, widths[i]);
   header->setSectionResizeMode(PairTableModel::kMoved, QHeaderView::Stretch);
   header->setSectionResizeMode(PairTableModel::kAgainst, QHeaderView::Stretch);
+  table_->viewport()->installEventFilter(new NamesFirst(*table_));
   connect(table_, &QTableView::clicked, this, &CollisionsPanel::clicked);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) { zoomTo(model_.row(index.row())); });
   connect(table_, &QTableView::doubleClicked, this,

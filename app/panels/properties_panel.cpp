@@ -15,6 +15,7 @@
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
 #include "app/panels/swatch_row.h"
+#include "app/style/eliding_label.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
@@ -70,10 +71,13 @@ PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const c
   rows->setSpacing(6);
   auto* top = new QHBoxLayout;
   block.heading = makeLabel({}, TextRole::kSection);
-  auto* units = makeLabel({}, TextRole::kSecond, true);
+  auto* units = new ElidingLabel;
+  units->setFont(textFont(TextRole::kSecond));
+  units->setForegroundRole(kQuietText);
+  units->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   units->setObjectName("labelPoseUnits");
-  top->addWidget(block.heading, 1);
-  top->addWidget(units);
+  top->addWidget(block.heading);
+  top->addWidget(units, 1);
   rows->addLayout(top);
   const char* const axes[6]{"X", "Y", "Z", "A", "B", "C"};
   for (std::size_t line = 0; line < 2; ++line) {

@@ -107,6 +107,10 @@ void TabbedDocks::remove(QDockWidget* dock) {
   QTimer::singleShot(0, this, &TabbedDocks::arrange);
 }
 
+bool TabbedDocks::has(const QDockWidget* dock) const {
+  return std::find(docks_.begin(), docks_.end(), dock) != docks_.end();
+}
+
 QTabBar* TabbedDocks::findBar() const {
   for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     for (int i = 0; i < bar->count(); ++i)

@@ -19,6 +19,7 @@ class TabbedDocks : public QObject {
   explicit TabbedDocks(QMainWindow& window, const std::vector<QDockWidget*>& docks = {});
   void add(QDockWidget* dock);
   void remove(QDockWidget* dock);
+  bool has(const QDockWidget* dock) const;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

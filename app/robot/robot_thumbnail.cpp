@@ -2,7 +2,9 @@
 #include "app/robot/robot_thumbnail.h"
 
 #include <QPainter>
+#include <utility>
 
+#include "app/panels/form.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
@@ -44,7 +46,9 @@ void RobotThumbnail::resizeEvent(QResizeEvent* event) {
 
 void RobotThumbnail::draw() {
   const workcell::Entity* robot = context_.robot();
-  if (!robot || !isVisible()) return;
+  if (!robot) return;
+  // Behind another tab it would only hold the window up.
+  if (!isSeen(*this)) return void(wanted_ = true);
   if (context_.isHeld()) return later_.start();
   workcell::Entity alone = *robot;
   alone.visible = true;
@@ -56,6 +60,7 @@ void RobotThumbnail::draw() {
 }
 
 void RobotThumbnail::paintEvent(QPaintEvent*) {
+  if (std::exchange(wanted_, false)) later_.start();
   QPainter painter(this);
   if (!picture_.isNull()) {
     painter.drawImage(0, 0, picture_);

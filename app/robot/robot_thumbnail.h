@@ -30,6 +30,7 @@ class RobotThumbnail : public QWidget {
   RobotPicture painter_;
   QImage picture_;
   QTimer later_;
+  bool wanted_ = false;  ///< As soon as it is seen.
   std::vector<double> joints_;  ///< That the picture shows.
 };
 

@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "app/panels/form.h"
+#include "app/style/library_text.h"
 #include "app/style/theme.h"
 #include "app/viewport/overlay_painter.h"
 
@@ -45,7 +46,7 @@ void StopLine::paintEvent(QPaintEvent*) {
 }
 
 QString shownLimit(const std::string& sentence) {
-  return QString::fromStdString(sentence).replace(QStringLiteral(" deg"), QStringLiteral("°"));
+  return shownText(sentence).replace(QStringLiteral(" deg"), QStringLiteral("°"));
 }
 
 }  // namespace hapticell::app

@@ -133,6 +133,10 @@
         <translation>%1 et %2 de plus</translation>
     </message>
     <message>
+        <source>%1 answers at %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1 cannot be a part of it</source>
         <translation>%1 ne peut pas en faire partie</translation>
     </message>
@@ -197,8 +201,24 @@
         <translation>%1 est %2 au-delà de sa butée</translation>
     </message>
     <message>
+        <source>%1 is %2 from %3</source>
+        <translation>%1 est à %2 de %3</translation>
+    </message>
+    <message>
         <source>%1 is %2 from %3: a near miss.</source>
         <translation>%1 est à %2 de %3 : quasi-contact.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from its limit</source>
+        <translation>%1 est à %2 de sa butée</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from its lower limit</source>
+        <translation>%1 est à %2 de sa butée inférieure</translation>
+    </message>
+    <message>
+        <source>%1 is %2 from its upper limit</source>
+        <translation>%1 est à %2 de sa butée supérieure</translation>
     </message>
     <message>
         <source>%1 is %2 from the next start.</source>
@@ -211,6 +231,18 @@
     <message>
         <source>%1 is as it was</source>
         <translation>%1 est comme avant</translation>
+    </message>
+    <message>
+        <source>%1 is at its lower limit</source>
+        <translation>%1 est à sa butée inférieure</translation>
+    </message>
+    <message>
+        <source>%1 is at its upper limit</source>
+        <translation>%1 est à sa butée supérieure</translation>
+    </message>
+    <message>
+        <source>%1 is free</source>
+        <translation>%1 est libre</translation>
     </message>
     <message>
         <source>%1 is held up by %2, %3 mm short of the target</source>
@@ -229,12 +261,24 @@
         <translation>%1 est connu</translation>
     </message>
     <message>
+        <source>%1 is near a position where nothing holds it</source>
+        <translation>%1 est près d'une position où rien ne le retient</translation>
+    </message>
+    <message>
+        <source>%1 is near its own %2</source>
+        <translation>%1 est près de son propre %2</translation>
+    </message>
+    <message>
         <source>%1 is not there or may not be run.</source>
         <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
     </message>
     <message>
         <source>%1 is saved</source>
         <translation>%1 est enregistré</translation>
+    </message>
+    <message>
+        <source>%1 is used, but only until the end of the program.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 is written</source>
@@ -289,10 +333,6 @@
         <translation>%1 mm plus haut, %2 mm plus loin, %3 : </translation>
     </message>
     <message>
-        <source>%1 mm, %2, %3</source>
-        <translation>%1 mm, %2, %3</translation>
-    </message>
-    <message>
         <source>%1 mm, %2°</source>
         <translation>%1 mm, %2°</translation>
     </message>
@@ -303,6 +343,10 @@
     <message>
         <source>%1 moved, %2 added, %3 removed. Places: X Y Z in mm, A B C in degrees about z, y, x.</source>
         <translation>%1 déplacés, %2 ajoutés, %3 retirés. Places : X Y Z en mm, A B C en degrés autour de z, y, x.</translation>
+    </message>
+    <message>
+        <source>%1 moves as fast as it can</source>
+        <translation>%1 va aussi vite qu'il le peut</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -401,8 +445,16 @@
         <translation>%1 jusqu'à la bride</translation>
     </message>
     <message>
+        <source>%1 touches %2</source>
+        <translation>%1 touche %2</translation>
+    </message>
+    <message>
         <source>%1 touches %2.</source>
         <translation>%1 touche %2.</translation>
+    </message>
+    <message>
+        <source>%1 touches its own %2</source>
+        <translation>%1 touche son propre %2</translation>
     </message>
     <message>
         <source>%1 triangles</source>
@@ -439,6 +491,14 @@
     <message>
         <source>%1 was written with remarks</source>
         <translation>%1 a été écrit avec des remarques</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 over its upper limit</source>
+        <translation>%1 dépasserait de %2 sa butée supérieure</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 under its lower limit</source>
+        <translation>%1 dépasserait de %2 sa butée inférieure</translation>
     </message>
     <message>
         <source>%1 would have to go %2/s faster than it can</source>
@@ -481,8 +541,8 @@
         <translation>%1, %2 mm</translation>
     </message>
     <message>
-        <source>%1, %2 to %3 %4</source>
-        <translation>%1, %2 à %3 %4</translation>
+        <source>%1, %2 to %3</source>
+        <translation>%1, de %2 à %3</translation>
     </message>
     <message>
         <source>%1, %2, %3 through %4, %5, %6</source>
@@ -917,6 +977,10 @@
         <translation>Ajouter la sélection</translation>
     </message>
     <message>
+        <source>Address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Again and again</source>
         <translation>En boucle</translation>
     </message>
@@ -991,6 +1055,14 @@
     <message>
         <source>Angles in</source>
         <translation>Angles en</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program (%1) controls the stylus. Close it, or connect as a watcher.</source>
+        <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
     </message>
     <message>
         <source>Another program started the server at %1; the device is chosen there.</source>
@@ -1449,6 +1521,10 @@
         <translation>Grossier</translation>
     </message>
     <message>
+        <source>Code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Collision</source>
         <translation>Collision</translation>
     </message>
@@ -1507,6 +1583,14 @@
     <message>
         <source>Connecting</source>
         <translation>Connexion</translation>
+    </message>
+    <message>
+        <source>Connecting to %1…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connecting to the haptic server at %1.</source>
+        <translation>Connexion au serveur haptique à %1.</translation>
     </message>
     <message>
         <source>Constant</source>
@@ -2197,6 +2281,10 @@
         <translation>Géométrie</translation>
     </message>
     <message>
+        <source>Give the other station's address: its name in the network, or four numbers like 192.168.1.20.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Give up: what was changed is not felt until the next change</source>
         <translation>Abandonner : ce qui a changé n'est pas senti avant le prochain changement</translation>
     </message>
@@ -2591,6 +2679,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Kind</source>
         <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Known; type another to change it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>LEFT</source>
@@ -3017,6 +3109,10 @@ Licence Apache 2.0</translation>
         <translation>Nom, constructeur, genre ou charge</translation>
     </message>
     <message>
+        <source>Name, or 192.168.1.20</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Named poses</source>
         <translation>Poses nommées</translation>
     </message>
@@ -3045,11 +3141,11 @@ Licence Apache 2.0</translation>
         <translation>Quasi-contact 00</translation>
     </message>
     <message>
-        <source>Near miss under %1 mm</source>
-        <translation>Quasi-contact sous %1 mm</translation>
+        <source>Near miss under %1</source>
+        <translation>Quasi-contact sous %1</translation>
     </message>
     <message>
-        <source>Nearer to the recording where it would collide</source>
+        <source>Nearer the recording where it would collide</source>
         <translation>Plus près de l'enregistrement où il y aurait collision</translation>
     </message>
     <message>
@@ -3147,6 +3243,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>No haptic server answers at %1</source>
         <translation>Aucun serveur haptique ne répond à %1</translation>
+    </message>
+    <message>
+        <source>No haptic server answers at %1. Start hapticell-haptic-server.</source>
+        <translation>Aucun serveur haptique ne répond à %1. Démarrez hapticell-haptic-server.</translation>
+    </message>
+    <message>
+        <source>No haptic server answers at %1:%2.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No inverse model: jog the joints.</source>
@@ -3371,6 +3475,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>On link</source>
         <translation>Sur le corps</translation>
+    </message>
+    <message>
+        <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>One frame back (Left, in the time bar)</source>
@@ -3601,6 +3709,10 @@ Licence Apache 2.0</translation>
         <translation>Pages des réglages</translation>
     </message>
     <message>
+        <source>Pair and use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Pair sets</source>
         <translation>Ensembles de paires</translation>
     </message>
@@ -3785,6 +3897,10 @@ Licence Apache 2.0</translation>
         <translation>Joué ; un clic le met de côté</translation>
     </message>
     <message>
+        <source>Plugged in at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Plugged in, and what is in the way</source>
         <translation>Branchés, et ce qui gêne</translation>
     </message>
@@ -3803,6 +3919,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>Poor</source>
         <translation>Mauvaise</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port; 4747 unless the server was started with another</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -3867,6 +3991,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Preparing contacts %1 %</source>
         <translation>Préparation des contacts %1 %</translation>
+    </message>
+    <message>
+        <source>Preparing the contacts was given up: what was changed is not felt yet</source>
+        <translation>La préparation des contacts a été abandonnée : ce qui a changé ne se sent pas encore</translation>
     </message>
     <message>
         <source>Press the buttons here, with Ctrl, Alt, Shift</source>
@@ -4765,6 +4893,10 @@ Licence Apache 2.0</translation>
         <translation>Le bras est au bord de son atteinte</translation>
     </message>
     <message>
+        <source>The arm is near a singularity</source>
+        <translation>Le bras est près d'une singularité</translation>
+    </message>
+    <message>
         <source>The axis or normal points the other way</source>
         <translation>L'axe ou la normale va dans l'autre sens</translation>
     </message>
@@ -4869,12 +5001,20 @@ Licence Apache 2.0</translation>
         <translation>Le serveur haptique répond</translation>
     </message>
     <message>
+        <source>The haptic server at %1 does not answer any more.</source>
+        <translation>Le serveur haptique à %1 ne répond plus.</translation>
+    </message>
+    <message>
         <source>The haptic server could not be started: %1 is not there or may not be run.</source>
         <translation>Le serveur haptique n'a pas pu être lancé : %1 n'est pas là ou ne peut pas être lancé.</translation>
     </message>
     <message>
         <source>The haptic server has ended. %1</source>
         <translation>Le serveur haptique s'est terminé. %1</translation>
+    </message>
+    <message>
+        <source>The head goes no further: neck and trunk are at their limits</source>
+        <translation>La tête ne va pas plus loin : la nuque et le tronc sont à leurs butées</translation>
     </message>
     <message>
         <source>The key for the haptic server cannot be used.</source>
@@ -4887,6 +5027,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The left button is free: a click chooses, a drag draws a box.</source>
         <translation>Le bouton gauche est libre : un clic choisit, un glissement trace un cadre.</translation>
+    </message>
+    <message>
+        <source>The left hand is %1 from the end of its reach</source>
+        <translation>La main gauche est à %1 de la fin de sa portée</translation>
     </message>
     <message>
         <source>The lifting equation and what the hands bear; the colours stay those of RULA</source>
@@ -4981,6 +5125,10 @@ Licence Apache 2.0</translation>
         <translation>Le bras droit est appuyé</translation>
     </message>
     <message>
+        <source>The right hand is %1 from the end of its reach</source>
+        <translation>La main droite est à %1 de la fin de sa portée</translation>
+    </message>
+    <message>
         <source>The robot cannot reach the frame: %1 mm or rad away</source>
         <translation>Le robot ne peut pas atteindre l'image : %1 mm ou rad d'écart</translation>
     </message>
@@ -5007,6 +5155,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The scene in words</source>
         <translation>La scène en mots</translation>
+    </message>
+    <message>
+        <source>The scene's loop stands still: forces return once it answers</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The scores are partial: %1 not entered. Task data… completes them.</source>
@@ -5091,6 +5243,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>This solid has no frame yet: make one below</source>
         <translation>Ce solide n'a pas encore de repère : créez-en un ci-dessous</translation>
+    </message>
+    <message>
+        <source>This station</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Through entity</source>
@@ -5505,6 +5661,10 @@ Licence Apache 2.0</translation>
         <translation>Où sont les fichiers manquants</translation>
     </message>
     <message>
+        <source>Where the stylus is plugged in and its haptic server runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>While dragging</source>
         <translation>Pendant le glissement</translation>
     </message>
@@ -5855,10 +6015,6 @@ Licence Apache 2.0</translation>
     <message>
         <source>locked in place</source>
         <translation>verrouillé sur place</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>m</translation>
     </message>
     <message>
         <source>metre</source>

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "app/style/library_text.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -20,8 +22,7 @@ std::string pairNames(const SceneModel& scene, const manipulation::PairState& pa
 /// "A5 is 1.2° from its upper limit and pushes back".
 std::string limitWords(const manipulation::SceneSnapshot& snapshot) {
   const manipulation::LimitState& limit = snapshot.limits.front();
-  std::string words = limit.text;
-  if (const auto unit = words.find(" deg"); unit != std::string::npos) words.replace(unit, 4, "\u00b0");
+  const std::string words = shownText(limit.text).toStdString();
   return limit.holds && snapshot.forces_on ? words + OverlayText::tr(" and pushes back").toStdString() : words;
 }
 

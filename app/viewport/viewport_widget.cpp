@@ -229,7 +229,9 @@ void ViewportWidget::drawMoving(double now) {
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
   dirty_ = false;
-  sample_ = band_ = 0;
+  // Occlusion looks beyond the band that is drawn: a first round, which does not count, puts something there.
+  sample_ = bands_ > 1 ? -1 : 0;
+  band_ = 0;
   rest_work_s_ = 0.0;
   refine_.start(static_cast<int>(1000 * kSettleSeconds) + 10);
 }
@@ -250,7 +252,7 @@ void ViewportWidget::refineStep() {
 double ViewportWidget::refine(double now) {
   Frame frame = makeFrame();
   frame.refine = true;
-  frame.sample = sample_;
+  frame.sample = std::max(sample_, 0);
   frame.band = band_;
   frame.bands = bands_;
   renderer_->draw(frame);
@@ -278,6 +280,10 @@ std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLa
   const QRectF strip =
       stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
   if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
+  constexpr double kHintHeight = 44.0, kHintHalfWidth = 320.0;  // It stands above the strip.
+  if (!tools_.hint().isEmpty() && !strip.isEmpty())
+    keep_free.push_back({{strip.center().x() - kHintHalfWidth, strip.top() - kHintHeight},
+                         {strip.center().x() + kHintHalfWidth, strip.top()}});
   keep_free.push_back({{viewSize().width - 140, 0}, {viewSize().width, 130}});
   const QRectF views = view_strip_.box();
   if (!views.isEmpty()) keep_free.push_back({{0, 0}, {views.right() + 8, views.bottom() + 8}});

@@ -11,6 +11,7 @@
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/settings/configuration_page.h"
+#include "app/style/library_text.h"
 #include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/preparation_bar.h"
@@ -161,7 +162,7 @@ QString VirtualDesktopController::deviceLine() const {
     if (!device_) return tr("Connected");
     return device_->simulated ? tr("Connected, simulated") : tr("Connected");
   }
-  const QString problem = QString::fromStdString(link_->problem());
+  const QString problem = shownText(link_->problem());
   return problem.isEmpty() ? tr("Connecting") : problem;
 }
 
@@ -335,7 +336,7 @@ ForceFacts VirtualDesktopController::forceFacts() const {
     facts.checked = held->checked;
     facts.passes = settings_.on_contact == workcell::OnContact::kPass;
   }
-  if (link_ && !facts.connected) facts.problem = QString::fromStdString(link_->problem());
+  if (link_ && !facts.connected) facts.problem = shownText(link_->problem());
   return facts;
 }
 
@@ -384,7 +385,7 @@ void VirtualDesktopController::take(const std::vector<manipulation::Result>& res
     if (const auto* grabbed = std::get_if<manipulation::result::Grabbed>(&result))
       host_.selection().set(grabbed->entity);
     if (const auto* notice = std::get_if<manipulation::result::Notice>(&result))
-      host_.messages().tell(Severity::kInformation, QString::fromStdString(notice->sentence));
+      host_.messages().tell(Severity::kInformation, shownText(notice->sentence));
     if (const auto* recorded = std::get_if<manipulation::result::Recorded>(&result))
       host_.recording().deliver(recorded->trajectories);
   }

@@ -28,6 +28,8 @@
 namespace hapticell::app {
 namespace {
 
+constexpr int kMeterHeight = 36, kMendHeight = 56;
+
 /// A key as a cap, what it does beside it.
 QString keyLine(const QString& key, const QString& does, const Theme& theme) {
   return QStringLiteral(
@@ -143,6 +145,7 @@ void VirtualDesktopPanel::showForces() {
   mend_why_->setText(reason.why);
   mend_->setText(reason.button);
   meter_or_mend_->setCurrentIndex(broken ? 1 : 0);
+  meter_or_mend_->setFixedHeight(broken ? kMendHeight : kMeterHeight);  // Whole sentences.
   force_now_->setText(QString::fromStdString(newtons(now.force_n)));
   meter_->setForce(now.force_n);
 }

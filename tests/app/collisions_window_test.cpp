@@ -25,6 +25,10 @@ struct CollisionsPage : CellPage {
     standing = addSolid("standing", geometry::makeBox(dvec3(0.06)), Pose::translation({-0.1, 0, 0.03}));
     hovering = addSolid("hovering", geometry::makeBox(dvec3(0.06)), Pose::translation({0.15, 0, 0.06}));
     lookAt({0, 0, 0}, 0.4);
+    // With room for all columns.
+    for (QDockWidget* dock : window().findChildren<QDockWidget*>())
+      if (window().dockWidgetArea(dock) != Qt::BottomDockWidgetArea) dock->hide();
+    window().resize(1380, 860);
     showDock("dockCollisions");
   }
   QTableView* pairs() { return find<QTableView>("tablePairs"); }
@@ -73,6 +77,19 @@ TEST(CollisionsPanel, ThePairsSwitchLeavesItOutAndUndoBringsItBack) {
   page.trigger("actionUndo");
   EXPECT_TRUE(page.state().pair_rules.empty());
   EXPECT_EQ(page.cell(0, PairTableModel::kState), "Free");
+}
+
+TEST(CollisionsPanel, ANarrowTableKeepsTheNames) {
+  CollisionsPage page;
+  page.measureAtRest();
+  QTableView& table = *page.pairs();
+  EXPECT_FALSE(table.isColumnHidden(PairTableModel::kNearMiss));
+  for (const char* aside : {"dockWorkcell", "dockSolid"}) page.showDock(aside);
+  page.window().resize(860, 700);
+  page.settle();
+  EXPECT_TRUE(table.isColumnHidden(PairTableModel::kNearMiss));
+  EXPECT_TRUE(table.isColumnHidden(PairTableModel::kOnContact));
+  EXPECT_FALSE(table.isColumnHidden(PairTableModel::kAgainst));
 }
 
 TEST(CollisionsPanel, OnContactIsChosenForOnePair) {

@@ -11,23 +11,30 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kPatience = 30000;  // ms
+constexpr int kPatience = 120000;  // ms: a picture at rest takes its time where the renderer is slow.
 
 /// How often each widget was painted since it was made.
 class PaintCount : public QObject {
  public:
   PaintCount() { qApp->installEventFilter(this); }
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::Paint) ++count_[nameOf(watched)];
+    auto* widget = qobject_cast<QWidget*>(watched);
+    if (event->type() != QEvent::Paint || !widget) return false;
+    // With a part that is transparent what lies behind it is painted too, there.
+    const QRegion painted =
+        static_cast<QPaintEvent*>(event)->region().translated(widget->mapTo(widget->window(), QPoint()));
+    if (!painted.subtracted(allowed_).isEmpty()) ++count_[nameOf(watched)];
     return false;
   }
-  /// "statusLine 3, viewport 1"; without those that are told.
-  std::string text(const std::vector<std::string>& without = {}) const {
+  /// Paints within these widgets do not count.
+  template <class Widget>
+  void allow(const QList<Widget*>& widgets) {
+    for (const QWidget* widget : widgets) allowed_ += QRect(widget->mapTo(widget->window(), QPoint()), widget->size());
+  }
+  /// "collisions 3, viewport 1".
+  std::string text() const {
     std::string text;
-    for (const auto& [name, times] : count_) {
-      if (std::find(without.begin(), without.end(), name) != without.end()) continue;
-      text += (text.empty() ? "" : ", ") + name + ' ' + std::to_string(times);
-    }
+    for (const auto& [name, times] : count_) text += (text.empty() ? "" : ", ") + name + ' ' + std::to_string(times);
     return text;
   }
 
@@ -39,12 +46,13 @@ class PaintCount : public QObject {
            (object->parent() ? nameOf(object->parent()) : std::string("nothing"));
   }
   std::map<std::string, int> count_;
+  QRegion allowed_;
 };
 
 /// A box on a table, one of them selected, so that all panels have something to tell.
 struct IdlePage : CellPage {
   explicit IdlePage(const config::Configuration& configuration = {}) : CellPage(configuration) {
-    window().resize(1600, 1000);
+    window().resize(1000, 700);
     addSolid("table", geometry::makeBox({0.6, 0.6, 0.1}), Pose::translation({0, 0, -0.05}));
     select(addSolid("box", geometry::makeBox(dvec3(0.06)), Pose::translation({0, 0, 0.2})));
     lookAt({0, 0, 0}, 0.4);
@@ -86,9 +94,12 @@ TEST(IdleWindow, WithForcesOnAndAHandAtRestItPaintsTheRatesAtMost) {
   ASSERT_TRUE(page.rests());
   page.refreshes(3);
   ASSERT_TRUE(page.rests());
-  const PaintCount painted;
+  PaintCount painted;
+  // How fast the machine is may be told anew.
+  painted.allow(page.window().findChildren<QLabel*>("labelRate"));
+  painted.allow(page.window().findChildren<QWidget*>("statusLine"));
   page.refreshes(10);
-  EXPECT_EQ(painted.text({"statusLine", "labelRate"}), "") << "how fast the machine is may be told anew";
+  EXPECT_EQ(painted.text(), "");
 }
 
 TEST(SteadyNumber, StaysWhileItDiffersLittleAndNeverHidesAZero) {
