@@ -134,7 +134,7 @@
     </message>
     <message>
         <source>%1 answers at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 répond à %2.</translation>
     </message>
     <message>
         <source>%1 cannot be a part of it</source>
@@ -278,7 +278,7 @@
     </message>
     <message>
         <source>%1 is used, but only until the end of the program.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 est utilisé, mais seulement jusqu'à la fin du programme.</translation>
     </message>
     <message>
         <source>%1 is written</source>
@@ -978,7 +978,7 @@
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>Again and again</source>
@@ -1058,7 +1058,7 @@
     </message>
     <message>
         <source>Another</source>
-        <translation type="unfinished"></translation>
+        <translation>Un autre</translation>
     </message>
     <message>
         <source>Another program (%1) controls the stylus. Close it, or connect as a watcher.</source>
@@ -1522,7 +1522,7 @@
     </message>
     <message>
         <source>Code</source>
-        <translation type="unfinished"></translation>
+        <translation>Code</translation>
     </message>
     <message>
         <source>Collision</source>
@@ -1586,7 +1586,7 @@
     </message>
     <message>
         <source>Connecting to %1…</source>
-        <translation type="unfinished"></translation>
+        <translation>Connexion à %1…</translation>
     </message>
     <message>
         <source>Connecting to the haptic server at %1.</source>
@@ -2282,7 +2282,7 @@
     </message>
     <message>
         <source>Give the other station's address: its name in the network, or four numbers like 192.168.1.20.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
     </message>
     <message>
         <source>Give up: what was changed is not felt until the next change</source>
@@ -2682,7 +2682,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Known; type another to change it</source>
-        <translation type="unfinished"></translation>
+        <translation>Connu ; tapez-en un autre pour le changer</translation>
     </message>
     <message>
         <source>LEFT</source>
@@ -3110,7 +3110,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Name, or 192.168.1.20</source>
-        <translation type="unfinished"></translation>
+        <translation>Nom, ou 192.168.1.20</translation>
     </message>
     <message>
         <source>Named poses</source>
@@ -3250,7 +3250,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>No haptic server answers at %1:%2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun serveur haptique ne répond à %1:%2.</translation>
     </message>
     <message>
         <source>No inverse model: jog the joints.</source>
@@ -3478,7 +3478,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sur l'autre poste, une fois : hapticell-haptic-server --pair montre le code ; puis hapticell-haptic-server --listen et l'adresse de ce poste.</translation>
     </message>
     <message>
         <source>One frame back (Left, in the time bar)</source>
@@ -3710,7 +3710,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Pair and use</source>
-        <translation type="unfinished"></translation>
+        <translation>Associer et utiliser</translation>
     </message>
     <message>
         <source>Pair sets</source>
@@ -3898,7 +3898,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Plugged in at</source>
-        <translation type="unfinished"></translation>
+        <translation>Branché sur</translation>
     </message>
     <message>
         <source>Plugged in, and what is in the way</source>
@@ -3922,11 +3922,11 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>Port</translation>
     </message>
     <message>
         <source>Port; 4747 unless the server was started with another</source>
-        <translation type="unfinished"></translation>
+        <translation>Port ; 4747, sauf si le serveur a été lancé avec un autre</translation>
     </message>
     <message>
         <source>Pose %1 of %2: %3</source>
@@ -5158,7 +5158,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>The scene's loop stands still: forces return once it answers</source>
-        <translation type="unfinished"></translation>
+        <translation>La boucle de la scène est arrêtée : les forces reviennent dès qu'elle répond</translation>
     </message>
     <message>
         <source>The scores are partial: %1 not entered. Task data… completes them.</source>
@@ -5246,7 +5246,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>This station</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce poste</translation>
     </message>
     <message>
         <source>Through entity</source>
@@ -5662,7 +5662,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Where the stylus is plugged in and its haptic server runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Là où le stylet est branché et où tourne son serveur haptique</translation>
     </message>
     <message>
         <source>While dragging</source>
