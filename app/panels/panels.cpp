@@ -49,7 +49,7 @@ void addBottomDocks(Host& host) {
   QDockWidget* trajectory_dock = addTrajectoryDocks(host);
   const std::vector<QDockWidget*> docks{trajectory_dock, curves_dock, collisions_dock, messages_dock, history_dock};
   for (QDockWidget* dock : docks) {
-    dock->widget()->setMinimumHeight(150);
+    dock->widget()->setMinimumSize(480, 150);  // Their rows may be squeezed a little: the window fits a small screen.
     host.addDock(dock, Qt::BottomDockWidgetArea, dock == docks.front() ? nullptr : docks.front());
   }
   const auto name = [collisions_dock](int count) {

@@ -84,11 +84,12 @@ TEST(CollisionsPanel, ANarrowTableKeepsTheNames) {
   page.measureAtRest();
   QTableView& table = *page.pairs();
   EXPECT_FALSE(table.isColumnHidden(PairTableModel::kNearMiss));
-  for (const char* aside : {"dockWorkcell", "dockSolid"}) page.showDock(aside);
-  page.window().resize(860, 700);
-  page.settle();
+  table.resize(660, table.height());
   EXPECT_TRUE(table.isColumnHidden(PairTableModel::kNearMiss));
+  EXPECT_FALSE(table.isColumnHidden(PairTableModel::kOnContact));
+  table.resize(480, table.height());
   EXPECT_TRUE(table.isColumnHidden(PairTableModel::kOnContact));
+  EXPECT_FALSE(table.isColumnHidden(PairTableModel::kMoved));
   EXPECT_FALSE(table.isColumnHidden(PairTableModel::kAgainst));
 }
 
