@@ -206,10 +206,11 @@ TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
   const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
-  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, MannequinPage::kPatience))
+  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, 3 * MannequinPage::kPatience))
       << "trousers, shirt, skin, shoes and hands: " << drawn();
   ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
-  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, MannequinPage::kPatience)) << "and again in the next posture";
+  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, 3 * MannequinPage::kPatience))
+      << "and again in the next posture";
 }
 
 TEST(Markers, AreShownMomentByMoment) {
