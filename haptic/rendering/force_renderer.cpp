@@ -146,7 +146,9 @@ MetricVector ForceRenderer::takeOutJump(const ProxyStep& solved, const MetricVec
   const MetricVector growth = stretch_D - stretch_D_ - jump.stretch_D + stylus_step;
   stretch_D_ = stretch_D;
   const MetricVector carried{dt * solved.v_DO, dvec3(0.0)};
-  const double allowed = solved.outrun * length(stylus_step - carried) + length(carried) + kJumpAllowance;
+  // Of a proxy that arrives at last nothing is the stylus's doing.
+  const double own = late_ ? 0.0 : solved.outrun * length(stylus_step - carried);
+  const double allowed = own + length(carried) + kJumpAllowance;
   if ((!contact_ && !late_) || !solved.contact) return limited(proxy_step, allowed);
   const MetricVector excess = growth - limited(growth, allowed);
   if (!(excess == MetricVector{})) {
