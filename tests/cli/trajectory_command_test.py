@@ -7,8 +7,10 @@ usage: trajectory_command_test.py HAPTICELL_CLI [NAME_PART]
 import json
 import math
 import pathlib
+import re
 import sys
 
+import program_readers as readers
 from command_line_test import box, main, write_binary_stl
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -93,13 +95,54 @@ def test_a_session_is_recorded_cleaned_checked_and_exported(case):
     case.run("trajectory", "smooth", "rec.htraj", "-o", "smooth.htraj")
     found = case.run("trajectory", "check", "rec.htraj", "--workcell", demo / "demo.hcell", timeout=120)
     assert found["free"] and found["within_limits"], found["findings"][:5]
-    timed = case.run("trajectory", "retime", "smooth.htraj", "--robot", "library:hc6", "-o", "fast.htraj")
+    timed = case.run("trajectory", "retime", "smooth.htraj", "--robot", "library:hc6", "--workcell", demo / "demo.hcell",
+                     "-o", "fast.htraj", timeout=120)
     assert timed["limit_use"]["velocity"] <= 1.001 and timed["max_deviation"]["position"] < 1e-4, timed
+    assert not timed["kept_free"]["findings"], timed["kept_free"]
     ros = case.run("trajectory", "export", "fast.htraj", "--to", "ros", "-o", "p.yaml")
     again = case.run("trajectory", "info", "p.yaml")
     assert again["frames"] == ros["frames"] and again["joints"] == recorded["joints"]
     for name in ("krl", "rapid", "fanuc", "urscript", "val3"):
-        case.run("trajectory", "export", "fast.htraj", "--to", name, "--robot", "library:hc6", "-o", "prog-" + name)
+        case.run("trajectory", "export", "fast.htraj", "--to", name, "--robot", "library:hc6", "-o", "prog." + name)
+    read_back(case, json.loads((case.folder / "fast.htraj").read_text()), demo / "demo.hcell")
+
+
+def read_back(case, motion, cell):
+    """Every target of every program, and where the arm comes by its joints, within 1 um and 1e-4 deg."""
+    frames = [(f[1:4], readers.of_quaternion(*f[4:8])) for f in motion["frames"]]
+    (case.folder / "joints.csv").write_text("\n".join(
+        [",".join(motion["joints"])] + [",".join(repr(v) for v in f[8:14]) for f in motion["frames"]]))
+    robot = next(e for e in json.loads(cell.read_text())["entities"] if e["name"] == "robot")
+    base = robot["placement"]["position"]
+    assert robot["placement"]["quaternion"] == [1, 0, 0, 0] and robot["tool"]["position"] == [0, 0, 0]
+
+    def reached(joints_file):
+        poses = case.run("fk", "--robot", "library:hc6", "--joints", joints_file)["poses"]
+        return [([b + p[axis] for b, axis in zip(base, "xyz")],
+                 readers.of_quaternion(*(p[part] for part in ("qw", "qx", "qy", "qz")))) for p in poses]
+
+    def same(ones, others, what):
+        assert len(ones) == len(others), (what, len(ones), len(others))
+        for i, (one, other) in enumerate(zip(ones, others)):
+            assert math.dist(one[0], other[0]) < 1e-6, (what, i, one, other)
+            assert readers.angle_between(one[1], other[1]) < 1e-4, (what, i, one, other)
+
+    same(reached("joints.csv"), frames, "forward kinematics of the frames")
+    text = lambda name: (case.folder / name).read_text()
+    programs = {
+        "krl": (readers.read_krl(case.folder, "prog"), text("prog.src"), r"PTP \{([^}]*)\}"),
+        "rapid": (readers.read_rapid(case.folder, "prog.rapid"), text("prog.rapid"), r"MoveAbsJ \[\[([^\]]*)\]"),
+        "fanuc": (readers.read_fanuc(case.folder, "prog.fanuc"), None, None),
+        "urscript": (readers.read_urscript(case.folder, "prog.urscript"), text("prog.urscript"), r"movej\(\[([^\]]*)\]"),
+    }
+    for name, (targets, program, first) in programs.items():
+        same(targets, frames[len(frames) - len(targets):], name)  # the first move may be one of joints only
+        assert len(targets) >= len(frames) - 1, name
+        if first:
+            found = readers.numbers(re.sub(r"\bA\d ", "", re.search(first, program).group(1)))
+            joints = found if name == "urscript" else [math.radians(v) for v in found]
+            (case.folder / "first.csv").write_text(",".join(motion["joints"]) + "\n" + ",".join(map(repr, joints)) + "\n")
+            same(reached("first.csv"), frames[:1], name + ", first move")
 
 
 def frames_of(case, name):
