@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/station_panel.h"
 
-#include <QHostAddress>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -17,7 +16,8 @@ namespace {
 const QString kThisStation = QStringLiteral("127.0.0.1");
 
 bool isThisStation(const QString& host) {
-  return host == QStringLiteral("localhost") || QHostAddress(host).isLoopback();
+  return host == QStringLiteral("localhost") || host.startsWith(QStringLiteral("127.")) ||
+         host == QStringLiteral("::1");
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class StationPage {
     options.key = key;
     return options;
   }
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   haptic::PairingKey key_;
   haptic::LiveServer server_;
   StationPanel panel_;
