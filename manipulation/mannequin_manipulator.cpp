@@ -16,11 +16,14 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr int kMostTicks = 12;       ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
-constexpr int kProbeTicks = 16;      ///< To find out how far the reach goes.
-constexpr double kArrived = 2e-5;    ///< m
-constexpr double kStepsFrom = 1e-3;  ///< m that must be missing before the feet go along.
-constexpr double kMostStep = 0.01;   ///< m a proposal.
+constexpr int kMostTicks = 12;        ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
+constexpr int kProbeTicks = 24;       ///< To find out how far the reach goes.
+constexpr double kProbed = 0.05;      ///< m that it is looked for ahead at most; what is farther a later set finds.
+constexpr double kProgress = 0.05;    ///< Of a probe's step: less is none.
+constexpr double kLeastProbe = 5e-4;  ///< m: where no step so small goes on, the reach ends.
+constexpr double kArrived = 2e-5;     ///< m
+constexpr double kStepsFrom = 1e-3;   ///< m that must be missing before the feet go along.
+constexpr double kMostStep = 0.01;    ///< m a proposal.
 
 double errorOf(const mannequin::PostureResult& result) {
   return std::max({result.hand_position_error[0], result.hand_position_error[1], 0.1 * result.hand_orientation_error[0],
@@ -150,6 +153,26 @@ std::vector<PartDifferential> MannequinManipulator::differentiate(const EntityCo
   return result;
 }
 
+std::optional<double> MannequinManipulator::reachAlong(const dvec3& outward, double ahead, Posture posture,
+                                                       const Pose& X_WM) const {
+  double reached = 0.0, step = ahead;
+  for (int i = 0; i < kProbeTicks && reached < ahead - kStepsFrom; ++i) {
+    const double wanted = std::min(ahead, reached + step);
+    const mannequin::PostureResult result =
+        solver_.follow(taskFor({X_WM.p + wanted * outward, X_WM.q}, X_WF_), posture);
+    const double now = wanted - errorOf(result);
+    if (now > reached + kProgress * step) {
+      reached = now;
+      posture = result.posture;
+      continue;
+    }
+    // A bold step may fail where the hands' bond would break on the way; that is no end of the reach.
+    step *= 0.5;
+    if (step < kLeastProbe) return reached;
+  }
+  return std::nullopt;
+}
+
 std::vector<MotionLimit> MannequinManipulator::limits(const EntityConfiguration& configuration, double zone,
                                                       double) const {
   if (locks_.may_step) return {};  // The floor has no end.
@@ -160,24 +183,14 @@ std::vector<MotionLimit> MannequinManipulator::limits(const EntityConfiguration&
   const dvec3 hand = mannequin::handPose(pose, driven()).p;
   const double distance = glm::length(hand - shoulder);
   const double arm = figure().upperArmLength() + figure().forearmLength();
+  const double ahead = std::min(zone, kProbed);
   // Well bent arms have room.
-  if (distance < 1e-6 || (arm - distance > zone)) return {};
+  if (distance < 1e-6 || (arm - distance > ahead)) return {};
   const dvec3 outward = (hand - shoulder) / distance;
-  Pose probe = X_WM;
-  probe.p += zone * outward;
-  const mannequin::PostureTask task = taskFor(probe, X_WF_);
-  Posture reached = posture;
-  double missing = zone;
-  for (int i = 0; i < kProbeTicks && missing > 1e-4; ++i) {
-    const mannequin::PostureResult result = solver_.follow(task, reached);
-    const double now = errorOf(result);
-    if (now > 0.995 * missing && i > 0) break;
-    missing = std::min(missing, now);
-    reached = result.posture;
-  }
-  if (missing <= 1e-3) return {};
+  const std::optional<double> reach = reachAlong(outward, ahead, posture, X_WM);
+  if (!reach) return {};
   MotionLimit limit;
-  limit.constraint_W.gap = std::max(0.0, zone - missing);
+  limit.constraint_W.gap = *reach;
   for (std::size_t k = 0; k < 3; ++k) limit.constraint_W.gradient[k] = -outward[static_cast<int>(k)];
   limit.constraint_W.id = 1;
   limit.kind = LimitKind::kReach;

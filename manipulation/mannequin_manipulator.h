@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "manipulation/mannequin_body.h"
 #include "mannequin/posture_solver.h"
 
@@ -42,6 +44,10 @@ class MannequinManipulator final : public MannequinBody {
   Feet feetOf(const mannequin::Posture& posture) const;
   mannequin::PostureTask taskFor(const Pose& X_WM, const Feet& X_WF) const;
   mannequin::Posture follow(const mannequin::PostureTask& task, mannequin::Posture posture, dvec3* missing) const;
+  /// How far (m, at most `ahead`) the figure follows along `outward` from `posture`; nothing where it goes all the way,
+  /// or still does when the time for it is over.
+  std::optional<double> reachAlong(const dvec3& outward, double ahead, mannequin::Posture posture,
+                                   const Pose& X_WM) const;
   bool isBoth() const { return hands_ == Hands::kBoth || hands_ == Hands::kBothApart; }
   mannequin::Side driven() const;
 

@@ -15,10 +15,10 @@ namespace {
 
 using Hands = MannequinManipulator::Hands;
 
-workcell::Entity mannequinEntity(const char* posture) {
+workcell::Entity mannequinEntity(const char* posture, const char* body = "mannequin:male:50") {
   workcell::EntityLoader loader(".");
   Diagnostics diagnostics;
-  workcell::Entity entity = *loader.load("mannequin:male:50", 1.0, diagnostics);
+  workcell::Entity entity = *loader.load(body, 1.0, diagnostics);
   entity.id = 7;
   entity.name = "worker";
   const auto model = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
@@ -110,6 +110,26 @@ TEST(MannequinManipulator, TheEndOfTheReachIsALimitAndNamesTheMillimetres) {
   EXPECT_LT(limits[0].constraint_W.gap, 0.02);
   EXPECT_LT(limits[0].constraint_W.gradient[0], -0.5);
   EXPECT_NE(limits[0].text.find("right hand"), std::string::npos);
+}
+
+TEST(MannequinManipulator, HangingArmsAreNotAtTheEndOfTheReachWhateverTheScaleOfTheZone) {
+  const workcell::Entity entity = mannequinEntity("standing", "mannequin:female:5");
+  std::vector<int> links;
+  for (const Hands hands : {Hands::kLeft, Hands::kRight, Hands::kBoth, Hands::kBothApart}) {
+    for (const double way : {-0.001, 0.001}) {  // Down and up: the trunk bends, the arms do.
+      const MannequinManipulator manipulator = manipulatorOf(entity, hands, false, links);
+      EntityConfiguration configuration{entity.X_WE, entity.joints};
+      Pose wanted = manipulator.movedFrame(configuration);
+      for (int i = 0; i <= 60; ++i) {
+        configuration = manipulator.propose(configuration, wanted, 1.0);
+        ASSERT_LT(placeError(manipulator.movedFrame(configuration), wanted), 1e-4);
+        for (const double zone : {0.01, 0.12, 0.6}) {
+          EXPECT_TRUE(manipulator.limits(configuration, zone, 0.05).empty()) << static_cast<int>(hands) << " " << i;
+        }
+        wanted.p.z += way;
+      }
+    }
+  }
 }
 
 TEST(MannequinManipulator, TheDifferentialTellsWhatTheProposalDoes) {
