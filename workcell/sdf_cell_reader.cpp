@@ -355,7 +355,10 @@ bool isSdfCell(const fs::path& file) {
   if (!root) return false;
   if ((*root)->FirstChildElement("world")) return true;
   const TiXmlElement* model = (*root)->FirstChildElement("model");
-  return model && !moves(*model);
+  if (!model || !moves(*model)) return model != nullptr;
+  // Joints between models inside a model that has no link of its own make no robot: the whole is a group of bodies.
+  const bool group = model->FirstChildElement("model") || model->FirstChildElement("include");
+  return group && !model->FirstChildElement("link");
 }
 
 Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor) {

@@ -7,7 +7,8 @@
 
 namespace hapticell::workcell {
 
-/// True for an SDF file that is a cell rather than a robot: it holds a world, or a model without a joint that moves.
+/// True for an SDF file that is a cell rather than a robot: it holds a world, or a model without a joint that moves
+/// or whose links are all in models inside it.
 bool isSdfCell(const std::filesystem::path& file);
 
 /// Reads an SDF world or static model (sdformat.org, versions 1.4 to 1.10) as a tree: models, their links where there

@@ -50,6 +50,25 @@ TEST(SdfCell, tellsARobotFromACell) {
   EXPECT_FALSE(isSdfCell(folder.path() / "none.sdf"));
 }
 
+TEST(SdfCell, aModelOfModelsIsACellThoughAJointLiesBetweenThem) {
+  test::TemporaryFolder folder;
+  const std::string box =
+      "<link name='l'><visual name='v'><geometry><box><size>1 1 1</size></box></geometry></visual></link>";
+  const auto file = folder.write(
+      "belt.sdf", "<sdf version='1.6'><model name='belt'><model name='fixed'>" + box +
+                      "</model><model name='moving'><pose>0 0 2 0 0 0</pose>" + box +
+                      "</model><joint name='j' type='prismatic'><parent>fixed::l</parent><child>moving::l</child>"
+                      "</joint></model></sdf>");
+  ASSERT_TRUE(isSdfCell(file));
+  const auto scene = readScene(file, {}, nullptr);
+  ASSERT_TRUE(scene) << scene.error().message();
+  ASSERT_EQ(scene->nodes.size(), 5u);  // The belt, two models, a shape in each.
+  EXPECT_EQ(nodePoses(*scene).back().p, dvec3(0, 0, 2));
+  ASSERT_FALSE(scene->warnings.empty());
+  EXPECT_THAT(scene->warnings[0], HasSubstr("'belt' has joints that move"));
+  EXPECT_TRUE(holdsScene(file));
+}
+
 TEST(SdfCell, livesWithWhatIsWrong) {
   test::TemporaryFolder folder;
   const auto read = [&](const std::string& inside) {
