@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/anthropometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -66,6 +67,10 @@ constexpr std::array<MassRow, 6> kMassRows = {{
 /// Stature of the 5th, 50th and 95th percentile, m.
 constexpr std::array<std::array<double, 3>, 2> kStatures = {{{1.648, 1.755, 1.870}, {1.525, 1.626, 1.740}}};
 constexpr double kNormal95 = 1.6448536269514722;
+
+/// Least and greatest stature (m) among the persons measured: beyond them the lines' intercepts would make ever odder
+/// proportions (a man of 1.2 m with his centre of mass at 0.53 of the stature).
+constexpr std::array<std::array<double, 2>, 2> kMeasured = {{{1.491, 1.993}, {1.409, 1.829}}};
 
 std::size_t indexOf(Sex sex) {
   return static_cast<std::size_t>(sex);
@@ -153,11 +158,14 @@ Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
     return makeError({"", "stature", inWords("%g m", request.stature), "1.2 to 2.3 m",
                       "The measures are of grown persons; beyond that the regressions mean nothing."});
   }
+  const auto& measured = kMeasured[indexOf(request.sex)];
+  const double known = std::clamp(request.stature, measured[0], measured[1]), grown = request.stature / known;
   BodyDimensions body;
   for (std::size_t i = 0; i < kDimensionCount; ++i) {
     const Regression regression = regressionOf(request.sex, static_cast<Dimension>(i));
-    body.values[i] = regression.a + regression.b * request.stature;
+    body.values[i] = grown * (regression.a + regression.b * known);
   }
+  body[Dimension::kMass] *= grown;  // The body mass index is held.
   if (request.mass) {
     const double likely = body[Dimension::kMass];
     if (!(*request.mass >= 0.4 * likely && *request.mass <= 3.0 * likely)) {
@@ -168,7 +176,7 @@ Expected<BodyDimensions> bodyDimensions(const BodyRequest& request) {
     body[Dimension::kMass] = *request.mass;
     for (const MassRow& row : kMassRows) {
       const auto& c = row.of_sex[indexOf(request.sex)];
-      body[row.dimension] = 0.001 * (c[0] + c[1] * 1000.0 * request.stature + c[2] * *request.mass);
+      body[row.dimension] = 0.001 * grown * (c[0] + c[1] * 1000.0 * known + c[2] * *request.mass / (grown * grown));
     }
   }
   for (std::size_t i = 1; i < kDimensionCount; ++i) {

@@ -97,6 +97,29 @@ TEST(Figure, CentreOfMassOfAStandingFigureLiesWhereTheBooksSay) {
   }
 }
 
+TEST(Figure, BeyondThePersonsMeasuredTheProportionsAreHeld) {
+  for (const Sex sex : {Sex::kMale, Sex::kFemale}) {
+    for (const double stature : {1.2, 1.3, 1.4, 2.0, 2.15, 2.3}) {
+      const Figure figure = *makeFigure({sex, stature});
+      const dvec3 c = centerOfMass(figure, forwardKinematics(figure, *libraryPosture(figure, "standing")));
+      EXPECT_GE(c.z / stature, 0.55) << stature;
+      EXPECT_LE(c.z / stature, 0.57) << stature;
+    }
+    for (const double end : {1.2, 2.3}) {  // A tenth farther is everything a tenth larger, the mass by its square.
+      const double inner = end < 2.0 ? 1.1 * end : end / 1.1, larger = end < 2.0 ? 1.1 : 1.0 / 1.1;
+      const BodyDimensions near = *bodyDimensions({sex, inner}), far = *bodyDimensions({sex, end});
+      const BodyDimensions heavy = *bodyDimensions({sex, end, 90.0});
+      const BodyDimensions as_heavy = *bodyDimensions({sex, inner, 90.0 * larger * larger});
+      for (std::size_t i = 0; i < kDimensionCount; ++i) {
+        const auto dimension = static_cast<D>(i);
+        const double by = dimension == D::kMass ? larger * larger : larger;
+        EXPECT_NEAR(near[dimension], by * far[dimension], 1e-9) << nameOf(dimension);
+        EXPECT_NEAR(as_heavy[dimension], by * heavy[dimension], 1e-9) << nameOf(dimension);
+      }
+    }
+  }
+}
+
 TEST(Figure, MassesAddUpAndAMassIsKept) {
   const Figure figure = *makeFigure({Sex::kFemale, 1.626, 80.0});
   double sum = 0.0;
