@@ -24,7 +24,7 @@ ordered_json poseToJson(const Pose& X) {
 }
 
 Expected<ordered_json> solve(const ForwardOptions& options) {
-  auto robot = readRobotWithTip(options.robot, options.tip);
+  auto robot = readRobotWithTip(options.robot, options.tip, workcell::RobotContent::kKinematics);
   if (!robot) return makeError(robot.error());
   if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
   const auto rows = trajectory::readJointCsv(options.joints, robot->jointNames());

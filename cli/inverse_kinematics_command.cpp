@@ -87,7 +87,7 @@ struct Answer {
 };
 
 Expected<Answer> solve(const InverseOptions& options) {
-  auto robot = readRobotWithTip(options.robot, options.tip);
+  auto robot = readRobotWithTip(options.robot, options.tip, workcell::RobotContent::kKinematics);
   if (!robot) return makeError(robot.error());
   if (auto added = addExternalAxes(options.axes, *robot); !added) return makeError(added.error());
   const auto poses = trajectory::readPoseCsv(options.poses);

@@ -6,6 +6,8 @@
 #include "kinematics/jacobian.h"
 #include "kinematics/mounted_robot.h"
 #include "workcell/entity_source.h"
+#include "workcell/import_scene.h"
+#include "workcell/robot_reader.h"
 
 namespace hapticell::cli {
 
@@ -18,14 +20,31 @@ std::vector<std::string> RobotWithTip::jointNames() const {
   return names;
 }
 
-Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name) {
-  Diagnostics diagnostics;
+namespace {
+
+Expected<kinematics::RobotModel> readModel(const std::string& file, workcell::RobotContent content,
+                                           Diagnostics& diagnostics) {
+  if (content == workcell::RobotContent::kKinematics && workcell::looksLikeRobot(file) && !workcell::holdsScene(file)) {
+    auto robot = workcell::readRobot(file, diagnostics, nullptr, content);
+    if (!robot) return makeError(robot.error());
+    return std::move(robot->model);
+  }
   workcell::EntityLoader loader(".");
   const auto entity = loader.load(file, 1.0, diagnostics);
-  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
   if (!entity) return makeError(entity.error());
   if (!entity->robot) return makeError({file, "", "it is no robot", "a robot file, or library:NAME", ""});
-  RobotWithTip robot{*entity->robot, -1, {}};
+  return *entity->robot;
+}
+
+}  // namespace
+
+Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name,
+                                        workcell::RobotContent content) {
+  Diagnostics diagnostics;
+  auto model = readModel(file, content, diagnostics);
+  for (const std::string& sentence : diagnostics.warnings) warn(sentence);
+  if (!model) return makeError(model.error());
+  RobotWithTip robot{std::move(*model), -1, {}};
   robot.tip = tip_name.empty() ? robot.model.defaultTip() : robot.model.findLink(tip_name);
   if (robot.tip < 0) {
     std::string links;
@@ -47,7 +66,7 @@ struct Carrier {
 Expected<Carrier> readCarrier(const std::string& option, const std::string& text) {
   const auto mounting = parseMounting(option, text);
   if (!mounting) return makeError(mounting.error());
-  auto carrier = readRobotWithTip(mounting->what, mounting->link);
+  auto carrier = readRobotWithTip(mounting->what, mounting->link, workcell::RobotContent::kKinematics);
   if (!carrier) return makeError(carrier.error());
   if (!kinematics::isMoved(carrier->model, carrier->tip)) {
     const std::string& link = carrier->model.links[static_cast<std::size_t>(carrier->tip)].name;

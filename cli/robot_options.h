@@ -7,6 +7,7 @@
 #include "geometry/error.h"
 #include "geometry/pose.h"
 #include "kinematics/robot_model.h"
+#include "workcell/urdf_reader.h"
 
 namespace hapticell::cli {
 
@@ -20,8 +21,9 @@ struct RobotWithTip {
 };
 
 /// Reads a robot from a file or "library:NAME" and finds its tip by name (empty: RobotModel::defaultTip()). Warnings go
-/// to standard error.
-Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name);
+/// to standard error. With kKinematics no mesh is read where the format allows it.
+Expected<RobotWithTip> readRobotWithTip(const std::string& file, const std::string& tip_name,
+                                        workcell::RobotContent content = workcell::RobotContent::kAll);
 
 /// External axes of a robot, as the command line says them.
 struct AxisOptions {

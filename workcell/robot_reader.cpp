@@ -7,7 +7,6 @@
 
 #include "workcell/sdf_reader.h"
 #include "workcell/srdf.h"
-#include "workcell/urdf_reader.h"
 #include "workcell/xacro.h"
 
 namespace hapticell::workcell {
@@ -62,15 +61,16 @@ const char* formatName(RobotFormat format) {
   return "urdf";
 }
 
-Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
+Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor,
+                              RobotContent content) {
   const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
     if (format == RobotFormat::kSdf) return readSdf(file, diagnostics);
-    if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor);
+    if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
     const auto expanded = expandXacro(file);
     if (!expanded) return makeError(expanded.error());
-    return readUrdfText(*expanded, file, diagnostics, monitor);
+    return readUrdfText(*expanded, file, diagnostics, monitor, content);
   }();
   if (!model) return makeError(model.error());
   TomlRobot robot;

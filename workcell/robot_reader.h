@@ -7,10 +7,9 @@
 
 #include "geometry/error.h"
 #include "workcell/robot_toml.h"
+#include "workcell/urdf_reader.h"
 
 namespace hapticell::workcell {
-
-class ImportMonitor;
 
 enum class RobotFormat { kUrdf, kXacro, kSdf, kToml };
 
@@ -25,8 +24,9 @@ inline bool looksLikeRobot(const std::filesystem::path& file) {
 }
 
 /// Reads a robot in any of the formats: readUrdf(), expandXacro(), readSdf(), readRobotToml(). Beside a URDF an SRDF is
-/// looked for (see readSrdf()). A file of another kind is refused. `monitor` as for readUrdf().
+/// looked for (see readSrdf()). A file of another kind is refused. `monitor` and `content` as for
+/// readUrdf().
 Expected<TomlRobot> readRobot(const std::filesystem::path& file, Diagnostics& diagnostics,
-                              ImportMonitor* monitor = nullptr);
+                              ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll);
 
 }  // namespace hapticell::workcell

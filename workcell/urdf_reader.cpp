@@ -142,17 +142,18 @@ void addTree(const urdf::ModelInterface& source, const UrdfStructure& structure,
 
 }  // namespace
 
-Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics, ImportMonitor* monitor) {
-  const auto content = readFile(path);
-  if (!content) return makeError(content.error());
-  return readUrdfText(*content, path, diagnostics, monitor);
+Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics, ImportMonitor* monitor,
+                              RobotContent content) {
+  const auto text = readFile(path);
+  if (!text) return makeError(text.error());
+  return readUrdfText(*text, path, diagnostics, monitor, content);
 }
 
-Expected<RobotModel> readUrdfText(const std::string& content, const std::filesystem::path& path,
-                                  Diagnostics& diagnostics, ImportMonitor* monitor) {
-  const auto structure = checkUrdfStructure(content, path.string());
+Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem::path& path, Diagnostics& diagnostics,
+                                  ImportMonitor* monitor, RobotContent content) {
+  const auto structure = checkUrdfStructure(text, path.string());
   if (!structure) return makeError(structure.error());
-  const auto source = parse(content, path.string());
+  const auto source = parse(text, path.string());
   if (!source) return makeError(source.error());
   RobotModel model;
   model.name = structure->robot_name;
@@ -161,6 +162,7 @@ Expected<RobotModel> readUrdfText(const std::string& content, const std::filesys
     if (!joint.X_PJ.isValid())
       return makeError({path.string(), "joint '" + joint.name + "'", "an origin that is not a pose", "", ""});
   }
+  if (content == RobotContent::kKinematics) return model;
   std::set<std::string> undefined;
   for (const UrdfElement& material : structure->undefined_materials) {
     diagnostics.warn("line " + std::to_string(material.line) + ": the material '" + material.name +

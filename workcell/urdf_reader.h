@@ -11,6 +11,13 @@ namespace hapticell::workcell {
 
 class ImportMonitor;
 
+/// How much of a robot's file is read.
+enum class RobotContent {
+  kAll,
+  kKinematics,  ///< Links and joints without their shapes: no mesh is looked for. Of URDF and xacro; others are read
+                ///< all.
+};
+
 /// Reads a robot from a URDF file with its meshes (any readable format) and boxes, cylinders and spheres.
 ///
 /// Joints come depth first in the order of the file, variables from base to tip; mimic chains are resolved to the joint
@@ -23,10 +30,11 @@ class ImportMonitor;
 /// shape without positive size. Nothing throws. Any thread (the XML library's messages pass one lock).
 /// `monitor` (may be null) is told of, and can end, the reading of meshes in the importer's process.
 Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics,
-                                          ImportMonitor* monitor = nullptr);
+                                          ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll);
 
 /// The same of a text, as if it stood in the file `path` (for messages and relative mesh paths).
-Expected<kinematics::RobotModel> readUrdfText(const std::string& content, const std::filesystem::path& path,
-                                              Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
+Expected<kinematics::RobotModel> readUrdfText(const std::string& text, const std::filesystem::path& path,
+                                              Diagnostics& diagnostics, ImportMonitor* monitor = nullptr,
+                                              RobotContent content = RobotContent::kAll);
 
 }  // namespace hapticell::workcell

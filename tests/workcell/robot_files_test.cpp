@@ -175,6 +175,26 @@ TEST(Sdf, FaultsAreToldInOneSentence) {
   }
 }
 
+TEST(Kinematics, AreReadOfAUrdfWithoutItsMeshes) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write(
+      "arm.urdf",
+      "<robot name='arm'><link name='a'><visual><geometry><mesh filename='gone.stl'/></geometry></visual></link>"
+      "<link name='b'><collision><geometry><box size='1 1 1'/></geometry></collision></link><joint name='j' "
+      "type='revolute'><parent link='a'/><child link='b'/><origin xyz='0 0 2'/><axis xyz='0 1 0'/><limit lower='-1' "
+      "upper='2' velocity='3' effort='0'/></joint></robot>");
+  Diagnostics notes;
+  EXPECT_FALSE(readRobot(file, notes)) << "a mesh is missing";
+  const auto robot = readRobot(file, notes, nullptr, RobotContent::kKinematics);
+  ASSERT_TRUE(robot) << robot.error().message();
+  ASSERT_EQ(robot->model.dof(), 1u);
+  EXPECT_EQ(robot->model.joints[0].X_PJ.p, dvec3(0, 0, 2));
+  EXPECT_EQ(robot->model.joints[0].upper, 2.0);
+  for (const kinematics::Link& link : robot->model.links) {
+    EXPECT_TRUE(link.visuals.empty() && link.collisions.empty()) << link.name;
+  }
+}
+
 TEST(UrdfWithLoops, ADeltaTreeIsClosedByARobotToml) {
   HAPTICELL_SHARED_DATA_OR_SKIP(urdf, "robots/omnid_delta_tree/robot.urdf");
   const test::TemporaryFolder folder;
