@@ -88,8 +88,7 @@ struct BodyRequest {
 };
 
 /// The most likely dimensions of a person of that sex and stature (and mass): each by its own regression, so that they
-/// add up to the stature, which percentiles of segments do not. Beyond the shortest and the tallest person measured the
-/// proportions and the body mass index are theirs. Widths and depths use the regression on stature and
+/// add up to the stature, which percentiles of segments do not. Widths and depths use the regression on stature and
 /// mass where a mass is given. Refused, with the reason: a stature outside 1.2 to 2.3 m, a mass outside 0.4 to 3 times
 /// what the stature suggests, an own measure more than 40 % from its expectation.
 Expected<BodyDimensions> bodyDimensions(const BodyRequest& request);
