@@ -134,12 +134,12 @@ void MotionPlayer::tick() {
   emit changed();
 }
 
-void MotionPlayer::show() {
+std::vector<GhostPose> MotionPlayer::playedAt(double time) const {
   const auto& state = host_.documentModel().document().state();
   std::vector<GhostPose> played, carried;
   for (const Motion& motion : list_.motions()) {
-    if (!shown_ || !motion.played || !motion.replay) continue;
-    const auto at = motion.replay->at(playback_.time());
+    if (!motion.played || !motion.replay) continue;
+    const auto at = motion.replay->at(time);
     const auto ghosts = entityGhosts(state, motion.replay->entity(), at.X_WE, at.joints);
     if (ghosts.empty()) continue;
     played.push_back(ghosts.front());
@@ -150,7 +150,11 @@ void MotionPlayer::show() {
     const auto same = [&](const GhostPose& other) { return other.entity == pose.entity; };
     if (std::none_of(played.begin(), played.end(), same)) played.push_back(pose);
   }
-  host_.viewport().scene().setPlayed(std::move(played));
+  return played;
+}
+
+void MotionPlayer::show() {
+  host_.viewport().scene().setPlayed(shown_ ? playedAt(playback_.time()) : std::vector<GhostPose>{});
   host_.viewport().refresh();
 }
 

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "app/viewport/scene_model.h"
 #include "trajectory/playback.h"
 
 namespace hapticell::app {
@@ -34,6 +35,8 @@ class MotionPlayer : public QObject {
   /// Shows all places that the played motions go through at once, as ghosts: the room that they need.
   void setSwept(bool on);
   bool isSwept() const { return swept_; }
+  /// What is played, and what hangs on it, where it is at a time.
+  std::vector<GhostPose> playedAt(double time) const;
 
  signals:
   void changed();  ///< Time, play or pause, speed.

@@ -4,6 +4,8 @@
 #include <QAction>
 #include <QDateTime>
 #include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QMainWindow>
 #include <QMenu>
@@ -26,6 +28,7 @@
 #include "app/trajectory/motion_panel.h"
 #include "app/trajectory/motion_player.h"
 #include "app/trajectory/motion_work.h"
+#include "app/trajectory/play_video.h"
 #include "app/trajectory/trace_curves.h"
 #include "app/trajectory/training_docks.h"
 #include "app/trajectory/training_panel.h"
@@ -52,6 +55,7 @@ class TrajectoryDocks : public QObject {
         files_(host, list_, this),
         recorder_(host, this),
         gizmo_(host, this),
+        video_(host, player_, this),
         training_(host, list_, this) {
     panel_ = new TrajectoryPanel(host_, list_, player_);
     dock_ = makeDock("dockTrajectory", tr("Trajectory"), panel_);
@@ -181,6 +185,14 @@ class TrajectoryDocks : public QObject {
     entry({"actionCheckMotion", tr("Check the motion"), "check", {}, {}}, [this] { work_.check(); });
     entry({"actionMotionPanel", tr("Edit and export motions…"), "trajectory", {}, {}}, [this] { openMotion({}); });
     entry({"actionTraining", tr("Train along a motion…"), "hand", {}, {}}, [this] { training_.open(); });
+    film_ = entry({"actionMotionVideo", tr("Video of the motion…"), {}, {}, {}}, [this] { makeVideo(); });
+    connect(&video_, &PlayVideo::stepped, this,
+            [this] { film_->setText(tr("Stop the video, %1 % done").arg(static_cast<int>(100.0 * video_.share()))); });
+    connect(&video_, &PlayVideo::ended, this, [this](const QString& file, const QString& problem) {
+      film_->setText(tr("Video of the motion…"));
+      panel_->showLine(problem.isEmpty() ? tr("%1 is written").arg(QFileInfo(file).fileName()) : problem,
+                       !problem.isEmpty());
+    });
     entry({"actionImportMotion", tr("Import motions…"), "import", {}, {}}, [this] { files_.askImport(); });
     if (auto* tools = host_.window().findChild<QToolBar*>("toolMain")) {
       // With the tools, before what stands at the right end.
@@ -190,6 +202,18 @@ class TrajectoryDocks : public QObject {
           right = tool;
       tools->insertAction(right, record_);
     }
+  }
+
+  void makeVideo() {
+    if (video_.isBusy()) {
+      video_.cancel();
+      return film_->setText(tr("Video of the motion…"));
+    }
+    const QString file = QFileDialog::getSaveFileName(&host_.window(), tr("Video of the motion"), {},
+                                                      tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
+    if (file.isEmpty()) return;
+    const auto begun = video_.start(file, {1280, 720});
+    if (!begun) panel_->showLine(QString::fromStdString(begun.error().message()), true);
   }
 
   void openMotion(const QString& section) {
@@ -268,12 +292,13 @@ class TrajectoryDocks : public QObject {
   MotionExport files_;
   WindowRecorder recorder_;
   FrameGizmo gizmo_;
+  PlayVideo video_;
   TrainingDocks training_;
   TrajectoryPanel* panel_;
   MotionPanel* motion_;
   QScrollArea* scroll_;
   QDockWidget *dock_, *motion_dock_;
-  QAction* record_ = nullptr;
+  QAction *record_ = nullptr, *film_ = nullptr;
   int takes_ = 0;
 };
 
