@@ -5521,6 +5521,14 @@ Licence Apache 2.0</translation>
         <translation>Vidéo d'un tour…</translation>
     </message>
     <message>
+        <source>Video of the motion</source>
+        <translation>Vidéo du mouvement</translation>
+    </message>
+    <message>
+        <source>Video of the motion…</source>
+        <translation>Vidéo du mouvement…</translation>
+    </message>
+    <message>
         <source>Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)</source>
         <translation>Vidéos, par ffmpeg (*.mp4 *.webm *.mkv *.gif)</translation>
     </message>
