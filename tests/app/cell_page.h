@@ -74,6 +74,7 @@ class CellPage : public WindowPage {
     settle();
   }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    activate();
     QTest::keyClick(&window().viewport(), key, modifiers);
     settle();
   }

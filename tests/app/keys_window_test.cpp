@@ -101,6 +101,7 @@ TEST(Keys, TheForceClassOfTheEntityIsOneWhereverItIsChosen) {
 
 TEST(Keys, CtrlKFindsACommandByAFewLettersAndEnterDoesIt) {
   KeysPage page;
+  page.activate();
   QTest::keyClick(&page.window(), Qt::Key_K, Qt::ControlModifier);
   WindowPage::settle();
   auto* typed = page.find<QLineEdit>("fieldCommand");

@@ -24,6 +24,12 @@ class WindowPage {
     settle();
   }
   MainWindow& window() { return window_; }
+  /// Keys are heard by the active window only, and becoming that takes a slow machine its time.
+  void activate() {
+    if (window_.isActiveWindow()) return;
+    window_.activateWindow();
+    EXPECT_TRUE(until([&] { return window_.isActiveWindow(); }, 30000));
+  }
   void trigger(const char* action) {
     auto* found = window_.findChild<QAction*>(action);
     ASSERT_NE(found, nullptr) << action;
