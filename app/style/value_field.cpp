@@ -74,8 +74,9 @@ void ValueField::unitsChanged() {
 }
 
 void ValueField::setValue(double value) {
-  constexpr double kSame = 1e-9;  // Far below the last of the kept decimals.
-  if (std::abs(value - this->value()) < kSame && lineEdit()->text() == textFromValue(value)) return;
+  // It would be rounded to what is there: a pose that was worked out anew differs far behind the last kept decimal.
+  const double same = 0.5 * std::pow(10.0, -decimals());
+  if (std::abs(value - this->value()) <= same && lineEdit()->text() == textFromValue(this->value())) return;
   QDoubleSpinBox::setValue(value);
 }
 

@@ -40,6 +40,32 @@ class SettingsPage : public CellPage {
   UserSettings& settings() { return window().userSettings(); }
 };
 
+/// Counts the paints of what it watches.
+class PaintCount : public QObject {
+ public:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++paints;
+    return false;
+  }
+  int paints = 0;
+};
+
+TEST(ValueField, TheNumberThatItShowsAlreadyIsNotPaintedAnew) {
+  CellPage page;
+  ValueField field({QStringLiteral("mm")});
+  field.show();
+  field.setValue(990.0);
+  CellPage::settle();
+  PaintCount count;
+  field.installEventFilter(&count);
+  field.setValue(990.0 + 3e-8);  // As a pose that was worked out anew has it.
+  CellPage::settle();
+  EXPECT_EQ(count.paints, 0);
+  field.setValue(991.0);
+  ASSERT_TRUE(CellPage::until([&] { return count.paints > 0; }, 30000));
+  EXPECT_EQ(field.text(), "991.0");
+}
+
 TEST(Settings, UnitsChangeEveryFieldAndAreRemembered) {
   SettingsPage page;
   const auto id = page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1}), Pose::translation({0.0508, 0, 0}));
