@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "workcell/sdf_reader.h"
 #include "workcell/srdf.h"
@@ -27,6 +30,37 @@ std::string headOf(const fs::path& file) {
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head;
+}
+
+/// The moving joints on the way to each link that carries no other, as "rrp"; a turning joint is an "r", limited or
+/// not.
+std::map<std::string, int> freeLegs(const kinematics::RobotModel& model) {
+  std::vector<std::string> way(model.links.size());
+  std::vector<bool> carries(model.links.size(), false);
+  for (const kinematics::Joint& joint : model.joints) {
+    const auto parent = static_cast<std::size_t>(joint.parent_link);
+    carries[parent] = true;
+    const char* kind = joint.variable < 0 ? "" : joint.type == kinematics::JointType::kPrismatic ? "p" : "r";
+    way[static_cast<std::size_t>(joint.child_link)] = way[parent] + kind;
+  }
+  std::map<std::string, int> legs;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (!carries[i]) ++legs[way[i]];
+  }
+  return legs;
+}
+
+/// A parallel robot written as a tree, for URDF has no words for its loops: three or more equal legs that end free.
+void hintAtOpenLoops(const kinematics::RobotModel& model, Diagnostics& diagnostics) {
+  constexpr int kLegs = 3;
+  constexpr std::size_t kJoints = 3;
+  for (const auto& [way, count] : freeLegs(model)) {
+    if (count < kLegs || way.size() < kJoints) continue;
+    diagnostics.warn(
+        std::to_string(count) + " equal legs of " + std::to_string(way.size()) +
+        " joints end free: if this is a parallel robot, its loops are open, for the file does not state them; "
+        "close them with a robot.toml (docs/formats.md)");
+  }
 }
 
 }  // namespace
@@ -73,6 +107,7 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
     return readUrdfText(*expanded, file, diagnostics, monitor, content);
   }();
   if (!model) return makeError(model.error());
+  if (!model->closure) hintAtOpenLoops(*model, diagnostics);
   TomlRobot robot;
   robot.model = std::move(*model);
   robot.sheet.name = robot.model.name;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -193,6 +194,31 @@ TEST(Kinematics, AreReadOfAUrdfWithoutItsMeshes) {
   for (const kinematics::Link& link : robot->model.links) {
     EXPECT_TRUE(link.visuals.empty() && link.collisions.empty()) << link.name;
   }
+}
+
+TEST(UrdfWithLoops, AnOpenDeltaIsSaidToBeOne) {
+  const std::string head = "<robot name=\"d\"><link name=\"base\"/>";
+  const auto leg = [](int n, int joints) {
+    std::string text, below = "base";
+    for (int j = 0; j < joints; ++j) {
+      const std::string link = "l" + std::to_string(n) + std::to_string(j);
+      text += "<link name=\"" + link + "\"/><joint name=\"j" + link + "\" type=\"continuous\"><parent link=\"" + below +
+              "\"/><child link=\"" + link + "\"/><axis xyz=\"0 1 0\"/></joint>";
+      below = link;
+    }
+    return text;
+  };
+  const auto hints = [&](const std::string& legs) {
+    const test::TemporaryFolder folder;
+    Diagnostics notes;
+    EXPECT_TRUE(readRobot(folder.write("d.urdf", head + legs + "</robot>"), notes));
+    return std::count_if(notes.warnings.begin(), notes.warnings.end(),
+                         [](const std::string& note) { return note.find("loops are open") != std::string::npos; });
+  };
+  EXPECT_EQ(hints(leg(0, 3) + leg(1, 3) + leg(2, 3)), 1);
+  EXPECT_EQ(hints(leg(0, 3) + leg(1, 3)), 0) << "two arms";
+  EXPECT_EQ(hints(leg(0, 3) + leg(1, 3) + leg(2, 4)), 0);
+  EXPECT_EQ(hints(leg(0, 6)), 0);
 }
 
 TEST(UrdfWithLoops, ADeltaTreeIsClosedByARobotToml) {
