@@ -10,6 +10,11 @@ constexpr int kLookPeriod = 50;  // ms.
 
 }  // namespace
 
+bool isThisStation(const QString& host) {
+  return host == QStringLiteral("localhost") || host.startsWith(QStringLiteral("127.")) ||
+         host == QStringLiteral("::1");
+}
+
 StationPairing::StationPairing(QObject* parent) : QObject(parent) {
   timer_.setInterval(kLookPeriod);
   connect(&timer_, &QTimer::timeout, this, &StationPairing::look);

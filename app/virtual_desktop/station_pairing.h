@@ -11,6 +11,9 @@
 
 namespace hapticell::app {
 
+/// Whether an address means this machine: localhost, 127.x.x.x or ::1.
+bool isThisStation(const QString& host);
+
 /// Tries a haptic server and its code, and keeps the code when it fits: what `hapticell-cli pair` does, for the window.
 /// It connects as a watcher, so the stylus is taken from nobody. GUI thread; never waits.
 class StationPairing : public QObject {

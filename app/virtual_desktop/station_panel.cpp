@@ -15,11 +15,6 @@ namespace {
 
 const QString kThisStation = QStringLiteral("127.0.0.1");
 
-bool isThisStation(const QString& host) {
-  return host == QStringLiteral("localhost") || host.startsWith(QStringLiteral("127.")) ||
-         host == QStringLiteral("::1");
-}
-
 }  // namespace
 
 StationPanel::StationPanel(const QString& host, int port, QWidget* parent) : QWidget(parent), port_now_(port) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which haptic server is used, what it says of the device, and starting one of our own.
+#include "app/host/document_model.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/settings/configuration_page.h"
+#include "app/style/library_text.h"
+#include "app/virtual_desktop/station_pairing.h"
+#include "app/virtual_desktop/virtual_desktop_controller.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kServerPatience = 700;  // Milliseconds without an answer until a server is started.
+
+}  // namespace
+
+QString VirtualDesktopController::deviceLine() const {
+  if (!link_) return tr("Not connected");
+  if (isConnected()) {
+    if (!device_) return tr("Connected");
+    return device_->simulated ? tr("Connected, simulated") : tr("Connected");
+  }
+  const QString problem = shownText(link_->problem());
+  return problem.isEmpty() ? tr("Connecting") : problem;
+}
+
+QString VirtualDesktopController::serverAddress() const {
+  return QStringLiteral("%1:%2").arg(server_host_).arg(server_port_);
+}
+
+void VirtualDesktopController::useServer(const QString& host, int port) {
+  if (host == server_host_ && port == server_port_) return;
+  const bool was_started = isStarted();
+  disconnectDevice();
+  server_.stop();
+  server_host_ = host;
+  server_port_ = port;
+  auto kept = writeSetting(userConfigurationFile(), QStringLiteral("server.host"), host);
+  if (kept) kept = writeSetting(userConfigurationFile(), QStringLiteral("server.port"), QString::number(port));
+  if (!kept)
+    host_.messages().tell(Severity::kWarning,
+                          tr("%1 is used, but only until the end of the program.").arg(serverAddress()),
+                          QString::fromStdString(kept.error().message()));
+  if (was_started) connectDevice();
+  emit connectionChanged();
+}
+
+ForceFacts VirtualDesktopController::forceFacts() const {
+  ForceFacts facts;
+  facts.started = isStarted();
+  facts.connected = isConnected();
+  facts.forceless = device_ && device_->driven_axes == 0;
+  facts.wanted = forces_wanted_;
+  facts.on = facts.connected && snapshot_.forces_on;
+  facts.ramp = snapshot_.force_ramp;
+  facts.device_fault = facts.connected && snapshot_.device_fault;
+  // A loop that hangs brings no snapshot that could say so.
+  constexpr qint64 kStalled = 2000;  // ms
+  facts.stalled = facts.connected && forces_wanted_ &&
+                  (snapshot_.loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
+  facts.held = snapshot_.held != 0;
+  if (const workcell::Entity* held = host_.documentModel().document().find(snapshot_.held)) {
+    facts.checked = held->checked;
+    facts.passes = settings_.on_contact == workcell::OnContact::kPass;
+  }
+  if (link_ && !facts.connected) facts.problem = shownText(link_->problem());
+  return facts;
+}
+
+void VirtualDesktopController::startServer() {
+  server_tried_ = true;
+  server_.start(profile_, server_port_);
+}
+
+void VirtualDesktopController::chooseDevice(const QString& profile) {
+  if (profile == profile_) return;
+  if (isConnected() && !server_.isRunning()) {
+    host_.messages().tell(
+        Severity::kInformation, tr("The stylus is as it was"),
+        tr("Another program started the server at %1; the device is chosen there.").arg(serverAddress()));
+    emit connectionChanged();
+    return;
+  }
+  profile_ = profile;
+  const bool was_started = isStarted();
+  disconnectDevice();
+  server_.stop();
+  if (was_started) connectDevice();
+  emit connectionChanged();
+}
+
+void VirtualDesktopController::helpServer() {
+  if (isConnected() || server_tried_ || !isThisStation(server_host_) || connecting_.elapsed() < kServerPatience) return;
+  server_tried_ = true;
+  startServer();
+}
+
+}  // namespace hapticell::app
