@@ -7,8 +7,8 @@
 
 #include "cli/commands.h"
 #include "cli/import_arguments.h"
-#include "cli/progress_line.h"
 #include "cli/number_range.h"
+#include "cli/progress_line.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/length_unit.h"
@@ -22,8 +22,8 @@ namespace {
 struct ConvertOptions {
   std::string file;
   std::string output;
-  std::string unit;         ///< Of the read file; empty: as it says, else metres.
-  std::string output_unit;  ///< Of a written mesh file; empty: metres.
+  std::string unit;         ///< Of the read file; empty: as it says, else guessed from the size as `inspect` does.
+  std::string output_unit;  ///< Of a written mesh file; empty: metres, but the guessed unit where one was guessed.
   std::string up;
   workcell::Tessellation tessellation;
   double simplify = 0.0;  ///< Metres; 0: not.
@@ -76,6 +76,7 @@ Expected<workcell::ImportOptions> importOptions(const ConvertOptions& options) {
   workcell::ImportOptions reading;
   reading.tessellation = options.tessellation;
   reading.weld = false;
+  reading.warn_about_unit = false;
   if (!options.unit.empty()) {
     const auto unit = workcell::parseLengthUnit(options.unit);
     if (!unit) return makeError(unit.error());
@@ -87,6 +88,36 @@ Expected<workcell::ImportOptions> importOptions(const ConvertOptions& options) {
     reading.up_axis = *axis;
   }
   return reading;
+}
+
+void rescale(workcell::ImportedScene& scene, double factor) {
+  for (geometry::TriangleMesh& mesh : scene.meshes) {
+    for (dvec3& vertex : mesh.vertices) vertex *= factor;
+  }
+  for (workcell::SceneNode& node : scene.nodes) node.X_PN.p *= factor;
+}
+
+/// A mesh file that names no unit was read in metres; where its size makes another one likely, that is taken instead,
+/// as `inspect` does, and a mesh file is written in it: its numbers stay, and both have one size. Gives metres per
+/// unit.
+double takeLikelyUnit(workcell::ImportedScene& scene, Diagnostics& notes) {
+  geometry::Bounds bounds;
+  const std::vector<Pose> X_W = workcell::nodePoses(scene);
+  for (std::size_t k = 0; k < X_W.size(); ++k) {
+    const int mesh = scene.nodes[k].mesh;
+    if (mesh < 0) continue;
+    bounds.add(geometry::transformed(X_W[k], scene.meshes[static_cast<std::size_t>(mesh)].bounds()));
+  }
+  const workcell::LengthUnit unit = workcell::guessUnit(bounds);
+  notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
+             " (--unit says otherwise)");
+  if (unit != workcell::LengthUnit::kMetre) rescale(scene, workcell::metresPer(unit));
+  return workcell::metresPer(unit);
+}
+
+bool namesNoUnit(const workcell::ImportedScene& scene) {
+  const bool mesh = scene.format == "stl" || scene.format == "obj" || scene.format == "ply" || scene.format == "off";
+  return mesh && !scene.unit_is_stated;
 }
 
 Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
@@ -102,6 +133,10 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
   ProgressLine progress;
   auto scene = workcell::sceneOfFile(options.file, *reading, notes, &progress.monitor());
   if (!scene) return tl::unexpected(scene.error());
+  if (options.unit.empty() && namesNoUnit(*scene)) {
+    const double likely = takeLikelyUnit(*scene, notes);
+    if (options.output_unit.empty()) writing.metres_per_unit = likely;
+  }
   const bool cared = options.hull || options.simplify > 0.0;
   const auto deviation = cared ? careFor(*scene, options) : Expected<double>(0.0);
   if (!deviation) return tl::unexpected(deviation.error());
@@ -137,9 +172,12 @@ void addConvertCommand(CLI::App& app, Action& chosen) {
   command->add_option("file", options->file, "A mesh, CAD, robot or workcell file")->required();
   command->add_option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot")
       ->required();
-  command->add_option("--unit", options->unit, "What one unit of the read file is: m, mm or in");
-  command->add_option("--output-unit", options->output_unit,
-                      "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m)");
+  command->add_option("--unit", options->unit,
+                      "What one unit of the read file is: m, mm or in; as it says, or guessed, when not given");
+  command->add_option(
+      "--output-unit", options->output_unit,
+      "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m, or that of a read mesh "
+      "file that names none)");
   CLI::Option* simplify =
       command->add_option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
           ->check(numberRange(1e-9, 1e3));

@@ -4,11 +4,14 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/entity_report.h"
 #include "cli/import_arguments.h"
 #include "cli/progress_line.h"
+#include "geometry/mass_properties.h"
 #include "geometry/topology.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -42,47 +45,46 @@ bool looksLikeDocument(const fs::path& file) {
   return file.extension() == ".hcell";
 }
 
-/// Welding is tried on a copy, so that the counts and sizes shown are those of the file.
-void warnAboutTriangles(const workcell::MeshFile& file, const ordered_json& report, Diagnostics& notes) {
-  geometry::TriangleMesh welded = file.mesh;
-  const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
-  const auto say = [&](std::uint32_t count, const char* what) {
+/// Welding is tried on copies, so that the counts and sizes shown are those of the file.
+void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostics& notes) {
+  std::size_t degenerate = 0, duplicate = 0, rejected = 0, holes = 0;
+  bool open = false, inward = false;
+  for (const workcell::MeshPart& part : parts) {
+    geometry::TriangleMesh welded = part.mesh;
+    const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
+    const geometry::Topology topology = geometry::topologyOf(welded);
+    degenerate += dropped.degenerate_triangles;
+    duplicate += dropped.duplicate_triangles;
+    rejected += topology.rejected_triangles;
+    holes += topology.holes;
+    open = open || !geometry::isClosed(welded);
+    inward = inward || geometry::massProperties(part.mesh).volume < 0.0;
+  }
+  const auto say = [&](std::size_t count, const char* what) {
     if (count > 0) notes.warn(what + (": " + std::to_string(count)));
   };
-  say(dropped.degenerate_triangles, "triangles without area, left out in a workcell");
-  say(dropped.duplicate_triangles, "triangles that are there twice, left out once in a workcell");
-  const geometry::Topology topology = geometry::topologyOf(welded);
-  say(topology.rejected_triangles, "triangles at an edge of more than two faces, or turned over");
-  say(topology.holes, "holes in the surface");
-  if (!report["closed"].get<bool>()) notes.warn("the surface is not closed, so the volume means little");
-  if (report["volume"].get<double>() < 0.0) notes.warn("the triangles face inward, so the volume is negative");
+  say(degenerate, "triangles without area, left out in a workcell");
+  say(duplicate, "triangles that are there twice, left out once in a workcell");
+  say(rejected, "triangles at an edge of more than two faces, or turned over");
+  say(holes, "holes in the surface");
+  if (open) notes.warn("the surface is not closed, so the volume means little");
+  if (inward) notes.warn("the triangles face inward, so the volume is negative");
 }
 
-Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& notes) {
-  workcell::MeshReadOptions reading;
-  reading.weld = false;
-  reading.warn_about_unit = false;
-  Expected<workcell::MeshFile> file = workcell::readMeshFile(options.file, reading, notes);
-  if (!file) return tl::unexpected(file.error());
-  workcell::LengthUnit unit = workcell::guessUnit(file->mesh.bounds());
-  if (options.unit.empty()) {
-    notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
-               " (--unit says otherwise)");
-  } else {
+/// What one unit of the file means: as --unit says, else the file, else its size.
+Expected<double> unitOf(const InspectOptions& options, const workcell::MeshFileParts& file, Diagnostics& notes) {
+  if (!options.unit.empty()) {
     const auto said = workcell::parseLengthUnit(options.unit);
     if (!said) return tl::unexpected(said.error());
-    unit = *said;
+    return workcell::metresPer(*said);
   }
-  for (dvec3& vertex : file->mesh.vertices) vertex *= workcell::metresPer(unit);
-  const std::string name = fs::path(options.file).stem().string();
-  const workcell::Entity plain;
-  ordered_json report = meshReport(name, file->mesh, Pose::identity(), plain.color);
-  warnAboutTriangles(*file, report, notes);
-  ordered_json result = inspection(workcell::formatName(file->format), workcell::unitName(unit),
-                                   ordered_json::array({std::move(report)}), notes);
-  if (file->format == workcell::MeshFormat::kStlAscii) result["encoding"] = "ascii";
-  if (file->format == workcell::MeshFormat::kStlBinary) result["encoding"] = "binary";
-  return result;
+  if (file.unit_is_stated) return file.metres_per_unit;
+  geometry::Bounds bounds;
+  for (const workcell::MeshPart& part : file.parts) bounds.add(part.mesh.bounds());
+  const workcell::LengthUnit unit = workcell::guessUnit(bounds);
+  notes.warn(std::string("the file names no unit; by its size it is taken as ") + workcell::unitName(unit) +
+             " (--unit says otherwise)");
+  return workcell::metresPer(unit);
 }
 
 /// The names that users know; other units are shown as metres per unit.
@@ -91,9 +93,32 @@ std::string unitWord(double metres_per_unit) {
        {workcell::LengthUnit::kMetre, workcell::LengthUnit::kMillimetre, workcell::LengthUnit::kInch}) {
     if (std::abs(workcell::metresPer(unit) - metres_per_unit) < 1e-9 * metres_per_unit) return workcell::unitName(unit);
   }
+  for (const auto& [metres, word] : {std::pair(0.01, "cm"), std::pair(0.3048, "ft")}) {
+    if (std::abs(metres - metres_per_unit) < 1e-9 * metres_per_unit) return word;
+  }
   std::ostringstream text;
   text << metres_per_unit << " m";
   return text.str();
+}
+
+Expected<ordered_json> inspectMesh(const InspectOptions& options, Diagnostics& notes) {
+  workcell::MeshReadOptions reading;
+  reading.weld = false;
+  reading.warn_about_unit = false;
+  Expected<workcell::MeshFileParts> file = workcell::readMeshParts(options.file, reading, true, notes);
+  if (!file) return tl::unexpected(file.error());
+  const auto unit = unitOf(options, *file, notes);
+  if (!unit) return tl::unexpected(unit.error());
+  for (workcell::MeshPart& part : file->parts) {
+    for (dvec3& vertex : part.mesh.vertices) vertex *= *unit / file->metres_per_unit;
+  }
+  warnAboutTriangles(file->parts, notes);
+  const workcell::MeshFormat format = file->format;
+  const auto scene = workcell::sceneOfParts(std::move(*file), fs::path(options.file).stem().string());
+  ordered_json result = inspection(workcell::formatName(format), unitWord(*unit).c_str(), sceneReport(scene), notes);
+  if (format == workcell::MeshFormat::kStlAscii) result["encoding"] = "ascii";
+  if (format == workcell::MeshFormat::kStlBinary) result["encoding"] = "binary";
+  return result;
 }
 
 Expected<ordered_json> inspectCad(const InspectOptions& options, Diagnostics& notes) {

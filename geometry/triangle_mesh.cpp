@@ -6,6 +6,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "geometry/vertex_merge.h"
+
 namespace hapticell::geometry {
 
 namespace {
@@ -126,6 +128,11 @@ void dropUnusedVertices(TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> mergedVertices(const std::vector<dvec3>& vertices, double tolerance) {
+  std::uint32_t ignored = 0;
+  return representatives(vertices, tolerance, ignored);
+}
 
 Bounds TriangleMesh::bounds() const {
   return boundsOf(vertices);

@@ -87,7 +87,9 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
   if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();
   if (holdsScene(file)) return loadPart(file, source, diagnostics);
-  if (!looksLikeRobot(file)) return loadMesh(file, source, diagnostics);
+  if (!looksLikeRobot(file)) {
+    return source.part.empty() ? loadMesh(file, source, diagnostics) : loadPart(file, source, diagnostics);
+  }
   if (said) {
     return makeError(
         {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
@@ -121,28 +123,27 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
 
 Expected<ImportResult> EntityLoader::loadMeshTree(const fs::path& file, const ImportOptions& options,
                                                   Diagnostics& diagnostics) const {
-  MeshReadOptions reading;
-  reading.scale = options.metres_per_unit.value_or(1.0);
-  reading.weld = options.weld;
-  reading.warn_about_unit = options.warn_about_unit && !options.metres_per_unit;
-  Expected<MeshFile> read = readMeshFile(file, reading, diagnostics);
+  MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit && !options.metres_per_unit};
+  Expected<MeshFileParts> read = readMeshParts(file, reading, !options.merge, diagnostics);
   if (!read) return makeError(read.error());
-  ImportResult result;
-  result.report.format = formatName(read->format);
-  result.report.metres_per_unit = reading.scale;
-  result.report.unit_is_stated = false;
-  result.report.up_axis = options.up_axis.value_or(UpAxis::kZ);
-  result.report.parts = 1;
-  result.report.triangles = read->mesh.triangles.size();
-  result.report.merged_vertices = read->weld.merged_vertices;
-  result.report.degenerate_triangles = read->weld.degenerate_triangles;
-  result.report.duplicate_triangles = read->weld.duplicate_triangles;
-  Entity entity;
-  entity.name = file.stem().string();
-  entity.source = {file.string(), reading.scale, "", options.up_axis, {}};
-  turnUp(read->mesh, options.up_axis);
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(read->mesh));
-  result.entities.push_back(std::move(entity));
+  const geometry::WeldReport weld = read->weld;
+  const bool one = read->parts.size() == 1;
+  const UpAxis up = options.up_axis.value_or(UpAxis::kZ);
+  if (one) turnUp(read->parts[0].mesh, up);  // A file of one solid is a part without a name, as loadMesh() reads it.
+  ImportedScene scene = sceneOfParts(std::move(*read), file.stem().string());
+  for (SceneNode& node : scene.nodes) {
+    if (!one && node.parent < 0) node.X_PN = turnedUp(up) * node.X_PN;
+  }
+  ImportOptions made;  // All else is done.
+  made.up_axis = options.up_axis;
+  made.weld = false;
+  Expected<ImportResult> result = entitiesFromScene(std::move(scene), {file.string()}, made, diagnostics);
+  if (!result) return result;
+  if (one) result->entities[0].source.part.clear();
+  result->report.up_axis = up;
+  result->report.merged_vertices = weld.merged_vertices;
+  result->report.degenerate_triangles = weld.degenerate_triangles;
+  result->report.duplicate_triangles = weld.duplicate_triangles;
   return result;
 }
 
@@ -247,22 +248,25 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diag
 }
 
 Expected<Entity> EntityLoader::loadMesh(const fs::path& file, const SourceFile& source, Diagnostics& diagnostics) {
-  const double scale = source.scale == 0.0 ? 1.0 : source.scale;
   const char* up = source.up_axis ? axisName(*source.up_axis) : "";
-  auto& known = meshes_[{file.string() + "|" + up, scale}];
-  if (!known) {
+  KnownMesh& known = meshes_[{file.string() + "|" + up, source.scale}];
+  if (!known.mesh) {
     Diagnostics notes;
-    Expected<geometry::TriangleMesh> mesh =
-        readMesh(file, {.scale = scale, .warn_about_unit = !unit_is_stated_}, notes);
-    if (!mesh) return makeError(mesh.error());
-    turnUp(*mesh, source.up_axis);
-    known = std::make_shared<const geometry::TriangleMesh>(std::move(*mesh));
+    MeshReadOptions reading;
+    if (source.scale != 0.0) reading.scale = source.scale;
+    reading.warn_about_unit = !unit_is_stated_;
+    Expected<MeshFileParts> read = readMeshParts(file, reading, false, notes);
+    if (!read) return makeError(read.error());
+    MeshPart& part = read->parts[0];
+    turnUp(part.mesh, source.up_axis);
+    known = {std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh)), part.color, read->metres_per_unit};
     for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
   }
   Entity entity;
-  entity.mesh = known;
+  entity.mesh = known.mesh;
   entity.name = file.stem().string();
-  entity.source = {file.string(), scale, "", source.up_axis, {}};
+  if (known.color) entity.color = *known.color;
+  entity.source = {file.string(), known.metres_per_unit, "", source.up_axis, {}};
   return entity;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -57,7 +59,12 @@ class EntityLoader {
   std::filesystem::path folder_;
   bool unit_is_stated_ = false;
   ImportMonitor* monitor_ = nullptr;
-  std::map<std::pair<std::string, double>, MeshPointer> meshes_;
+  struct KnownMesh {
+    MeshPointer mesh;
+    std::optional<std::array<float, 3>> color;
+    double metres_per_unit = 1.0;
+  };
+  std::map<std::pair<std::string, double>, KnownMesh> meshes_;
   struct KnownRobot {
     std::shared_ptr<const kinematics::RobotModel> model;
     std::vector<ToolFrame> tools;

@@ -190,7 +190,7 @@ class SceneConverter {
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
                                                Diagnostics& diagnostics, const SceneBatch* batch) {
   if (!holdsScene(file)) {
-    const MeshReadOptions reading{options.metres_per_unit.value_or(1.0), options.weld, options.warn_about_unit};
+    const MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit};
     return readMesh(file, reading, diagnostics);
   }
   Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, options, nullptr);
@@ -204,6 +204,34 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
   }
   if (options.weld) geometry::weld(whole, geometry::weldTolerance(whole));
   return whole;
+}
+
+ImportedScene sceneOfParts(MeshFileParts file, const std::string& stem) {
+  ImportedScene scene;
+  scene.format = formatName(file.format);
+  scene.metres_per_unit = file.metres_per_unit;
+  scene.unit_is_stated = file.unit_is_stated;
+  std::unordered_map<std::size_t, int> assemblies;
+  const auto add = [&scene](SceneNode node) {
+    scene.nodes.push_back(std::move(node));
+    return static_cast<int>(scene.nodes.size()) - 1;
+  };
+  for (MeshPart& part : file.parts) {
+    SceneNode node;
+    node.name = part.name.empty() ? stem : part.name;
+    node.color = part.color;
+    if (part.assembly_number > 0) {
+      const auto [known, is_new] = assemblies.try_emplace(part.assembly_number, -1);
+      SceneNode above;
+      above.name = part.assembly.empty() ? stem : part.assembly;
+      if (is_new) known->second = add(std::move(above));
+      node.parent = known->second;
+    }
+    node.mesh = static_cast<int>(scene.meshes.size());
+    scene.meshes.push_back(std::move(part.mesh));
+    add(std::move(node));
+  }
+  return scene;
 }
 
 Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& source, const ImportOptions& options,

@@ -11,6 +11,7 @@
 namespace hapticell::workcell {
 
 class SceneBatch;
+struct MeshFileParts;
 
 /// What an import did, for the user to read.
 struct ImportReport {
@@ -39,6 +40,10 @@ struct ImportResult {
 /// options. Errors as readMeshFile() and readScene().
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
                                                Diagnostics& diagnostics, const SceneBatch* batch = nullptr);
+
+/// The solids of a mesh file as a scene at the file's frame; what names nothing is called `stem`. An object of several
+/// solids is an assembly above them. The up axis is z.
+ImportedScene sceneOfParts(MeshFileParts file, const std::string& stem);
 
 /// Makes entities of a scene: a solid of every node with a mesh, an assembly of every other one; `merge` makes one
 /// solid named like the file. Nodes that hold nothing are left out and told. `source` is the file; each entity's own

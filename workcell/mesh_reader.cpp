@@ -12,6 +12,7 @@
 #include "workcell/file_content.h"
 #include "workcell/length_unit.h"
 #include "workcell/mesh_formats.h"
+#include "workcell/obj_materials.h"
 #include "workcell/text_cursor.h"
 
 namespace hapticell::workcell {
@@ -57,7 +58,7 @@ std::string seemsToBe(std::string_view content) {
   return "a content of an unknown kind";
 }
 
-using Reader = Expected<geometry::TriangleMesh> (*)(std::string_view, Diagnostics&);
+using Reader = Expected<RawMesh> (*)(std::string_view, Diagnostics&);
 
 Reader readerOf(MeshFormat format) {
   switch (format) {
@@ -108,6 +109,44 @@ Error unreadable(std::string_view content) {
   return {"", "", seemsToBe(content), kReadable, "Export it in one of these."};
 }
 
+Expected<RawMesh> parseRaw(std::string_view content, const std::filesystem::path& name, MeshFormat& format,
+                           Diagnostics& diagnostics) {
+  if (content.empty()) return makeError({name.string(), "", "the file is empty", kReadable, ""});
+  format = probeMeshFormat(content, name.extension().string());
+  const Reader reader = readerOf(format);
+  if (!reader) return makeError(named(unreadable(content), name));
+  Expected<RawMesh> raw = reader(content, diagnostics);
+  if (!raw) return makeError(named(raw.error(), name));
+  return raw;
+}
+
+double unitOf(const RawMesh& raw, const MeshReadOptions& options) {
+  const double unit = options.scale.value_or(raw.metres_per_unit.value_or(1.0));
+  HAPTICELL_DEMAND(unit > 0.0 && std::isfinite(unit));
+  return unit;
+}
+
+/// To metres and, where asked for, welded; what welding did is added up.
+void finish(geometry::TriangleMesh& mesh, double metres_per_unit, const MeshReadOptions& options,
+            geometry::WeldReport& sum) {
+  for (dvec3& vertex : mesh.vertices) vertex *= metres_per_unit;
+  if (!options.weld) return;
+  const geometry::WeldReport weld = geometry::weld(mesh, geometry::weldTolerance(mesh));
+  sum.merged_vertices += weld.merged_vertices;
+  sum.degenerate_triangles += weld.degenerate_triangles;
+  sum.duplicate_triangles += weld.duplicate_triangles;
+}
+
+Error nothingLeft(const std::filesystem::path& name, std::uint64_t triangles_in_file) {
+  const char* found = triangles_in_file == 0 ? "no triangles" : "only triangles without area";
+  return {name.string(), "", found, "a mesh with at least one triangle", ""};
+}
+
+template <typename File>
+bool guessIsDue(const File& file, const MeshReadOptions& options) {
+  return options.warn_about_unit && file.metres_per_unit == 1.0 && !file.unit_is_stated;
+}
+
 }  // namespace
 
 const char* formatName(MeshFormat format) {
@@ -144,24 +183,43 @@ MeshFormat probeMeshFormat(std::string_view content, std::string_view extension)
 
 Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem::path& name,
                                  const MeshReadOptions& options, Diagnostics& diagnostics) {
-  HAPTICELL_DEMAND(options.scale > 0.0 && std::isfinite(options.scale));
-  if (content.empty()) return makeError({name.string(), "", "the file is empty", kReadable, ""});
   MeshFile file;
-  file.format = probeMeshFormat(content, name.extension().string());
-  const Reader reader = readerOf(file.format);
-  if (!reader) return makeError(named(unreadable(content), name));
-  Expected<geometry::TriangleMesh> mesh = reader(content, diagnostics);
-  if (!mesh) return makeError(named(mesh.error(), name));
-  file.mesh = std::move(*mesh);
-  file.triangles_in_file = file.mesh.triangles.size();
-  for (dvec3& vertex : file.mesh.vertices) vertex *= options.scale;
-  if (options.weld) file.weld = geometry::weld(file.mesh, geometry::weldTolerance(file.mesh));
-  if (file.mesh.triangles.empty()) {
-    const std::string found = file.triangles_in_file == 0 ? "no triangles" : "only triangles without area";
-    return makeError({name.string(), "", found, "a mesh with at least one triangle", ""});
-  }
+  Expected<RawMesh> raw = parseRaw(content, name, file.format, diagnostics);
+  if (!raw) return makeError(raw.error());
+  file.metres_per_unit = unitOf(*raw, options);
+  file.unit_is_stated = raw->metres_per_unit.has_value();
+  file.triangles_in_file = raw->mesh.triangles.size();
+  file.mesh = std::move(raw->mesh);
+  finish(file.mesh, file.metres_per_unit, options, file.weld);
+  if (file.mesh.triangles.empty()) return makeError(nothingLeft(name, file.triangles_in_file));
   warnAboutWelding(file.weld, diagnostics);
-  if (options.warn_about_unit && options.scale == 1.0) warnAboutUnit(file.mesh.bounds(), diagnostics);
+  if (guessIsDue(file, options)) warnAboutUnit(file.mesh.bounds(), diagnostics);
+  return file;
+}
+
+Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const MeshReadOptions& options, bool split,
+                                      Diagnostics& diagnostics) {
+  Expected<std::string> content = readFileContent(path);
+  if (!content) return makeError(content.error());
+  MeshFileParts file;
+  Expected<RawMesh> raw = parseRaw(*content, path, file.format, diagnostics);
+  if (!raw) return makeError(raw.error());
+  *content = {};
+  file.metres_per_unit = unitOf(*raw, options);
+  file.unit_is_stated = raw->metres_per_unit.has_value();
+  file.triangles_in_file = raw->mesh.triangles.size();
+  const auto materials = readObjMaterials(path, raw->material_files, diagnostics);
+  file.parts = partsOf(std::move(*raw), materials, split, diagnostics);
+  geometry::Bounds bounds;
+  for (MeshPart& part : file.parts) {
+    finish(part.mesh, file.metres_per_unit, options, file.weld);
+    bounds.add(part.mesh.bounds());
+  }
+  const std::size_t gone = std::erase_if(file.parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
+  if (file.parts.empty()) return makeError(nothingLeft(path, file.triangles_in_file));
+  if (gone > 0) diagnostics.warn(std::to_string(gone) + " solids of triangles without area were left out");
+  warnAboutWelding(file.weld, diagnostics);
+  if (guessIsDue(file, options)) warnAboutUnit(bounds, diagnostics);
   return file;
 }
 

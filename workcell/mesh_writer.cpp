@@ -2,10 +2,12 @@
 #include "workcell/mesh_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace hapticell::workcell {
 
@@ -61,6 +63,22 @@ std::string word(const std::string& name) {
   return result;
 }
 
+/// "units: mm", as statedUnit() reads it; nothing for a unit without a name.
+std::string unitStatement(double metres_per_unit) {
+  constexpr std::array<std::pair<double, const char*>, 5> kUnits = {
+      {{1.0, "m"}, {0.001, "mm"}, {0.0254, "in"}, {0.01, "cm"}, {0.3048, "ft"}}};
+  for (const auto& [metres, word] : kUnits) {
+    if (std::abs(metres_per_unit / metres - 1.0) < 1e-12) return std::string("units: ") + word;
+  }
+  return {};
+}
+
+/// The statement behind `begin` as a line of its own.
+std::string unitLine(const char* begin, double metres_per_unit) {
+  const std::string statement = unitStatement(metres_per_unit);
+  return statement.empty() ? "" : begin + statement + "\n";
+}
+
 std::string materialName(std::size_t index) {
   return "color_" + std::to_string(index + 1);
 }
@@ -69,7 +87,7 @@ std::string materialName(std::size_t index) {
 
 std::string stlBytes(std::span<const NamedMesh> meshes, double metres_per_unit) {
   constexpr std::size_t kHeader = 80, kTriangle = 50;
-  std::string bytes = "HaptiCell binary STL";
+  std::string bytes = "HaptiCell binary STL, " + unitStatement(metres_per_unit);
   bytes.resize(kHeader, ' ');
   const std::size_t triangles = trianglesOf(meshes);
   bytes.reserve(kHeader + 4 + triangles * kTriangle);
@@ -88,8 +106,8 @@ std::string stlBytes(std::span<const NamedMesh> meshes, double metres_per_unit) 
 }
 
 std::string plyBytes(std::span<const NamedMesh> meshes, double metres_per_unit) {
-  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment HaptiCell\nelement vertex " +
-                      std::to_string(verticesOf(meshes)) +
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment HaptiCell\n" +
+                      unitLine("comment ", metres_per_unit) + "element vertex " + std::to_string(verticesOf(meshes)) +
                       "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar "
                       "green\nproperty uchar blue\nelement face " +
                       std::to_string(trianglesOf(meshes)) + "\nproperty list uchar uint vertex_indices\nend_header\n";
@@ -126,11 +144,12 @@ std::string offText(std::span<const NamedMesh> meshes, double metres_per_unit) {
     }
     first += static_cast<std::uint32_t>(part.mesh.vertices.size());
   }
+  text += unitLine("# ", metres_per_unit);  // At the end: not all readers pass over a comment at the head.
   return text;
 }
 
 std::string objText(std::span<const NamedMesh> meshes, double metres_per_unit, const std::string& material_file) {
-  std::string text = "# HaptiCell\n";
+  std::string text = "# HaptiCell\n" + unitLine("# ", metres_per_unit);
   if (!material_file.empty()) text += "mtllib " + material_file + "\n";
   std::size_t first = 1;
   for (std::size_t k = 0; k < meshes.size(); ++k) {

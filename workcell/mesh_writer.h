@@ -16,7 +16,8 @@ struct NamedMesh {
   std::array<float, 3> color{0.72f, 0.74f, 0.76f};  ///< sRGB.
 };
 
-// The text or bytes of mesh files. Coordinates are divided by `metres_per_unit`. Numbers as text are the shortest that
+// The text or bytes of mesh files. Coordinates are divided by `metres_per_unit`, which a comment states ("units: m"; see
+// statedUnit()). Numbers as text are the shortest that
 // give the same double again, '.' as point whatever the locale; binary ones are 32 bits wide (STL, PLY).
 
 /// Binary STL: one soup, no names, no colours.

@@ -1,34 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ after the specification of Advanced Visualizer, appendix B1: vertices and polygons, nothing of its
-// curves.
+// curves. Colours behind a vertex (x y z r g b) are an extension that scanners and MeshLab write.
 #include <array>
 #include <map>
+#include <tuple>
 
+#include "workcell/color_channels.h"
 #include "workcell/mesh_formats.h"
 #include "workcell/polygon_soup.h"
 #include "workcell/text_cursor.h"
+#include "workcell/unit_statement.h"
 
 namespace hapticell::workcell {
 
 namespace {
 
 /// Statements that say nothing about the shape's polygons, or only how they look.
-constexpr std::array<std::string_view, 16> kIgnored = {"vn",     "vt",     "vp",     "o",       "g", "s",
-                                                       "mg",     "usemtl", "mtllib", "l",       "p", "lod",
-                                                       "usemap", "maplib", "bevel",  "c_interp"};
+constexpr std::array<std::string_view, 13> kIgnored = {"vn", "vt",  "vp",     "s",      "mg",    "l",       "p",
+                                                       "sp", "lod", "usemap", "maplib", "bevel", "c_interp"};
 
 bool isIgnored(std::string_view keyword) {
   for (std::string_view word : kIgnored) {
     if (word == keyword) return true;
   }
-  return keyword.starts_with('#');
+  return false;
 }
 
 class ObjReader {
  public:
   explicit ObjReader(std::string_view content) : cursor_(content, TextCursor::Continuation::kBackslash) {}
 
-  Expected<PolygonSoup> read(Diagnostics& diagnostics) {
+  Expected<RawMesh> read(Diagnostics& diagnostics) {
     while (cursor_.nextLine()) {
       const std::string_view keyword = cursor_.nextWord();
       Expected<void> done;
@@ -36,7 +38,9 @@ class ObjReader {
         done = readVertex();
       } else if (keyword == "f" || keyword == "fo") {
         done = readFace();
-      } else if (!keyword.empty() && !isIgnored(keyword)) {
+      } else if (keyword.starts_with('#')) {
+        readComment(keyword);
+      } else if (!keyword.empty() && !readName(keyword) && !isIgnored(keyword)) {
         ++unknown_[std::string(keyword.substr(0, 20))];
         if (unknown_.size() > 50) return makeError({"", cursor_.place(), quoted(keyword), "an OBJ statement", ""});
       }
@@ -45,13 +49,77 @@ class ObjReader {
     if (farthest_ > soup_.vertices.size()) {
       return makeError(outOfRange("line " + std::to_string(farthest_line_), std::to_string(farthest_)));
     }
-    for (const auto& [keyword, lines] : unknown_) {
-      diagnostics.warn(std::to_string(lines) + " lines beginning with " + quoted(keyword) + " were not understood");
-    }
-    return std::move(soup_);
+    report(diagnostics);
+    soup_.vertex_colors = std::move(vertex_colors_).take(soup_.vertices.size(), std::nullopt);
+    if (labels_.size() == 1 && labels_[0] != MeshLabel{}) soup_.labels.assign(soup_.ends.size(), 0);
+    Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
+    if (!raw) return raw;
+    raw->labels = std::move(labels_);
+    raw->metres_per_unit = metres_per_unit_;
+    raw->material_files = std::move(material_files_);
+    return raw;
   }
 
  private:
+  void readComment(std::string_view hash) {
+    if (metres_per_unit_ || !soup_.ends.empty()) return;
+    const std::string_view rest = cursor_.restOfLine();
+    metres_per_unit_ = statedUnit({hash.data(), static_cast<std::size_t>(rest.data() + rest.size() - hash.data())});
+  }
+
+  /// Statements that name what follows. A name is all of the line: programs write blanks into it.
+  bool readName(std::string_view keyword) {
+    if (keyword == "o") {
+      now_.object = cursor_.restOfLine();
+      now_.object_number = ++objects_;
+    } else if (keyword == "g") {
+      now_.group = cursor_.restOfLine();
+    } else if (keyword == "usemtl") {
+      now_.material = cursor_.restOfLine();
+    } else if (keyword == "mtllib") {
+      constexpr std::size_t kMost = 64;
+      const std::string_view name = cursor_.restOfLine();
+      if (!name.empty() && material_files_.size() < kMost) material_files_.emplace_back(name);
+    } else {
+      return false;
+    }
+    label_is_known_ = false;
+    return true;
+  }
+
+  /// The label of what is named at present; as many as are used, and no label at all while nothing is named.
+  void labelFace() {
+    if (!label_is_known_) {
+      label_is_known_ = true;
+      const auto key = std::make_tuple(now_.object_number, now_.group, now_.material);
+      const auto [known, is_new] = known_labels_.try_emplace(key, static_cast<std::uint32_t>(labels_.size()));
+      if (is_new) labels_.push_back(now_);
+      label_ = known->second;
+    }
+    // One label for all needs no list; the first face of another writes down the ones before it.
+    if (label_ != 0 && soup_.labels.empty()) soup_.labels.assign(soup_.ends.size() - 1, 0);
+    if (labels_.size() > 1) soup_.labels.push_back(label_);
+  }
+
+  void report(Diagnostics& diagnostics) const {
+    for (const auto& [keyword, lines] : unknown_) {
+      diagnostics.warn(std::to_string(lines) + " lines beginning with " + quoted(keyword) + " were not understood");
+    }
+    vertex_colors_.report("vertices", diagnostics);
+  }
+
+  /// What stands behind the coordinates: nothing, a weight (1), a colour (3), a colour and how opaque it is (4).
+  void readVertexColor() {
+    std::array<double, 3> channels{};
+    std::size_t count = 0;
+    for (std::string_view word = cursor_.nextWord(); !word.empty() && count < 5; word = cursor_.nextWord(), ++count) {
+      const std::optional<double> value = parseNumber(word);
+      if (!value) break;
+      if (count < 3) channels[count] = *value;
+    }
+    if (count == 3 || count == 4) vertex_colors_.set(soup_.vertices.size() - 1, channels);
+  }
+
   Expected<void> readVertex() {
     dvec3 point;
     for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +134,8 @@ class ObjReader {
       point[axis] = *value;
     }
     if (!isUsable(point)) return makeError(unusableCoordinate(cursor_.place(), "vertex", point));
-    soup_.vertices.push_back(point);  // A weight or a colour may follow; neither changes the shape.
+    soup_.vertices.push_back(point);
+    readVertexColor();
     return {};
   }
 
@@ -90,6 +159,7 @@ class ObjReader {
       soup_.corners.push_back(static_cast<std::uint32_t>(absolute));
     }
     soup_.closePolygon();
+    labelFace();
     return {};
   }
 
@@ -101,6 +171,15 @@ class ObjReader {
 
   TextCursor cursor_;
   PolygonSoup soup_;
+  ColorChannels vertex_colors_;
+  MeshLabel now_;
+  std::size_t objects_ = 0;
+  bool label_is_known_ = false;
+  std::uint32_t label_ = 0;
+  std::vector<MeshLabel> labels_;
+  std::map<std::tuple<std::size_t, std::string, std::string>, std::uint32_t> known_labels_;
+  std::vector<std::string> material_files_;
+  std::optional<double> metres_per_unit_;
   std::map<std::string, std::uint64_t> unknown_;
   std::uint64_t farthest_ = 0;  // Vertex number named before its vertex came, and where.
   std::size_t farthest_line_ = 0;
@@ -108,10 +187,8 @@ class ObjReader {
 
 }  // namespace
 
-Expected<geometry::TriangleMesh> readObj(std::string_view content, Diagnostics& diagnostics) {
-  Expected<PolygonSoup> soup = ObjReader(content).read(diagnostics);
-  if (!soup) return makeError(soup.error());
-  return triangulate(std::move(*soup), diagnostics);
+Expected<RawMesh> readObj(std::string_view content, Diagnostics& diagnostics) {
+  return ObjReader(content).read(diagnostics);
 }
 
 }  // namespace hapticell::workcell

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Object File Format (Geomview): OFF with optional texture coordinates, colours and normals on the vertices, as text.
+#include "workcell/color_channels.h"
 #include "workcell/mesh_formats.h"
 #include "workcell/polygon_soup.h"
 #include "workcell/text_cursor.h"
+#include "workcell/unit_statement.h"
 
 namespace hapticell::workcell {
 
@@ -19,7 +21,7 @@ class OffReader {
  public:
   explicit OffReader(std::string_view content) : cursor_(content) {}
 
-  Expected<PolygonSoup> read() {
+  Expected<RawMesh> read(Diagnostics& diagnostics) {
     Expected<Counts> counts = readHeader();
     if (!counts) return makeError(counts.error());
     soup_.vertices.reserve(counts->vertices);
@@ -32,7 +34,17 @@ class OffReader {
       if (!nextFilledLine()) return makeError(ended("face", k, counts->faces));
       if (auto face = readFace(); !face) return makeError(face.error());
     }
-    return std::move(soup_);
+    readTail();
+    vertex_colors_.report("vertices", diagnostics);
+    face_colors_.report("faces", diagnostics);
+    soup_.vertex_colors = std::move(vertex_colors_).take(soup_.vertices.size(), std::nullopt);
+    soup_.face_colors = std::move(face_colors_).take(soup_.ends.size(), std::nullopt);
+    if (from_map_ > 0) {
+      diagnostics.warn(std::to_string(from_map_) + " faces have a colour by its number in a map; it was left out");
+    }
+    Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
+    if (raw) raw->metres_per_unit = metres_per_unit_;
+    return raw;
   }
 
  private:
@@ -47,8 +59,33 @@ class OffReader {
 
   std::string_view nextWord() {
     const std::string_view word = cursor_.nextWord();
-    if (word.starts_with('#')) cursor_.restOfLine();
-    return word.starts_with('#') ? std::string_view{} : word;
+    if (!word.starts_with('#')) return word;
+    const std::string_view rest = cursor_.restOfLine();
+    if (!metres_per_unit_ && (soup_.vertices.empty() || at_tail_)) {
+      metres_per_unit_ = statedUnit({word.data(), static_cast<std::size_t>(rest.data() + rest.size() - word.data())});
+    }
+    return {};
+  }
+
+  /// Comments behind the last face: the unit may be stated there, where it disturbs no other reader.
+  void readTail() {
+    constexpr int kMostLines = 8;
+    at_tail_ = true;
+    for (int k = 0; k < kMostLines && cursor_.nextLine(); ++k) nextWord();
+  }
+
+  /// A colour of three or four channels at the end of the line; the fourth, how opaque it is, is not used. Gives how
+  /// many numbers there were.
+  std::size_t readColor(ColorChannels& colors, std::size_t index) {
+    std::array<double, 3> channels{};
+    std::size_t count = 0;
+    for (std::string_view word = nextWord(); !word.empty(); word = nextWord(), ++count) {
+      const std::optional<double> value = parseNumber(word);
+      if (!value) break;
+      if (count < 3) channels[count] = *value;
+    }
+    if (count >= 3) colors.set(index, channels);
+    return count;
   }
 
   Expected<Counts> readHeader() {
@@ -56,6 +93,8 @@ class OffReader {
     if (!word_.ends_with("OFF") || word_.find_first_of("4n") != std::string_view::npos) {
       return makeError({"", cursor_.place(), quoted(word_), "'OFF', 'COFF' or 'NOFF' in three dimensions", ""});
     }
+    has_colors_ = word_.find('C') != std::string_view::npos;
+    has_normals_ = word_.find('N') != std::string_view::npos;
     std::string_view word = nextWord();
     if (word == "BINARY") {
       return makeError({"", cursor_.place(), "a binary OFF file", "OFF as text", "Save it as text or as PLY."});
@@ -93,6 +132,8 @@ class OffReader {
     }
     if (!isUsable(point)) return makeError(unusableCoordinate(cursor_.place(), "vertex", point));
     soup_.vertices.push_back(point);
+    for (int k = 0; has_normals_ && k < 3; ++k) nextWord();
+    if (has_colors_) readColor(vertex_colors_, soup_.vertices.size() - 1);
     return {};
   }
 
@@ -112,6 +153,7 @@ class OffReader {
       soup_.corners.push_back(static_cast<std::uint32_t>(*index));
     }
     soup_.closePolygon();
+    if (readColor(face_colors_, soup_.ends.size() - 1) == 1) ++from_map_;
     return {};
   }
 
@@ -123,14 +165,17 @@ class OffReader {
   TextCursor cursor_;
   std::string_view word_;
   PolygonSoup soup_;
+  bool has_colors_ = false, has_normals_ = false;  // On the vertices.
+  ColorChannels vertex_colors_, face_colors_;
+  std::uint64_t from_map_ = 0;
+  bool at_tail_ = false;
+  std::optional<double> metres_per_unit_;
 };
 
 }  // namespace
 
-Expected<geometry::TriangleMesh> readOff(std::string_view content, Diagnostics& diagnostics) {
-  Expected<PolygonSoup> soup = OffReader(content).read();
-  if (!soup) return makeError(soup.error());
-  return triangulate(std::move(*soup), diagnostics);
+Expected<RawMesh> readOff(std::string_view content, Diagnostics& diagnostics) {
+  return OffReader(content).read(diagnostics);
 }
 
 }  // namespace hapticell::workcell

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "workcell/text_cursor.h"
+#include "workcell/unit_statement.h"
 
 namespace hapticell::workcell {
 
@@ -58,7 +59,7 @@ class HeaderReader {
       words.nextLine();
       const std::string_view keyword = words.nextWord();
       if (keyword == "end_header") break;
-      if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) continue;
+      if (readComment() || keyword.empty()) continue;
       Expected<void> done;
       if (keyword == "element") {
         done = readElement(words);
@@ -94,11 +95,18 @@ class HeaderReader {
 
   std::string place() const { return "line " + std::to_string(line_number_); }
 
+  /// True where the line is a comment.
+  bool readComment() {
+    if (!line_.starts_with("comment") && !line_.starts_with("obj_info")) return false;
+    if (!header_.metres_per_unit) header_.metres_per_unit = statedUnit(line_);
+    return true;
+  }
+
   Expected<void> readFirstLines() {
     if (!nextLine() || line_.substr(0, 3) != "ply") return makeError({"", "line 1", "no 'ply'", "'ply'", ""});
     do {
       if (!nextLine()) return makeError({"", place(), "the file ends", "a line 'format'", ""});
-    } while (line_.starts_with("comment") || line_.starts_with("obj_info"));
+    } while (readComment());
     TextCursor words(line_);
     words.nextLine();
     const std::string_view keyword = words.nextWord(), encoding = words.nextWord();

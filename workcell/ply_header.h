@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t bytes = 0;  ///< Where the data begin.
   std::size_t lines = 0;
+  std::optional<double> metres_per_unit;  ///< As a comment states it.
 };
 
 /// Reads the header and checks that the file is long enough for the counts it promises.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <cmath>
-#include <memory>
+#include <utility>
 
 #include "workcell/byte_source.h"
+#include "workcell/color_channels.h"
 #include "workcell/mesh_formats.h"
 #include "workcell/ply_header.h"
 #include "workcell/polygon_soup.h"
@@ -67,27 +69,88 @@ class NumberSource {
   TextCursor words_;
 };
 
+/// What a value of an element is used for.
+enum class PlyRole { kNone, kX, kY, kZ, kRed, kGreen, kBlue };
+
+PlyRole roleOf(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, PlyRole>, 12> kRoles = {{{"x", PlyRole::kX},
+                                                                            {"y", PlyRole::kY},
+                                                                            {"z", PlyRole::kZ},
+                                                                            {"red", PlyRole::kRed},
+                                                                            {"green", PlyRole::kGreen},
+                                                                            {"blue", PlyRole::kBlue},
+                                                                            {"r", PlyRole::kRed},
+                                                                            {"g", PlyRole::kGreen},
+                                                                            {"b", PlyRole::kBlue},
+                                                                            {"diffuse_red", PlyRole::kRed},
+                                                                            {"diffuse_green", PlyRole::kGreen},
+                                                                            {"diffuse_blue", PlyRole::kBlue}}};
+  for (const auto& [known, role] : kRoles) {
+    if (known == name) return role;
+  }
+  return PlyRole::kNone;
+}
+
+/// The number that stands for a full channel: fixed for whole numbers of a byte or two, else as the file's colours
+/// show.
+std::optional<double> fullChannel(PlyType type) {
+  if (type == PlyType::kUint8) return 255.0;
+  if (type == PlyType::kUint16) return 65535.0;
+  return std::nullopt;
+}
+
+/// An element's properties by what they are used for.
+struct PlyRoles {
+  std::vector<PlyRole> of;
+  bool colored = false;  ///< All three channels are there.
+  std::optional<double> full;
+};
+
+PlyRoles rolesOf(const PlyElement& element) {
+  PlyRoles roles;
+  int channels = 0;
+  for (const PlyProperty& property : element.properties) {
+    roles.of.push_back(property.is_list ? PlyRole::kNone : roleOf(property.name));
+    if (roles.of.back() < PlyRole::kRed) continue;
+    ++channels;
+    roles.full = fullChannel(property.type);
+  }
+  roles.colored = channels >= 3;
+  return roles;
+}
+
 class PlyReader {
  public:
   PlyReader(const PlyHeader& header, std::string_view content)
       : header_(header), source_(content.substr(header.bytes), header.encoding) {}
 
-  Expected<PolygonSoup> read(Diagnostics& diagnostics) {
+  Expected<RawMesh> read(Diagnostics& diagnostics) {
     if (auto complete = checkElements(); !complete) return makeError(complete.error());
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
+      roles_ = rolesOf(element);
+      ColorChannels colors;
       for (std::uint64_t index = 0; index < element.count; ++index) {
-        if (auto done = readOne(element, index); !done) return makeError(done.error());
+        if (auto done = readOne(element, index, colors); !done) return makeError(done.error());
       }
+      keepColors(element, std::move(colors), diagnostics);
       const bool known = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
       if (!known)
         diagnostics.warn("the " + std::to_string(element.count) + " elements " + quoted(element.name) +
                          " were not used");
     }
-    return std::move(soup_);
+    Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
+    if (raw) raw->metres_per_unit = header_.metres_per_unit;
+    return raw;
   }
 
  private:
+  void keepColors(const PlyElement& element, ColorChannels colors, Diagnostics& diagnostics) {
+    colors.report(element.name == "vertex" ? "vertices" : "faces", diagnostics);
+    if (element.name == "vertex") soup_.vertex_colors = std::move(colors).take(soup_.vertices.size(), roles_.full);
+    if (element.name == "face") soup_.face_colors = std::move(colors).take(soup_.ends.size(), roles_.full);
+  }
+
   Expected<void> checkElements() const {
     bool vertices = false, faces = false;
     for (const PlyElement& element : header_.elements) {
@@ -103,20 +166,26 @@ class PlyReader {
     return {};
   }
 
-  Expected<void> readOne(const PlyElement& element, std::uint64_t index) {
-    dvec3 point(0.0);
-    for (const PlyProperty& property : element.properties) {
+  Expected<void> readOne(const PlyElement& element, std::uint64_t index, ColorChannels& colors) {
+    std::array<double, 7> values{};  // By role.
+    const std::size_t polygons = soup_.ends.size();
+    for (std::size_t k = 0; k < element.properties.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
       if (property.is_list) {
         if (auto list = readList(element, property, index); !list) return list;
         continue;
       }
       const std::optional<double> value = source_.next(property.type);
       if (!value) return makeError(ended(element, index));
-      if (property.name == "x") point.x = *value;
-      if (property.name == "y") point.y = *value;
-      if (property.name == "z") point.z = *value;
+      values[static_cast<std::size_t>(roles_.of[k])] = *value;
     }
-    if (element.name != "vertex") return {};
+    const bool vertex = element.name == "vertex";
+    if (roles_.colored && vertex) colors.set(index, {values[4], values[5], values[6]});
+    // A face of several lists, or of none, is not told apart from others: its colour belongs to the one it made.
+    if (roles_.colored && element.name == "face" && soup_.ends.size() > polygons)
+      colors.set(polygons, {values[4], values[5], values[6]});
+    if (!vertex) return {};
+    const dvec3 point(values[1], values[2], values[3]);
     if (!isUsable(point)) return makeError(unusableCoordinate(placeOf(element, index), "vertex", point));
     soup_.vertices.push_back(point);
     return {};
@@ -178,17 +247,16 @@ class PlyReader {
   const PlyHeader& header_;
   NumberSource source_;
   PolygonSoup soup_;
+  PlyRoles roles_;  // Of the element that is being read.
   std::vector<std::uint32_t> strip_;
 };
 
 }  // namespace
 
-Expected<geometry::TriangleMesh> readPly(std::string_view content, Diagnostics& diagnostics) {
+Expected<RawMesh> readPly(std::string_view content, Diagnostics& diagnostics) {
   const Expected<PlyHeader> header = readPlyHeader(content);
   if (!header) return makeError(header.error());
-  Expected<PolygonSoup> soup = PlyReader(*header, content).read(diagnostics);
-  if (!soup) return makeError(soup.error());
-  return triangulate(std::move(*soup), diagnostics);
+  return PlyReader(*header, content).read(diagnostics);
 }
 
 }  // namespace hapticell::workcell

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/shapes.h"
+#include "workcell/color_channels.h"
 
 namespace hapticell::workcell {
 
@@ -92,11 +93,13 @@ class Triangulator {
 
 }  // namespace
 
-Expected<geometry::TriangleMesh> triangulate(PolygonSoup soup, Diagnostics& diagnostics) {
-  geometry::TriangleMesh mesh;
+Expected<RawMesh> triangulate(PolygonSoup soup, Diagnostics& diagnostics) {
+  RawMesh raw;
+  geometry::TriangleMesh& mesh = raw.mesh;
   mesh.vertices = std::move(soup.vertices);
   mesh.triangles.reserve(soup.ends.size());
   Triangulator triangulator(mesh);
+  std::vector<Color> corner_colors;
   std::uint64_t begin = 0;
   for (std::size_t face = 0; face < soup.ends.size(); ++face) {
     const Corners polygon(soup.corners.data() + begin, soup.ends[face] - begin);
@@ -108,9 +111,19 @@ Expected<geometry::TriangleMesh> triangulate(PolygonSoup soup, Diagnostics& diag
                         "less than the " + std::to_string(mesh.vertices.size()) + " vertices of the file", ""});
     }
     triangulator.add(polygon);
+    if (!soup.labels.empty()) raw.label.resize(mesh.triangles.size(), soup.labels[face]);
+    if (!soup.face_colors.empty() || !soup.vertex_colors.empty()) {
+      Color color = soup.face_colors.empty() ? kNoColor : soup.face_colors[face];
+      if (!isColor(color) && !soup.vertex_colors.empty() && !polygon.empty()) {
+        corner_colors.clear();
+        for (std::uint32_t index : polygon) corner_colors.push_back(soup.vertex_colors[index]);
+        color = meanColor(corner_colors);
+      }
+      raw.color.resize(mesh.triangles.size(), color);
+    }
   }
   triangulator.report(diagnostics);
-  return mesh;
+  return raw;
 }
 
 }  // namespace hapticell::workcell

@@ -221,7 +221,11 @@ Expected<ImportedScene> sceneOfFile(const fs::path& file, const ImportOptions& o
     entity.id = state.entities.size() + 1;
     state.entities.push_back(std::make_shared<const Entity>(std::move(entity)));
   }
-  return sceneOf(state);
+  ImportedScene scene = sceneOf(state);
+  scene.format = tree->report.format;
+  scene.unit_is_stated = tree->report.unit_is_stated;
+  scene.metres_per_unit = tree->report.metres_per_unit;
+  return scene;
 }
 
 Expected<void> exportState(const DocumentState& state, const fs::path& file, const ExportOptions& options,

@@ -238,7 +238,9 @@ class CellReader {
     if (ahead_) return ahead_->push_back(path);
     if (is_new && !path.empty()) {
       Diagnostics notes;
-      if (auto read = readWholeMesh(path, scenes_.options(), notes, &scenes_)) {
+      ImportOptions options = scenes_.options();
+      if (!holdsScene(path)) options.metres_per_unit = 1.0;  // Gazebo reads no unit out of a mesh file.
+      if (auto read = readWholeMesh(path, options, notes, &scenes_)) {
         for (dvec3& v : read->vertices) v *= dvec3(scale[0], scale[1], scale[2]);
         known->second = static_cast<int>(scene_.meshes.size());
         scene_.meshes.push_back(std::move(*read));

@@ -5,6 +5,7 @@
 #include "workcell/byte_source.h"
 #include "workcell/mesh_formats.h"
 #include "workcell/text_cursor.h"
+#include "workcell/unit_statement.h"
 
 namespace hapticell::workcell {
 
@@ -61,15 +62,17 @@ bool hasLengthOfBinaryStl(std::string_view content) {
   return content.size() >= kHeaderBytes && content.size() == kHeaderBytes + kTriangleBytes * countInHeader(content);
 }
 
-Expected<geometry::TriangleMesh> readStlAscii(std::string_view content, Diagnostics&) {
-  geometry::TriangleMesh mesh;
+Expected<RawMesh> readStlAscii(std::string_view content, Diagnostics&) {
+  RawMesh raw;
+  geometry::TriangleMesh& mesh = raw.mesh;
   TextCursor cursor(content);
   bool in_solid = false;
   while (true) {
     const std::string_view word = cursor.nextWordOfText();
     if (word.empty()) break;
     if (!in_solid && sameWord(word, "solid")) {
-      cursor.restOfLine();
+      const std::string_view name = cursor.restOfLine();
+      if (mesh.triangles.empty()) raw.metres_per_unit = statedUnit(name);
       in_solid = true;
     } else if (in_solid && sameWord(word, "facet")) {
       if (auto facet = readFacet(cursor, mesh); !facet) return makeError(facet.error());
@@ -81,10 +84,10 @@ Expected<geometry::TriangleMesh> readStlAscii(std::string_view content, Diagnost
     }
   }
   if (in_solid) return makeError(wrongWord(cursor, {}, "'facet' or 'endsolid'"));
-  return mesh;
+  return raw;
 }
 
-Expected<geometry::TriangleMesh> readStlBinary(std::string_view content, Diagnostics& diagnostics) {
+Expected<RawMesh> readStlBinary(std::string_view content, Diagnostics& diagnostics) {
   if (content.size() < kHeaderBytes) {
     return makeError({"", "", std::to_string(content.size()) + " bytes",
                       "at least the 84 bytes of a binary STL's header", kTruncated});
@@ -101,7 +104,9 @@ Expected<geometry::TriangleMesh> readStlBinary(std::string_view content, Diagnos
                       std::to_string(room) + ", which is what the file's length holds", "Export the file again."});
   }
   if (spare > 0) diagnostics.warn(std::to_string(spare) + " bytes behind the last triangle were not read");
-  geometry::TriangleMesh mesh;
+  RawMesh raw;
+  raw.metres_per_unit = statedUnit(content.substr(0, kHeaderBytes - 4));
+  geometry::TriangleMesh& mesh = raw.mesh;
   mesh.vertices.reserve(3 * count);
   mesh.triangles.reserve(count);
   for (std::size_t triangle = 0; triangle < count; ++triangle) {
@@ -118,7 +123,7 @@ Expected<geometry::TriangleMesh> readStlBinary(std::string_view content, Diagnos
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
-  return mesh;
+  return raw;
 }
 
 }  // namespace hapticell::workcell

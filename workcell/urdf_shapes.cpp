@@ -123,7 +123,7 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::meshOf(const
   ImportOptions options = asRosDoes();
   options.warn_about_unit = scale == dvec3(1.0);
   const bool own_reader = !holdsScene(path);
-  if (own_reader && uniform) options.metres_per_unit = scale.x;
+  if (own_reader) options.metres_per_unit = uniform ? scale.x : 1.0;  // ROS reads no unit out of a mesh file.
   auto read = readWholeMesh(path, options, diagnostics_, &scenes_);
   if (!read) return makeError(read.error());
   if (!own_reader || !uniform) scaleBy(*read, scale);

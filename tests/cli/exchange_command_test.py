@@ -34,18 +34,67 @@ def test_every_writable_format_keeps_the_solid(case):
     for name in ("out.step", "out.glb", "out.gltf", "out.obj", "out.ply", "out.off", "out.stl"):
         made = case.run("convert", "box.stl", "-o", name)
         assert made["output"] == name and made["triangles"] == 12 and made["parts"] == 1, made
-        unit = () if name.endswith(("step", "glb", "gltf")) else ("--unit", "m")
-        found = list(solids(case.run("inspect", name, *unit)["entities"]))
+        read = case.run("inspect", name)
+        found = list(solids(read["entities"]))
+        assert not any("unit" in warning for warning in read["warnings"]), (name, read)
         assert len(found) == 1 and found[0]["triangles"] == 12, (name, found)
         assert near(bounds(found[0]), bounds(want), 1e-6), (name, found, want)
         assert near(found[0]["volume"], 0.2 * 0.1 * 0.05, 1e-8), (name, found)
+
+
+def test_a_converted_mesh_has_the_size_that_inspect_says(case):
+    for size in (0.3, 30, 40000):  # Metres by its size, millimetres by its size.
+        write_binary_stl(case.folder / "part.stl", box((size, size, size)))
+        want = case.run("inspect", "part.stl")
+        for name in ("a.obj", "a.ply", "a.off", "a.stl", "a.step", "a.glb"):
+            case.run("convert", "part.stl", "-o", name)
+            read = case.run("inspect", name)
+            assert near(bounds(next(solids(read["entities"]))), bounds(want["entities"][0]), 1e-6 * size), (size, name, read)
+            if name == "a.obj":  # The numbers of a mesh file stay those of the mesh file.
+                assert read["unit"] == want["unit"], read
+                top = max(float(line.split()[1]) for line in (case.folder / name).read_text().splitlines() if line.startswith("v "))
+                assert near([top], [size / 2], 1e-6 * size), top
+    case.run("convert", "part.stl", "--unit", "in", "-o", "inch.ply")
+    read = case.run("inspect", "inch.ply")
+    assert read["unit"] == "m" and near(bounds(next(solids(read["entities"])))[3:4], [20000 * 0.0254], 1e-2), read
+    case.run("convert", "part.stl", "--unit", "mm", "--output-unit", "in", "-o", "inch.off")
+    read = case.run("inspect", "inch.off")
+    assert read["unit"] == "in" and near(bounds(next(solids(read["entities"])))[3:4], [20], 1e-9), read
+
+
+def test_names_and_colours_of_mesh_files(case):
+    (case.folder / "two.mtl").write_text("newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 0.5 0.25\n")
+    lines, count = ["# File units = inches", "mtllib two.mtl"], 0
+    for name, material, x in (("base plate", "a", 0), ("pin", "b", 3)):
+        lines.append(f"o {name}\nusemtl {material}")
+        for triangle in box((1, 1, 1), (x, 0, 0)):
+            lines += [f"v {p[0]} {p[1]} {p[2]}" for p in triangle]
+            lines.append(f"f {count + 1} {count + 2} {count + 3}")
+            count += 3
+    (case.folder / "two.obj").write_text("\n".join(lines) + "\n")
+    read = case.run("inspect", "two.obj")
+    assert read["unit"] == "in" and read["warnings"] == [], read
+    assert [(e["name"], e["color"], e["triangles"]) for e in read["entities"]] == [
+        ("base plate", [1, 0, 0], 12), ("pin", [0, 0.5, 0.25], 12)], read
+    assert near(bounds(read["entities"][1]), [0.0635, -0.0127, -0.0127, 0.0889, 0.0127, 0.0127], 1e-9), read
+    for name in ("t.step", "t.glb", "t.obj", "t.ply", "t.off"):
+        case.run("convert", "two.obj", "-o", name)
+        found = list(solids(case.run("inspect", name)["entities"]))
+        assert len(found) == 2, (name, found)
+        assert all(near(e["color"], c, 0.003) for e, c in zip(found, ([1, 0, 0], [0, 0.5, 0.25]))), (name, found)
+        assert near(bounds(found[1]), bounds(read["entities"][1]), 1e-6), (name, found)
+    case.run("workcell", "new", "cell.hcell", "--add", "two.obj,name=fixture")
+    kept = {e["name"]: e for e in json.loads((case.folder / "cell.hcell").read_text())["entities"]}
+    assert kept["pin"]["parent"] == "fixture" and kept["pin"]["color"] == [0, 0.5, 0.25] and kept["pin"]["source"]["part"] == "pin", kept
+    (case.folder / "two.mtl").unlink()
+    assert any("two.mtl" in w for w in case.run("inspect", "two.obj")["warnings"])
 
 
 def test_units_and_up_axis_of_a_conversion(case):
     write_binary_stl(case.folder / "box.stl", box((200, 100, 50)))
     case.run("convert", "box.stl", "--unit", "mm", "--up", "y", "-o", "m.obj")
     case.run("convert", "m.obj", "-o", "in.obj", "--output-unit", "in")
-    found = next(solids(case.run("inspect", "in.obj", "--unit", "in")["entities"]))
+    found = next(solids(case.run("inspect", "in.obj")["entities"]))
     size = [high - low for low, high in zip(found["bounds"]["min"], found["bounds"]["max"])]
     assert near(size, [0.2, 0.05, 0.1], 1e-9), size
 
