@@ -66,6 +66,18 @@ BodyState trunkFor(const Figure& figure, const ResolvedTask& task, const BodySta
   return state;
 }
 
+double clamped(Dof dof, double angle) {
+  return std::clamp(angle, dofInfo(dof).lower, dofInfo(dof).upper);
+}
+
+LegAngles insideLimits(Side side, LegAngles leg) {
+  leg.R_PelvisThigh = clampBall(BallJoint::kHip, side, leg.R_PelvisThigh);
+  leg.knee = clamped(Dof::kLeftKneeFlexion, leg.knee);
+  leg.plantar_flexion = clamped(Dof::kLeftAnklePlantarFlexion, leg.plantar_flexion);
+  leg.inversion = clamped(Dof::kLeftAnkleInversion, leg.inversion);
+  return leg;
+}
+
 /// Puts legs under the trunk and the centre of mass over the feet: twice, because the legs follow. Returns what the
 /// legs break.
 double standTrunk(const Figure& figure, const ResolvedTask& task, BodyState& state) {
@@ -76,8 +88,8 @@ double standTrunk(const Figure& figure, const ResolvedTask& task, BodyState& sta
     cost = 0.0;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const LegAngles leg = legInverse(figure, side, state.root, task.feet[static_cast<std::size_t>(side)]);
-      cost += 3.0 * leg.violation + 20.0 * leg.missing;
-      if (leg.violation == 0.0 && leg.missing < 1e-9) setLeg(state, side, leg);
+      cost += 20.0 * leg.violation + 80.0 * leg.missing;
+      setLeg(state, side, insideLimits(side, leg));
     }
     if (i == 2) break;
     placeSegments(figure, state, pose);
@@ -143,9 +155,6 @@ SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyS
     }
     seeded.cost += least;
     best.R_ClavicleUpperArm = clampBall(BallJoint::kShoulder, side, best.R_ClavicleUpperArm);
-    const auto clamped = [&](Dof dof, double angle) {
-      return std::clamp(angle, dofInfo(dof).lower, dofInfo(dof).upper);
-    };
     best.pronation = clamped(Dof::kLeftPronation, best.pronation);
     best.wrist_flexion = clamped(Dof::kLeftWristFlexion, best.wrist_flexion);
     best.wrist_ulnar = clamped(Dof::kLeftWristUlnarDeviation, best.wrist_ulnar);
@@ -184,7 +193,8 @@ void PostureSeeds::makeBatch() {
 }
 
 const BodyState* PostureSeeds::next() {
-  if (given_ >= kMost) return nullptr;
+  const bool both = task_.has_hand[0] && task_.has_hand[1];
+  if (given_ >= (both ? kMost : kBatch)) return nullptr;
   if (given_ % kBatch == 0) makeBatch();
   return &batch_[order_[given_++ % kBatch]];
 }

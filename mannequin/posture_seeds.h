@@ -18,10 +18,10 @@ SeededState withArms(const Figure& figure, const ResolvedTask& task, const BodyS
 /// closed form, a few at a time when they are asked for.
 class PostureSeeds {
  public:
-  static constexpr std::size_t kTrunks = 48, kMost = 16, kBatch = 4;
+  static constexpr std::size_t kTrunks = 48, kMost = 8, kBatch = 4;
 
   PostureSeeds(const Figure& figure, const ResolvedTask& task, const BodyState& present);
-  /// The next state to try; nullptr after kMost.
+  /// The next state to try; nullptr after kMost, or after the first batch where one hand only is asked for.
   const BodyState* next();
 
  private:

@@ -17,6 +17,7 @@ using S = Segment;
 constexpr double kGoodArms = 0.25;    ///< Cost of closed-form arms below which the present trunk is worth a try.
 constexpr double kNearMerit = 0.003;  ///< m^2: the start itself is nearly there.
 constexpr int kPolishSteps = 20;
+constexpr int kLastSteps = 40;  ///< Where all else failed.
 constexpr int kBriefSteps = 2;
 constexpr double kComfortSlack = 4e-4;       ///< m^2, 20 mm: what closed-form arms make good again.
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
@@ -110,12 +111,14 @@ PostureResult PostureSolver::solve(const PostureTask& task, const Posture& start
     }
   }
   if (!done) {
-    done = attempt(near.state, 40) || attempt(present, 40);
+    const bool start_helps = tries == 0 || task.trunk_locked || (resolved.has_hand[0] && resolved.has_hand[1]);
+    done = (tries > 0 && attempt(BodyState(best.state()), kLastSteps)) ||
+           (start_helps && (attempt(near.state, kLastSteps) || attempt(present, kLastSteps)));
     if (!done) {
       best.setBalanceWeight(BodySolver::kStrictBalance);
       solver = best;
       const int before = solver.iterations();
-      solver.run(40, {0.3, 1e-3, 0.0}, false);
+      solver.run(kLastSteps, {0.3, 1e-3, 0.0}, false);
       iterations += solver.iterations() - before;
       if (solver.errors().merit < best.errors().merit) best = solver;
     }
