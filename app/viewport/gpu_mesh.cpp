@@ -61,16 +61,19 @@ void GpuMesh::drawFaces() {
   counted_.triangles += triangles();
 }
 
-void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count) {
+void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count,
+                       const TriangleRange& range) {
   if (steps_.empty() || count == 0) return;
   const DetailStep& drawn = steps_[std::min(step, steps_.size() - 1)];
+  const std::size_t begin = std::min(range.first, drawn.count / 3);
+  const std::size_t triangles = std::min(range.count, drawn.count / 3 - begin);
   gl_.glBindVertexArray(face_array_);
   uses.attach(first);
-  gl_.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(drawn.count), GL_UNSIGNED_INT,
-                              offset(drawn.first * sizeof(std::uint32_t)), static_cast<GLsizei>(count));
+  gl_.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles), GL_UNSIGNED_INT,
+                              offset((drawn.first + 3 * begin) * sizeof(std::uint32_t)), static_cast<GLsizei>(count));
   ++counted_.calls;
   counted_.instances += count;
-  counted_.triangles += drawn.count / 3 * count;
+  counted_.triangles += triangles * count;
 }
 
 void GpuMesh::drawEdges(GLsizei count) {

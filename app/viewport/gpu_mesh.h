@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -17,6 +18,11 @@ struct DrawCount {
 
 class InstanceBuffer;
 
+/// A run of the triangles of a step of detail; what reaches beyond its end is cut off.
+struct TriangleRange {
+  std::size_t first = 0, count = static_cast<std::size_t>(-1);
+};
+
 /// A mesh in the graphics card's memory: faces, and edges as instances of a quad.
 class GpuMesh {
  public:
@@ -28,7 +34,8 @@ class GpuMesh {
   /// All triangles, once.
   void drawFaces();
   /// The triangles of a step of detail for `count` of the buffer's uses, from the `first` on, by one call.
-  void drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count);
+  void drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count,
+                const TriangleRange& range = {});
   void drawCreases();
   void drawAllEdges();
   const dvec3& center() const { return center_; }
@@ -36,6 +43,9 @@ class GpuMesh {
   bool closed() const { return closed_; }
   const std::vector<DetailStep>& steps() const { return steps_; }
   std::size_t triangles() const { return steps_.empty() ? 0 : steps_[0].count / 3; }
+  std::size_t trianglesOf(std::size_t step) const {
+    return steps_.empty() ? 0 : steps_[std::min(step, steps_.size() - 1)].count / 3;
+  }
   std::size_t edges() const { return static_cast<std::size_t>(edge_count_); }
 
  private:

@@ -2,6 +2,7 @@
 #include "app/viewport/scene_renderer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/viewport/cap_pass.h"
 #include "app/viewport/surface_pass.h"
@@ -108,10 +109,11 @@ struct SceneRenderer::Passes {
   std::unique_ptr<QOpenGLShaderProgram> background, occlusion, present;
   ProgramFamily composite;
   RenderTarget scene, openness;
-  RenderTarget quick;       // The first sample of a picture: as good as shown, and cheap.
-  RenderTarget mean;        // Of a picture that is refined.
-  bool refined = false;     // What was drawn last went into the mean.
-  bool mean_whole = false;  // Its first sample covers the whole picture.
+  RenderTarget quick;             // The first sample of a picture: as good as shown, and cheap.
+  RenderTarget mean;              // Of a picture that is refined.
+  std::optional<int> shadows_of;  // The refined sample whose shadows were drawn in pieces.
+  bool refined = false;           // What was drawn last went into the mean.
+  bool mean_whole = false;        // Its first sample covers the whole picture.
   FrameView view;
   bool complete() const { return background && occlusion && present; }
 };
@@ -125,7 +127,10 @@ void SceneRenderer::drawScene(const Frame& frame) {
   const bool shadows = frame.detail <= DetailLevel::kNoOcclusion;
   // Without occlusion the shadows of the last full picture stay: the cell seldom changes, the eye does.
   const bool due = frame.detail == DetailLevel::kFull && frame.band == 0;
-  if (due || (shadows && !p.shadow.ready())) p.shadow.draw(frame, p.meshes);
+  const bool made = frame.refine && p.shadows_of == frame.sample;
+  p.shadow.giveUp();
+  if (!made) p.shadows_of.reset();
+  if (due && !made) p.shadow.draw(frame, p.meshes);
 
   p.view = viewOf(frame);
   p.scene.bind();
@@ -200,6 +205,14 @@ void SceneRenderer::composite(const Frame& frame) {
   pass(marked, set | 4u);
   gl_.glDisable(GL_SCISSOR_TEST);
   gl_.glDisable(GL_BLEND);
+}
+
+bool SceneRenderer::drawShadows(const Frame& frame, double seconds) {
+  Passes& p = *passes_;
+  p.shadows_of.reset();
+  if (p.complete() && !p.shadow.drawPiece(frame, p.meshes, seconds)) return false;
+  p.shadows_of = frame.sample;
+  return true;
 }
 
 void SceneRenderer::draw(const Frame& wanted) {

@@ -28,6 +28,9 @@ class SceneRenderer {
   SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready);
   ~SceneRenderer();
 
+  /// Draws for about `seconds` at the shadows of the refined sample `frame`; true once they are whole: its first band
+  /// will not draw them anew then. Anything else that is drawn in between loses what was begun.
+  bool drawShadows(const Frame& frame, double seconds);
   /// Draws one sample, or a band of it, and shows nothing yet.
   void draw(const Frame& frame);
   /// The same, and shows the picture in `framebuffer`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/shadow_pass.h"
 
+#include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -9,6 +10,14 @@ namespace {
 
 constexpr int kMapSize = 2048;
 constexpr double kLightRadius = 0.035;  // Of the light as seen from the scene, rad.
+constexpr double kCallSeconds = 0.008;  // What one call of a piece may take.
+const RenderTarget::Format kFormat{{}, true, false, true, false};
+
+using Clock = std::chrono::steady_clock;
+
+double secondsBetween(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
 
 dvec3 lightDirection(int sample) {
   const dvec3 middle = keyLightDirection_W();
@@ -23,43 +32,109 @@ dvec3 lightDirection(int sample) {
 }  // namespace
 
 ShadowPass::ShadowPass(Gl& gl)
-    : gl_(gl), program_(loadProgram("shadow", "depth")), target_(gl, {{}, true, false, true, false}), uses_(gl) {}
+    : gl_(gl),
+      program_(loadProgram("shadow", "depth")),
+      targets_{RenderTarget(gl, kFormat), RenderTarget(gl, kFormat)},
+      uses_(gl) {}
 
-void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
-  ready_ = false;
-  if (!program_ || frame.bounds_W.isEmpty()) return;
-  target_.resize(kMapSize, kMapSize);
+ShadowPass::View ShadowPass::viewOf(const Frame& frame) {
   // What is shadowed is what is looked at: a huge cell must not make the map coarse.
   const double scene = frame.bounds_W.radius();
   const double radius = std::min(scene, std::max(4.0, 2.5 * frame.camera.distance)) * 1.02 + 0.01;
   const dvec3 middle = radius < scene ? frame.camera.target_W : frame.bounds_W.center();
   const dvec3 light = lightDirection(frame.sample);
   const glm::dmat4 view = glm::lookAt(middle + light, middle, dvec3(0, 1, 0));
-  light_from_world_ = glm::ortho(-radius, radius, -radius, radius, -scene - radius, scene + radius) * view;
-  texel_ = 2.0 * radius / kMapSize;
-  target_.bind();
+  return {glm::ortho(-radius, radius, -radius, radius, -scene - radius, scene + radius) * view,
+          2.0 * radius / kMapSize};
+}
+
+void ShadowPass::begin(const Frame& frame, GpuMeshCache& meshes) {
+  const View view = viewOf(frame);
+  std::vector<ItemBatch> batches = shadowBatches(frame, view.texel, meshes);
+  std::vector<ItemInstance> uses;
+  std::vector<DrawLoad> loads;
+  for (const ItemBatch& batch : batches) {
+    loads.push_back({batch.mesh->trianglesOf(batch.step), batch.items.size()});
+    for (const std::uint32_t item : batch.items)
+      setRows(uses.emplace_back(), view.light_from_world * worldFromDisplay(frame.items[item], batch.mesh->center()));
+  }
+  uses_.fill(uses);
+  RenderTarget& target = targets_[1 - shown_target_];
+  target.resize(kMapSize, kMapSize);
+  target.bind();
+  gl_.glDepthMask(GL_TRUE);
   gl_.glClear(GL_DEPTH_BUFFER_BIT);
+  begun_.emplace(Begun{view, std::move(batches), DrawPieces(std::move(loads), kCallSeconds, call_triangles_)});
+}
+
+void ShadowPass::prepare(const Frame& frame) {
+  targets_[1 - shown_target_].bind();
   gl_.glEnable(GL_DEPTH_TEST);
+  gl_.glDepthMask(GL_TRUE);
   gl_.glEnable(GL_POLYGON_OFFSET_FILL);
   gl_.glPolygonOffset(2.5f, 6.0f);
   if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   program_->bind();
-  const std::vector<ItemBatch> batches = shadowBatches(frame, texel_, meshes);
-  std::vector<ItemInstance> uses;
-  for (const ItemBatch& batch : batches)
-    for (const std::uint32_t item : batch.items)
-      setRows(uses.emplace_back(), light_from_world_ * worldFromDisplay(frame.items[item], batch.mesh->center()));
-  uses_.fill(uses);
-  const glm::vec4 section = sectionIn(frame, light_from_world_);
+  const glm::vec4 section = sectionIn(frame, begun_->view.light_from_world);
   program_->setUniformValue("section", section.x, section.y, section.z, section.w);
+}
+
+void ShadowPass::endDrawing() {
+  gl_.glDisable(GL_CLIP_DISTANCE0);
+  gl_.glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void ShadowPass::show() {
+  shown_target_ = 1 - shown_target_;
+  shown_ = begun_->view;
+  begun_.reset();
+  ready_ = true;
+}
+
+bool ShadowPass::canDraw(const Frame& frame) {
+  if (program_ && !frame.bounds_W.isEmpty()) return true;
+  begun_.reset();
+  ready_ = false;
+  return false;
+}
+
+void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
+  if (!canDraw(frame)) return;
+  begin(frame, meshes);
+  prepare(frame);
   std::size_t first = 0;
-  for (const ItemBatch& batch : batches) {
+  for (const ItemBatch& batch : begun_->batches) {
     batch.mesh->drawUses(batch.step, uses_, first, batch.items.size());
     first += batch.items.size();
   }
-  gl_.glDisable(GL_CLIP_DISTANCE0);
-  gl_.glDisable(GL_POLYGON_OFFSET_FILL);
-  ready_ = true;
+  endDrawing();
+  show();
+}
+
+bool ShadowPass::drawPiece(const Frame& frame, GpuMeshCache& meshes, double seconds) {
+  if (!canDraw(frame)) return true;
+  const auto start = Clock::now();
+  const bool fresh = !begun_;
+  if (fresh) begin(frame, meshes);
+  prepare(frame);
+  if (fresh) gl_.glFinish();  // Clearing is no part of the first call.
+  bool whole = false;
+  auto before = Clock::now();
+  do {
+    const auto piece = begun_->pieces.next();
+    whole = !piece;
+    if (whole) break;
+    const ItemBatch& batch = begun_->batches[piece->load];
+    batch.mesh->drawUses(batch.step, uses_, piece->first_use, piece->uses, {piece->first_triangle, piece->triangles});
+    gl_.glFinish();
+    const auto after = Clock::now();
+    begun_->pieces.took(secondsBetween(before, after));
+    before = after;
+  } while (secondsBetween(start, before) < seconds);
+  endDrawing();
+  call_triangles_ = begun_->pieces.triangles();
+  if (whole) show();
+  return whole;
 }
 
 }  // namespace hapticell::app

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/viewport/draw_pieces.h"
 #include "app/viewport/frame.h"
 #include "app/viewport/gl.h"
 #include "app/viewport/gpu_mesh.h"
 #include "app/viewport/instance_buffer.h"
+#include "app/viewport/item_batches.h"
 
 namespace hapticell::app {
 
@@ -15,19 +21,43 @@ class ShadowPass {
   /// Draws the map anew. In samples after the first the light stands a little aside each time, which makes soft
   /// borders.
   void draw(const Frame& frame, GpuMeshCache& meshes);
+  /// Draws at a new map for about `seconds`; true once it is whole. Until then map() is the one before. The scene must
+  /// not change between the pieces of a map: giveUp() where it did.
+  bool drawPiece(const Frame& frame, GpuMeshCache& meshes, double seconds);
+  /// Forgets a map that was begun.
+  void giveUp() { begun_.reset(); }
   bool ready() const { return ready_; }
   /// Metres of the cell that a texel of the map covers.
-  double texel() const { return texel_; }
-  GLuint map() const { return target_.depth(); }
-  const glm::dmat4& lightFromWorld() const { return light_from_world_; }
+  double texel() const { return shown_.texel; }
+  GLuint map() const { return targets_[shown_target_].depth(); }
+  const glm::dmat4& lightFromWorld() const { return shown_.light_from_world; }
 
  private:
+  /// Where the light looks from.
+  struct View {
+    glm::dmat4 light_from_world{1.0};
+    double texel = 0.0;
+  };
+  struct Begun {
+    View view;
+    std::vector<ItemBatch> batches;
+    DrawPieces pieces;
+  };
+  static View viewOf(const Frame& frame);
+  void begin(const Frame& frame, GpuMeshCache& meshes);
+  bool canDraw(const Frame& frame);
+  void prepare(const Frame& frame);
+  void endDrawing();
+  void show();
+
   Gl& gl_;
   std::unique_ptr<QOpenGLShaderProgram> program_;
-  RenderTarget target_;
+  std::array<RenderTarget, 2> targets_;  ///< The one that is shown and the one that is being drawn.
+  std::size_t shown_target_ = 0;
   InstanceBuffer uses_;
-  glm::dmat4 light_from_world_{1.0};
-  double texel_ = 0.0;
+  View shown_;
+  std::optional<Begun> begun_;
+  std::size_t call_triangles_ = DrawPieces::kFirst;
   bool ready_ = false;
 };
 

@@ -56,12 +56,12 @@ std::optional<PickedPoint> ViewportWidget::pickAt(const QPointF& position) {
     return renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
   };
   auto picked = ask();
-  if (!picked && sample_ == 0 && band_ > 0) {
+  if (!picked && rest_.isInFirstRound()) {
     // A still picture has been begun, and this place is not drawn yet.
     Frame frame = makeFrame();
     frame.detail = governor_.level();
     renderer_->draw(frame);
-    band_ = 0;
+    rest_.begin();
     picked = ask();
   }
   doneCurrent();

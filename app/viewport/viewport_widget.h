@@ -14,6 +14,7 @@
 #include "app/viewport/navigation.h"
 #include "app/viewport/overlay_painter.h"
 #include "app/viewport/pick_request.h"
+#include "app/viewport/rest_picture.h"
 #include "app/viewport/scene_model.h"
 #include "app/viewport/scene_renderer.h"
 #include "app/viewport/tool_chain.h"
@@ -113,7 +114,7 @@ class ViewportWidget : public QOpenGLWidget {
   bool hasMoved() const;
   void showNewPart();
   void refineStep();
-  double refine(double now);  ///< One band; the seconds it took.
+  bool refine(double now);  ///< One piece of the picture at rest; true at the end of a sample.
   void paintOverlayImage();
   std::vector<PlacedLabel> placeLabels(const std::vector<OverlayLabel>& labels);
   Overlay makeOverlay();
@@ -147,7 +148,8 @@ class ViewportWidget : public QOpenGLWidget {
     bool active = false;
   } turn_;
   DetailGovernor governor_{0.055, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
-  int band_ = 0, bands_ = 6;  ///< A sample of a still picture is drawn in bands, so that the window answers.
+  static constexpr double kPieceSeconds = 0.03;             ///< Of a picture at rest.
+  RestPicture rest_{SceneRenderer::kSamples, kPieceSeconds};
   FrameMeter meter_;
   QElapsedTimer clock_;
   LabelLayout label_layout_;
@@ -156,9 +158,7 @@ class ViewportWidget : public QOpenGLWidget {
   Camera drawn_camera_;
   std::vector<StripCell> drawn_numbers_;
   bool dirty_ = true;  ///< Size or theme changed.
-  int sample_ = 0;
-  double last_motion_s_ = 0.0, slowest_band_s_ = 0.0;
-  double rest_work_s_ = 0.0;  ///< Spent on refining the picture that stands.
+  double last_motion_s_ = 0.0;
   QTimer refine_;
   ToolChain tools_;
   bool tool_active_ = false;

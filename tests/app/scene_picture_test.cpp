@@ -88,6 +88,31 @@ TEST_F(ScenePicture, PartsOfOneMeshAreOneCallAndLookAsIfDrawnOneByOne) {
   EXPECT_LT(test::meanSquareError(together, apart), 1e-6);
 }
 
+TEST_F(ScenePicture, ShadowsDrawnInPiecesAreTheSame) {
+  const Mesh bolt = shared(geometry::makeCylinder(0.04, 0.3, 48));
+  for (int i = 0; i < 40; ++i) add(bolt, {0.15 * (i % 8) - 0.5, 0.15 * (i / 8) - 0.3, 0.3});
+  add(shared(geometry::makeSphere(0.3, 60)), {0, 0, 0.8});
+  frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
+  const QImage whole = draw(3);
+  QOpenGLFramebufferObject target(frame_.width, frame_.height);
+  int pieces = 0;
+  for (frame_.sample = 0; frame_.sample < 3; ++frame_.sample) {
+    // No time at all: each piece is one call.
+    do {
+      ASSERT_LT(++pieces, 10000);
+    } while (!renderer_->drawShadows(frame_, 0.0));
+    renderer_->render(frame_, target.handle());
+    EXPECT_EQ(renderer_->lastCount().calls, 43u) << "two of faces and 41 of edges: none of shadows";
+  }
+  EXPECT_GT(pieces, 3);
+  const QImage in_pieces = target.toImage().convertToFormat(QImage::Format_RGB32);
+  EXPECT_LT(test::meanSquareError(whole, in_pieces), 1e-9);
+  // What was begun and then overtaken leaves no trace.
+  frame_.sample = 0;
+  renderer_->drawShadows(frame_, 0.0);
+  EXPECT_LT(test::meanSquareError(whole, draw(3)), 1e-9);
+}
+
 TEST_F(ScenePicture, FarPartsHaveFewTrianglesAndLookTheSame) {
   frame_.edges = false;
   add(shared(geometry::makeSphere(0.5, 300)), {0, 0, 0.5});

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the viewport paints over the scene: labels, strip, curves, view cube.
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "app/viewport/viewport_widget.h"
+
+namespace hapticell::app {
+
+std::vector<StripCell> ViewportWidget::spokenNumbers() const {
+  const auto& snapshot = scene_.snapshot();
+  std::vector<StripCell> said;
+  if (snapshot && snapshot->connected) said = stripCells(*snapshot, strip_);
+  for (const OverlayLabel& label : overlayLabels(scene_)) said.push_back({label.mark, label.number, label.names});
+  return said;
+}
+
+std::vector<SceneCurve> ViewportWidget::allCurves() const {
+  std::vector<SceneCurve> all;
+  for (const auto& [owner, curves] : curves_) all.insert(all.end(), curves.begin(), curves.end());
+  if (section_) {
+    const auto section = sectionCurves(*section_, scene_.bounds_W(), camera_, viewSize());
+    all.insert(all.end(), section.begin(), section.end());
+  }
+  if (!pick_hover_) return all;
+  using Role = SceneCurve::Role;
+  using Style = SceneCurve::Style;
+  for (const auto& line : pick_hover_->outline_W) all.push_back({line, Role::kSelection, Style::kSolid, 2.5});
+  if (pick_hover_->kind != FeatureKind::kFace)
+    all.push_back({{pick_hover_->p_WQ}, Role::kSelection, Style::kSolid, 2.5});
+  return all;
+}
+
+std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLabel>& labels) {
+  std::vector<LabelWish> wishes;
+  for (const OverlayLabel& label : labels) {
+    const auto anchor = camera_.project(label.p_WQ, viewSize());
+    const QSizeF size = labelSize(label);
+    if (anchor) wishes.push_back({label.key, *anchor, {size.width(), size.height()}});
+  }
+  std::vector<PixelBox> keep_free;
+  const QRectF strip =
+      stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
+  if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
+  constexpr double kHintHeight = 44.0, kHintHalfWidth = 320.0;  // It stands above the strip.
+  if (!tools_.hint().isEmpty() && !strip.isEmpty())
+    keep_free.push_back({{strip.center().x() - kHintHalfWidth, strip.top() - kHintHeight},
+                         {strip.center().x() + kHintHalfWidth, strip.top()}});
+  keep_free.push_back({{viewSize().width - 140, 0}, {viewSize().width, 130}});
+  const QRectF views = view_strip_.box();
+  if (!views.isEmpty()) keep_free.push_back({{0, 0}, {views.right() + 8, views.bottom() + 8}});
+  if (scene_.snapshot() && forceArrowOpacity(scene_.snapshot()->force_n) > 0.0)
+    if (const auto start = camera_.project(forceArrowStart_W(*scene_.snapshot()), viewSize()))
+      keep_free.push_back({*start - glm::dvec2(24, 200), *start + glm::dvec2(80, 12)});
+  const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+  const double seconds = now - last_overlay_s_;
+  last_overlay_s_ = now;
+  return label_layout_.place(wishes, keep_free, viewSize(), seconds, motion_);
+}
+
+Overlay ViewportWidget::makeOverlay() {
+  drawn_numbers_ = spokenNumbers();
+  Overlay overlay;
+  overlay.theme = &themeOf(palette());
+  overlay.camera = camera_;
+  overlay.size = viewSize();
+  overlay.scene = &scene_;
+  overlay.labels = overlayLabels(scene_);
+  overlay.places = placeLabels(overlay.labels);
+  if (scene_.snapshot() && scene_.snapshot()->connected) overlay.strip = stripCells(*scene_.snapshot(), strip_);
+  overlay.hint = tools_.hint();
+  if (pick_) {
+    overlay.hint = pick_->prompt;
+    if (pick_hover_) overlay.hint += QStringLiteral(" · ") + QString::fromStdString(featureText(*pick_hover_));
+  }
+  overlay.curves = allCurves();
+  overlay.cube = viewCube();
+  overlay.cube_hover = cube_hover_;
+  if (scene_.empty()) overlay.empty = empty_;
+  if (drag_ == Drag::kBox) {
+    overlay.box = QRectF(press_place_, last_place_).normalized();
+    overlay.box_touching = last_place_.x() < press_place_.x();
+  }
+  overlay.view_strip = &view_strip_;
+  overlay.view_strip_hover = view_strip_hover_;
+  overlay.missing_parts = renderer_ ? renderer_->missingParts() : 0;
+  return overlay;
+}
+
+void ViewportWidget::paintOverlayImage() {
+  const Overlay overlay = makeOverlay();
+  QPainter onto(this);
+  // Painted by the raster engine (the one on OpenGL smooths lines only with multisampling), and only where there is
+  // something: each piece is uploaded.
+  QRegion pieces;  // Its boxes do not overlap: what is half transparent is painted once.
+  for (const QRectF& piece : overlayPieces(overlay)) pieces += piece.toAlignedRect().intersected(rect());
+  for (const QRect& box : pieces) {
+    QImage image(box.size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(devicePixelRatioF());
+    image.fill(Qt::transparent);
+    {
+      QPainter painter(&image);
+      painter.translate(-box.topLeft());
+      paintOverlay(painter, overlay);
+    }
+    onto.drawImage(box.topLeft(), image);
+  }
+}
+
+}  // namespace hapticell::app
