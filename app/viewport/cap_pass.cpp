@@ -26,11 +26,12 @@ CapPass::~CapPass() {
   gl_.glDeleteVertexArrays(1, &vertex_array_);
 }
 
-bool CapPass::cuts(const Frame& frame, const RenderItem& item) const {
+bool CapPass::cuts(const DrawContext& context, const RenderItem& item) const {
   if (!item.mesh || item.over_scene || item.ghost != Ghost::kNone) return false;
   const geometry::Bounds box = geometry::transformed(item.X_WM, item.bounds_M);
-  const dvec3 n = frame.section->nhat_W;
-  const double middle = glm::dot(n, box.center()) - frame.section->offset;
+  if (isOutside(context.view.band_from_world, box.center(), box.radius())) return false;
+  const dvec3 n = context.frame.section->nhat_W;
+  const double middle = glm::dot(n, box.center()) - context.frame.section->offset;
   return std::abs(middle) <= 0.5 * glm::dot(glm::abs(n), box.size());
 }
 
@@ -66,7 +67,8 @@ void CapPass::fill(const Frame& frame, const FrameView& view, const RenderItem& 
   gl_.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void CapPass::draw(const Frame& frame, const FrameView& view, GpuMeshCache& meshes) {
+void CapPass::draw(const DrawContext& context) {
+  const Frame& frame = context.frame;
   if (!frame.section || !counter_ || !cap_ || frame.detail == DetailLevel::kCoarse) return;
   gl_.glClearStencil(0);
   gl_.glClear(GL_STENCIL_BUFFER_BIT);
@@ -76,11 +78,14 @@ void CapPass::draw(const Frame& frame, const FrameView& view, GpuMeshCache& mesh
   gl_.glDisable(GL_BLEND);
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
-    if (!cuts(frame, item)) continue;
-    GpuMesh* mesh = meshes.of(item.mesh);
+    if (!cuts(context, item)) continue;
+    GpuMesh* mesh = context.meshes.of(item.mesh);
     if (!mesh || !mesh->closed()) continue;
-    count(frame, view, item, *mesh);
-    fill(frame, view, item, i + 1);
+    // Not to be cut: the stencil counts all faces of a part before its cap is filled.
+    context.share.once(mesh->triangles(), [&] {
+      count(frame, context.view, item, *mesh);
+      fill(frame, context.view, item, i + 1);
+    });
   }
   gl_.glDisable(GL_STENCIL_TEST);
 }

@@ -15,10 +15,10 @@ class CapPass {
   explicit CapPass(Gl& gl);
   ~CapPass();
   /// After the faces, into the same target, which needs a stencil buffer. Without a section it draws nothing.
-  void draw(const Frame& frame, const FrameView& view, GpuMeshCache& meshes);
+  void draw(const DrawContext& context);
 
  private:
-  bool cuts(const Frame& frame, const RenderItem& item) const;
+  bool cuts(const DrawContext& context, const RenderItem& item) const;
   void count(const Frame& frame, const FrameView& view, const RenderItem& item, GpuMesh& mesh);
   void fill(const Frame& frame, const FrameView& view, const RenderItem& item, std::uint32_t id);
   Gl& gl_;

@@ -19,8 +19,8 @@ const void* offset(std::size_t bytes) {
 
 GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
     : gl_(gl), counted_(counted), steps_(mesh.steps), center_(mesh.center), bounds_(mesh.bounds), closed_(mesh.closed) {
-  edge_count_ = static_cast<GLsizei>(mesh.edges.size());
-  crease_count_ = static_cast<GLsizei>(mesh.creases);
+  edge_count_ = mesh.edges.size();
+  crease_count_ = mesh.creases;
   gl_.glGenBuffers(3, buffers_);
   gl_.glGenVertexArrays(1, &face_array_);
   gl_.glBindVertexArray(face_array_);
@@ -39,11 +39,6 @@ GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
   gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
   gl_.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.edges.size() * sizeof(DisplayEdge)), mesh.edges.data(),
                    GL_STATIC_DRAW);
-  for (GLuint i = 0; i < 4; ++i) {
-    gl_.glEnableVertexAttribArray(i);
-    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayEdge), offset(i * sizeof(fvec3)));
-    gl_.glVertexAttribDivisor(i, 1);
-  }
   gl_.glBindVertexArray(0);
 }
 
@@ -61,33 +56,31 @@ void GpuMesh::drawFaces() {
   counted_.triangles += triangles();
 }
 
-void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count,
-                       const TriangleRange& range) {
-  if (steps_.empty() || count == 0) return;
+void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t before, const DrawPart& part) {
+  if (steps_.empty() || part.uses == 0) return;
   const DetailStep& drawn = steps_[std::min(step, steps_.size() - 1)];
-  const std::size_t begin = std::min(range.first, drawn.count / 3);
-  const std::size_t triangles = std::min(range.count, drawn.count / 3 - begin);
   gl_.glBindVertexArray(face_array_);
-  uses.attach(first);
-  gl_.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles), GL_UNSIGNED_INT,
-                              offset((drawn.first + 3 * begin) * sizeof(std::uint32_t)), static_cast<GLsizei>(count));
+  uses.attach(before + part.first_use);
+  gl_.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * part.units), GL_UNSIGNED_INT,
+                              offset((drawn.first + 3 * part.first_unit) * sizeof(std::uint32_t)),
+                              static_cast<GLsizei>(part.uses));
   ++counted_.calls;
-  counted_.instances += count;
-  counted_.triangles += triangles * count;
+  counted_.instances += part.uses;
+  counted_.triangles += part.units * part.uses;
 }
 
-void GpuMesh::drawEdges(GLsizei count) {
+void GpuMesh::drawEdges(std::size_t first, std::size_t count) {
   if (count == 0) return;
   gl_.glBindVertexArray(edge_array_);
-  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+  gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
+  for (GLuint i = 0; i < 4; ++i) {
+    gl_.glEnableVertexAttribArray(i);
+    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayEdge),
+                              offset(first * sizeof(DisplayEdge) + i * sizeof(fvec3)));
+    gl_.glVertexAttribDivisor(i, 1);
+  }
+  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
   ++counted_.calls;
-}
-
-void GpuMesh::drawCreases() {
-  drawEdges(crease_count_);
-}
-void GpuMesh::drawAllEdges() {
-  drawEdges(edge_count_);
 }
 
 GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {

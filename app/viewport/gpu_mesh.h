@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/viewport/display_mesh_worker.h"
+#include "app/viewport/draw_share.h"
 #include "app/viewport/gl.h"
 
 namespace hapticell::app {
@@ -18,11 +19,6 @@ struct DrawCount {
 
 class InstanceBuffer;
 
-/// A run of the triangles of a step of detail; what reaches beyond its end is cut off.
-struct TriangleRange {
-  std::size_t first = 0, count = static_cast<std::size_t>(-1);
-};
-
 /// A mesh in the graphics card's memory: faces, and edges as instances of a quad.
 class GpuMesh {
  public:
@@ -33,11 +29,11 @@ class GpuMesh {
 
   /// All triangles, once.
   void drawFaces();
-  /// The triangles of a step of detail for `count` of the buffer's uses, from the `first` on, by one call.
-  void drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t first, std::size_t count,
-                const TriangleRange& range = {});
-  void drawCreases();
-  void drawAllEdges();
+  /// A run of the triangles of a step of detail for some of the buffer's uses, by one call; `before` are the uses in
+  /// the buffer that belong to other meshes and come first.
+  void drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t before, const DrawPart& part);
+  /// A run of the edges, creases first.
+  void drawEdges(std::size_t first, std::size_t count);
   const dvec3& center() const { return center_; }
   const geometry::Bounds& bounds() const { return bounds_; }
   bool closed() const { return closed_; }
@@ -46,10 +42,10 @@ class GpuMesh {
   std::size_t trianglesOf(std::size_t step) const {
     return steps_.empty() ? 0 : steps_[std::min(step, steps_.size() - 1)].count / 3;
   }
-  std::size_t edges() const { return static_cast<std::size_t>(edge_count_); }
+  std::size_t edges() const { return edge_count_; }
+  std::size_t creases() const { return crease_count_; }
 
  private:
-  void drawEdges(GLsizei count);
   Gl& gl_;
   DrawCount& counted_;
   std::vector<DetailStep> steps_;
@@ -58,7 +54,7 @@ class GpuMesh {
   bool closed_ = true;
   GLuint face_array_ = 0, edge_array_ = 0;
   GLuint buffers_[3]{};
-  GLsizei edge_count_ = 0, crease_count_ = 0;
+  std::size_t edge_count_ = 0, crease_count_ = 0;
 };
 
 /// Meshes by their address: shared ones are uploaded once; those that no longer occur are let go. Large meshes are made

@@ -2,7 +2,7 @@
 #include "app/viewport/scene_renderer.h"
 
 #include <algorithm>
-#include <optional>
+#include <chrono>
 
 #include "app/viewport/cap_pass.h"
 #include "app/viewport/surface_pass.h"
@@ -11,10 +11,13 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kOcclusionRadius = 0.16;  // Metres.
-constexpr int kBandRoom = 6;               // Pixels.
 
 void setColor(QOpenGLShaderProgram& program, const char* name, const fvec3& color) {
   program.setUniformValue(name, color.x, color.y, color.z);
+}
+
+double steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 struct PixelArea {
@@ -96,6 +99,7 @@ struct SceneRenderer::Passes {
         present(loadProgram("screen", "present")),
         composite("screen", "composite", {"OCCLUDED", "SILHOUETTES", "STATES"}),
         scene(gl, {{GL_RGBA8, GL_R32UI}, true, true, false, false}),
+        rest(gl, {{GL_RGBA8, GL_R32UI}, true, true, false, false}),
         openness(gl, {{GL_R8}, false, false, false, true}),
         quick(gl, {{GL_RGBA8}, false, false, false, true}),
         mean(gl, {{GL_RGBA16F}, false, false, false, true}) {}
@@ -108,13 +112,16 @@ struct SceneRenderer::Passes {
   ScreenTriangle triangle;
   std::unique_ptr<QOpenGLShaderProgram> background, occlusion, present;
   ProgramFamily composite;
-  RenderTarget scene, openness;
-  RenderTarget quick;             // The first sample of a picture: as good as shown, and cheap.
-  RenderTarget mean;              // Of a picture that is refined.
-  std::optional<int> shadows_of;  // The refined sample whose shadows were drawn in pieces.
-  bool refined = false;           // What was drawn last went into the mean.
-  bool mean_whole = false;        // Its first sample covers the whole picture.
-  FrameView view;
+  RenderTarget scene;  // What is picked in.
+  RenderTarget rest;   // The sample that is being drawn in pieces.
+  RenderTarget openness;
+  RenderTarget quick;       // The first sample of a picture: as good as shown, and cheap.
+  RenderTarget mean;        // Of a picture that is refined.
+  bool refined = false;     // What was drawn last went into the mean.
+  bool mean_whole = false;  // Its first sample covers the whole picture.
+  RenderTarget* target = &scene;
+  DrawProgress progress;
+  FrameView view, picked_view;
   bool complete() const { return background && occlusion && present; }
 };
 
@@ -122,64 +129,63 @@ SceneRenderer::SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready)
     : gl_(gl), passes_(std::make_unique<Passes>(gl, std::move(on_mesh_ready))) {}
 SceneRenderer::~SceneRenderer() = default;
 
-void SceneRenderer::drawScene(const Frame& frame) {
+void SceneRenderer::drawShadows(const Frame& frame) {
   Passes& p = *passes_;
-  const bool shadows = frame.detail <= DetailLevel::kNoOcclusion;
   // Without occlusion the shadows of the last full picture stay: the cell seldom changes, the eye does.
-  const bool due = frame.detail == DetailLevel::kFull && frame.band == 0;
-  const bool made = frame.refine && p.shadows_of == frame.sample;
-  p.shadow.giveUp();
-  if (!made) p.shadows_of.reset();
-  if (due && !made) p.shadow.draw(frame, p.meshes);
+  if (frame.detail != DetailLevel::kFull || frame.band > 0) return;
+  DrawShare all;
+  p.shadow.draw(frame, p.meshes, all);
+}
 
+void SceneRenderer::drawScene(const Frame& frame, DrawShare& share) {
+  Passes& p = *passes_;
   p.view = viewOf(frame);
-  p.scene.bind();
+  p.target->bind();
   const PixelArea band = bandArea(frame);
   gl_.glEnable(GL_SCISSOR_TEST);
   // A little more than the band: occlusion and outlines look at their neighbours.
   gl_.glScissor(0, std::max(band.y - kBandRoom, 0), band.width, band.height + 2 * kBandRoom);
   gl_.glDisable(GL_BLEND);
   gl_.glDisable(GL_CULL_FACE);
-  const GLfloat far_away = 1.0f;
   gl_.glDepthMask(GL_TRUE);
-  gl_.glClearBufferfv(GL_DEPTH, 0, &far_away);
-  gl_.glDisable(GL_DEPTH_TEST);
-  p.background->bind();
-  setColor(*p.background, "top", frame.colors.background_top);
-  setColor(*p.background, "bottom", frame.colors.background_bottom);
-  p.triangle.draw();
-
-  const ShadowPass* shadow = shadows ? &p.shadow : nullptr;
-  p.surface.draw(frame, p.view, shadow, p.meshes);
-  p.cap.draw(frame, p.view, p.meshes);
-
-  if (frame.floor) p.floor.draw(frame, p.view, shadow);
-
-  if (frame.edges && frame.detail < DetailLevel::kNoEdges)
-    p.edge.draw(frame, p.view, frame.detail != DetailLevel::kFull, p.meshes);
+  share.once(1, [&] {
+    const GLfloat far_away = 1.0f;
+    gl_.glClearBufferfv(GL_DEPTH, 0, &far_away);
+    gl_.glDisable(GL_DEPTH_TEST);
+    p.background->bind();
+    setColor(*p.background, "top", frame.colors.background_top);
+    setColor(*p.background, "bottom", frame.colors.background_bottom);
+    p.triangle.draw();
+  });
+  const ShadowPass* shadow = frame.detail <= DetailLevel::kNoOcclusion ? &p.shadow : nullptr;
+  const DrawContext context{frame, p.view, p.meshes, share};
+  p.surface.draw(context, shadow);
+  p.cap.draw(context);
+  if (frame.floor) p.floor.draw(context, shadow);
+  if (frame.edges && frame.detail < DetailLevel::kNoEdges) p.edge.draw(context, frame.detail != DetailLevel::kFull);
   gl_.glDisable(GL_SCISSOR_TEST);
   gl_.glDisable(GL_DEPTH_TEST);
 }
 
-void SceneRenderer::composite(const Frame& frame) {
+void SceneRenderer::drawOcclusion(const Frame& frame) {
   Passes& p = *passes_;
-  const bool occluded = frame.detail == DetailLevel::kFull;
-  if (occluded) {
-    p.openness.resize((frame.width + 1) / 2, (frame.height + 1) / 2);
-    p.openness.bind();
-    const PixelArea band = bandArea(frame);
-    gl_.glEnable(GL_SCISSOR_TEST);
-    gl_.glScissor(0, band.y / 2, p.openness.width(), (band.y + band.height + 1) / 2 - band.y / 2);
-    p.occlusion->bind();
-    bindTexture(gl_, *p.occlusion, "depth_map", 0, p.scene.depth());
-    setMatrix(gl_, *p.occlusion, "clip_from_view", p.view.clip_from_view);
-    setMatrix(gl_, *p.occlusion, "view_from_clip", glm::inverse(p.view.clip_from_view));
-    p.occlusion->setUniformValue("radius", static_cast<float>(kOcclusionRadius));
-    p.occlusion->setUniformValue("turn", static_cast<float>(frame.sample));
-    p.triangle.draw();
-    gl_.glDisable(GL_SCISSOR_TEST);
-  }
+  p.openness.resize((frame.width + 1) / 2, (frame.height + 1) / 2);
+  p.openness.bind();
+  const PixelArea band = bandArea(frame);
+  gl_.glEnable(GL_SCISSOR_TEST);
+  gl_.glScissor(0, band.y / 2, p.openness.width(), (band.y + band.height + 1) / 2 - band.y / 2);
+  p.occlusion->bind();
+  bindTexture(gl_, *p.occlusion, "depth_map", 0, p.target->depth());
+  setMatrix(gl_, *p.occlusion, "clip_from_view", p.view.clip_from_view);
+  setMatrix(gl_, *p.occlusion, "view_from_clip", glm::inverse(p.view.clip_from_view));
+  p.occlusion->setUniformValue("radius", static_cast<float>(kOcclusionRadius));
+  p.occlusion->setUniformValue("turn", static_cast<float>(frame.sample));
+  p.triangle.draw();
+  gl_.glDisable(GL_SCISSOR_TEST);
+}
 
+void SceneRenderer::compositeBand(const Frame& frame, bool occluded) {
+  Passes& p = *passes_;
   (p.refined ? p.mean : p.quick).bind();
   if (frame.sample > 0) gl_.glEnable(GL_BLEND);
   gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -191,7 +197,7 @@ void SceneRenderer::composite(const Frame& frame) {
     if (area.width <= 0 || area.height <= 0) return;
     QOpenGLShaderProgram* program = p.composite.of(switches);
     if (!program) return;
-    prepareComposite(gl_, *program, frame, p.scene, occluded ? p.openness.color(0) : p.scene.color(0));
+    prepareComposite(gl_, *program, frame, *p.target, occluded ? p.openness.color(0) : p.target->color(0));
     gl_.glScissor(area.x, area.y, area.width, area.height);
     p.triangle.draw();
   };
@@ -207,12 +213,10 @@ void SceneRenderer::composite(const Frame& frame) {
   gl_.glDisable(GL_BLEND);
 }
 
-bool SceneRenderer::drawShadows(const Frame& frame, double seconds) {
-  Passes& p = *passes_;
-  p.shadows_of.reset();
-  if (p.complete() && !p.shadow.drawPiece(frame, p.meshes, seconds)) return false;
-  p.shadows_of = frame.sample;
-  return true;
+void SceneRenderer::composite(const Frame& frame, DrawShare& share) {
+  const bool occluded = frame.detail == DetailLevel::kFull;
+  if (occluded) share.once(1, [&] { drawOcclusion(frame); });
+  share.once(1, [&] { compositeBand(frame, occluded); });
 }
 
 void SceneRenderer::draw(const Frame& wanted) {
@@ -224,15 +228,63 @@ void SceneRenderer::draw(const Frame& wanted) {
     frame.height = std::max(1, frame.height / 2);
   }
   p.meshes.counted() = {};
+  p.shadow.giveUp();
+  p.progress.done = 0;
+  p.target = &p.scene;
   p.scene.resize(frame.width, frame.height);
   p.refined = frame.refine;
   if ((p.refined ? p.mean : p.quick).resize(frame.width, frame.height)) frame.sample = 0;
-  drawScene(frame);
-  composite(frame);
+  DrawShare all;
+  drawShadows(frame);
+  drawScene(frame, all);
+  composite(frame, all);
 
   if (frame.sample == 0) p.meshes.collect();
   p.mean_whole = p.refined && (frame.sample > 0 || frame.band + 1 == frame.bands);
+  p.picked_view = p.view;
   last_ = std::move(frame);
+}
+
+SceneRenderer::PieceDone SceneRenderer::drawPiece(const Frame& frame, bool shadows, double seconds) {
+  Passes& p = *passes_;
+  if (!p.complete()) return {true, 0.0};
+  DrawShare share(p.progress, seconds, {steadySeconds, [this] { gl_.glFinish(); }});
+  if (shadows) {
+    p.shadow.draw(frame, p.meshes, share);
+  } else {
+    p.target = &p.rest;
+    p.rest.resize(frame.width, frame.height);
+    p.mean.resize(frame.width, frame.height);
+    p.refined = true;
+    drawScene(frame, share);
+    composite(frame, share);
+  }
+  if (!share.isWhole()) return {false, share.longestLeast()};
+  p.progress.done = 0;
+  if (shadows) return {true, 0.0};
+  if (frame.sample == 0) p.meshes.collect();
+  if (frame.band + 1 == frame.bands) {
+    p.mean_whole = true;
+    keepForPicking(frame);
+  }
+  return {true, share.longestLeast()};
+}
+
+/// Where a picture is still being drawn nothing can be picked: the identities of the last whole sample are copied.
+void SceneRenderer::keepForPicking(const Frame& frame) {
+  Passes& p = *passes_;
+  p.scene.resize(frame.width, frame.height);
+  gl_.glBindFramebuffer(GL_READ_FRAMEBUFFER, p.rest.framebuffer());
+  gl_.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.scene.framebuffer());
+  gl_.glReadBuffer(GL_COLOR_ATTACHMENT1);
+  const GLenum identities[]{GL_NONE, GL_COLOR_ATTACHMENT1}, all[]{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  gl_.glDrawBuffers(2, identities);
+  gl_.glBlitFramebuffer(0, 0, frame.width, frame.height, 0, 0, frame.width, frame.height,
+                        GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  gl_.glDrawBuffers(2, all);
+  gl_.glReadBuffer(GL_COLOR_ATTACHMENT0);
+  p.picked_view = p.view;
+  last_ = frame;
 }
 
 void SceneRenderer::render(const Frame& frame, GLuint framebuffer) {
@@ -303,7 +355,7 @@ std::optional<PickedPoint> SceneRenderer::pick(int x, int y) {
   if (id == 0 || id > last_.items.size()) return std::nullopt;
   const glm::dvec4 clip(2.0 * (x + 0.5) / last_.width - 1.0, 2.0 * (row + 0.5) / last_.height - 1.0, 2.0 * depth - 1.0,
                         1.0);
-  const glm::dvec4 world = glm::inverse(p.view.clip_from_world) * clip;
+  const glm::dvec4 world = glm::inverse(p.picked_view.clip_from_world) * clip;
   const RenderItem& item = last_.items[id - 1];
   return PickedPoint{item.entity, item.link, dvec3(world) / world.w};
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/viewport/draw_share.h"
 #include "app/viewport/frame.h"
 #include "app/viewport/gl.h"
 #include "app/viewport/gpu_mesh.h"
@@ -28,9 +29,14 @@ class SceneRenderer {
   SceneRenderer(Gl& gl, std::function<void()> on_mesh_ready);
   ~SceneRenderer();
 
-  /// Draws for about `seconds` at the shadows of the refined sample `frame`; true once they are whole: its first band
-  /// will not draw them anew then. Anything else that is drawn in between loses what was begun.
-  bool drawShadows(const Frame& frame, double seconds);
+  struct PieceDone {
+    bool whole = false;          ///< The shadows, or the band, are finished.
+    double longest_least = 0.0;  ///< Seconds of what could not be cut: only narrower bands make it shorter.
+  };
+  /// Draws for about `seconds` at the shadows of the refined sample `frame`, or at its band, which comes after them,
+  /// and shows nothing yet. To be called until it is whole; the scene must not change in between. What else is drawn in
+  /// between loses what was begun.
+  PieceDone drawPiece(const Frame& frame, bool shadows, double seconds);
   /// Draws one sample, or a band of it, and shows nothing yet.
   void draw(const Frame& frame);
   /// The same, and shows the picture in `framebuffer`.
@@ -52,8 +58,12 @@ class SceneRenderer {
 
  private:
   struct Passes;
-  void drawScene(const Frame& frame);
-  void composite(const Frame& frame);
+  void drawShadows(const Frame& frame);
+  void drawScene(const Frame& frame, DrawShare& share);
+  void composite(const Frame& frame, DrawShare& share);
+  void drawOcclusion(const Frame& frame);
+  void compositeBand(const Frame& frame, bool occluded);
+  void keepForPicking(const Frame& frame);
   Gl& gl_;
   std::unique_ptr<Passes> passes_;
   Frame last_;

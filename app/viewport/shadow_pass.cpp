@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/shadow_pass.h"
 
-#include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -10,14 +9,7 @@ namespace {
 
 constexpr int kMapSize = 2048;
 constexpr double kLightRadius = 0.035;  // Of the light as seen from the scene, rad.
-constexpr double kCallSeconds = 0.008;  // What one call of a piece may take.
 const RenderTarget::Format kFormat{{}, true, false, true, false};
-
-using Clock = std::chrono::steady_clock;
-
-double secondsBetween(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double>(to - from).count();
-}
 
 dvec3 lightDirection(int sample) {
   const dvec3 middle = keyLightDirection_W();
@@ -52,19 +44,16 @@ void ShadowPass::begin(const Frame& frame, GpuMeshCache& meshes) {
   const View view = viewOf(frame);
   std::vector<ItemBatch> batches = shadowBatches(frame, view.texel, meshes);
   std::vector<ItemInstance> uses;
-  std::vector<DrawLoad> loads;
-  for (const ItemBatch& batch : batches) {
-    loads.push_back({batch.mesh->trianglesOf(batch.step), batch.items.size()});
+  for (const ItemBatch& batch : batches)
     for (const std::uint32_t item : batch.items)
       setRows(uses.emplace_back(), view.light_from_world * worldFromDisplay(frame.items[item], batch.mesh->center()));
-  }
   uses_.fill(uses);
   RenderTarget& target = targets_[1 - shown_target_];
   target.resize(kMapSize, kMapSize);
   target.bind();
   gl_.glDepthMask(GL_TRUE);
   gl_.glClear(GL_DEPTH_BUFFER_BIT);
-  begun_.emplace(Begun{view, std::move(batches), DrawPieces(std::move(loads), kCallSeconds, call_triangles_)});
+  begun_.emplace(Begun{view, std::move(batches)});
 }
 
 void ShadowPass::prepare(const Frame& frame) {
@@ -98,43 +87,19 @@ bool ShadowPass::canDraw(const Frame& frame) {
   return false;
 }
 
-void ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes) {
-  if (!canDraw(frame)) return;
-  begin(frame, meshes);
+bool ShadowPass::draw(const Frame& frame, GpuMeshCache& meshes, DrawShare& share) {
+  if (!canDraw(frame)) return true;
+  if (!begun_) begin(frame, meshes);
   prepare(frame);
-  std::size_t first = 0;
+  std::size_t before = 0;
   for (const ItemBatch& batch : begun_->batches) {
-    batch.mesh->drawUses(batch.step, uses_, first, batch.items.size());
-    first += batch.items.size();
+    share.offer({batch.mesh->trianglesOf(batch.step), batch.items.size()},
+                [&](const DrawPart& part) { batch.mesh->drawUses(batch.step, uses_, before, part); });
+    before += batch.items.size();
   }
   endDrawing();
-  show();
-}
-
-bool ShadowPass::drawPiece(const Frame& frame, GpuMeshCache& meshes, double seconds) {
-  if (!canDraw(frame)) return true;
-  const auto start = Clock::now();
-  const bool fresh = !begun_;
-  if (fresh) begin(frame, meshes);
-  prepare(frame);
-  if (fresh) gl_.glFinish();  // Clearing is no part of the first call.
-  bool whole = false;
-  auto before = Clock::now();
-  do {
-    const auto piece = begun_->pieces.next();
-    whole = !piece;
-    if (whole) break;
-    const ItemBatch& batch = begun_->batches[piece->load];
-    batch.mesh->drawUses(batch.step, uses_, piece->first_use, piece->uses, {piece->first_triangle, piece->triangles});
-    gl_.glFinish();
-    const auto after = Clock::now();
-    begun_->pieces.took(secondsBetween(before, after));
-    before = after;
-  } while (secondsBetween(start, before) < seconds);
-  endDrawing();
-  call_triangles_ = begun_->pieces.triangles();
-  if (whole) show();
-  return whole;
+  if (share.isWhole()) show();
+  return share.isWhole();
 }
 
 }  // namespace hapticell::app

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/viewport/draw_pieces.h"
+#include "app/viewport/draw_share.h"
 #include "app/viewport/frame.h"
 #include "app/viewport/gl.h"
 #include "app/viewport/gpu_mesh.h"
@@ -18,12 +18,11 @@ namespace hapticell::app {
 class ShadowPass {
  public:
   explicit ShadowPass(Gl& gl);
-  /// Draws the map anew. In samples after the first the light stands a little aside each time, which makes soft
-  /// borders.
-  void draw(const Frame& frame, GpuMeshCache& meshes);
-  /// Draws at a new map for about `seconds`; true once it is whole. Until then map() is the one before. The scene must
-  /// not change between the pieces of a map: giveUp() where it did.
-  bool drawPiece(const Frame& frame, GpuMeshCache& meshes, double seconds);
+  // In samples after the first the light stands a little aside each time, which makes soft borders.
+
+  /// Draws a share of a new map; true once it is whole. Until then map() is the one before. The scene must not change
+  /// between the shares of a map: giveUp() where it did.
+  bool draw(const Frame& frame, GpuMeshCache& meshes, DrawShare& share);
   /// Forgets a map that was begun.
   void giveUp() { begun_.reset(); }
   bool ready() const { return ready_; }
@@ -41,7 +40,6 @@ class ShadowPass {
   struct Begun {
     View view;
     std::vector<ItemBatch> batches;
-    DrawPieces pieces;
   };
   static View viewOf(const Frame& frame);
   void begin(const Frame& frame, GpuMeshCache& meshes);
@@ -57,7 +55,6 @@ class ShadowPass {
   InstanceBuffer uses_;
   View shown_;
   std::optional<Begun> begun_;
-  std::size_t call_triangles_ = DrawPieces::kFirst;
   bool ready_ = false;
 };
 

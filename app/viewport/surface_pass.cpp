@@ -20,9 +20,18 @@ bool showsEdges(const Frame& frame, const FrameView& view, const RenderItem& ite
   constexpr double kFewPixels = 4.0;  // Radius.
   const dvec3 p_WC = item.X_WM * (item.scale * mesh.bounds().center());
   const double radius = item.scale * mesh.bounds().radius();
-  if (isOutside(view.clip_from_world, p_WC, radius)) return false;
+  if (isOutside(view.band_from_world, p_WC, radius)) return false;
   const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
   return radius >= kFewPixels * frame.pixel_ratio * frame.camera.metresPerPixel(p_WC, size);
+}
+
+glm::dmat4 bandFromClip(const Frame& frame) {
+  if (frame.bands <= 1) return glm::dmat4(1.0);
+  const double low = std::max(0, frame.height * frame.band / frame.bands - kBandRoom);
+  const double high = std::min(frame.height, frame.height * (frame.band + 1) / frame.bands + kBandRoom);
+  const double middle = (low + high) / frame.height - 1.0, half = (high - low) / frame.height;
+  return glm::scale(glm::dmat4(1.0), dvec3(1.0, 1.0 / half, 1.0)) *
+         glm::translate(glm::dmat4(1.0), dvec3(0.0, -middle, 0.0));
 }
 
 }  // namespace
@@ -41,27 +50,33 @@ FrameView viewOf(const Frame& frame) {
   view.clip_from_view = shift * frame.camera.projectionMatrix(size, reach);
   view.view_from_world = frame.camera.viewMatrix();
   view.clip_from_world = view.clip_from_view * view.view_from_world;
+  view.band_from_world = bandFromClip(frame) * view.clip_from_world;
   return view;
 }
 
 SurfacePass::SurfacePass(Gl& gl)
     : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST", "SECTIONED", "SOFT"}), uses_(gl) {}
 
-void SurfacePass::drawBatches(QOpenGLShaderProgram& program, const std::vector<ItemBatch>& batches, const Frame& frame,
-                              const FrameView& view, bool hatched) {
+void SurfacePass::fill(const std::vector<ItemBatch>& batches, const DrawContext& context) {
   std::vector<ItemInstance> uses;
   for (const ItemBatch& batch : batches) {
     for (const std::uint32_t index : batch.items) {
-      const RenderItem& item = frame.items[index];
+      const RenderItem& item = context.frame.items[index];
       ItemInstance& use = uses.emplace_back();
-      setRows(use, view.view_from_world * worldFromDisplay(item, batch.mesh->center()));
+      setRows(use, context.view.view_from_world * worldFromDisplay(item, batch.mesh->center()));
       use.albedo = linear(item.color);
       use.id = item.ghost != Ghost::kNone ? 0u : (index + 1) | item.state << 24;
     }
   }
   uses_.fill(uses);
-  const glm::vec4 section = sectionIn(frame, view.view_from_world);
-  std::size_t first = 0;
+}
+
+void SurfacePass::drawBatches(QOpenGLShaderProgram& program, const std::vector<ItemBatch>& batches,
+                              const DrawContext& context, bool hatched) {
+  const Frame& frame = context.frame;
+  fill(batches, context);
+  const glm::vec4 section = sectionIn(frame, context.view.view_from_world);
+  std::size_t before = 0;
   for (const ItemBatch& batch : batches) {
     const fvec3& hatch = frame.colors.set_colors[batch.set_color].contact;
     if (hatched) program.setUniformValue("hatch_color", hatch.x, hatch.y, hatch.z);
@@ -72,9 +87,10 @@ void SurfacePass::drawBatches(QOpenGLShaderProgram& program, const std::vector<I
     else if (frame.section)
       program.setUniformValue("section", section.x, section.y, section.z, section.w);
     if (batch.over_scene) gl_.glDepthRange(0.0, kFrontRange);
-    batch.mesh->drawUses(batch.step, uses_, first, batch.items.size());
+    context.share.offer({batch.mesh->trianglesOf(batch.step), batch.items.size()},
+                        [&](const DrawPart& part) { batch.mesh->drawUses(batch.step, uses_, before, part); });
     if (batch.over_scene) gl_.glDepthRange(0.0, 1.0);
-    first += batch.items.size();
+    before += batch.items.size();
   }
 }
 
@@ -97,7 +113,8 @@ void SurfacePass::prepare(QOpenGLShaderProgram& program, const Frame& frame, con
   program.setUniformValue("turn", static_cast<float>(frame.sample));
 }
 
-void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow, GpuMeshCache& meshes) {
+void SurfacePass::draw(const DrawContext& context, const ShadowPass* shadow) {
+  const Frame& frame = context.frame;
   if (shadow && !shadow->ready()) shadow = nullptr;
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_TRUE);
@@ -106,44 +123,79 @@ void SurfacePass::draw(const Frame& frame, const FrameView& view, const ShadowPa
   const unsigned set = (shadow ? 1u : 0u) | (frame.section ? 8u : 0u) | (shadow && frame.refine ? 16u : 0u);
   for (const bool hatched : {false, true}) {
     const auto batches =
-        batchesOf(frame, view.clip_from_world, hatched ? ItemKind::kHatched : ItemKind::kPlain, meshes);
+        batchesOf(frame, context.view.band_from_world, hatched ? ItemKind::kHatched : ItemKind::kPlain, context.meshes);
     if (batches.empty()) continue;
     QOpenGLShaderProgram* program = programs_.of(set | (hatched ? 2u : 0u));
     if (!program) break;
-    prepare(*program, frame, view, shadow);
-    drawBatches(*program, batches, frame, view, hatched);
+    prepare(*program, frame, context.view, shadow);
+    drawBatches(*program, batches, context, hatched);
   }
-  drawGhosts(frame, view, meshes);
+  drawGhosts(context);
   gl_.glDisable(GL_CLIP_DISTANCE0);
 }
 
-void SurfacePass::drawGhosts(const Frame& frame, const FrameView& view, GpuMeshCache& meshes) {
+void SurfacePass::drawGhosts(const DrawContext& context) {
+  const Frame& frame = context.frame;
   for (const ItemKind kind : {ItemKind::kGhost, ItemKind::kTouchingGhost, ItemKind::kOwnGhost}) {
-    const auto batches = batchesOf(frame, view.clip_from_world, kind, meshes);
+    const auto batches = batchesOf(frame, context.view.band_from_world, kind, context.meshes);
     if (batches.empty()) continue;
     QOpenGLShaderProgram* program = programs_.of(4u | (frame.section ? 8u : 0u));
     if (!program) return;
-    prepare(*program, frame, view, nullptr);
+    prepare(*program, frame, context.view, nullptr);
     const fvec3& color = kind == ItemKind::kTouchingGhost ? frame.colors.contact : frame.colors.selected;
     program->setUniformValue("hatch_color", color.x, color.y, color.z);
     // What is behind keeps its identity: it is picked and outlined through the ghost.
     gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawBatches(*program, batches, frame, view, false);
+    drawBatches(*program, batches, context, false);
     gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
 }
 
 EdgePass::EdgePass(Gl& gl) : gl_(gl), program_(loadProgram("edge", "edge")) {}
 
-void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only, GpuMeshCache& meshes) {
-  if (!program_) return;
-  program_->bind();
+void EdgePass::prepareItem(const DrawContext& context, const RenderItem& item, const GpuMesh& mesh) {
+  const Frame& frame = context.frame;
+  const glm::dmat4 world_from_model = worldFromDisplay(item, mesh.center());
+  setMatrix(gl_, *program_, "clip_from_model", context.view.clip_from_world * world_from_model);
+  const glm::vec4 section = sectionInModel(frame, item, world_from_model);
+  program_->setUniformValue("section", section.x, section.y, section.z, section.w);
+  const glm::dmat4 model_from_world = glm::inverse(world_from_model);
+  const glm::dvec4 eye = frame.camera.perspective ? model_from_world * glm::dvec4(frame.camera.eye_W(), 1.0)
+                                                  : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
+  program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y),
+                            static_cast<float>(eye.z));
+  const bool ghost = item.ghost != Ghost::kNone;
   const glm::vec4& color = frame.colors.crease;
+  const fvec3 own(item.color[0], item.color[1], item.color[2]);
+  const fvec3& ghostly = item.ghost == Ghost::kOwn       ? own
+                         : item.ghost == Ghost::kTouches ? frame.colors.contact
+                                                         : frame.colors.selected;
+  program_->setUniformValue("line_color", ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)
+                                                : QVector4D(color.x, color.y, color.z, color.w));
+  program_->setUniformValue("dash", static_cast<float>(ghost ? 9.0 * frame.pixel_ratio : 0.0));
+  program_->setUniformValue("width", static_cast<float>((ghost ? 1.6 : 1.1) * frame.pixel_ratio));
+}
+
+void EdgePass::drawItem(const DrawContext& context, const RenderItem& item, GpuMesh& mesh, bool creases_only) {
+  bool prepared = false;
+  if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
+  context.share.offer({creases_only ? mesh.creases() : mesh.edges(), 1}, [&](const DrawPart& part) {
+    if (!prepared) prepareItem(context, item, mesh);
+    prepared = true;
+    mesh.drawEdges(part.first_unit, part.units);
+  });
+  if (item.over_scene) gl_.glDepthRange(0.0, 1.0);
+}
+
+void EdgePass::draw(const DrawContext& context, bool creases_only) {
+  if (!program_) return;
+  const Frame& frame = context.frame;
+  program_->bind();
   program_->setUniformValue("pixels", static_cast<float>(frame.width), static_cast<float>(frame.height));
   program_->setUniformValue("perspective", frame.camera.perspective);
   program_->setUniformValue("crease_cosine", 0.8829f);  // 28 degrees.
   program_->setUniformValue("nearer", 8.0e-4f);
-  program_->setUniformValue("depth_offset", static_cast<float>(view.clip_from_view[3][2]));
+  program_->setUniformValue("depth_offset", static_cast<float>(context.view.clip_from_view[3][2]));
   gl_.glEnable(GL_DEPTH_TEST);
   gl_.glDepthMask(GL_FALSE);
   gl_.glEnablei(GL_BLEND, 0);
@@ -152,32 +204,8 @@ void EdgePass::draw(const Frame& frame, const FrameView& view, bool creases_only
   if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   for (const RenderItem& item : frame.items) {
     if (!item.mesh || (item.state & kContact)) continue;
-    GpuMesh* mesh = meshes.of(item.mesh);
-    if (!mesh || !showsEdges(frame, view, item, *mesh)) continue;
-    const glm::dmat4 world_from_model = worldFromDisplay(item, mesh->center());
-    setMatrix(gl_, *program_, "clip_from_model", view.clip_from_world * world_from_model);
-    const glm::vec4 section = sectionInModel(frame, item, world_from_model);
-    program_->setUniformValue("section", section.x, section.y, section.z, section.w);
-    const glm::dmat4 model_from_world = glm::inverse(world_from_model);
-    const glm::dvec4 eye = frame.camera.perspective ? model_from_world * glm::dvec4(frame.camera.eye_W(), 1.0)
-                                                    : model_from_world * glm::dvec4(-frame.camera.forward_W(), 0.0);
-    program_->setUniformValue("eye_in_model", static_cast<float>(eye.x), static_cast<float>(eye.y),
-                              static_cast<float>(eye.z));
-    const bool ghost = item.ghost != Ghost::kNone;
-    const fvec3 own(item.color[0], item.color[1], item.color[2]);
-    const fvec3& ghostly = item.ghost == Ghost::kOwn       ? own
-                           : item.ghost == Ghost::kTouches ? frame.colors.contact
-                                                           : frame.colors.selected;
-    program_->setUniformValue("line_color", ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)
-                                                  : QVector4D(color.x, color.y, color.z, color.w));
-    program_->setUniformValue("dash", static_cast<float>(ghost ? 9.0 * frame.pixel_ratio : 0.0));
-    program_->setUniformValue("width", static_cast<float>((ghost ? 1.6 : 1.1) * frame.pixel_ratio));
-    if (item.over_scene) gl_.glDepthRange(0.0, kFrontRange);
-    if (creases_only)
-      mesh->drawCreases();
-    else
-      mesh->drawAllEdges();
-    if (item.over_scene) gl_.glDepthRange(0.0, 1.0);
+    GpuMesh* mesh = context.meshes.of(item.mesh);
+    if (mesh && showsEdges(frame, context.view, item, *mesh)) drawItem(context, item, *mesh, creases_only);
   }
   gl_.glDisable(GL_CLIP_DISTANCE0);
   gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -192,7 +220,9 @@ FloorPass::~FloorPass() {
   gl_.glDeleteVertexArrays(1, &vertex_array_);
 }
 
-void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass* shadow) {
+void FloorPass::draw(const DrawContext& context, const ShadowPass* shadow) {
+  const Frame& frame = context.frame;
+  const FrameView& view = context.view;
   if (shadow && (!shadow->ready() || frame.camera.elevation <= 0.0)) shadow = nullptr;
   QOpenGLShaderProgram* program = programs_.of((shadow ? 1u : 0u) | (shadow && frame.refine ? 2u : 0u));
   if (!program) return;
@@ -220,7 +250,7 @@ void FloorPass::draw(const Frame& frame, const FrameView& view, const ShadowPass
   gl_.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   gl_.glBindVertexArray(vertex_array_);
-  gl_.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  context.share.once(1, [&] { gl_.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4); });
   gl_.glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl_.glDisablei(GL_BLEND, 0);
   gl_.glDepthMask(GL_TRUE);

@@ -110,13 +110,9 @@ bool ViewportWidget::refine(double now) {
   frame.sample = piece.sample;
   frame.band = piece.band;
   frame.bands = piece.bands;
-  bool whole = true;
-  if (piece.shadows)
-    whole = renderer_->drawShadows(frame, 0.5 * kPieceSeconds);
-  else
-    renderer_->draw(frame);
+  const auto done = renderer_->drawPiece(frame, piece.shadows, 0.5 * kPieceSeconds);
   gl_.glFinish();
-  return rest_.took(static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now, whole);
+  return rest_.took({static_cast<double>(clock_.nsecsElapsed()) * 1e-9 - now, done.whole, done.longest_least});
 }
 
 void ViewportWidget::paintGL() {

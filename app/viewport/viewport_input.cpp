@@ -52,18 +52,7 @@ std::optional<PickedPoint> ViewportWidget::pickAt(const QPointF& position) {
   if (!renderer_) return std::nullopt;
   makeCurrent();
   const double ratio = devicePixelRatioF();
-  const auto ask = [&] {
-    return renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
-  };
-  auto picked = ask();
-  if (!picked && rest_.isInFirstRound()) {
-    // A still picture has been begun, and this place is not drawn yet.
-    Frame frame = makeFrame();
-    frame.detail = governor_.level();
-    renderer_->draw(frame);
-    rest_.begin();
-    picked = ask();
-  }
+  const auto picked = renderer_->pick(static_cast<int>(position.x() * ratio), static_cast<int>(position.y() * ratio));
   doneCurrent();
   return picked;
 }

@@ -4,133 +4,172 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
-#include "app/viewport/draw_pieces.h"
+#include "app/viewport/draw_share.h"
 
 namespace hapticell::app {
 namespace {
 
-/// Refines until finished on a machine on which the shadows take `shadow_pieces` pieces and a sample takes so long.
-struct Refined {
-  std::vector<RestPicture::Piece> pieces;
-  double slowest_late_band = 0.0;  ///< Of the last sample.
+/// A renderer on which shadows take so many pieces, and a sample so much that bands shorten and so much that they do
+/// not.
+struct Renderer {
+  int shadow_pieces = 1, band_pieces = 1;
+  double sample_seconds = 0.1;
 };
 
-Refined refine(RestPicture& picture, int shadow_pieces, double sample_seconds, int sample_from_which_late) {
+struct Refined {
+  std::vector<RestPicture::Piece> pieces;
+  double slowest_late_band = 0.0;  ///< Of the samples from the fourth on.
+};
+
+Refined refine(RestPicture& picture, const Renderer& renderer) {
   Refined result;
-  int shadows_drawn = 0;
+  int shadows_drawn = 0, of_band = 0;
   while (!picture.isFinished() && result.pieces.size() < 20000) {
     const RestPicture::Piece piece = picture.next();
     result.pieces.push_back(piece);
     if (piece.shadows) {
-      picture.took(0.015, ++shadows_drawn % shadow_pieces == 0);
+      picture.took({0.015, ++shadows_drawn % renderer.shadow_pieces == 0, 0.0});
       continue;
     }
-    const double took = sample_seconds / piece.bands;
-    if (piece.sample >= sample_from_which_late) result.slowest_late_band = std::max(result.slowest_late_band, took);
-    picture.took(took, true);
+    const double took = renderer.sample_seconds / piece.bands;
+    if (piece.sample >= 3) result.slowest_late_band = std::max(result.slowest_late_band, took);
+    picture.took({took, ++of_band % renderer.band_pieces == 0, took});
   }
   return result;
 }
 
-TEST(RestPicture, EverySampleHasItsShadowsFirstAndThenEveryBandOnce) {
+TEST(RestPicture, EverySampleHasItsShadowsFirstAndThenEveryBand) {
   RestPicture picture(6, 0.03);
   picture.begin();
-  const Refined refined = refine(picture, 3, 0.1, 4);
+  const Refined refined = refine(picture, {3, 2, 0.1});
   ASSERT_LT(refined.pieces.size(), 20000u);
-  int expected_band = 0, shadows = 0, rounds = 0, sample = 0;
+  int band_pieces = 0, shadows = 0, rounds = 0, sample = 0;
   for (const RestPicture::Piece& piece : refined.pieces) {
     EXPECT_GE(piece.sample, sample);
     sample = piece.sample;
     if (piece.shadows) {
-      EXPECT_EQ(expected_band, 0) << "shadows change only between samples";
+      EXPECT_EQ(band_pieces, 0) << "shadows change only between samples";
       ++shadows;
       continue;
     }
-    EXPECT_EQ(piece.band, expected_band);
-    expected_band = (expected_band + 1) % piece.bands;
-    if (expected_band == 0) ++rounds;
+    EXPECT_EQ(piece.band, band_pieces / 2) << "two pieces of each";
+    band_pieces = (band_pieces + 1) % (2 * piece.bands);
+    if (band_pieces == 0) ++rounds;
   }
   EXPECT_EQ(sample, 5);
   EXPECT_EQ(rounds, 7) << "six samples and the round that does not count";
   EXPECT_EQ(shadows, 6 * 3) << "that round and the first sample share theirs";
 }
 
-TEST(RestPicture, BandsBecomeAsManyAsTheirTimeAsksFor) {
+TEST(RestPicture, BandsBecomeAsManyAsWhatCannotBeCutAsksFor) {
   RestPicture slow(24, 0.03);
   slow.begin();
-  EXPECT_LE(refine(slow, 1, 0.6, 3).slowest_late_band, 0.03);
+  EXPECT_LE(refine(slow, {1, 1, 0.6}).slowest_late_band, 0.03);
   RestPicture quick(24, 0.03);
   quick.begin();
-  const Refined refined = refine(quick, 1, 0.005, 3);
-  EXPECT_EQ(refined.pieces.back().bands, 1);
+  EXPECT_EQ(refine(quick, {1, 1, 0.005}).pieces.back().bands, 1);
+}
+
+TEST(RestPicture, HeavyPartsThatCanBeCutAskForNoBands) {
+  RestPicture picture(4, 0.03);
+  picture.begin();
+  while (!picture.isFinished()) picture.took({0.015, true, 0.001});
+  EXPECT_EQ(picture.next().bands, 1);
 }
 
 TEST(RestPicture, ASlowRendererIsDoneWithFewSamples) {
   RestPicture picture(24, 0.03);
   picture.begin();
-  const Refined refined = refine(picture, 20, 2.0, 24);
+  const Refined refined = refine(picture, {20, 1, 2.0});
   EXPECT_TRUE(picture.isFinished());
   EXPECT_EQ(refined.pieces.back().sample, 3);
-}
-
-TEST(RestPicture, TellsWhetherThePictureCoversEverything) {
-  RestPicture picture(24, 0.03);
-  picture.begin();
-  EXPECT_FALSE(picture.isInFirstRound());
-  picture.took(0.01, true);
-  picture.took(0.01, true);
-  EXPECT_TRUE(picture.isInFirstRound());
-  while (!picture.took(0.01, true)) {
-  }
-  picture.took(0.01, true);
-  EXPECT_FALSE(picture.isInFirstRound());
   picture.begin();
   EXPECT_TRUE(picture.next().shadows) << "another picture has other shadows";
 }
 
-TEST(DrawPieces, EveryTriangleOfEveryUseIsDrawnOnce) {
-  const std::vector<DrawLoad> loads{{100000, 1}, {12, 500}, {0, 3}, {5000, 7}, {7, 0}, {1, 1}};
-  for (const double per_triangle : {1e-9, 1e-6, 1e-4}) {
-    DrawPieces pieces(loads, 0.008);
-    std::vector<std::size_t> wanted;
-    for (const DrawLoad& load : loads)
-      for (std::size_t use = 0; use < load.uses; ++use) wanted.push_back(load.triangles);
-    std::vector<std::size_t> done(wanted.size(), 0);
-    int calls = 0;
-    while (const auto piece = pieces.next()) {
-      ASSERT_LT(++calls, 100000);
-      ASSERT_LE(piece->first_use + piece->uses, wanted.size());
-      for (std::size_t use = piece->first_use; use < piece->first_use + piece->uses; ++use) {
-        EXPECT_EQ(wanted[use], loads[piece->load].triangles) << "a use of that mesh";
-        EXPECT_EQ(done[use], piece->first_triangle);
-        done[use] += piece->triangles;
-      }
-      pieces.took(per_triangle * static_cast<double>(piece->uses * piece->triangles));
+/// A renderer in virtual time that notes what is drawn of each use.
+class Noted {
+ public:
+  explicit Noted(std::vector<DrawLoad> loads, double per_unit) : loads_(std::move(loads)), per_unit_(per_unit) {
+    for (const DrawLoad& load : loads_) drawn_.emplace_back(load.uses, 0);
+  }
+  /// One go; true when nothing is left.
+  bool draw(DrawProgress& progress, double seconds) {
+    DrawShare share(progress, seconds, {[this] { return now_; }});
+    share.once(5, [this] { ++first_, now_ += 0.001; });
+    for (std::size_t i = 0; i < loads_.size(); ++i)
+      share.offer(loads_[i], [this, i](const DrawPart& part) { note(i, part); });
+    share.once(1, [this] { ++last_; });
+    return share.isWhole();
+  }
+  void note(std::size_t load, const DrawPart& part) {
+    ++calls;
+    const double took = per_unit_ * static_cast<double>(part.units * part.uses);
+    now_ += took;
+    longest_late = calls > 12 ? std::max(longest_late, took) : 0.0;
+    for (std::size_t use = part.first_use; use < part.first_use + part.uses; ++use) {
+      EXPECT_EQ(drawn_[load].at(use), part.first_unit);
+      drawn_[load].at(use) += part.units;
     }
-    EXPECT_EQ(done, wanted) << per_triangle;
+  }
+  void expectAllOnce() const {
+    EXPECT_EQ(first_, 1);
+    EXPECT_EQ(last_, 1);
+    for (std::size_t i = 0; i < loads_.size(); ++i)
+      for (const std::size_t units : drawn_[i]) EXPECT_EQ(units, loads_[i].units);
+  }
+  int calls = 0;
+  double longest_late = 0.0;
+
+ private:
+  std::vector<DrawLoad> loads_;
+  double per_unit_;
+  std::vector<std::vector<std::size_t>> drawn_;
+  double now_ = 0.0;
+  int first_ = 0, last_ = 0;
+};
+
+TEST(DrawShare, EveryUnitOfEveryUseIsDrawnOnceInHoweverManyGoes) {
+  const std::vector<DrawLoad> loads{{100000, 1}, {12, 500}, {0, 3}, {5000, 7}, {7, 0}, {1, 1}};
+  for (const double per_unit : {1e-9, 1e-6, 1e-4}) {
+    for (const double seconds : {0.0, 0.01, 100.0}) {
+      Noted renderer(loads, per_unit);
+      DrawProgress progress;
+      int goes = 1;
+      while (!renderer.draw(progress, seconds)) ASSERT_LT(++goes, 100000);
+      renderer.expectAllOnce();
+      if (seconds == 100.0) {
+        EXPECT_EQ(goes, 1);
+      }
+    }
   }
 }
 
-TEST(DrawPieces, CallsBecomeAsLongAsWanted) {
-  const std::vector<DrawLoad> loads{{2000000, 2}};
-  DrawPieces slow(loads, 0.008);
-  double longest = 0.0;
+TEST(DrawShare, WithoutALimitEveryLoadIsOneCall) {
+  DrawShare all;
   int calls = 0;
-  while (const auto piece = slow.next()) {
-    const double took = 1e-5 * static_cast<double>(piece->triangles);
-    if (++calls > 10) longest = std::max(longest, took);
-    slow.took(took);
-  }
-  EXPECT_LE(longest, 0.008);
-  DrawPieces quick(loads, 0.008);
-  calls = 0;
-  while (quick.next()) {
-    quick.took(1e-6);
-    ++calls;
-  }
-  EXPECT_LE(calls, 20) << "a graphics card is not slowed down by many small calls";
+  for (const std::size_t uses : {std::size_t{1}, std::size_t{40}})
+    all.offer({2000000, uses}, [&](const DrawPart& part) {
+      ++calls;
+      EXPECT_EQ(part.uses, uses);
+      EXPECT_EQ(part.units, 2000000u);
+    });
+  EXPECT_EQ(calls, 2);
+  EXPECT_TRUE(all.isWhole());
+}
+
+TEST(DrawShare, CallsBecomeAsLongAsWanted) {
+  Noted slow({{2000000, 2}}, 1e-5);
+  DrawProgress progress;
+  while (!slow.draw(progress, 0.015)) ASSERT_LT(slow.calls, 100000);
+  EXPECT_LE(slow.longest_late, DrawShare::kCallSeconds);
+  Noted quick({{2000000, 2}}, 1e-12);
+  DrawProgress fresh;
+  while (!quick.draw(fresh, 0.015)) ASSERT_LT(quick.calls, 100000);
+  EXPECT_LE(quick.calls, 20) << "a graphics card is not slowed down by many small calls";
 }
 
 }  // namespace

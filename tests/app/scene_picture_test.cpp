@@ -88,28 +88,43 @@ TEST_F(ScenePicture, PartsOfOneMeshAreOneCallAndLookAsIfDrawnOneByOne) {
   EXPECT_LT(test::meanSquareError(together, apart), 1e-6);
 }
 
-TEST_F(ScenePicture, ShadowsDrawnInPiecesAreTheSame) {
+TEST_F(ScenePicture, DrawnInPiecesItIsTheSame) {
   const Mesh bolt = shared(geometry::makeCylinder(0.04, 0.3, 48));
   for (int i = 0; i < 40; ++i) add(bolt, {0.15 * (i % 8) - 0.5, 0.15 * (i / 8) - 0.3, 0.3});
   add(shared(geometry::makeSphere(0.3, 60)), {0, 0, 0.8});
+  frame_.items[7].state = kContact;
+  frame_.items[9].state = kSelected;
   frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
   const QImage whole = draw(3);
+  const auto below = renderer_->pick(160, 100);
   QOpenGLFramebufferObject target(frame_.width, frame_.height);
   int pieces = 0;
-  for (frame_.sample = 0; frame_.sample < 3; ++frame_.sample) {
+  const auto refine = [&](bool shadows) {
     // No time at all: each piece is one call.
     do {
       ASSERT_LT(++pieces, 10000);
-    } while (!renderer_->drawShadows(frame_, 0.0));
-    renderer_->render(frame_, target.handle());
-    EXPECT_EQ(renderer_->lastCount().calls, 43u) << "two of faces and 41 of edges: none of shadows";
+    } while (!renderer_->drawPiece(frame_, shadows, 0.0).whole);
+  };
+  frame_.bands = 3;
+  // A round that does not count, so that occlusion finds neighbours beyond the band; then three samples.
+  for (int round = -1; round < 3; ++round) {
+    frame_.sample = std::max(round, 0);
+    if (round != 0) refine(true);
+    for (frame_.band = 0; frame_.band < frame_.bands; ++frame_.band) refine(false);
   }
-  EXPECT_GT(pieces, 3);
+  EXPECT_GT(pieces, 100);
+  renderer_->present(frame_.width, frame_.height, target.handle());
   const QImage in_pieces = target.toImage().convertToFormat(QImage::Format_RGB32);
-  EXPECT_LT(test::meanSquareError(whole, in_pieces), 1e-9);
-  // What was begun and then overtaken leaves no trace.
-  frame_.sample = 0;
-  renderer_->drawShadows(frame_, 0.0);
+  EXPECT_LT(test::meanSquareError(whole, in_pieces), 1e-5);
+  const auto picked = renderer_->pick(160, 100);
+  ASSERT_TRUE(below && picked);
+  EXPECT_EQ(picked->entity, below->entity);
+  EXPECT_NEAR(glm::distance(picked->p_WQ, below->p_WQ), 0.0, 1e-3);
+  // What was begun and then overtaken leaves no trace, and what is picked is always a whole picture.
+  frame_.sample = frame_.band = 0;
+  frame_.bands = 1;
+  renderer_->drawPiece(frame_, false, 0.0);
+  EXPECT_EQ(renderer_->pick(160, 100)->entity, below->entity);
   EXPECT_LT(test::meanSquareError(whole, draw(3)), 1e-9);
 }
 
