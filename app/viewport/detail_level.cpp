@@ -7,10 +7,26 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kLongPatience = 300;  // Frames: about half a minute at 10 Hz.
+constexpr double kFewTriangles = 2000.0;
 
 }  // namespace
 
-void DetailGovernor::frameTook(double seconds) {
+void DetailGovernor::learnTriangles(double seconds, std::size_t triangles) {
+  const auto drawn = static_cast<double>(triangles);
+  const auto most = static_cast<double>(most_triangles_);
+  if (seconds < 0.5 * budget_s_) {
+    // Many fitted into a part of the time; a frame that used what it may tries more.
+    const double grown = drawn > 0.7 * most ? 1.4 * most : most;
+    most_triangles_ = static_cast<std::size_t>(std::clamp(std::max(grown, 1.2 * drawn), 0.0, 1e9));
+  } else if (seconds > budget_s_ && level_ >= DetailLevel::kHalfSize) {
+    // Above that level other things than triangles may take the time.
+    const double share = std::max(0.7 * budget_s_ / seconds, 0.1);
+    most_triangles_ = static_cast<std::size_t>(std::max(share * std::min(drawn, most), kFewTriangles));
+  }
+}
+
+void DetailGovernor::frameTook(double seconds, std::size_t triangles) {
+  if (triangles > 0) learnTriangles(seconds, triangles);
   const int level = static_cast<int>(level_);
   const int last = static_cast<int>(DetailLevel::kCoarse);
   last_took_[level] = seconds;

@@ -5,7 +5,8 @@
 
 namespace hapticell::app {
 
-/// How much of the picture is drawn. Each step drops what is missed least; the last one draws the coarsest triangles of each part.
+/// How much of the picture is drawn. Each step drops what is missed least; the last one draws the coarsest triangles of
+/// each part.
 enum class DetailLevel {
   kFull,         ///< Occlusion, shadows, all edges, outlines.
   kNoOcclusion,  ///< Without ambient occlusion; shadows of what stood still.
@@ -28,14 +29,19 @@ class DetailGovernor {
       : budget_s_(budget_s), level_(first), patience_(first == DetailLevel::kFull ? kPatience : kQuickPatience) {}
 
   DetailLevel level() const { return level_; }
-  /// Tells how long a frame at level() took, in seconds.
-  void frameTook(double seconds);
+  /// What a frame may draw: learnt where a frame costs little else, so that no step up, and no cell however large,
+  /// makes one long frame. Boxes at the end: some 10 000 parts a frame without a graphics card.
+  std::size_t mostTriangles() const { return most_triangles_; }
+  /// Tells how long a frame at level() took, in seconds, and how many triangles of faces it had (0: not known).
+  void frameTook(double seconds, std::size_t triangles = 0);
   double budget() const { return budget_s_; }
 
  private:
   static constexpr int kPatience = 20, kQuickPatience = 2;  // Frames.
   double budget_s_;
   DetailLevel level_;
+  void learnTriangles(double seconds, std::size_t triangles);
+  std::size_t most_triangles_ = 100000;  ///< A beginning.
   int good_frames_ = 0;
   int patience_;
   double last_took_[6]{};  ///< At each level; 0: not drawn yet.

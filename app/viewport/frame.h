@@ -34,6 +34,8 @@ struct Frame {
   geometry::Bounds bounds_W;  ///< Of the whole scene.
   std::optional<SectionPlane> section;
   DetailLevel detail = DetailLevel::kFull;
+  /// Where the parts have more, small ones are drawn coarser, and then as boxes. Not for pictures at rest.
+  std::size_t most_triangles = static_cast<std::size_t>(-1);
   bool edges = true;
   bool floor = true;        ///< The grid and the shadows on it.
   bool shaded = true;       ///< False: faces hidden, edges only.

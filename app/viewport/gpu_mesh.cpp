@@ -5,11 +5,18 @@
 #include <utility>
 
 #include "app/viewport/instance_buffer.h"
+#include "geometry/shapes.h"
 
 namespace hapticell::app {
 namespace {
 
 constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over.
+constexpr std::size_t kRunBytes = std::size_t{4} << 20;
+
+template <typename T>
+GLsizeiptr sizeOf(const std::vector<T>& values) {
+  return static_cast<GLsizeiptr>(values.size() * sizeof(T));
+}
 
 const void* offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
@@ -25,11 +32,9 @@ GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
   gl_.glGenVertexArrays(1, &face_array_);
   gl_.glBindVertexArray(face_array_);
   gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-  gl_.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(DisplayVertex)),
-                   mesh.vertices.data(), GL_STATIC_DRAW);
+  gl_.glBufferData(GL_ARRAY_BUFFER, sizeOf(mesh.vertices), nullptr, GL_STATIC_DRAW);
   gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-  gl_.glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
-                   mesh.indices.data(), GL_STATIC_DRAW);
+  gl_.glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeOf(mesh.indices), nullptr, GL_STATIC_DRAW);
   for (GLuint i = 0; i < 2; ++i) {
     gl_.glEnableVertexAttribArray(i);
     gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), offset(i * sizeof(fvec3)));
@@ -37,9 +42,33 @@ GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
   gl_.glGenVertexArrays(1, &edge_array_);
   gl_.glBindVertexArray(edge_array_);
   gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
-  gl_.glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.edges.size() * sizeof(DisplayEdge)), mesh.edges.data(),
-                   GL_STATIC_DRAW);
+  gl_.glBufferData(GL_ARRAY_BUFFER, sizeOf(mesh.edges), nullptr, GL_STATIC_DRAW);
   gl_.glBindVertexArray(0);
+}
+
+bool GpuMesh::fill(const DisplayMesh& mesh, const std::function<bool()>& has_time) {
+  struct Source {
+    GLuint buffer;
+    const void* data;
+    GLsizeiptr size;
+  };
+  const Source sources[]{{buffers_[0], mesh.vertices.data(), sizeOf(mesh.vertices)},
+                         {buffers_[1], mesh.indices.data(), sizeOf(mesh.indices)},
+                         {buffers_[2], mesh.edges.data(), sizeOf(mesh.edges)}};
+  std::size_t before = 0;
+  for (const Source& source : sources) {
+    const auto size = static_cast<std::size_t>(source.size);
+    while (filled_ < before + size) {
+      if (!has_time()) return false;
+      const std::size_t from = filled_ - before, count = std::min(kRunBytes, size - from);
+      gl_.glBindBuffer(GL_COPY_WRITE_BUFFER, source.buffer);
+      gl_.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(from), static_cast<GLsizeiptr>(count),
+                          static_cast<const char*>(source.data) + from);
+      filled_ += count;
+    }
+    before += size;
+  }
+  return true;
 }
 
 GpuMesh::~GpuMesh() {
@@ -91,19 +120,30 @@ GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& m
     entry.mesh.reset();
     entry.source = mesh;
     if (mesh->triangles.size() <= kSmallMesh && hasTime())
-      entry.mesh = std::make_unique<GpuMesh>(gl_, makeDisplayMesh(*mesh), counted_);
+      entry.mesh = wholeMesh(makeDisplayMesh(*mesh));
     else
       entry.prepared = worker_.prepare(mesh);
   }
   if (entry.prepared && entry.prepared->ready.load(std::memory_order_acquire)) {
-    if (!hasTime()) {
+    if (hasTime() && !entry.mesh) entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh, counted_);
+    if (!entry.mesh || !entry.mesh->fill(entry.prepared->mesh, [this] { return hasTime(); })) {
       left_over_ = true;
       return nullptr;
     }
-    entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh, counted_);
     entry.prepared.reset();
   }
-  return entry.mesh.get();
+  return entry.prepared ? nullptr : entry.mesh.get();
+}
+
+std::unique_ptr<GpuMesh> GpuMeshCache::wholeMesh(const DisplayMesh& mesh) {
+  auto made = std::make_unique<GpuMesh>(gl_, mesh, counted_);
+  made->fill(mesh, [] { return true; });
+  return made;
+}
+
+GpuMesh& GpuMeshCache::unitBox() {
+  if (!unit_box_) unit_box_ = wholeMesh(makeDisplayMesh(geometry::makeBox(dvec3(1.0))));
+  return *unit_box_;
 }
 
 /// Many small parts, or many that are ready at once, must not make one long frame.

@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -22,11 +23,14 @@ class InstanceBuffer;
 /// A mesh in the graphics card's memory: faces, and edges as instances of a quad.
 class GpuMesh {
  public:
+  /// Takes the room for it; fill() brings what is in it.
   GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted);
   ~GpuMesh();
   GpuMesh(const GpuMesh&) = delete;
   GpuMesh& operator=(const GpuMesh&) = delete;
 
+  /// Copies the mesh that it was made for, in runs of some megabytes while `has_time`; true once all is there.
+  bool fill(const DisplayMesh& mesh, const std::function<bool()>& has_time);
   /// All triangles, once.
   void drawFaces();
   /// A run of the triangles of a step of detail for some of the buffer's uses, by one call; `before` are the uses in
@@ -54,6 +58,7 @@ class GpuMesh {
   bool closed_ = true;
   GLuint face_array_ = 0, edge_array_ = 0;
   GLuint buffers_[3]{};
+  std::size_t filled_ = 0;  ///< Bytes.
   std::size_t edge_count_ = 0, crease_count_ = 0;
 };
 
@@ -68,6 +73,8 @@ class GpuMeshCache {
   void setFrameMilliseconds(qint64 most) { most_ms_ = most; }
   /// Null while it is being made ready.
   GpuMesh* of(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
+  /// From -0.5 to 0.5 on each axis.
+  GpuMesh& unitBox();
   /// Frees what was not asked for since the last call.
   void collect();
   /// How many are being made ready.
@@ -87,6 +94,7 @@ class GpuMeshCache {
     bool used = true;
   };
   bool hasTime();
+  std::unique_ptr<GpuMesh> wholeMesh(const DisplayMesh& mesh);
   Gl& gl_;
   std::function<void()> on_ready_;
   qint64 most_ms_ = -1;
@@ -95,6 +103,7 @@ class GpuMeshCache {
   DrawCount counted_;
   DisplayMeshWorker worker_;
   std::map<const geometry::TriangleMesh*, Entry> entries_;
+  std::unique_ptr<GpuMesh> unit_box_;
 };
 
 }  // namespace hapticell::app

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -30,14 +31,14 @@ double metresPerPixel(const Frame& frame, const dvec3& p_WC, double radius) {
 /// Gathers items by what they share.
 class Gathering {
  public:
-  using Key = std::tuple<GpuMesh*, std::size_t, unsigned, unsigned, std::optional<std::array<float, 3>>, bool>;
+  using Key = std::tuple<GpuMesh*, std::size_t, unsigned, unsigned, std::optional<std::array<float, 3>>, bool, bool>;
 
   void add(const Key& key, double nearness, std::uint32_t item) {
     const auto [place, fresh] = places_.try_emplace(key, batches_.size());
     if (fresh) {
       batches_.push_back({});
-      auto& [mesh, step, set_color, pattern, own, over] = key;
-      batches_.back().batch = {mesh, step, set_color, pattern, own, over, {}};
+      auto& [mesh, step, set_color, pattern, own, over, box] = key;
+      batches_.back().batch = {mesh, step, set_color, pattern, own, over, box, {}};
     }
     batches_[place->second].items.emplace_back(nearness, item);
   }
@@ -61,6 +62,36 @@ class Gathering {
   std::map<Key, std::size_t> places_;
   std::vector<Entry> batches_;
 };
+
+/// An item that is drawn, with the step of its mesh that suits its distance.
+struct Seen {
+  std::uint32_t item = 0;
+  GpuMesh* mesh = nullptr;
+  std::size_t step = 0;
+  double nearness = 0.0, pixels = 0.0;  ///< `pixels`: its radius.
+  bool box = false;
+  std::size_t triangles() const { return box ? 12 : mesh->trianglesOf(step); }
+};
+
+/// Coarsens the smallest until all have at most so many triangles, or are boxes.
+void keepWithin(std::size_t most, std::vector<Seen>& seen) {
+  std::size_t total = 0;
+  for (const Seen& one : seen) total += one.triangles();
+  if (total <= most) return;
+  std::vector<Seen*> smallest;
+  for (Seen& one : seen) smallest.push_back(&one);
+  std::sort(smallest.begin(), smallest.end(), [](const Seen* a, const Seen* b) { return a->pixels < b->pixels; });
+  const auto coarsen = [&](auto change) {
+    for (Seen* one : smallest) {
+      if (total <= most) return;
+      total -= one->triangles();
+      change(*one);
+      total += one->triangles();
+    }
+  };
+  coarsen([](Seen& one) { one.step = one.mesh->steps().empty() ? 0 : one.mesh->steps().size() - 1; });
+  coarsen([](Seen& one) { one.box = one.triangles() > 12; });
+}
 
 }  // namespace
 
@@ -93,9 +124,11 @@ bool isOutside(const glm::dmat4& clip_from_world, const dvec3& p_WC, double radi
   return false;
 }
 
-std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
-                                 GpuMeshCache& meshes) {
-  Gathering gathering;
+namespace {
+
+std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
+                            GpuMeshCache& meshes) {
+  std::vector<Seen> seen;
   const double allowed = allowedPixels(frame);
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
@@ -105,15 +138,37 @@ std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from
     const dvec3 p_WC = item.X_WM * (item.scale * mesh->bounds().center());
     const double radius = item.scale * mesh->bounds().radius();
     if (isOutside(clip_from_world, p_WC, radius)) continue;
-    const std::size_t step =
-        detailStepFor(mesh->steps(), metresPerPixel(frame, p_WC, radius) / std::max(item.scale, 1e-12), allowed);
+    const double metres_per_pixel = metresPerPixel(frame, p_WC, radius);
+    const std::size_t step = detailStepFor(mesh->steps(), metres_per_pixel / std::max(item.scale, 1e-12), allowed);
     const double nearness =
         item.over_scene ? -1e30 : glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - radius;
+    seen.push_back({i, mesh, step, nearness, radius / std::max(metres_per_pixel, 1e-12), false});
+  }
+  return seen;
+}
+
+}  // namespace
+
+std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
+                                 GpuMeshCache& meshes) {
+  std::vector<Seen> seen = seenItems(frame, clip_from_world, kind, meshes);
+  keepWithin(frame.most_triangles, seen);
+  Gathering gathering;
+  for (const Seen& one : seen) {
+    const RenderItem& item = frame.items[one.item];
     const unsigned set_color = kind == ItemKind::kHatched ? (item.state >> kSetColorShift) % kSetColors : 0u;
     const auto own = kind == ItemKind::kOwnGhost ? std::optional(item.color) : std::nullopt;
-    gathering.add({mesh, step, set_color, item.pattern, own, item.over_scene}, nearness, i);
+    gathering.add({one.box ? &meshes.unitBox() : one.mesh, one.box ? 0 : one.step, set_color, item.pattern, own,
+                   item.over_scene, one.box},
+                  one.nearness, one.item);
   }
   return gathering.take();
+}
+
+glm::dmat4 worldFromDrawn(const ItemBatch& batch, const RenderItem& item) {
+  if (!batch.box) return worldFromDisplay(item, batch.mesh->center());
+  const geometry::Bounds& box = item.mesh->bounds();
+  return glm::scale(worldFromDisplay(item, box.center()), glm::max(box.size(), dvec3(1e-6)));
 }
 
 std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel, GpuMeshCache& meshes) {
@@ -124,7 +179,7 @@ std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel
     GpuMesh* mesh = meshes.of(item.mesh);
     if (!mesh) continue;
     const std::size_t step = detailStepFor(mesh->steps(), metres_per_texel / std::max(item.scale, 1e-12), 0.5);
-    gathering.add({mesh, step, 0u, 0u, std::nullopt, item.over_scene}, 0.0, i);
+    gathering.add({mesh, step, 0u, 0u, std::nullopt, item.over_scene, false}, 0.0, i);
   }
   return gathering.take();
 }

@@ -19,6 +19,7 @@ struct ItemBatch {
   unsigned pattern = 0;                          ///< Over the colour, as RenderItem::pattern.
   std::optional<std::array<float, 3>> own = {};  ///< The colour of ghosts that have their own.
   bool over_scene = false;
+  bool box = false;                  ///< `mesh` is the unit box: each item is drawn as the box around it.
   std::vector<std::uint32_t> items;  ///< Indices into the frame's, the nearest first.
 };
 
@@ -29,6 +30,9 @@ enum class ItemKind { kPlain, kHatched, kGhost, kTouchingGhost, kOwnGhost };
 /// what lies behind is not shaded then. Meshes that are not ready yet are left out.
 std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
                                  GpuMeshCache& meshes);
+
+/// What turns the vertices that are drawn for an item of the batch into W.
+glm::dmat4 worldFromDrawn(const ItemBatch& batch, const RenderItem& item);
 
 /// The items that cast shadows, in as few batches; `metres_per_texel` says how fine they must be.
 std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel, GpuMeshCache& meshes);

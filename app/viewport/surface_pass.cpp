@@ -63,7 +63,7 @@ void SurfacePass::fill(const std::vector<ItemBatch>& batches, const DrawContext&
     for (const std::uint32_t index : batch.items) {
       const RenderItem& item = context.frame.items[index];
       ItemInstance& use = uses.emplace_back();
-      setRows(use, context.view.view_from_world * worldFromDisplay(item, batch.mesh->center()));
+      setRows(use, context.view.view_from_world * worldFromDrawn(batch, item));
       use.albedo = linear(item.color);
       use.id = item.ghost != Ghost::kNone ? 0u : (index + 1) | item.state << 24;
     }

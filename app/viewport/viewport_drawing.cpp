@@ -78,10 +78,11 @@ void ViewportWidget::showNewPart() {
 void ViewportWidget::drawMoving(double now) {
   Frame frame = makeFrame();
   frame.detail = governor_.level();
+  frame.most_triangles = governor_.mostTriangles();
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
   last_motion_s_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
-  governor_.frameTook(last_motion_s_ - now);
+  governor_.frameTook(last_motion_s_ - now, renderer_->lastCount().triangles);
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
   dirty_ = false;

@@ -55,6 +55,30 @@ TEST(DetailGovernor, BeginsLowOnAnUnknownMachineAndClimbsAsFarAsItFits) {
   EXPECT_EQ(slow.level(), DetailLevel::kNoEdges);
 }
 
+TEST(DetailGovernor, NeverDrawsSoManyTrianglesThatAFrameIsLongOnceItKnowsTheMachine) {
+  // A renderer of 4 million triangles a second, without other costs, and a cell of 20 million; then one of 10 thousand.
+  DetailGovernor governor(0.05, DetailLevel::kHalfSize);
+  const auto frame = [&governor](double triangles) {
+    const double shares[]{1.0, 0.9, 0.8, 0.6, 0.5, 0.2};
+    const double wanted = shares[static_cast<int>(governor.level())] * triangles;
+    const double drawn = std::min(wanted, static_cast<double>(governor.mostTriangles()));
+    governor.frameTook(drawn / 4e6, static_cast<std::size_t>(drawn));
+    return drawn / 4e6;
+  };
+  for (int i = 0; i < 1000; ++i) EXPECT_LE(frame(2e7), 0.1) << i;
+  EXPECT_GT(governor.mostTriangles(), 50000u);
+  for (int i = 0; i < 2000; ++i) EXPECT_LE(frame(1e4), 0.05);
+  EXPECT_EQ(governor.level(), DetailLevel::kFull);
+  // A graphics card: nothing is left out for long.
+  DetailGovernor quick(0.05, DetailLevel::kHalfSize);
+  for (int i = 0; i < 60; ++i) {
+    const double drawn = std::min(2e6, static_cast<double>(quick.mostTriangles()));
+    quick.frameTook(drawn / 1e9, static_cast<std::size_t>(drawn));
+  }
+  EXPECT_GE(quick.mostTriangles(), 2000000u);
+  EXPECT_EQ(quick.level(), DetailLevel::kFull);
+}
+
 TEST(FrameMeter, CountsTheFramesOfTheLastSecond) {
   FrameMeter meter;
   for (int i = 0; i < 100; ++i) meter.frame(0.05 * i, 0.01 + 0.001 * (i % 5));

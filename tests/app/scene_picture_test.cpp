@@ -128,6 +128,28 @@ TEST_F(ScenePicture, DrawnInPiecesItIsTheSame) {
   EXPECT_LT(test::meanSquareError(whole, draw(3)), 1e-9);
 }
 
+TEST_F(ScenePicture, TooManyTrianglesMakeTheSmallestPartsBoxes) {
+  frame_.edges = false;
+  frame_.refine = false;
+  frame_.detail = DetailLevel::kCoarse;
+  for (int i = 0; i < 40; ++i) add(shared(geometry::makeSphere(0.02, 40)), {0.1 * (i % 8) - 0.4, 0.1 * (i / 8), 0.1});
+  add(shared(geometry::makeSphere(0.4, 60)), {0, 0, 0.8}, {0.9f, 0.3f, 0.1f});
+  frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
+  const QImage whole = draw(1);
+  const std::size_t all = renderer_->lastCount().triangles;
+  frame_.most_triangles = all / 3;
+  const QImage fewer = draw(1);
+  EXPECT_LE(renderer_->lastCount().triangles, all / 3);
+  EXPECT_EQ(renderer_->lastCount().instances, 41u) << "none is left out";
+  EXPECT_LT(test::meanSquareError(whole, fewer), 2e-3);
+  frame_.most_triangles = 1;
+  draw(1);
+  EXPECT_EQ(renderer_->lastCount().triangles, 41u * 12u);
+  EXPECT_EQ(renderer_->lastCount().calls, 1u) << "all boxes at once";
+  const auto picked = renderer_->pick(160, 100);
+  EXPECT_TRUE(picked) << "a box is picked as its part is";
+}
+
 TEST_F(ScenePicture, FarPartsHaveFewTrianglesAndLookTheSame) {
   frame_.edges = false;
   add(shared(geometry::makeSphere(0.5, 300)), {0, 0, 0.5});
