@@ -1,9 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/display_mesh_worker.h"
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
 #include "app/viewport/detail_steps.h"
 
 namespace hapticell::app {
+namespace {
+
+/// Behind the window's own thread: Qt's priorities do nothing under Linux's usual scheduler.
+void stepBack() {
+#ifdef __linux__
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);
+#endif
+}
+
+}  // namespace
 
 DisplayMeshWorker::DisplayMeshWorker(std::function<void()> on_ready) : on_ready_(std::move(on_ready)) {
   pool_.setMaxThreadCount(1);
@@ -20,6 +37,7 @@ std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const g
   pool_.start([this, mesh = std::move(mesh), waiting = std::weak_ptr(prepared)] {
     const std::shared_ptr<PreparedMesh> answer = waiting.lock();
     if (!answer) return;
+    stepBack();
     answer->mesh = makeDisplayMesh(*mesh);
     addDetailSteps(answer->mesh);
     answer->ready.store(true, std::memory_order_release);

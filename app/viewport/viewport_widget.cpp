@@ -8,7 +8,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kNewPartsMilliseconds = 20;
+constexpr int kNewPartsMilliseconds = 12;
 
 }  // namespace
 
