@@ -17,6 +17,8 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
+#include "importer/model_package.h"
+
 namespace hapticell::importer {
 
 namespace {
@@ -83,7 +85,8 @@ Convention colladaConvention(const std::string& head) {
   return convention;  // assimp has scaled the root node to metres.
 }
 
-Convention conventionOf(const std::string& format, const std::string& head, const aiScene& scene) {
+Convention conventionOf(const std::string& format, const std::string& head, const ModelPackage& package,
+                        const aiScene& scene) {
   if (format == "dae") return colladaConvention(head);
   Convention convention;
   if (format == "fbx") {
@@ -98,7 +101,7 @@ Convention conventionOf(const std::string& format, const std::string& head, cons
     convention.metres_per_unit = convention.metres_in_scene = 0.01 * centimetres;
     convention.up = up == 2 ? UpAxis::kZ : up == 0 ? UpAxis::kX : UpAxis::kY;
   } else if (format == "3mf") {
-    convention.metres_per_unit = convention.metres_in_scene = 1e-3;  // Its default; assimp does not tell the file's.
+    convention.metres_per_unit = convention.metres_in_scene = package.metres_per_unit;
     convention.up = UpAxis::kZ;
   } else if (format == "3ds") {
     convention.unit_is_stated = false;
@@ -278,6 +281,13 @@ class SceneBuilder {
 }  // namespace
 
 Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent) {
+  const std::string head = headOf(reading.file), format = formatOf(reading.file, head);
+  ModelPackage package;
+  if (format == "3mf") {  // assimp unpacks whatever it is given.
+    const auto looked = lookIntoPackage(reading.file);
+    if (!looked) return makeError(looked.error());
+    package = *looked;
+  }
   Assimp::Importer importer;
   importer.SetProgressHandler(new Progress(parent));  // The importer deletes it.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
@@ -294,8 +304,7 @@ Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& paren
   if (!scene || !scene->mRootNode) {
     return makeError({"", "", importer.GetErrorString(), "a sound file of its format", "Export it again."});
   }
-  const std::string head = headOf(reading.file), format = formatOf(reading.file, head);
-  return SceneBuilder(*scene, reading, format, conventionOf(format, head, *scene)).build();
+  return SceneBuilder(*scene, reading, format, conventionOf(format, head, package, *scene)).build();
 }
 
 }  // namespace hapticell::importer

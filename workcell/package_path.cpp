@@ -74,6 +74,23 @@ std::optional<fs::path> findInPackage(const std::string& name, const fs::path& r
 
 }  // namespace
 
+bool leavesPackage(const std::string& uri) {
+  for (const std::string scheme : {"package://", "model://"}) {
+    if (!uri.starts_with(scheme)) continue;
+    const fs::path named = uri.substr(scheme.size());
+    int depth = 0;  // Below the folder that holds the packages.
+    for (const fs::path& step : named) {
+      if (step == "..") {
+        if (--depth < 1) return true;
+      } else if (step != "." && !step.empty()) {
+        ++depth;
+      }
+    }
+    return named.begin() != named.end() && (*named.begin() == "." || *named.begin() == "..");
+  }
+  return false;
+}
+
 std::optional<fs::path> resolveMeshPath(const std::string& uri, const fs::path& description_folder) {
   std::error_code problem;
   const fs::path start = fs::absolute(description_folder, problem).lexically_normal();
@@ -81,7 +98,7 @@ std::optional<fs::path> resolveMeshPath(const std::string& uri, const fs::path& 
     if (!uri.starts_with(scheme)) continue;
     const std::string tail = uri.substr(scheme.size());
     const std::size_t slash = tail.find('/');
-    if (slash == std::string::npos || slash == 0) return std::nullopt;
+    if (slash == std::string::npos || slash == 0 || leavesPackage(uri)) return std::nullopt;
     return findInPackage(tail.substr(0, slash), tail.substr(slash + 1), start);
   }
   const std::string plain = uri.starts_with("file://") ? uri.substr(7) : uri;

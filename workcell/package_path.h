@@ -12,8 +12,14 @@ namespace hapticell::workcell {
 ///
 /// A package is looked for beside the description and in each folder above it: a folder called NAME, or one whose
 /// package.xml says so; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Empty when
-/// there is no such file.
+/// there is no such file, and for a package's file that is outside of it (leavesPackage()).
+///
+/// Links inside a package are followed: workspaces of ROS 2 consist of them.
 std::optional<std::filesystem::path> resolveMeshPath(const std::string& uri,
                                                      const std::filesystem::path& description_folder);
+
+/// True for a "package://" or "model://" whose ".." lead out of the package: no package needs it, and a description
+/// from a stranger might have other files looked at.
+bool leavesPackage(const std::string& uri);
 
 }  // namespace hapticell::workcell

@@ -309,6 +309,7 @@ class CellReader {
 
   static fs::path findFile(const std::string& uri, const fs::path& file) {
     std::error_code ignored;
+    if (leavesPackage(uri)) return {};
     if (uri.starts_with("model://")) {
       for (const fs::path& folder : modelFolders(file)) {
         if (fs::path found = folder / uri.substr(8); fs::exists(found, ignored)) return found;

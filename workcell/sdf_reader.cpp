@@ -88,6 +88,10 @@ class SdfModelReader {
       std::string uri = file_mesh->Uri();
       if (uri.starts_with("model://")) uri = "package://" + uri.substr(8);
       const auto path = resolveMeshPath(uri, file_.parent_path());
+      if (leavesPackage(uri)) {
+        return makeError(refusal("link '" + link + "'", "its mesh " + file_mesh->Uri() + " leads out of the model",
+                                 "a file of the model"));
+      }
       if (!path)
         return makeError(refusal("link '" + link + "'", "its mesh " + file_mesh->Uri() + " is not there", "a file"));
       auto read = readMesh(*path, {.scale = 1.0, .warn_about_unit = false}, diagnostics_);

@@ -148,6 +148,10 @@ Expected<std::optional<LinkShape>> UrdfShapes::shapeOf(const std::string& link, 
   }
   const auto& mesh = static_cast<const urdf::Mesh&>(*geometry);
   const auto path = resolveMeshPath(mesh.filename, file_.parent_path());
+  if (leavesPackage(mesh.filename)) {
+    return makeError(refusal(link, "its mesh " + mesh.filename + " leads out of the package", "a file of the package",
+                             "Write its place without the '..' that leave the package."));
+  }
   if (!path) {
     return makeError(refusal(
         link, "its mesh " + mesh.filename + " is not there", "a file",

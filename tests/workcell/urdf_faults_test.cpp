@@ -42,6 +42,10 @@ const std::string kTwoLinks = linkText("a") + linkText("b");
 INSTANTIATE_TEST_SUITE_P(
     All, UrdfFault,
     ::testing::Values(
+        Fault{"OutOfThePackage",
+              robotText("<link name=\"a\"><collision><geometry><mesh filename=\"package://p/../../etc/passwd\"/>"
+                        "</geometry></collision></link>"),
+              {"link 'a'", "leads out of the package"}},
         Fault{"NotXml", "this is no XML", {"XML"}}, Fault{"Empty", "", {}},
         Fault{"Cut", robotText(kTwoLinks).substr(0, 60), {"line"}},
         Fault{"NulByte", robotText(kTwoLinks) + std::string(1, '\0'), {"NUL"}},

@@ -177,6 +177,20 @@ TEST(PackagePath, FindsPackagesByFolderByManifestAndByEnvironment) {
   EXPECT_FALSE(resolveMeshPath("", urdf_folder));
 }
 
+TEST(PackagePath, StaysInThePackage) {
+  const hapticell::test::TemporaryFolder folder;
+  folder.write("pack/meshes/a.stl", "x");
+  folder.write("secret.stl", "x");
+  const auto here = folder.path() / "pack";
+  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/../meshes/a.stl", here));
+  for (const char* uri : {"package://pack/../secret.stl", "package://../secret.stl", "package://./secret.stl",
+                          "model://pack/meshes/../../secret.stl", "package://pack/../../../../../../etc/passwd"}) {
+    EXPECT_TRUE(leavesPackage(uri)) << uri;
+    EXPECT_FALSE(resolveMeshPath(uri, here)) << uri;
+  }
+  EXPECT_FALSE(leavesPackage("../meshes/a.stl")) << "a plain path is the user's own";
+}
+
 struct RealRobot {
   std::string folder;
   std::size_t dof;
