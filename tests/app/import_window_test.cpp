@@ -70,6 +70,36 @@ TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
   EXPECT_TRUE(told->text.contains("millimetres")) << told->text.toStdString();
 }
 
+TEST(ImportWindow, NamesColoursAndUnitOfAnObjFileComeWithIt) {
+  QTemporaryDir folder;
+  const auto write = [&](const char* name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  };
+  write("two.mtl", "newmtl red\nKd 1 0 0\n");
+  write("two.obj",
+        "# File units = inches\nmtllib two.mtl\no Plate\nv 0 0 0\nv 40 0 0\nv 0 40 0\nf 1 2 3\no Pin\nusemtl red\n"
+        "v 0 0 9\nv 40 0 9\nv 0 40 9\nf 4 5 6\n");
+  ImportPage page;
+  ASSERT_TRUE(page.ask({folder.filePath("two.obj")}));
+  EXPECT_EQ(page.unit(), "Inch, as the file says");
+  EXPECT_TRUE(page.text("importKind").endsWith("2 parts")) << page.text("importKind").toStdString();
+  EXPECT_TRUE(page.text("importSize").startsWith("1016 × 1016 × 229")) << page.text("importSize").toStdString();
+  ASSERT_TRUE(page.press("importAccept"));
+  ASSERT_TRUE(page.idle());
+  ASSERT_NE(page.entity("Plate"), nullptr);
+  ASSERT_NE(page.entity("Pin"), nullptr);
+  EXPECT_EQ(page.entity("Pin")->color, (std::array<float, 3>{1, 0, 0}));
+  EXPECT_DOUBLE_EQ(page.entity("Pin")->source.scale, 0.0254);
+  const QString cell = folder.filePath("cell.hcell");
+  ASSERT_TRUE(page.window().documentModel().save(cell));
+  ASSERT_TRUE(page.open(cell));
+  ASSERT_NE(page.entity("Pin"), nullptr);
+  EXPECT_NEAR(page.entity("Pin")->mesh->bounds().min.z, 9 * 0.0254, 1e-12);
+  EXPECT_EQ(page.entity("Pin")->color, (std::array<float, 3>{1, 0, 0}));
+}
+
 TEST(ImportWindow, UnitAndUpAxisAreTheUsersChoice) {
   QTemporaryDir folder;
   ImportPage page;
@@ -243,13 +273,12 @@ TEST(ImportWindow, TheWindowAnswersWhileARealPartIsRead) {
   const auto [gap, turns] = longestGap([&] { return page.window().files().isBusy(); });
   EXPECT_GT(turns, 20);
   EXPECT_TRUE(page.text("importKind").startsWith("STEP AP203")) << page.text("importKind").toStdString();
-  const auto [landing, more] = longestGap([&, pressed = false]() mutable {
-    if (!pressed) page.press("importAccept");
-    pressed = true;
-    return page.entities() == 0;
-  });
-  std::cout << "longest gap in the window's loop: " << gap << " ms while reading, " << landing
-            << " ms while it enters\n";
+  QElapsedTimer clock;
+  clock.start();
+  ASSERT_TRUE(page.press("importAccept"));  // What was read enters at once: the mesh is there, nothing is read again.
+  const double landing = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+  std::cout << "longest gap in the window's loop: " << gap << " ms while reading; entering the cell took " << landing
+            << " ms\n";
   EXPECT_EQ(page.entities(), 1u);
 }
 
