@@ -48,8 +48,8 @@ std::size_t trianglesOf(const ImportResult& result) {
 std::optional<std::size_t> read(const fs::path& file) {
   Diagnostics notes;
   if (endsWithAny(file.string(), {".stl", ".STL", ".obj", ".ply", ".off"})) {
-    const auto mesh = readMesh(file, {.weld = false}, notes);
-    return mesh ? std::optional(mesh->triangles.size()) : std::nullopt;
+    const auto mesh = readMeshParts(file, {.weld = false}, true, notes);
+    return mesh ? std::optional(mesh->triangles_in_file) : std::nullopt;
   }
   if (endsWithAny(file.string(), {".urdf", ".sdf", ".world"})) {
     const auto result = EntityLoader(fs::current_path()).loadTree(file.string(), {}, notes);
