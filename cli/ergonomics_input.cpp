@@ -191,13 +191,20 @@ constexpr ConditionField kConditionFields[] = {
 
 Expected<LiftingTask> liftingTask(const json& object) {
   LiftingTask task;
+  task.load_kg = 1.0;
+  const char* missing = nullptr;
   for (const NumberField& field : kLiftingFields) {
     const auto value = object.find(field.name);
-    if (value == object.end())
-      return refused(field.name, "it is not given", "a number; the equation needs every field");
+    if (value == object.end()) {
+      if (!missing) missing = field.name;
+      continue;
+    }
     if (!value->is_number()) return refused(field.name, shortText(*value), "a number");
     task.*field.member = value->get<double>();
   }
+  // What is there and wrong is told before what is not there.
+  if (auto checked = checkLiftingRanges(task); !checked) return tl::unexpected(checked.error());
+  if (missing) return refused(missing, "it is not given", "a number; the equation needs every field");
   const json coupling = object.value("coupling", json());
   if (coupling == "good") {
     task.coupling = Coupling::kGood;
@@ -304,6 +311,9 @@ Expected<LiftingInput> liftingInput(const json& input) {
   for (const json& task : tasks) {
     if (!task.is_object()) return refused("tasks", shortText(task), "a list of lifting tasks");
     auto read = liftingTask(task);
+    if (!read && result.is_composite) {
+      read.error().place = "task " + std::to_string(result.tasks.size() + 1) + ", " + read.error().place;
+    }
     if (!read) return tl::unexpected(read.error());
     result.tasks.push_back(*read);
   }

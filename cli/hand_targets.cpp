@@ -50,6 +50,7 @@ class TargetReader {
       if (!done) return makeError(done.error());
     }
     if (header_.empty()) return fail("", "an empty file", "a header line hand,x,y,z,qw,qx,qy,qz");
+    if (targets_.empty()) return fail("", "no row behind the header", "at least one target");
     return std::move(targets_);
   }
 

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/robot_options.h"
@@ -47,6 +49,22 @@ Expected<std::vector<double>> readStart(const InverseOptions& options, const Rob
   }
   for (std::size_t i = 0; i < numbers.size(); ++i) q[static_cast<std::size_t>(robot.variables[i])] = numbers[i];
   return q;
+}
+
+/// Told, not refused: zeros are beyond the limits of many robots, and the answers do not depend on it.
+std::vector<std::string> beyondLimits(const RobotWithTip& robot, const std::vector<double>& q) {
+  std::vector<std::string> warnings;
+  for (const int variable : robot.variables) {
+    const auto index = static_cast<std::size_t>(variable);
+    const kinematics::Joint& joint = robot.model.joints[static_cast<std::size_t>(robot.model.moving[index])];
+    constexpr double kRounding = 1e-6;
+    if (q[index] >= joint.lower - kRounding && q[index] <= joint.upper + kRounding) continue;
+    std::ostringstream text;
+    text << "--start: joint '" << joint.name << "' at " << q[index] << " is beyond its limits of " << joint.lower
+         << " to " << joint.upper;
+    warnings.push_back(text.str());
+  }
+  return warnings;
 }
 
 ordered_json chainPositions(const RobotWithTip& robot, const std::vector<double>& q) {
@@ -94,6 +112,9 @@ Expected<Answer> solve(const InverseOptions& options) {
   if (!poses) return makeError(poses.error());
   const auto start = readStart(options, *robot);
   if (!start) return makeError(start.error());
+  const std::vector<std::string> warnings =
+      options.start.empty() ? std::vector<std::string>{} : beyondLimits(*robot, *start);
+  for (const std::string& warning : warnings) warn(warning);
   const auto inverse = kinematics::createInverse(robot->model, robot->tip);
   if (!inverse) return makeError(inverse.error());
 
@@ -125,6 +146,7 @@ Expected<Answer> solve(const InverseOptions& options) {
       {"root", robot->model.links[0].name}, {"tip", robot->model.links[static_cast<std::size_t>(robot->tip)].name},
       {"joint_names", robot->jointNames()}, {"inverse_model", (*inverse)->name()},
       {"results", std::move(results)},      {"timing", timing.toJson()}};
+  if (!warnings.empty()) answer.document["warnings"] = warnings;
   return answer;
 }
 

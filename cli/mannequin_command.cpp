@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -176,13 +177,27 @@ ordered_json toJson(const PostureResult& result, const HandTargets& targets) {
           {"posture", toJson(result.posture)}};
 }
 
+/// What can be wrong whether there are targets or not, before anything is computed.
+Expected<void> checkWords(const MannequinOptions& options) {
+  if (options.hands != "left" && options.hands != "right" && options.hands != "both") {
+    return makeError({"", "--hands", "'" + options.hands + "'", "left, right or both", ""});
+  }
+  if (const auto task = lockedTask(options); !task) return makeError(task.error());
+  if (options.output.empty()) return {};
+  std::error_code ignored;
+  const std::filesystem::path file(options.output);
+  const bool pipe = std::filesystem::exists(file, ignored) && std::filesystem::is_other(file, ignored);
+  const std::string ending = file.extension().string();
+  const bool known = ending == ".json" || ending == ".obj" || ending == ".x3d" || ending == ".bvh";
+  if (known || pipe) return {};
+  return makeError({options.output, "--output", ending.empty() ? "no ending" : "the ending '" + ending + "'",
+                    ".json (the posture), .obj (the body), .x3d (H-Anim) or .bvh (the motion)", ""});
+}
+
 Expected<void> solveTargets(const MannequinOptions& options, const Figure& figure, const Posture& start,
                             Outcome& outcome) {
   Expected<std::vector<HandTargets>> targets = readHandTargets(options.targets);
   if (!targets) return makeError(targets.error());
-  if (options.hands != "left" && options.hands != "right" && options.hands != "both") {
-    return makeError({"", "--hands", "'" + options.hands + "'", "left, right or both", ""});
-  }
   Expected<PostureTask> task = lockedTask(options);
   if (!task) return makeError(task.error());
   const PostureSolver solver(figure);
@@ -247,6 +262,7 @@ Expected<RetargetedMotion> motionFor(const std::string& file, const Figure& figu
 }
 
 Expected<Outcome> solve(const MannequinOptions& options) {
+  if (const auto sound = checkWords(options); !sound) return makeError(sound.error());
   const Expected<Figure> figure = figureFor(options);
   if (!figure) return makeError(figure.error());
   const Expected<Posture> posture = postureFor(*figure, options.posture);
@@ -299,7 +315,7 @@ void addMannequinCommand(CLI::App& app, Action& chosen) {
   command->add_option("--motion", options->motion, "A recorded motion (.bvh, or .amc beside its .asf) for the figure");
   command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
   command->add_option("-o,--output", options->output,
-                      "Write the posture to this file; .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
+                      "Write the posture to this file (.json); .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
   command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 

@@ -17,6 +17,7 @@
 #include <glm/mat4x4.hpp>
 #include <string>
 
+#include "importer/assimp_fault.h"
 #include "importer/model_package.h"
 
 namespace hapticell::importer {
@@ -301,9 +302,7 @@ Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& paren
   const aiScene* scene =
       importer.ReadFile(reading.file.string(), aiProcess_ValidateDataStructure | aiProcess_RemoveComponent |
                                                    aiProcess_Triangulate | aiProcess_SortByPType);
-  if (!scene || !scene->mRootNode) {
-    return makeError({"", "", importer.GetErrorString(), "a sound file of its format", "Export it again."});
-  }
+  if (!scene || !scene->mRootNode) return makeError(assimpFault(reading.file, head, importer.GetErrorString()));
   return SceneBuilder(*scene, reading, format, conventionOf(format, head, package, *scene)).build();
 }
 

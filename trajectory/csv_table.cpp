@@ -56,6 +56,7 @@ class Reader {
       if (auto row = readRow(); !row) return tl::unexpected(row.error());
     }
     if (too_long_) return makeError({name_, place(), "a line of more than 65 536 characters", "a CSV file", ""});
+    if (table_.rows.empty()) return makeError({name_, place(), "no row behind the header", "at least one", ""});
     return std::move(table_);
   }
 

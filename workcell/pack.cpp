@@ -11,6 +11,7 @@
 #include "workcell/entity_source.h"
 #include "workcell/file_content.h"
 #include "workcell/mechanism.h"
+#include "workcell/named_files.h"
 #include "workcell/robot_reader.h"
 #include "workcell/sdf_cell_reader.h"
 
@@ -57,15 +58,14 @@ class Packer {
     return place;
   }
 
+  /// A file that names others (OBJ its colours, glTF its data, STEP its parts) gets a folder for all of them.
   Expected<fs::path> takeFile(const fs::path& file) {
-    const fs::path place = freePlace(file.filename());
+    const std::vector<fs::path> named = filesNamedIn(file);
+    const fs::path place = named.empty() ? freePlace(file.filename()) : freePlace(file.stem()) / file.filename();
     if (auto copied = copy(file, place); !copied) return makeError(copied.error());
-    std::error_code fault;
-    for (const auto& beside : fs::directory_iterator(file.parent_path(), fault)) {
-      const std::string extension = beside.path().extension().string();
-      const bool belongs = extension == ".mtl" || extension == ".bin";  // OBJ's colours, glTF's data.
-      if (!belongs || beside.path().stem() != file.stem()) continue;
-      if (auto copied = copy(beside.path(), place.parent_path() / beside.path().filename()); !copied) {
+    const fs::path folder = fs::absolute(file).lexically_normal().parent_path();
+    for (const fs::path& other : named) {
+      if (auto copied = copy(other, place.parent_path() / other.lexically_relative(folder)); !copied) {
         return makeError(copied.error());
       }
     }

@@ -353,6 +353,12 @@ Expected<UrdfStructure> checkUrdfStructure(const std::string& content, const std
   if (content.find('\0') != std::string::npos) return checker.refuse(0, "a NUL byte", "XML text", "");
   if (deepestNesting(content) > kDeepest)
     return checker.refuse(0, "elements nested deeper than 200", "a URDF file", "");
+  if (const auto entities = content.find("<!ENTITY"); entities != std::string::npos) {
+    const auto line = static_cast<int>(
+        1 + std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(entities), '\n'));
+    return checker.refuse(line, "a document type with entities of its own (<!ENTITY ...>)", "a URDF file without them",
+                          "Write out the text that they stand for.");
+  }
   TiXmlDocument document;
   document.Parse(content.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {

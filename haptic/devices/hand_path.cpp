@@ -106,7 +106,9 @@ class Parser {
     if (!samples_.empty() && value[0] < samples_.back().t) {
       return makeError(error("t", std::to_string(value[0]), "no less than the line before"));
     }
-    if (value[8] < 0.0 || value[8] > 255.0) return makeError(error("button", std::to_string(value[8]), "0 or 1"));
+    if (value[8] != 0.0 && value[8] != 1.0 && value[8] != 2.0 && value[8] != 3.0) {
+      return makeError(error("button", std::to_string(value[8]), "0, 1 while pressed, 2 for a second one, 3 for both"));
+    }
     samples_.push_back({value[0], {{value[1], value[2], value[3]}, q / length}, static_cast<std::uint32_t>(value[8])});
     return {};
   }

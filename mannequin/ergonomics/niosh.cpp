@@ -44,7 +44,9 @@ struct Range {
   const char* why;
 };
 
-Expected<void> checkRanges(const LiftingTask& task) {
+}  // namespace
+
+Expected<void> checkLiftingRanges(const LiftingTask& task) {
   const Range ranges[] = {
       {"load_kg", task.load_kg, 1e-3, 1000.0, ""},
       {"h_cm", task.h_cm, 0.0, 200.0, ""},
@@ -63,6 +65,8 @@ Expected<void> checkRanges(const LiftingTask& task) {
   }
   return {};
 }
+
+namespace {
 
 Expected<void> checkConditions(const LiftingConditions& conditions) {
   const std::pair<bool, const char*> excluded[] = {
@@ -142,7 +146,7 @@ double frequencyMultiplier(double frequency_per_min, double duration_h, double v
 }
 
 Expected<LiftingResult> lift(const LiftingTask& task, const LiftingConditions& conditions) {
-  if (auto checked = checkRanges(task); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkLiftingRanges(task); !checked) return tl::unexpected(checked.error());
   if (auto checked = checkConditions(conditions); !checked) return tl::unexpected(checked.error());
   LiftingResult result;
   result.hm = horizontalMultiplier(task.h_cm);

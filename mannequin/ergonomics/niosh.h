@@ -46,6 +46,9 @@ struct LiftingResult {
   std::vector<std::string> assumptions{};
 };
 
+/// Refuses the first value that is outside its range, by name.
+Expected<void> checkLiftingRanges(const LiftingTask& task);
+
 /// The revised NIOSH lifting equation (Waters, Putz-Anderson & Garg, "Applications manual for the revised NIOSH
 /// lifting equation", DHHS 94-110, rev. 9/2021), metric; the formulas govern over its rounded tables. A value outside
 /// its range, or conditions outside the validity, are refused by name.

@@ -174,7 +174,7 @@ def test_bad_tables_name_line_and_column(case):
     write_obj(case.folder / "part.obj", box((1, 1, 1)))
     for text, part in (("x,y,z,qw,qx,qy\n0,0,0,1,0,0\n", "qz"), ("x,y,z,qw,qx,qy,qz\n0,0,zero,1,0,0,0\n", "2"),
                        ("x,y,z,qw,qx,qy,qz\n0,0,0,0.2,0,0,0\n", "2"), ("x,y,z,qw,qx,qy,qz\n0,0,nan,1,0,0,0\n", "2"),
-                       ("x,y,z,qw,qx,qy,qz\n0,0,0,1\n", "2")):
+                       ("x,y,z,qw,qx,qy,qz\n0,0,0,1\n", "2"), ("x,y,z,qw,qx,qy,qz\n", "no row behind the header")):
         (case.folder / "bad.csv").write_text(text)
         message = case.run("distance", "--moving", "part.obj", "--environment", "part.obj", "--poses", "bad.csv", expect=2)
         assert "bad.csv" in message and part in message, message
@@ -201,6 +201,9 @@ def test_forward_and_inverse_kinematics_of_a_planar_arm(case):
         assert near(result["joints"], [s, e], 1e-6), result
         assert result["position_error"] < 1e-6 and result["orientation_error"] < 1e-6
     assert answer["results"][3]["status"] == "unreachable", answer["results"][3]
+    assert "warnings" not in answer, answer
+    answer = case.run("ik", "--robot", "arm.urdf", "--poses", "poses.csv", "--tip", "tip", "--start", "0.2,66")
+    assert len(answer["warnings"]) == 1 and "elbow" in answer["warnings"][0] and "66" in answer["warnings"][0], answer
 
 
 RAIL = """<robot name="rail"><link name="bed"/><link name="carriage"/>

@@ -103,7 +103,9 @@ def test_ergonomics_refuses_bad_fields_by_name(case):
            ("reba", {"angles": {"seated": 1}}, "seated"), ("reba", {"scores": {}, "load": 4}, "load"),
            ("owas", {"code": "2181"}, "legs"), ("owas", {"code": "215"}, "code"), ("owas", {}, "code"),
            ("niosh", dict(lift, duration_h=9), "duration_h"), ("niosh", dict(lift, coupling="bad"), "coupling"),
-           ("niosh", dict(lift, one_handed=True), "one_handed"), ("niosh", {"load_kg": 3}, "h_cm")]
+           ("niosh", dict(lift, one_handed=True), "one_handed"), ("niosh", {"load_kg": 3}, "h_cm"),
+           ("niosh", {"load_kg": 3, "v_cm": -5}, "v_cm: -5"), ("niosh", {"duration_h": 9}, "duration_h: 9"),
+           ("niosh", {"d_cm": "far"}, "d_cm"), ("niosh", {"tasks": [lift, dict(lift, h_cm=-1)]}, "task 2, h_cm: -1")]
     for method, given, name in bad:
         message = ergonomics(case, method, given, expect=2)
         assert name in message, (given, message)

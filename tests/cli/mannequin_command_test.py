@@ -98,6 +98,16 @@ def test_refusals(folder):
     refused("male or female", "--sex", "other", "--percentile", 50)
     refused("gone.json", "--sex", "male", "--percentile", 50, "--posture", "gone.json")
     refused("trunk, feet or pelvis", "--sex", "male", "--percentile", 50, "--lock", "head", "--targets", folder / "targets.csv")
+    for words in (("--lock", "head"), ("--hands", "middle")):  # Also where nothing asks for hands.
+        refused(words[0], "--sex", "male", "--percentile", 50, *words)
+    (folder / "none.csv").write_text("hand,x,y,z,qw,qx,qy,qz\n")
+    refused("no row behind the header", "--sex", "male", "--percentile", 50, "--targets", folder / "none.csv")
+    for ending in ("x.foo", "x"):
+        refused(".json (the posture)", "--sex", "male", "--percentile", 50, "-o", folder / ending)
+        assert not (folder / ending).exists()
+    answer("--sex", "male", "--percentile", 50, "-o", "/dev/null")
+    answer("--sex", "male", "--percentile", 50, "-o", folder / "x.json")
+    assert json.loads((folder / "x.json").read_text())["format"] == "hapticell-posture"
 
 
 with tempfile.TemporaryDirectory() as name:

@@ -8,8 +8,10 @@
 #include "workcell/autosave.h"
 #include "workcell/change_report.h"
 #include "workcell/document_io.h"
+#include "workcell/entity_source.h"
 #include "workcell/file_content.h"
 #include "workcell/imported_entities.h"
+#include "workcell/named_files.h"
 #include "workcell/pack.h"
 
 namespace hapticell::workcell {
@@ -128,6 +130,54 @@ TEST_F(DocumentFiles, thePackStandsOnItsOwn) {
   const auto again = loadDocument(moved / "cell.hcell", notes_);
   ASSERT_TRUE(again) << again.error().message();
   EXPECT_EQ(again->state().entities.size(), 4u);
+}
+
+TEST_F(DocumentFiles, aPackHasWhatItsFilesName) {
+  // Two files of one name, each with a library of one name and another content.
+  for (const char* color : {"1 0 0", "0 1 0"}) {
+    const std::string sub = *color == '1' ? "red" : "green";
+    fs::create_directories(folder_.path() / sub / "colours");
+    folder_.write(sub + "/part.obj", "mtllib colours/all.mtl\nusemtl paint\n" + std::string(kObj));
+    folder_.write(sub + "/colours/all.mtl", std::string("newmtl paint\nKd ") + color + "\n");
+  }
+  Document document;
+  for (const char* sub : {"red", "green"}) {
+    ASSERT_TRUE(document.execute(AddEntity{solid(sub, folder_.path() / sub / "part.obj")}));
+  }
+  const fs::path pack = folder_.path() / "with colours";
+  const auto report = packDocument(document.state(), pack, "cell.hcell", notes_);
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_EQ(report->copied.size(), 4u);
+  for (const char* sub : {"red", "green"}) fs::remove_all(folder_.path() / sub);
+  notes_.warnings.clear();
+  const auto again = loadDocument(pack / "cell.hcell", notes_);
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_TRUE(notes_.warnings.empty()) << notes_.warnings.front();
+  EntityLoader loader(pack);
+  const auto tree = loader.loadTree(again->findByName("green")->source.path, {}, notes_);
+  ASSERT_TRUE(tree);
+  EXPECT_EQ(tree->entities.at(0).color, (std::array<float, 3>{0, 1, 0}));
+}
+
+TEST_F(DocumentFiles, filesThatAreNamedAreFoundAndNoOthers) {
+  const auto named = [&](const char* name, const std::string& text) {
+    std::vector<std::string> found;
+    for (const fs::path& file : filesNamedIn(folder_.write(name, text)))
+      found.push_back(file.lexically_relative(folder_.path()).generic_string());
+    return found;
+  };
+  fs::create_directories(folder_.path() / "sub");
+  folder_.write("sub/bolt.stp", "ISO-10303-21; 'nut.stp' '../root.step' '../../away.stp'");
+  folder_.write("sub/nut.stp", "ISO-10303-21;");
+  folder_.write("data.bin", "x");
+  folder_.write("a b.mtl", "");
+  EXPECT_EQ(named("root.step",
+                  "ISO-10303-21; #1=DOCUMENT_FILE('sub/bolt.stp','','',#2,'',$); 'none.stp' 'data.bin' '/etc/x.stp'"),
+            (std::vector<std::string>{"sub/bolt.stp", "sub/nut.stp"}));
+  EXPECT_EQ(named("m.gltf", R"({"buffers":[{"uri":"data.bin"},{"uri":"../secret.bin"},{"uri":"data:x;base64,AA=="}]})"),
+            std::vector<std::string>{"data.bin"});
+  EXPECT_EQ(named("m.obj", "mtllib a b.mtl\nmtllib ../x.mtl\n"), std::vector<std::string>{"a b.mtl"});
+  EXPECT_TRUE(named("m.stl", "solid data.bin").empty());
 }
 
 TEST_F(DocumentFiles, aPackThatFailsLeavesNothing) {

@@ -39,6 +39,16 @@ std::string colladaWithIndex(const std::string& index) {
   return text;
 }
 
+ImportedScene oneBox() {
+  ImportedScene scene;
+  scene.meshes.push_back(geometry::makeBox({0.1, 0.2, 0.3}));
+  SceneNode node;
+  node.name = "box";
+  node.mesh = 0;
+  scene.nodes = {node};
+  return scene;
+}
+
 class Malformed : public ::testing::Test {
  protected:
   Expected<ImportedScene> read(const std::string& name, const std::string& content) {
@@ -56,6 +66,23 @@ class Malformed : public ::testing::Test {
   }
   test::TemporaryFolder folder_;
 };
+
+TEST_F(Malformed, aBinaryGltfThatIsNotWholeSaysHowLongItShouldBe) {
+  const std::string whole = gltfBytes(oneBox(), true);
+  const auto cut = read("cut.glb", whole.substr(0, whole.size() / 2));
+  ASSERT_FALSE(cut);
+  EXPECT_THAT(cut.error().message(),
+              ::testing::AllOf(::testing::HasSubstr("cut.glb, header: the file ends after " +
+                                                    std::to_string(whole.size() / 2) + " bytes"),
+                               ::testing::HasSubstr("expected " + std::to_string(whole.size()) + " bytes"),
+                               ::testing::HasSubstr("not whole")));
+  const auto shorter = read("head.glb", whole.substr(0, 10));
+  ASSERT_FALSE(shorter);
+  EXPECT_THAT(shorter.error().message(), ::testing::HasSubstr("header: the file ends after 10 bytes"));
+  const auto text = read("text.fbx", "hello");
+  ASSERT_FALSE(text);
+  EXPECT_THAT(text.error().message(), ::testing::HasSubstr("expected the content of an FBX file"));
+}
 
 TEST_F(Malformed, emptyFilesAndRubbish) {
   std::mt19937 random(3);
@@ -101,12 +128,7 @@ TEST_F(Malformed, colladaWithAnIndexThatIsNotThere) {
 }
 
 TEST_F(Malformed, anySoundFileCutAnywhereEndsInASentenceOrAScene) {
-  ImportedScene scene;
-  scene.meshes = {geometry::makeBox({0.1, 0.2, 0.3})};
-  SceneNode node;
-  node.name = "box";
-  node.mesh = 0;
-  scene.nodes = {node};
+  const ImportedScene scene = oneBox();
   Diagnostics notes;
   const fs::path step = folder_.path() / "box.step";
   ASSERT_TRUE(exportScene(scene, step, {}, notes));

@@ -59,7 +59,9 @@ TEST(HandPath, namesLineAndColumnOfWhatIsWrong) {
   EXPECT_THAT(problem("t,x,y,z,qw\n0,0,0,0,1\n"), HasSubstr("column 'qx': the column is missing"));
   EXPECT_THAT(problem("t,x,y,z\n1,0,0,0\n0,0,0,0\n"), HasSubstr("line 3, column 't'"));
   EXPECT_THAT(problem("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,0,0,0,0\n"), HasSubstr("quaternion"));
-  EXPECT_THAT(problem("t,x,y,z,button\n0,0,0,0,-1\n"), HasSubstr("column 'button'"));
+  for (const char* button : {"-1", "7", "0.5", "4"}) {
+    EXPECT_THAT(problem(std::string("t,x,y,z,button\n0,0,0,0,") + button + "\n"), HasSubstr("column 'button'"));
+  }
   EXPECT_THAT(problem("t,x,y,z\n"), HasSubstr("there is no row"));
   EXPECT_THAT(problem(""), HasSubstr("there is no row"));
 }

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/assimp_fault.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+
+namespace hapticell::importer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kAgain = "Export it again.";
+constexpr const char* kCopyAgain = "Copy or export it again: it is not whole.";
+
+/// A 32-bit little-endian number, nothing beyond the end.
+std::optional<std::uint32_t> numberAt(std::string_view bytes, std::size_t at) {
+  if (bytes.size() < at + 4) return std::nullopt;
+  std::uint32_t value = 0;
+  for (std::size_t k = 4; k-- > 0;) value = (value << 8) | static_cast<unsigned char>(bytes[at + k]);
+  return value;
+}
+
+/// What is wrong with the header of a binary glTF file ("glTF 2.0 specification", section 4.4), if it is that.
+std::optional<Error> binaryGltfFault(const fs::path& file, std::string_view head) {
+  std::error_code fault;
+  const std::uintmax_t size = fs::file_size(file, fault);
+  const auto version = numberAt(head, 4), length = numberAt(head, 8), json = numberAt(head, 12);
+  if (fault || !version || !length || !json) {
+    return Error{"", "header", "the file ends after " + std::to_string(size) + " bytes",
+                 "the 20 bytes of a binary glTF file's header and more", kCopyAgain};
+  }
+  if (*version != 2 && *version != 1) {
+    return Error{"", "header", "version " + std::to_string(*version), "1 or 2", kAgain};
+  }
+  if (size < *length) {
+    return Error{"", "header", "the file ends after " + std::to_string(size) + " bytes",
+                 std::to_string(*length) + " bytes", kCopyAgain};
+  }
+  if (*version == 2 && *json > *length) {
+    return Error{"", "first chunk", "a length of " + std::to_string(*json) + " bytes",
+                 "less than the file's " + std::to_string(*length), kAgain};
+  }
+  return std::nullopt;
+}
+
+std::string formatWord(const fs::path& file) {
+  std::string extension = file.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  if (extension == "GLTF" || extension == "GLB") return "a glTF file";
+  if (extension == "DAE") return "a Collada file";
+  return (extension.empty() ? "a" : (extension == "FBX" ? "an " : "a ") + extension) + " file";
+}
+
+/// Takes "(offset 0x1f)" out of a message; gives "byte 31".
+std::string placeIn(std::string& message) {
+  constexpr std::string_view kBegin = "(offset 0x";
+  const std::size_t at = message.find(kBegin);
+  const std::size_t end = at == std::string::npos ? at : message.find(')', at);
+  if (end == std::string::npos) return {};
+  std::uint64_t offset = 0;
+  const char* digits = message.data() + at + kBegin.size();
+  if (std::from_chars(digits, message.data() + end, offset, 16).ptr != message.data() + end) return {};
+  message.erase(at, end + 1 - at);
+  return "byte " + std::to_string(offset);
+}
+
+/// One line without blanks at its ends or two in a row, and without the file's path, which stands before it anyway.
+std::string tidied(std::string message, const fs::path& file) {
+  for (const std::string& path : {"\"" + file.string() + "\"", file.string()}) {
+    for (std::size_t at = message.find(path); at != std::string::npos; at = message.find(path, at))
+      message.replace(at, path.size(), "it");
+  }
+  std::string text;
+  for (const char c : message) {
+    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (!blank) text += c;
+    if (blank && !text.empty() && text.back() != ' ') text += ' ';
+  }
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+Error assimpFault(const fs::path& file, std::string_view head, std::string message) {
+  if (head.starts_with("glTF")) {
+    if (auto fault = binaryGltfFault(file, head)) return *fault;
+  }
+  const std::string expected = "the content of " + formatWord(file);
+  if (message.find("No suitable reader") != std::string::npos || message.empty()) {
+    return {"", "beginning", "a content that is not of this format", expected, kAgain};
+  }
+  std::string place = placeIn(message);
+  return {"", std::move(place), "the reader refused it (" + tidied(std::move(message), file) + ")", expected, kAgain};
+}
+
+}  // namespace hapticell::importer
