@@ -170,6 +170,15 @@ def test_distance_units_and_zone(case):
     assert near(close["distance"], 0.01, 1e-9) and close["contacts"] >= 1, close
 
 
+def test_distances_keep_their_digits_far_from_the_origin(case):
+    """Coordinates of a map, kilometres away: a float would keep a quarter of a millimetre."""
+    write_obj(case.folder / "moving.obj", box((0.2, 0.2, 0.2)))
+    write_obj(case.folder / "wall.obj", box((0.2, 0.2, 0.2), (1000.20123, 2000.0, 3000.0)))
+    poses(case.folder / "poses.csv", [[1000, 2000, 3000, 1, 0, 0, 0], [1000.001, 2000, 3000, 1, 0, 0, 0]])
+    answer = case.run("distance", "--moving", "moving.obj", "--environment", "wall.obj", "--poses", "poses.csv")
+    assert near([r["distance"] for r in answer["results"]], [0.00123, 0.00023], 1e-9), answer
+
+
 def test_bad_tables_name_line_and_column(case):
     write_obj(case.folder / "part.obj", box((1, 1, 1)))
     for text, part in (("x,y,z,qw,qx,qy\n0,0,0,1,0,0\n", "qz"), ("x,y,z,qw,qx,qy,qz\n0,0,zero,1,0,0,0\n", "2"),
