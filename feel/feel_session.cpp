@@ -135,6 +135,7 @@ haptic::MetricVector FeelSession::wantedForce() const {
 void FeelSession::measure(const haptic::DeviceReading& reading, const haptic::MetricVector& force_before) {
   figures_.force_max = std::max(figures_.force_max, glm::length(safety_result_.force_D));
   figures_.penetration = std::max(figures_.penetration, scene_.penetration(result_.X_DP, time_));
+  figures_.round_penetration = std::max(figures_.round_penetration, scene_.roundPenetration(result_.X_DP, time_));
   if (exact_result_.active_rows == 0 && glm::length(result_.offset_D) == 0.0 && result_.active_rows == 0) {
     ++figures_.free_ticks;
     figures_.free_force_max = std::max(figures_.free_force_max, haptic::length(wantedForce()));

@@ -26,11 +26,12 @@ struct SessionSetup {
 
 /// What a session measured; the names of the benchmark (docs/feel.md).
 struct FeelFigures {
-  double step_n = 0.0;           ///< M1: largest change of the wanted force in a millisecond, N, before the slew limit.
-  double penetration = 0.0;      ///< Of what is displayed (the proxy), m.
-  double depth_error_p95 = 0.0;  ///< Part of the exact depth.
-  double depth_error_max = 0.0;  ///< m.
-  double depth_excess_max = 0.0;  ///< m: felt deeper than exact.
+  double step_n = 0.0;       ///< M1: largest change of the wanted force in a millisecond, N, before the slew limit.
+  double penetration = 0.0;  ///< Of what is displayed (the proxy), m.
+  double round_penetration = 0.0;  ///< See FeelScene::roundPenetration(), m.
+  double depth_error_p95 = 0.0;    ///< Part of the exact depth.
+  double depth_error_max = 0.0;    ///< m.
+  double depth_excess_max = 0.0;   ///< m: felt deeper than exact.
   double direction_p95_deg = 0.0;
   double energy_min = 0.0;      ///< J: worst loss in any second.
   double free_force_max = 0.0;  ///< N, in ticks that are free.

@@ -12,8 +12,9 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kSlide = 3.0;   // s.
-constexpr double kFitted = 0.1;  // mm: the ball's own facets are that far inside it.
+constexpr double kSlide = 3.0;  // s.
+constexpr double kDrawn =
+    0.1;  // mm that the drawn ball may be inside the drawn part: a hollow is as wide as it is round.
 
 FeelFigures slide(const MeshCase& of, const ClientRate& rate, bool mesh) {
   SessionSetup setup;
@@ -60,14 +61,16 @@ std::vector<Figure> partFigures(const Part& part, const ClientRate& rate) {
   const FeelFigures ours = slide(of, rate, true), classic = slideClassic(of, of.mesh.get());
   const std::string at = rateName(rate);
   Figure step{"M13.step", part.name, at, "N/ms", ours.step_n}, energy{"M13.energy", part.name, at, "mJ"};
-  Figure inside{"M13.penetration", part.name, at, "mm", 1e3 * ours.penetration, kFitted};
+  Figure inside{"M13.penetration", part.name, at, "mm", 1e3 * ours.penetration, kDrawn};
+  Figure round{"M13.round_ball", part.name, at, "mm", 1e3 * ours.round_penetration};
   energy.value = 1e3 * ours.energy_min;
   energy.limit = -0.5;
   energy.at_least = true;
   step.classic = classic.step_n;
   energy.classic = 1e3 * classic.energy_min;
   inside.classic = 1e3 * classic.penetration;
-  return {step, energy, inside};
+  round.classic = 1e3 * classic.round_penetration;
+  return {step, energy, inside, round};
 }
 
 }  // namespace

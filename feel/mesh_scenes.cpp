@@ -86,9 +86,6 @@ class MeshScene final : public FeelScene {
   mutable collision::ContactFinder finder_;
 };
 
-TriangleMesh ball() {
-  return geometry::makeSphere(kBallRadius, segments(kBallRadius));
-}
 TriangleMesh block() {
   return geometry::makeBox(dvec3(kLength));
 }
@@ -110,17 +107,17 @@ struct Recipe {
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all{
-      {"mesh sphere on flat wall", ball, [] { return std::vector<Placed>{floorAt(-kBallRadius)}; }, planeScene},
-      {"mesh sphere on cylinder R50", ball, [] { return std::vector<Placed>{roundBar(0.05)}; },
+      {"mesh sphere on flat wall", heldBall, [] { return std::vector<Placed>{floorAt(-kBallRadius)}; }, planeScene},
+      {"mesh sphere on cylinder R50", heldBall, [] { return std::vector<Placed>{roundBar(0.05)}; },
        [] { return cylinderScene(0.05 + kBallRadius); }},
-      {"mesh sphere on cylinder R10", ball, [] { return std::vector<Placed>{roundBar(0.01)}; },
+      {"mesh sphere on cylinder R10", heldBall, [] { return std::vector<Placed>{roundBar(0.01)}; },
        [] { return cylinderScene(0.01 + kBallRadius); }},
-      {"mesh sphere in bore R15", ball,
+      {"mesh sphere in bore R15", heldBall,
        [] {
          return std::vector<Placed>{{geometry::makePipe(0.03, 0.015, kLength, segments(0.015)), kAlongY}};
        },
        [] { return boreScene(0.015 - kBallRadius); }},
-      {"mesh sphere in corner", ball,
+      {"mesh sphere in corner", heldBall,
        [] {
          const double off = -kBallRadius - 0.5 * kLength;
          return std::vector<Placed>{{block(), Pose::translation({off, 0, 0})},
@@ -153,6 +150,10 @@ const std::vector<Recipe>& recipes() {
 
 }  // namespace
 
+TriangleMesh heldBall() {
+  return geometry::makeSphere(kBallRadius, segments(kBallRadius));
+}
+
 std::vector<std::string> meshCaseNames() {
   std::vector<std::string> names;
   for (const Recipe& recipe : recipes()) names.push_back(recipe.name);
@@ -169,7 +170,7 @@ MeshCase makeMeshCase(const std::string& name) {
 }
 
 std::unique_ptr<FeelScene> ballAgainst(const std::string& name, const TriangleMesh& part, const Pose& X_WP) {
-  return std::make_unique<MeshScene>(name, ball(), std::vector<Placed>{{part, X_WP}});
+  return std::make_unique<MeshScene>(name, heldBall(), std::vector<Placed>{{part, X_WP}});
 }
 
 }  // namespace hapticell::feel

@@ -25,6 +25,8 @@ MeshCase makeMeshCase(const std::string& name);  ///< One of these names (contra
 
 /// Radius of the held ball, m.
 inline constexpr double kBallRadius = 0.005;
+/// The ball as it is drawn: vertices on the sphere, facets inside it.
+geometry::TriangleMesh heldBall();
 /// What a client sees of the ball against this part at X_WP.
 std::unique_ptr<FeelScene> ballAgainst(const std::string& name, const geometry::TriangleMesh& part, const Pose& X_WP);
 

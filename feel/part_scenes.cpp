@@ -20,17 +20,42 @@ constexpr double kProbe = 0.05e-3;  // m, radius of the ball that measures.
 constexpr double kWay = 0.012;      // m, half of the way over the part.
 constexpr double kNear = 1e-6;      // m: touches.
 constexpr int kMostSteps = 200;
+constexpr double kLayer = 1e-5;  // m between two of the balls that tell how deep the drawn one is,
+constexpr int kLayers = 40;      // and how many there are.
+
+using Query = collision::ProximityQuery;
+
+/// The drawn ball, smaller and smaller: how much smaller it must be to be free is how deep it is.
+std::vector<Query> layersAgainst(const std::shared_ptr<const MeshCollider>& part) {
+  std::vector<Query> layers;
+  for (int k = 0; k < kLayers; ++k) {
+    TriangleMesh mesh = heldBall();
+    for (dvec3& vertex : mesh.vertices) vertex *= 1.0 - k * kLayer / kBallRadius;
+    layers.emplace_back(MeshCollider::build(mesh), part);
+  }
+  return layers;
+}
 
 class PartScene final : public FeelScene {
  public:
   PartScene(std::string name, std::shared_ptr<const MeshCollider> part)
-      : name_(std::move(name)), query_(MeshCollider::build(geometry::makeSphere(kProbe, 8)), part) {
+      : name_(std::move(name)),
+        query_(MeshCollider::build(geometry::makeSphere(kProbe, 8)), part),
+        layers_(layersAgainst(part)) {
     drop(*part);
   }
   std::string name() const override { return name_; }
   const Pose& placement() const { return X_WP_; }
   ConstraintSet setAt(const Pose& X_DP, double) const override { return emptySet(X_DP); }
-  double penetration(const Pose& X_DP, double) const override {
+  /// What is seen: the ball's facets, which lie inside the ball, against those of the part.
+  double penetration(const Pose& X_DP, double t) const override {
+    const double of_ball = roundPenetration(X_DP, t);
+    if (of_ball <= 0.0) return 0.0;
+    const auto free =
+        std::partition_point(layers_.begin(), layers_.end(), [&](Query& query) { return query.collides(X_DP, X_WP_); });
+    return free == layers_.end() ? of_ball : static_cast<double>(free - layers_.begin()) * kLayer;
+  }
+  double roundPenetration(const Pose& X_DP, double) const override {
     return std::max(0.0, kBallRadius - distanceFrom(X_DP.p, X_WP_));
   }
   dvec3 handAt(double t, double press) const override {
@@ -58,7 +83,8 @@ class PartScene final : public FeelScene {
   }
 
   std::string name_;
-  mutable collision::ProximityQuery query_;  // One session asks, in its own thread.
+  mutable Query query_;  // One session asks, in its own thread.
+  mutable std::vector<Query> layers_;
   Pose X_WP_;
 };
 

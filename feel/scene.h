@@ -24,6 +24,8 @@ class FeelScene {
   virtual ConstraintSet setAt(const Pose& X_DP, double t) const = 0;
   /// How deep the proxy lies inside the obstacle (or off the guide), 0 outside; the second method for it.
   virtual double penetration(const Pose& X_DP, double t) const = 0;
+  /// The same of a held body that is drawn by facets, were it as round as it means to be; 0 where nothing is.
+  virtual double roundPenetration(const Pose&, double) const { return 0.0; }
   /// Where the hand goes `t` seconds into the sliding, and for how long; `press` is the depth of the intended pose.
   virtual dvec3 handAt(double t, double press) const = 0;
   /// How fast everything drifts, m/s (an obstacle on a conveyor and the hand that goes with it).

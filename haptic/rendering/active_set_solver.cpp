@@ -13,6 +13,7 @@ constexpr std::size_t kMaxActive = 8;  // Six independent rows and two dependent
 constexpr double kRegularisation = 1e-7;
 constexpr double kTolerance = 1e-9;  // Metres a row may stay violated.
 constexpr double kDependent = 1e-6;  // Squared part of a normal that the active rows do not span.
+constexpr double kEntered = 1e-6;    // Metres that no row may be left by.
 constexpr int kMaxSteps = 400;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -186,6 +187,30 @@ SolverResult ActiveSet::solve() {
 
 SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
   return ActiveSet(rows.first(std::min(rows.size(), kMaxRows)), d0).solve();
+}
+
+SolverResult nearestUnentered(std::span<const SolverRow> rows, const Vector6& d0) noexcept {
+  rows = rows.first(std::min(rows.size(), kMaxRows));
+  const SolverResult middle = nearestFeasible(rows, d0);
+  if (middle.status == SolverStatus::kSolved) return middle;
+  double deepest = 0.0;
+  for (const SolverRow& row : rows) deepest = std::max(deepest, row.equality ? 0.0 : -row.slack);
+  std::array<SolverRow, kMaxRows> kept{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    kept[i] = rows[i];
+    if (!rows[i].equality && rows[i].slack < 0.0) kept[i].slack += deepest;
+  }
+  SolverResult result = nearestFeasible(std::span(kept).first(rows.size()), middle.d);
+  // Equalities may still contradict; standing still enters nothing.
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (kept[i].equality || dot(kept[i].normal, result.d) + kept[i].slack > -kEntered) continue;
+    result.d = {};
+    break;
+  }
+  result.status = middle.status;
+  for (std::size_t i = 0; i < rows.size(); ++i) result.multiplier[i] += middle.multiplier[i];
+  result.active_count = std::max(result.active_count, middle.active_count);
+  return result;
 }
 
 }  // namespace hapticell::haptic

@@ -43,4 +43,9 @@ struct SolverResult {
 /// rows. At most kMaxRows rows (more are ignored). Never allocates or throws; for the force loop.
 SolverResult nearestFeasible(std::span<const SolverRow> rows, const Vector6& d0) noexcept;
 
+/// The same for a proxy that must never enter anything: where rows contradict each other, those that hold at d = 0 go
+/// on holding, and the others get no deeper than the deepest of them is. Within that it is nearest to the middle;
+/// `multiplier` still tells d - d0.
+SolverResult nearestUnentered(std::span<const SolverRow> rows, const Vector6& d0) noexcept;
+
 }  // namespace hapticell::haptic

@@ -98,7 +98,8 @@ void ForceRenderer::reset(const Pose& X_DS) {
 Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
   if (!isWellFormed(set)) return Adoption::kMalformed;
   if (has_set_ && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
-  if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= set.zone_radius) return Adoption::kOutsideZone;
+  if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= kTrustedShare * set.zone_radius)
+    return Adoption::kOutsideZone;
   sets_[1 - current_].take(set);
   sets_[1 - current_].age = std::isfinite(age) ? std::clamp(age, 0.0, kOldestAge) : 0.0;
   offered_ = true;

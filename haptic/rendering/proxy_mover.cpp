@@ -66,7 +66,7 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     rows.gather(grouped, step.X_DP);
     const Vector6 wanted = metricDifference(X_DS, step.X_DP);
-    const SolverResult result = nearestFeasible(rows.all(), wanted);
+    const SolverResult result = nearestUnentered(rows.all(), wanted);
     MetricVector d = metricVector(result.d);
     step.X_DG = displacedInMetric(step.X_DP, result.d);
     step.depth = length(felt(metricVector(wanted) - d));
@@ -74,18 +74,36 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
     step.note(grouped, rows, result);
     step.trust_D = felt(step.trust_D);
     step.lag_D = {};
-    if (result.active_count == 0 && size <= kLongestMove) {
-      step.X_DP = X_DS;  // To the last bit, so that free motion costs exactly nothing.
-      continue;
-    }
     if (size > kLongestMove) {
       step.lag_D = felt((1.0 - kLongestMove / size) * d);
       d *= kLongestMove / size;
     }
-    step.X_DP = displacedInMetric(step.X_DP, asVector6(d));
+    const MetricVector kept = keptInZone(grouped.set, step, d);
+    // Free to the last bit, so that free motion costs exactly nothing.
+    const bool free = result.active_count == 0 && size <= kLongestMove && kept == d;
+    step.X_DP = free ? X_DS : displacedInMetric(step.X_DP, asVector6(kept));
   }
   applyFriction(grouped, X_DP, step, dt);
   return step;
+}
+
+/// The trust row is the zone's edge to first order only, and far off where the zone is smaller than a step. The zone is
+/// round: along its edge a step counts as much less as the stylus is outside (Newton's step there). And nothing is
+/// known beyond it: what of the step would lead out, the zone holds back.
+MetricVector ProxyMover::keptInZone(const ConstraintSet& set, ProxyStep& step, const MetricVector& d) const {
+  const MetricVector from = metricVector(metricDifference(step.X_DP, set.X_DR));
+  const double radius = std::max(set.zone_radius, length(from));
+  double share = 1.0 / (1.0 + length(step.trust_D) / set.zone_radius);
+  const double size = share * share * dot(d, d), along = share * dot(from, d);
+  if (length(from + share * d) > radius) {
+    const double room = std::max(0.0, radius * radius - dot(from, from));
+    share *= std::clamp((std::sqrt(along * along + size * room) - along) / size, 0.0, 1.0);
+  }
+  if (share >= 1.0) return d;
+  step.trust = true;
+  step.active_rows = std::max<std::size_t>(step.active_rows, 1);
+  step.trust_D -= felt((1.0 - share) * d);
+  return share * d;
 }
 
 void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, ProxyStep& step, double dt) const {
@@ -104,8 +122,9 @@ void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, Prox
   }
   ProxyRows rows;
   rows.gather(grouped, step.X_DP);
-  const SolverResult back = nearestFeasible(rows.all(), Vector6{});
-  if (back.active_count > 0) step.X_DP = displacedInMetric(step.X_DP, back.d);
+  const SolverResult back = nearestUnentered(rows.all(), Vector6{});
+  if (back.active_count == 0) return;
+  step.X_DP = displacedInMetric(step.X_DP, asVector6(keptInZone(grouped.set, step, metricVector(back.d))));
 }
 
 }  // namespace hapticell::haptic

@@ -33,7 +33,8 @@ struct ProxyStep {
 };
 
 /// Moves proxies (god-objects; C. Zilles, K. Salisbury, 1995) from their last place towards the stylus, inside one
-/// half-space per group, found by nearestFeasible(), and holds them back by Coulomb friction.
+/// half-space per group, found by nearestUnentered() and never out of the set's zone, and holds them back by Coulomb
+/// friction.
 ///
 /// `turning`: the device drives the turning too, so that friction and depth are of the whole motion in the metric;
 /// else the turn is free and only the translation counts. Pure; never allocates, locks or throws.
@@ -49,6 +50,7 @@ class ProxyMover {
 
  private:
   void applyFriction(const GroupedSet& grouped, const Pose& from, ProxyStep& step, double dt) const;
+  MetricVector keptInZone(const ConstraintSet& set, ProxyStep& step, const MetricVector& d) const;
   MetricVector felt(MetricVector v) const;
   bool turning_ = false;
 };

@@ -11,7 +11,7 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr double kStiffestPull = 500.0, kStrongestPull = 3.0;  // N/m, N.
-constexpr double kFastest = 10.0;  // m/s of an obstacle, along each axis.
+constexpr double kFastest = 10.0;                              // m/s of an obstacle, along each axis.
 
 /// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
 /// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
@@ -115,7 +115,7 @@ void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& con
 void ProxyRows::addTrustRow(const ConstraintSet& set, const Vector6& from_reference) {
   const double distance = lengthOf(from_reference);
   SolverRow& trust = row[count++];
-  trust = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, set.zone_radius - distance, false};
+  trust = {{1.0, 0.0, 0.0, 0.0, 0.0, 0.0}, kTrustedShare * set.zone_radius - distance, false};
   if (distance < 1e-9) return;
   for (std::size_t i = 0; i < 6; ++i) trust.normal[i] = -from_reference[i] / distance;
 }

@@ -221,6 +221,46 @@ TEST(ActiveSetSolver, givesUpEarlyOnManyContradictions) {
   }
 }
 
+TEST(ActiveSetSolver, entersNothingWhereRowsContradictEachOther) {
+  Random random;
+  int contradictions = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    // The proxy is inside some rows already; others, one of them opposite, still hold.
+    std::vector<SolverRow> rows(2 + static_cast<std::size_t>(trial % 30));
+    for (SolverRow& row : rows) {
+      const double slack = random.uniform(-1e-4, 1e-3);
+      row = {random.direction(), trial % 3 == 0 ? slack : std::max(slack, 0.0), false};
+    }
+    rows[0].slack = -random.uniform(1e-4, 5e-4);
+    rows[1] = {rows[0].normal, random.uniform(0.0, 5e-5), false};
+    for (double& number : rows[1].normal) number = -number;
+    const Vector6 d0 = random.motion(5e-3);
+    contradictions += nearestFeasible(rows, d0).status != SolverStatus::kSolved ? 1 : 0;
+    const SolverResult result = nearestUnentered(rows, d0);
+    double deepest = 0.0;
+    for (const SolverRow& row : rows) deepest = std::max(deepest, -row.slack);
+    for (const SolverRow& row : rows) {
+      const double after = toEigen(row.normal).dot(toEigen(result.d)) + row.slack;
+      EXPECT_GE(after, (row.slack < 0.0 ? -deepest : 0.0) - 1.1e-6) << trial;
+    }
+    for (const double number : result.d) ASSERT_TRUE(std::isfinite(number));
+  }
+  EXPECT_EQ(contradictions, 2000);
+}
+
+TEST(ActiveSetSolver, answersLikeTheNearestFeasibleWhereThereIsOne) {
+  Random random;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<SolverRow> rows(20);
+    for (SolverRow& row : rows) row = {random.direction(), random.uniform(0.0, 2e-3), false};
+    const Vector6 d0 = random.motion(5e-3);
+    EXPECT_EQ(nearestUnentered(rows, d0).d, nearestFeasible(rows, d0).d);
+  }
+  const std::vector<SolverRow> slot{{unit({0, 0, 1, 0, 0, 0}), -1e-3, false},
+                                    {unit({0, 0, -1, 0, 0, 0}), -0.5e-3, false}};
+  EXPECT_NEAR(nearestUnentered(slot, {2e-3, 0, -3e-3, 0, 0, 0}).d[2], 0.25e-3, 1e-6) << "entered from both sides";
+}
+
 TEST(ActiveSetSolver, meetsEqualitiesFromBothSides) {
   const std::vector<SolverRow> rows{{unit({1, 1, 0, 0, 0, 0}), 1e-4, true}, {unit({0, 0, 1, 0, 0, 0}), 1e-4, false}};
   for (const double side : {-5e-3, 5e-3}) {
