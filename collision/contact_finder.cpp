@@ -19,6 +19,7 @@ constexpr double kWideEnough = 0.25;    // of the wanted zone: surfaces need no 
 constexpr std::size_t kMuchWider = 3;   // levels: 1 / 0.65^3 = 3.6 times
 constexpr double kMostlyKnown = 0.8;    // share of recognised area that lets a pair begin with surfaces
 constexpr int kTryLarger = 4;           // a wider zone is tried with each so many queries
+constexpr double kWorthwhile = 1.1;     // times wider than what fits: tried between two levels
 constexpr int kRest = 12, kLongestRest = 192;
 constexpr int kSoon = 4;
 constexpr int kMostCold = 6;
@@ -29,13 +30,32 @@ constexpr std::size_t kColdLevels = 2;  // that the zone shrinks by for want of 
 /// One query under way.
 struct ContactFinder::Search {
   Search(SignatureCaches& caches, std::span<const ZonePart> the_moving, std::span<const ZonePart> the_environment,
-         const ZoneOptions& the_options)
+         const ZoneOptions& the_options, double kept_radius)
       : moving(the_moving),
         environment(the_environment),
         options(the_options),
         surfaces(caches, the_moving, the_environment, the_options) {
     radii.push_back(options.radius);
     while (radii.back() * kShrink >= options.min_radius) radii.push_back(radii.back() * kShrink);
+    insert(kept_radius);
+  }
+
+  /// Makes it a level of its own, unless there is one about so wide; false then. What was found keeps its level.
+  bool insert(double radius) {
+    const auto under = std::find_if(radii.begin(), radii.end(), [&](double other) { return other < radius; });
+    if (under == radii.begin() || under == radii.end()) return false;
+    if (radius > *(under - 1) / kWorthwhile || radius < *under * kWorthwhile) return false;
+    if (static_cast<std::size_t>(under - radii.begin()) <= level) ++level;
+    radii.insert(under, radius);
+    return true;
+  }
+
+  /// The level that is so many whole steps wider than what was found, or the widest.
+  std::size_t wider(std::size_t steps) const {
+    const double wanted = 0.999 * radii[level] / std::pow(kShrink, static_cast<double>(steps));
+    std::size_t up = level;
+    while (up > 0 && radii[up] < wanted) --up;
+    return up;
   }
 
   FacetQuery& facetQuery() {
@@ -149,11 +169,17 @@ std::optional<ZoneContacts> ContactFinder::attempt(Search& search, std::size_t l
   return result;
 }
 
-/// To the next levels above, as long as they fit; only a known search stops at the first.
+/// To the next levels above, as long as they fit, and once half a level where the hand may get farther than they say.
 void ContactFinder::widen(Search& search) {
+  bool halved = false;
   while (search.level > 0) {
     auto larger = attempt(search, search.level - 1);
-    if (!larger) return;
+    if (!larger) {
+      const double fits = search.radii[search.level], above = search.radii[search.level - 1];
+      if (halved || fits >= search.options.needed_radius || !search.insert(std::sqrt(fits * above))) return;
+      halved = true;
+      continue;
+    }
     search.found = std::move(larger);
     --search.level;
   }
@@ -168,7 +194,7 @@ bool ContactFinder::tellByFacets(Search& search, std::span<const std::size_t> pa
     curved = curved || (search.ways[pair]->mostly_known && search.isCurved(pair, *search.found));
   }
   const std::size_t much = curved ? kMuchWider : 1;
-  const std::size_t level = !search.found ? search.radii.size() - 1 : search.level - std::min(search.level, much);
+  const std::size_t level = !search.found ? search.radii.size() - 1 : search.wider(much);
   auto wider = level < search.level || !search.found ? attempt(search, level) : std::nullopt;
   for (const auto pair : pairs) {
     PairWay& way = *search.ways[pair];
@@ -193,7 +219,7 @@ void ContactFinder::tryFacets(Search& search, bool narrow) {
   if (!narrow && search.isCurved(heaviest, *search.found)) return;
   if (--way->resting > 0 && search.found) return;
   if (tellByFacets(search, {&heaviest, 1}) || !narrow) return;
-  const double radius = search.radii[search.level - std::min(search.level, kMuchWider)];
+  const double radius = search.radii[search.wider(kMuchWider)];
   std::vector<std::size_t> all;
   for (std::size_t pair = 0; pair < search.ways.size(); ++pair) {
     const PairWay* other = search.ways[pair];
@@ -244,7 +270,7 @@ ZoneContacts ContactFinder::find(std::span<const ZonePart> moving, std::span<con
                                  const ZoneOptions& options) {
   HAPTICELL_DEMAND(options.pair_mask.empty() || options.pair_mask.size() == moving.size() * environment.size());
   HAPTICELL_DEMAND(options.radius > 0.0 && options.max_entries > 0);
-  Search search(caches_, moving, environment, options);
+  Search search(caches_, moving, environment, options, kept_share_ * options.radius);
   search.crowded = crowded_;
   search.surfaces.setMayFallBack(ways_ == Ways::kBest);
   search.ways.assign(moving.size() * environment.size(), nullptr);
@@ -258,8 +284,10 @@ ZoneContacts ContactFinder::find(std::span<const ZonePart> moving, std::span<con
   search.level = startLevel(search);
   search.found = attempt(search, search.level);
   bool is_widest = !search.found;
-  if (search.found && (kept_share_ <= 0.0 || ++since_larger_ >= kTryLarger)) {
-    since_larger_ = 0;
+  // A hand that may run into the zone's edge before the set after this one cannot wait long for a wider one.
+  const bool hurried = search.found && search.radii[search.level] < options.needed_radius;
+  if (search.found && (kept_share_ <= 0.0 || ++since_larger_ >= (hurried ? 1 : kTryLarger))) {
+    since_larger_ = hurried ? 1 - kTryLarger : 0;  // In vain, unless it fits.
     const std::size_t before = search.level;
     widen(search);
     is_widest = true;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "feel/mesh_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "collision/contact_finder.h"
@@ -25,7 +27,9 @@ constexpr double kChord = 1e-4;  // m between a chord and its arc, at most,
 constexpr double kTurn = 0.3;    // and rad between two of its ends.
 constexpr double kLength = 0.4;  // m of what is long.
 constexpr int kMostQueries = 50;
-constexpr double kTurnAhead = 0.1;  // rad that a set is good for.
+constexpr double kLooksAhead = 2.0;  // times the way since the last set,
+constexpr double kKept = 0.9;        // of what it was then.
+constexpr double kTurnAhead = 0.1;   // rad that a set is good for.
 const Pose kAlongY = Pose::rotation(quaternionFromRotationVector({0.5 * std::numbers::pi, 0.0, 0.0}));
 
 int segments(double radius) {
@@ -62,15 +66,27 @@ class MeshScene final : public FeelScene {
                                           kTurnAhead, parts_, obstacles_, pairs_, feel_};
     inputs.finder = &finder_;
     inputs.surfaces = surfaces_;
+    manipulation::ConstraintDraft draft = manipulation::draftConstraints(inputs);
+    draft.options.pair_mask = draft.mask;
+    draft.options.needed_radius = neededRadius(X_DP);
+    const auto find = [&] { return finder_.find(draft.moving, obstacles_, draft.options); };
     // What is worked out for the first time takes several queries; until then a client holds the set that it has.
-    manipulation::BuiltConstraints built = manipulation::buildConstraints(inputs);
-    for (int more = 0; built.pending && more < kMostQueries; ++more) built = manipulation::buildConstraints(inputs);
-    return built.set;
+    collision::ZoneContacts found = find();
+    for (int more = 0; found.pending && more < kMostQueries; ++more) found = find();
+    return manipulation::completed(draft, found).set;
   }
   double penetration(const Pose&, double) const override { return 0.0; }
   dvec3 handAt(double, double) const override { return dvec3(0.0); }
 
  private:
+  /// What the hand may go until the set after this one is felt, by what it went of late; as a session reckons it.
+  double neededRadius(const Pose& X_DP) const {
+    const double gone = looked_ ? glm::length(X_DP.p - looked_->p) : 0.0;
+    looked_ = X_DP;
+    needed_ = std::max(kLooksAhead * gone, kKept * needed_);
+    return std::min(needed_, haptic::kWantedZoneRadius);
+  }
+
   std::string name_;
   manipulation::SolidManipulator robot_;
   manipulation::MotionMapping mapping_;
@@ -84,6 +100,8 @@ class MeshScene final : public FeelScene {
   std::vector<const collision::SurfaceModel*> surfaces_;
   // One session asks, in its own thread.
   mutable collision::ContactFinder finder_;
+  mutable std::optional<Pose> looked_;
+  mutable double needed_ = 0.0;
 };
 
 TriangleMesh block() {

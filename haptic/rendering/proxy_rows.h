@@ -28,7 +28,7 @@ struct GroupedSet {
 
 /// The part of a set's zone in which the proxy is kept and new sets are taken: inside the very edge, which it never
 /// leaves, there is room to go round along it.
-inline constexpr double kTrustedShare = 0.98;
+inline constexpr double kTrustedShare = 0.995;
 
 /// The half-spaces of one set about one proxy pose: one row a group, from the group's entry that is freest, and the
 /// trust row last, which keeps the proxy inside the set's zone.
