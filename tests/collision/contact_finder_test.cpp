@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numeric>
 #include <random>
 
 #include "geometry/shapes.h"
@@ -143,6 +144,35 @@ TEST(ContactFinder, AColdQueryEndsAndTheNextOnesFinishIt) {
   EXPECT_TRUE(set.complete);
   EXPECT_LT(set.work, 2000u);
   EXPECT_LT(most_work, 40000u);  // about 20 ms, and what a last place costs beyond them
+}
+
+/// The zone (m) that is told at the `count` places after 30 queries where little of it can be told.
+std::vector<double> zonesAfterACrowd(double needed_radius, int count) {
+  const Body beam(geometry::makeCylinder(0.006, 0.06, 32)), stone(bumpy());
+  const auto fixed = stone.at(Pose::identity(), 2);
+  collision::ZoneOptions options;
+  options.radius = 0.04;
+  options.max_rotation = 0.02;
+  options.needed_radius = needed_radius;
+  ContactFinder finder;
+  std::vector<double> zones;
+  for (int i = 0; i < 30 + count; ++i) {
+    const auto held = beam.at({dvec3(0.0, 0.0, i < 30 ? 0.0272 : 0.033), dquat(0.7, 0.1, 0.7, 0.1)}, 1);
+    const collision::ZoneContacts set = finder.find({&held, 1}, {&fixed, 1}, options);
+    EXPECT_TRUE(set.complete);
+    EXPECT_LE(set.contacts.size(), options.max_entries);
+    if (i >= 30) zones.push_back(set.radius);
+  }
+  return zones;
+}
+
+TEST(ContactFinder, WidensAtOnceForAHandThatMayRunIntoTheZonesEdge) {
+  const std::vector<double> calm = zonesAfterACrowd(0.0, 12), hurried = zonesAfterACrowd(0.03, 12);
+  for (std::size_t i = 0; i < calm.size(); ++i) {
+    EXPECT_GE(hurried[i], calm[i] - 1e-12) << i;
+  }
+  EXPECT_LT(calm.front(), calm.back()) << "the second place has room for more";
+  EXPECT_GT(std::accumulate(hurried.begin(), hurried.end(), 0.0), std::accumulate(calm.begin(), calm.end(), 0.0));
 }
 
 }  // namespace
