@@ -95,9 +95,11 @@ void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double
     if (length < 1e-12) return addSample(t, p, radius);
     addSample(t, p + way * std::min(kInwards, kMostInwards / length), radius);
   };
-  // Beyond the reach not all elements are known, so what a sample there is behind is not either.
+  // Beyond the reach not all elements are known, so what a sample there is behind is not either. The sample is where a
+  // ball's middle would be: of a ball larger than the reach every facet is farther off than that.
+  const dvec3 off_facet = radius * model_->surface().normals[t];
   const auto isKnown = [&](const dvec3& p) {
-    const dvec3 off = glm::max(glm::abs(p - box.center()) - 0.5 * box.size(), dvec3(0.0));
+    const dvec3 off = glm::max(glm::abs(p + off_facet - box.center()) - 0.5 * box.size(), dvec3(0.0));
     return glm::length(off) <= reach;
   };
   const double extent = std::max({glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[1]),
@@ -110,7 +112,7 @@ void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double
     if (isKnown(middle) && grains_.insert(grain).second) addSample(t, middle, radius);
     return;
   }
-  const dvec3 nearest = closestPointOnTriangle(corners, box.center());
+  const dvec3 nearest = closestPointOnTriangle(corners, box.center() - off_facet);
   if (!isKnown(nearest)) return;
   add(nearest);
   const auto towards = [&](const dvec3& goal) {
@@ -138,18 +140,18 @@ void SignatureCache::sampleEdge(std::uint32_t t, int k, const geometry::Bounds& 
   const dvec3 a = mesh.corner(t, k), b = mesh.corner(t, (k + 1) % 3), way = b - a;
   const double s = std::clamp(glm::dot(box.center() - a, way) / std::max(glm::dot(way, way), 1e-24), 0.0, 1.0);
   const dvec3 p = a + s * way;
-  if (glm::length(glm::max(glm::abs(p - box.center()) - 0.5 * box.size(), dvec3(0.0))) > reach) return;
-  const dvec3 place = glm::floor((p - box.min) / (kGrain * reach));
-  if (!grains_.insert({static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z), edge}).second)
-    return;
   const auto normal = [&](std::uint32_t triangle) {
     return viewFrom(model_->elements()[model_->elementOf(triangle)].shape, p).nhat_M;
   };
   const dvec3 middle = normal(t) + normal(other);
   if (glm::length(middle) < 1e-6) return;
-  const dvec3 nhat_M = glm::normalize(middle);
+  const dvec3 nhat_M = glm::normalize(middle), rolling = p + radius * nhat_M;
+  if (glm::length(glm::max(glm::abs(rolling - box.center()) - 0.5 * box.size(), dvec3(0.0))) > reach) return;
+  const dvec3 place = glm::floor((p - box.min) / (kGrain * reach));
+  if (!grains_.insert({static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z), edge}).second)
+    return;
   const auto component = model_->surface().closed ? model_->surface().component[t] : 0u;
-  samples_.push_back({p + radius * nhat_M, nhat_M, component});
+  samples_.push_back({rolling, nhat_M, component});
 }
 
 SignatureCell SignatureCache::made(const dvec3& center, double half, double radius, double reach) {

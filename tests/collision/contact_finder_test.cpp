@@ -146,6 +146,26 @@ TEST(ContactFinder, AColdQueryEndsAndTheNextOnesFinishIt) {
   EXPECT_LT(most_work, 40000u);  // about 20 ms, and what a last place costs beyond them
 }
 
+TEST(ContactFinder, ABallLargerThanTheZoneMeetsWhatIsUnderIt) {
+  const Body ball(geometry::makeSphere(0.005, 42)), block(geometry::makeBox({0.025, 0.025, 0.01}));
+  const auto fixed = block.at(Pose::translation({0, 0, -0.005}), 2);
+  collision::ZoneOptions options;
+  options.max_rotation = 0.02;
+  for (const double zone : {0.0007, 0.002, 0.0045, 0.02}) {
+    options.radius = zone;
+    ContactFinder finder(ContactFinder::Ways::kSurfaces);
+    collision::ZoneContacts set;
+    const auto held = ball.at(Pose::translation({0.001, 0.002, 0.0051}), 1);
+    for (int i = 0; i < 12; ++i) set = finder.find({&held, 1}, {&fixed, 1}, options);
+    ASSERT_TRUE(set.complete) << zone;
+    std::vector<double> of_group(set.groups, -1.0);  // The freest of each.
+    for (const auto& contact : set.contacts) of_group[contact.group] = std::max(of_group[contact.group], contact.gap);
+    ASSERT_FALSE(of_group.empty()) << zone;
+    const double least = *std::min_element(of_group.begin(), of_group.end());
+    EXPECT_NEAR(least, 0.0001, 1e-6) << zone;
+  }
+}
+
 /// The zone (m) that is told at the `count` places after 30 queries where little of it can be told.
 std::vector<double> zonesAfterACrowd(double needed_radius, int count) {
   const Body beam(geometry::makeCylinder(0.006, 0.06, 32)), stone(bumpy());

@@ -62,7 +62,7 @@ TEST(Benchmark, entersNoToothOfARack) {
   ASSERT_TRUE(figures.has_value());
   int seen = 0;
   for (const Figure& figure : *figures) {
-    if (figure.id == "M13.step") continue;
+    if (!figure.limit) continue;
     ++seen;
     EXPECT_TRUE(figure.pass()) << figure.id << " " << figure.value;
   }
