@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace hapticell::workcell {
@@ -22,6 +24,21 @@ Names namesOf(std::span<const Entity> entities, const Entity& entity) {
     parent = above == entities.end() ? "" : above->parent;
   }
   return names;
+}
+
+/// The names of an assembly and of all that stands below it; nothing for others. Parents may come behind their
+/// children.
+std::set<std::string_view> familyNames(std::span<const Entity> entities, const Entity& top) {
+  std::set<std::string_view> family;
+  if (top.kind != EntityKind::kAssembly) return family;
+  family.insert(top.name);
+  for (std::size_t before = 0; before != family.size();) {
+    before = family.size();
+    for (const Entity& entity : entities) {
+      if (family.contains(entity.parent)) family.insert(entity.name);
+    }
+  }
+  return family;
 }
 
 bool means(const std::vector<std::string>& side, const Names& names) {
@@ -94,8 +111,11 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
   const auto held = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == moved; });
   if (held == entities.end() || !held->checked) return pairs;
   const Names held_names = namesOf(entities, *held);
+  const std::set<std::string_view> family = familyNames(entities, *held);
   for (const Entity& other : entities) {
     if (other.id == moved || !other.checked) continue;
+    if (other.kind == EntityKind::kAssembly && !other.mesh) continue;  // It has no shape: its parts are there.
+    if (family.contains(other.parent)) continue;                       // It goes along with the held assembly.
     if (sets.empty()) {
       pairs.push_back({moved, other.id, defaults.safety_distance, defaults.near_miss, held->on_contact});
     } else if (const auto pair = pairOf(*held, held_names, other, namesOf(entities, other), sets)) {

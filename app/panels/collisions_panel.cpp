@@ -197,6 +197,8 @@ void CollisionsPanel::showSnapshot(const std::optional<manipulation::SceneSnapsh
   if (!snapshot || snapshot->held == 0) rest_.watch(host_.preparedScene(), moved);
   rest_.takeResults();
   if (auto touching = rest_.takeTouching()) question_->ask(std::move(*touching));
+  if (host_.documentModel().document().state().entities.empty())
+    question_->ask({});  // Nothing is there to be asked about.
   const auto& settings = host_.configuration().manipulation;
   const auto& rest = rest_.distances();
   const PairSources sources{snapshot ? &*snapshot : nullptr, rest.empty() ? nullptr : &rest};

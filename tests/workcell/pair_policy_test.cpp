@@ -42,6 +42,23 @@ TEST(PairPolicy, withSetsOnlyTheirPairsCountEitherWayRound) {
   EXPECT_EQ(effectivePairs(entities, sets, 4)[0].other, 3u);
 }
 
+TEST(PairPolicy, anAssemblyIsCheckedAgainstWhatDoesNotGoAlong) {
+  auto entities = named({"bolt", "clamp", "rig", "plate", "table"});
+  entities[1].kind = entities[2].kind = EntityKind::kAssembly;
+  entities[0].parent = "clamp";  // Before what it stands below.
+  entities[1].parent = entities[3].parent = "rig";
+  const auto of_rig = effectivePairs(entities, {}, 3);
+  ASSERT_EQ(of_rig.size(), 1u);
+  EXPECT_EQ(of_rig[0].other, 5u);
+  const auto of_clamp = effectivePairs(entities, {}, 2);
+  ASSERT_EQ(of_clamp.size(), 2u);
+  EXPECT_EQ(of_clamp[0].other, 4u);
+  const auto of_bolt = effectivePairs(entities, {}, 1);
+  ASSERT_EQ(of_bolt.size(), 2u) << "no assembly has a shape";
+  EXPECT_EQ(of_bolt[0].other, 4u);
+  EXPECT_EQ(effectivePairs(entities, std::vector<PairSet>{{.name = "all"}}, 3).size(), 1u);
+}
+
 TEST(PairPolicy, anEmptySideMeansEverything) {
   const auto entities = named({"part", "table", "robot"});
   const std::vector<PairSet> sets = {{.name = "a", .first = {"part"}}};
