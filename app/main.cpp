@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/host/end_signals.h"
 #include "app/host/language.h"
 #include "app/host/main_window.h"
 #include "app/host/render_command.h"
@@ -239,6 +240,8 @@ int main(int argc, char** argv) {
   window.loadModules(hapticell::app::ModuleLoader::defaultFolders());
   if (options.module) window.startModule("Virtual Desktop");
   window.restoreLayout();
+  hapticell::app::EndSignals end;
+  QObject::connect(&end, &hapticell::app::EndSignals::asked, &window, &MainWindow::endNow);
   int status = 0;
   if (!options.screenshot.isEmpty()) {
     whenRead(window, options.delay_ms, [&] {

@@ -7,6 +7,7 @@
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/score_painting.h"
 #include "app/style/fonts.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -57,16 +58,13 @@ void HeightStrips::paintEvent(QPaintEvent*) {
     const double x = std::clamp(place(rise) - 50.0, area.left() - 20.0, width() - 100.0);
     painter.drawText(QRectF(x, area.bottom() + 4 + 15 * line, 100, 15), Qt::AlignCenter, words);
   };
-  const auto millimetres = [&](double rise) {
-    return QString::number(1000.0 * (advice->target_height + rise), 'f', 0);
-  };
-  mark(0.0, tr("now %1 mm").arg(millimetres(0.0)), Qt::SolidLine, 0);
+  const auto height = [&](double rise) { return lengthText(advice->target_height + rise, 0); };
+  mark(0.0, tr("now %1").arg(height(0.0)), Qt::SolidLine, 0);
   if (advice->best_rise && std::abs(*advice->best_rise) > 1e-6)
-    mark(*advice->best_rise, tr("best %1 mm").arg(millimetres(*advice->best_rise)), Qt::DashLine, 1);
+    mark(*advice->best_rise, tr("best %1").arg(height(*advice->best_rise)), Qt::DashLine, 1);
   painter.setPen(theme.text2);
-  painter.drawText(QRectF(area.left(), area.bottom() + 34, 80, 15), Qt::AlignLeft, millimetres(first));
-  painter.drawText(QRectF(width() - 90.0, area.bottom() + 34, 89, 15), Qt::AlignRight,
-                   tr("%1 mm").arg(millimetres(last)));
+  painter.drawText(QRectF(area.left(), area.bottom() + 34, 80, 15), Qt::AlignLeft, height(first));
+  painter.drawText(QRectF(width() - 90.0, area.bottom() + 34, 89, 15), Qt::AlignRight, height(last));
 }
 
 }  // namespace hapticell::app

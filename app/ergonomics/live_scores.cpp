@@ -10,6 +10,7 @@
 #include "app/host/host.h"
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -137,18 +138,18 @@ QString LiveScores::adviceText() const {
   if (!advice_) return {};
   if (!advice_->better) {
     if (scores().worse().rula_level <= 1) return tr("Nothing needs to change.");
-    return tr("No shift of the work by up to 600 mm lowers the level for this body.");
+    return tr("No shift of the work by up to %1 lowers the level for this body.").arg(lengthText(0.6, 0));
   }
   const dvec3 shift = advice_->better->shift_W;
-  const QString millimetres = QString::number(1000.0 * glm::length(shift), 'f', 0);
+  const QString far = lengthText(glm::length(shift), 0);
   const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
   const double forward = glm::dot(shift, ahead);
   const QString how = std::abs(shift.z) > 1e-6
-                          ? (shift.z < 0.0 ? tr("Lowering the work by %1 mm") : tr("Raising the work by %1 mm"))
-                      : forward < -0.5 * glm::length(shift) ? tr("Bringing the work %1 mm nearer")
-                      : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 mm further away")
-                                                            : tr("Moving the work %1 mm to the side");
-  return tr("%1 gives RULA %2.").arg(how.arg(millimetres)).arg(advice_->better->score);
+                          ? (shift.z < 0.0 ? tr("Lowering the work by %1") : tr("Raising the work by %1"))
+                      : forward < -0.5 * glm::length(shift) ? tr("Bringing the work %1 nearer")
+                      : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 further away")
+                                                            : tr("Moving the work %1 to the side");
+  return tr("%1 gives RULA %2.").arg(how.arg(far)).arg(advice_->better->score);
 }
 
 ergonomics::Language shownLanguage() {

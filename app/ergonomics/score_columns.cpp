@@ -10,6 +10,7 @@
 #include "app/ergonomics/score_painting.h"
 #include "app/mannequin/figure_sketch.h"
 #include "app/style/fonts.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -109,8 +110,7 @@ void ScoreColumns::paintColumn(QPainter& painter, int body) {
                      painter.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(width)));
   };
   write(TextRole::kSection, theme.text1, kPicture + 4, tr(kNames[static_cast<std::size_t>(body)]));
-  write(TextRole::kSecond, theme.text2, kPicture + 22,
-        tr("%1 mm").arg(1000.0 * at.figure.body[mannequin::Dimension::kStature], 0, 'f', 0));
+  write(TextRole::kSecond, theme.text2, kPicture + 22, lengthText(at.figure.body[mannequin::Dimension::kStature], 0));
   const bool by_reba = method_ == ergonomics::ColourMethod::kReba;
   const int score = by_reba ? at.scores.reba() : at.scores.rula();
   write(TextRole::kScore, theme.text1, kScoreTop, QString::number(score));
@@ -138,8 +138,8 @@ void ScoreColumns::paintColumn(QPainter& painter, int body) {
   row(kRebaTop + kLine + 1, ergonomics::bandOfOwas(at.scores.owas_category),
       tr("%1 cat. %2").arg(at.scores.owasCode()).arg(at.scores.owas_category));
   write(TextRole::kSecond, at.is_reached ? theme.text1 : theme.limit_text, kRebaTop + 2 * kLine + 4,
-        at.is_reached ? tr("%1 mm left").arg(1000.0 * at.reach_left_m, 0, 'f', 0)
-                      : tr("%1 mm short").arg(1000.0 * at.short_m, 0, 'f', 0));
+        at.is_reached ? tr("%1 left").arg(lengthText(at.reach_left_m, 0))
+                      : tr("%1 short").arg(lengthText(at.short_m, 0)));
 }
 
 }  // namespace hapticell::app

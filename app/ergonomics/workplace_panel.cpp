@@ -19,6 +19,7 @@
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/panels/form.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 
 namespace hapticell::app {
@@ -171,9 +172,9 @@ void WorkplacePanel::showMap() {
     return;
   }
   const auto& place = map_->cells[static_cast<std::size_t>(cell)];
-  const auto millimetres = [](double metres) { return QString::number(1000.0 * metres + 0.0, 'f', 0); };
-  text += tr("%1 mm up, %2 mm away, %3: ")
-              .arg(millimetres(place.rise), millimetres(place.away), place.is_seated ? tr("sitting") : tr("standing"));
+  text +=
+      tr("%1 up, %2 away, %3: ")
+          .arg(lengthText(place.rise, 0), lengthText(place.away, 0), place.is_seated ? tr("sitting") : tr("standing"));
   text += place.worst > 0 ? tr("worst RULA %1 (P5 woman %2, P50 woman %3, P50 man %4, P95 man %5).")
                                 .arg(place.worst)
                                 .arg(place.rula[0])
@@ -264,12 +265,12 @@ void WorkplaceView::paintEvent(QPaintEvent*) {
   for (const std::size_t row : {std::size_t{0}, map_->rises.size() - 1}) {
     const QRectF box = rectOf(row * map_->aways.size());
     painter.drawText(QRectF(0, box.top(), 48, box.height()), Qt::AlignRight | Qt::AlignVCenter,
-                     tr("%1 mm").arg(1000.0 * map_->rises[row], 0, 'f', 0));
+                     lengthText(map_->rises[row], 0));
   }
   for (const std::size_t column : {std::size_t{0}, map_->aways.size() - 1}) {
     const QRectF box = rectOf(column);
     painter.drawText(QRectF(box.center().x() - 40, height() - 32, 80, 14), Qt::AlignCenter,
-                     tr("%1 mm").arg(1000.0 * map_->aways[column], 0, 'f', 0));
+                     lengthText(map_->aways[column], 0));
   }
   painter.drawText(QRectF(52, height() - 16, width() - 52, 14), Qt::AlignCenter, tr("further away"));
 }

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMainWindow>
+#include <functional>
 #include <memory>
 
 #include "app/host/actions.h"
@@ -75,6 +76,9 @@ class MainWindow : public QMainWindow, public Host {
   /// At start, once the modules' docks are there: window and docks as they were left.
   void restoreLayout();
   const StatusLine& statusLine() const { return *status_; }
+  /// Ends the program without a question, as the system asks at its shutdown: what is being recorded goes into the
+  /// cell, what is not saved is kept as after a crash and offered at the next start, modules end with their server.
+  void endNow();
   /// The whole window with the finished picture of the scene.
   QPixmap picture();
 
@@ -92,6 +96,8 @@ class MainWindow : public QMainWindow, public Host {
   void addRobotFromDialog();
   bool saveDocument(bool ask_where);
   bool mayDiscard();
+  /// Calls `then` once what is being recorded, if anything, is in the cell.
+  void whenRecorded(const std::function<void()>& then);
   void showSavedView();
   void connectSelection();
   void connectStart();

@@ -13,6 +13,7 @@
 #include "app/import/import_choices.h"
 #include "app/panels/form.h"
 #include "app/style/segmented.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "workcell/mesh_care.h"
 
@@ -22,7 +23,7 @@ namespace {
 using workcell::CollisionProxy;
 
 QString millimetres(double metres) {
-  return QObject::tr("%1 mm").arg(1000.0 * metres, 0, 'f', metres < 1e-4 ? 3 : 2);
+  return lengthText(metres, metres < 1e-4 ? 3 : 2);
 }
 
 QString healthText(const workcell::MeshHealth& health) {

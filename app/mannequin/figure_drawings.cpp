@@ -12,6 +12,7 @@
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/panels/form.h"
+#include "app/style/units.h"
 #include "app/viewport/viewport_widget.h"
 #include "manipulation/mannequin_sight.h"
 #include "mannequin/reach_envelope.h"
@@ -143,8 +144,8 @@ void FigureDrawings::drawBalance() {
   const auto support =
       mannequin::supportPolygon(*figure_, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
   const double margin = support.margin(glm::dvec2(com));
-  balance_->setText(margin >= 0.0 ? tr("Balance: %1 mm inside the soles").arg(1000.0 * margin, 0, 'f', 0)
-                                  : tr("Out of balance by %1 mm").arg(-1000.0 * margin, 0, 'f', 0));
+  balance_->setText(margin >= 0.0 ? tr("Balance: %1 inside the soles").arg(lengthText(margin, 0))
+                                  : tr("Out of balance by %1").arg(lengthText(-margin, 0)));
   std::vector<SceneCurve> curves;
   if (isOn(kBalance)) {
     double floor = 1e9;
@@ -160,8 +161,7 @@ void FigureDrawings::drawBalance() {
     curves.push_back(outline);
     curves.push_back({{com, below}, role, SceneCurve::Style::kDashed, 1.5, {}});
     curves.push_back({{com}, role, SceneCurve::Style::kSolid, 2.0, tr("centre of mass").toStdString()});
-    curves.push_back(
-        {{below}, role, SceneCurve::Style::kSolid, 2.0, tr("%1 mm").arg(1000.0 * margin, 0, 'f', 0).toStdString()});
+    curves.push_back({{below}, role, SceneCurve::Style::kSolid, 2.0, lengthText(margin, 0).toStdString()});
   }
   context_.host().viewport().setCurves("figure", std::move(curves));
 }
@@ -227,13 +227,13 @@ void FigureDrawings::askSight() {
       [this, name = QString::fromStdString(target->name)](Answer answer) {
         scene_ = answer.scene;
         const auto& sight = answer.sight;
-        QString text = tr("%1: %2 % seen, %3 mm away, %4")
+        QString text = tr("%1: %2 % seen, %3 away, %4")
                            .arg(name)
                            .arg(100.0 * sight.seen, 0, 'f', 0)
-                           .arg(1000.0 * sight.distance, 0, 'f', 0)
+                           .arg(lengthText(sight.distance, 0))
                            .arg(QString::fromLatin1(mannequin::wordOf(sight.zone)));
         if (!sight.hidden_by.empty()) text += tr(", hidden by %1").arg(QString::fromStdString(sight.hidden_by));
-        if (sight.clearance > 0.0) text += tr(", %1 mm clear").arg(1000.0 * sight.clearance, 0, 'f', 0);
+        if (sight.clearance > 0.0) text += tr(", %1 clear").arg(lengthText(sight.clearance, 0));
         seen_->setText(text + '.');
       });
 }

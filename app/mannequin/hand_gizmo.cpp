@@ -7,6 +7,7 @@
 #include "app/host/host.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/style/units.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -144,18 +145,16 @@ QString nameOfHeld(Kind kind) {
 QString reachText(const FigureDrag& drag, Kind kind) {
   if (!drag.reach() || drag.reach()->short_m < kShortShown) return {};
   if (drag.isOwnBody()) {
-    return HandGizmo::tr("%1 meets the own body, %2 mm short of the target")
+    return HandGizmo::tr("%1 meets the own body, %2 short of the target")
         .arg(nameOfHeld(kind))
-        .arg(1000.0 * drag.reach()->short_m, 0, 'f', 0);
+        .arg(lengthText(drag.reach()->short_m, 0));
   }
   if (!drag.reach()->obstacle.empty()) {
-    return HandGizmo::tr("%1 is held up by %2, %3 mm short of the target")
+    return HandGizmo::tr("%1 is held up by %2, %3 short of the target")
         .arg(nameOfHeld(kind), QString::fromStdString(drag.reach()->obstacle))
-        .arg(1000.0 * drag.reach()->short_m, 0, 'f', 0);
+        .arg(lengthText(drag.reach()->short_m, 0));
   }
-  return HandGizmo::tr("%1 is %2 mm short of the target")
-      .arg(nameOfHeld(kind))
-      .arg(1000.0 * drag.reach()->short_m, 0, 'f', 0);
+  return HandGizmo::tr("%1 is %2 short of the target").arg(nameOfHeld(kind)).arg(lengthText(drag.reach()->short_m, 0));
 }
 
 }  // namespace hapticell::app

@@ -25,6 +25,7 @@
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 #include "mannequin/hand_shape.h"
 
 namespace hapticell::app {
@@ -356,10 +357,9 @@ void MannequinPanel::showReach() {
   if (context_.isHeld() && snapshot && !snapshot->limits.empty() && snapshot->limits.front().holds)
     text = QString::fromStdString(snapshot->limits.front().text);
   if (!text.isEmpty() && drag_.reach() && drag_.reach()->obstacle.empty()) {
-    advice = choice.locks().trunk
-                 ? tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 mm closer.")
-                 : tr("At full reach. Move it %1 mm closer, or let the feet step.");
-    advice = advice.arg(10.0 * std::ceil(100.0 * drag_.reach()->short_m + 0.8), 0, 'f', 0);
+    advice = choice.locks().trunk ? tr("At full reach with the trunk locked. Unlock the trunk, or move it %1 closer.")
+                                  : tr("At full reach. Move it %1 closer, or let the feet step.");
+    advice = advice.arg(lengthText(0.01 * std::ceil(100.0 * drag_.reach()->short_m + 0.8), 0));
   }
   const bool any = !text.isEmpty();
   reach_mark_->setPixmap(any ? icon("limit", themeOf(palette()).limit).pixmap(16, 16) : QPixmap());

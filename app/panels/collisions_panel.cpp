@@ -105,22 +105,22 @@ void CollisionsPanel::addTop(QBoxLayout& column) {
   pages_ = new Segmented({tr("Pairs"), tr("Columns"), tr("Log")});
   pages_->setObjectName("segmentsCollisions");
   pages_->setCurrent(0);
-  pages_->setFixedWidth(pages_->sizeHint().width() + 24);
+  pages_->setMaximumWidth(pages_->sizeHint().width() + 24);
   filter_ = new QLineEdit;
   filter_->setObjectName("filterPairs");
   filter_->setPlaceholderText(tr("Filter by name"));
   filter_->setClearButtonEnabled(true);
   filter_->addAction(icon("search"), QLineEdit::LeadingPosition);
-  filter_->setMinimumWidth(120);
+  filter_->setMinimumWidth(60);
   filter_->setMaximumWidth(220);
   show_ = new Segmented({tr("All 000"), tr("Contact 00"), tr("Near miss 00")});
   show_->setObjectName("segmentsShow");
-  show_->setFixedWidth(show_->sizeHint().width() + 24);
+  show_->setMaximumWidth(show_->sizeHint().width() + 24);
   show_->setCurrent(0);
-  top->addWidget(pages_);
+  top->addWidget(pages_, 3);
   top->addStretch(1);
   top->addWidget(filter_, 2);
-  top->addWidget(show_);
+  top->addWidget(show_, 3);
   column.addLayout(top);
   const auto choose = [this] {
     model_.setShow(static_cast<PairTableModel::Show>(std::max(0, show_->current())), filter_->text());

@@ -171,10 +171,11 @@ void PropertiesPanel::rebuild() {
   for (QLabel* units : findChildren<QLabel*>("labelPoseUnits"))
     units->setText(tr("X Y Z in %1 · A B C in %2").arg(unitsNow().lengthUnit(), unitsNow().angleUnit()));
   const bool robot = now->robot != nullptr;
-  tool_.holder->setVisible(robot && !now->tip_link.empty());
+  const bool figure = now->figure != nullptr;
+  tool_.holder->setVisible(robot && !figure && !now->tip_link.empty());
   tool_.heading->setText(tr("TCP in world"));
-  place_.heading->setText(robot ? tr("Base in world") : tr("Origin in world"));
-  joints_holder_->setVisible(robot);
+  place_.heading->setText(figure ? tr("Pelvis in world") : robot ? tr("Base in world") : tr("Origin in world"));
+  joints_holder_->setVisible(robot && !figure);  // A posture is led by hands and feet: dock Mannequin.
   const void* model = now->robot.get();
   if (model != shown_model_) rebuildJoints();
   showChoices();
@@ -279,9 +280,8 @@ void PropertiesPanel::placeTool(const Pose& X_WT) {
     const QString why = solution.status == kinematics::InverseStatus::kLimit ? tr("A joint limit is in the way")
                                                                              : tr("It is out of reach");
     host_.messages().tell(Severity::kWarning, tr("The TCP stays where it is"),
-                          tr("%1: the nearest that %2 comes to is %3 mm away.")
-                              .arg(why, QString::fromStdString(now->name))
-                              .arg(1000.0 * solution.position_error, 0, 'f', 1));
+                          tr("%1: the nearest that %2 comes to is %3 away.")
+                              .arg(why, QString::fromStdString(now->name), lengthText(solution.position_error)));
   }
   showNow();
 }

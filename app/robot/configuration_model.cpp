@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/panels/joint_row.h"
+#include "app/style/units.h"
 
 namespace hapticell::app {
 
@@ -32,7 +33,7 @@ QString travelText(const kinematics::RobotModel& model, const std::vector<double
         std::abs(to[i] - from[i]) / unitOf(joint);
   }
   const QString turn = QStringLiteral("%1°").arg(std::lround(degrees));
-  const QString slide = QObject::tr("%1 mm").arg(std::lround(millimetres));
+  const QString slide = lengthText(0.001 * millimetres, 0);
   if (millimetres < 0.5) return QObject::tr("%1 in all").arg(turn);
   return degrees < 0.5 ? QObject::tr("%1 in all").arg(slide) : QObject::tr("%1 and %2 in all").arg(turn, slide);
 }

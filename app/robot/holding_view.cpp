@@ -16,6 +16,7 @@
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
+#include "app/style/units.h"
 #include "kinematics/inverse_factory.h"
 #include "kinematics/mounted_robot.h"
 
@@ -130,13 +131,13 @@ void HoldingView::showTools() {
   tool_->clear();
   for (const auto& tool : robot->tools) {
     const QString name = QString::fromStdString(tool.name);
-    const long reach = std::lround(1000.0 * glm::length(tool.X_LT.p));
-    tool_->addItem(icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(name).arg(reach) : name, name);
+    const double reach = glm::length(tool.X_LT.p);
+    tool_->addItem(icon("frame"), reach > 5e-4 ? tr("%1, %2").arg(name, lengthText(reach, 0)) : name, name);
   }
   if (robot->tool.empty()) {
     const QString link = QString::fromStdString(robot->tip_link);
-    const long reach = std::lround(1000.0 * glm::length(robot->X_LT.p));
-    tool_->insertItem(0, icon("frame"), reach > 0 ? tr("%1, %2 mm").arg(link).arg(reach) : link, QString());
+    const double reach = glm::length(robot->X_LT.p);
+    tool_->insertItem(0, icon("frame"), reach > 5e-4 ? tr("%1, %2").arg(link, lengthText(reach, 0)) : link, QString());
     tool_->setCurrentIndex(0);
   } else {
     tool_->setCurrentIndex(tool_->findData(QString::fromStdString(robot->tool)));

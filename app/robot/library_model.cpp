@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/robot/library_model.h"
 
+#include "app/style/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,10 +11,6 @@ namespace {
 
 QString payloadText(double kilograms) {
   return QObject::tr("%1 kg").arg(kilograms, 0, 'g', 4);
-}
-
-QString millimetresText(double metres) {
-  return QObject::tr("%1 mm").arg(std::lround(1000.0 * metres));
 }
 
 }  // namespace
@@ -48,7 +46,7 @@ std::vector<std::pair<QString, QString>> LibraryModel::sheet(int number) const {
                                                  {tr("Kind"), QString::fromStdString(sheet.kind)}};
   if (sheet.payload > 0.0) lines.emplace_back(tr("Payload"), payloadText(sheet.payload));
   if (row.entity) lines.emplace_back(tr("Joints"), QString::number(row.entity->robot->dof()));
-  if (row.reach > 0.0) lines.emplace_back(tr("Reach"), tr("%1 to the flange").arg(millimetresText(row.reach)));
+  if (row.reach > 0.0) lines.emplace_back(tr("Reach"), tr("%1 to the flange").arg(lengthText(row.reach, 0)));
   if (!sheet.source.empty()) lines.emplace_back(tr("Source"), QString::fromStdString(sheet.source));
   return lines;
 }
@@ -77,7 +75,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   const QString name = QString::fromStdString(sheet.name);
   QStringList second{QString::fromStdString(sheet.maker), QString::fromStdString(sheet.kind)};
   if (sheet.payload > 0.0) second << payloadText(sheet.payload);
-  if (row.reach > 0.0) second << millimetresText(row.reach);
+  if (row.reach > 0.0) second << lengthText(row.reach, 0);
   second.removeAll(QString());
   switch (role) {
     case Qt::DisplayRole:

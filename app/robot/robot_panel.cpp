@@ -22,6 +22,7 @@
 #include "app/robot/stop_line.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
+#include "app/style/units.h"
 #include "kinematics/jog.h"
 #include "workcell/named_poses.h"
 
@@ -142,7 +143,8 @@ void RobotPanel::addJog(QVBoxLayout& column) {
   step_->setAccessibleName(tr("Step"));
   for (const JogStepSize& step : kSteps) {
     const auto number = [](double value) { return QString::number(value, 'f', value < 1.0 ? 1 : 0); };
-    step_->addItem(tr("%1° · %2 mm").arg(number(step.degrees), number(step.millimetres)));
+    step_->addItem(
+        tr("%1° · %2").arg(number(step.degrees), lengthText(0.001 * step.millimetres, step.millimetres < 1.0 ? 1 : 0)));
   }
   step_->setCurrentIndex(1);
   home_ = new QPushButton(icon("home"), tr("Home"));

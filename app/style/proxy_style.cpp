@@ -3,6 +3,9 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QListView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QLineEdit>
@@ -41,6 +44,8 @@ void ProxyStyle::polish(QWidget* widget) {
   if (qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) || qobject_cast<QScrollBar*>(widget) ||
       qobject_cast<QTabBar*>(widget))
     widget->setAttribute(Qt::WA_Hover);
+  // Above the words of its column, where the model does not say otherwise.
+  if (auto* header = qobject_cast<QHeaderView*>(widget)) header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
@@ -54,7 +59,8 @@ int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_SplitterWidth: return 1;
     case PM_ScrollBarExtent: return 12;
     case PM_ScrollBarSliderMin: return 28;
-    case PM_DockWidgetFrameWidth:
+    case PM_DockWidgetFrameWidth: return 1;  // Of floating ones.
+    case PM_FocusFrameHMargin: return qobject_cast<const QListView*>(widget) ? 7 : 3;
     case PM_ToolBarFrameWidth:
     case PM_TabBarTabShiftVertical:
     case PM_TabBarTabShiftHorizontal:
@@ -124,9 +130,10 @@ QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option
 }
 
 QRect ProxyStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const {
-  if (element == SE_ItemViewItemText || element == SE_LineEditContents)
-    return QProxyStyle::subElementRect(element, option, widget);
-  return QProxyStyle::subElementRect(element, option, widget);
+  const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+  const auto* line = element == SE_LineEditContents ? qobject_cast<const QLineEdit*>(widget) : nullptr;
+  // Words stand as far from the frame as in a combo box; numbers stand at the right, by their unit.
+  return line && line->alignment().testFlag(Qt::AlignLeft) ? rect.adjusted(4, 0, 0, 0) : rect;
 }
 
 QRect ProxyStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
@@ -196,9 +203,13 @@ void ProxyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
       return;
     }
     case PE_IndicatorDockWidgetResizeHandle: painter->fillRect(option->rect, theme.line); return;
+    case PE_FrameDockWidget:
+      painter->setPen(theme.line);
+      painter->setBrush(Qt::NoBrush);
+      painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+      return;
     case PE_IndicatorTabClose:
     case PE_FrameStatusBarItem:
-    case PE_FrameDockWidget:
     case PE_FrameTabBarBase: return;
     case PE_PanelMenu: drawBox(painter, option->rect, theme.header, theme.line, 0.0); return;
     case PE_FrameMenu: return;
@@ -227,6 +238,14 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
     case CE_TabBarTabLabel:
       if (const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option))
         drawTabLabel(painter, tab, isCompact(widget) && !tab->icon.isNull());
+      return;
+    case CE_ItemViewItem:
+      if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option)) {
+        // The row that is chosen has a pale ground: its words keep their colour.
+        QStyleOptionViewItem quiet(*item);
+        quiet.palette.setColor(QPalette::HighlightedText, item->palette.color(QPalette::Text));
+        QProxyStyle::drawControl(element, &quiet, painter, widget);
+      }
       return;
     case CE_MenuBarEmptyArea: painter->fillRect(option->rect, theme.window); return;
     case CE_MenuBarItem: {

@@ -63,7 +63,9 @@ Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(pare
   connect(group_, &QButtonGroup::idClicked, this, &Segmented::chosen);
 }
 
-int Segmented::current() const { return group_->checkedId(); }
+int Segmented::current() const {
+  return group_->checkedId();
+}
 
 void Segmented::setCurrent(int index) {
   if (QAbstractButton* wanted = button(index)) {
@@ -82,7 +84,9 @@ void Segmented::setChoiceEnabled(int index, bool on, const QString& why) {
   }
 }
 
-QAbstractButton* Segmented::button(int index) const { return group_->button(index); }
+QAbstractButton* Segmented::button(int index) const {
+  return group_->button(index);
+}
 
 QSize Segmented::sizeHint() const {
   int width = 0;
@@ -95,17 +99,20 @@ void Segmented::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   drawBox(&painter, rect(), theme.button, theme.line);
   painter.setPen(theme.line);
-  for (int i = 1; i < group_->buttons().size(); ++i) {
-    if (i == current() || i - 1 == current()) continue;
-    const int x = group_->button(i)->geometry().left();
-    painter.drawLine(x, 1, x, height() - 2);
+  // Choices that do not apply are hidden: no line stands where they would begin.
+  const QAbstractButton* left = nullptr;
+  for (const QAbstractButton* segment : group_->buttons()) {
+    if (segment->isHidden()) continue;
+    if (left && !left->isChecked() && !segment->isChecked())
+      painter.drawLine(segment->geometry().left(), 1, segment->geometry().left(), height() - 2);
+    left = segment;
   }
 }
 
 void Segmented::keyPressEvent(QKeyEvent* event) {
   const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
                    : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
-                                                                                   : 0;
+                                                                                 : 0;
   if (step == 0) {
     QWidget::keyPressEvent(event);
     return;

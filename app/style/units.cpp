@@ -19,27 +19,39 @@ constexpr double kPi = 3.14159265358979323846;
 
 double Units::perMetre() const {
   switch (length) {
-    case Length::kMillimetre: return 1000.0;
-    case Length::kCentimetre: return 100.0;
-    case Length::kMetre: return 1.0;
-    case Length::kInch: return 1.0 / 0.0254;
+    case Length::kMillimetre:
+      return 1000.0;
+    case Length::kCentimetre:
+      return 100.0;
+    case Length::kMetre:
+      return 1.0;
+    case Length::kInch:
+      return 1.0 / 0.0254;
   }
   return 1000.0;
 }
 
-double Units::perRadian() const { return angle == Angle::kDegree ? 180.0 / kPi : 1.0; }
+double Units::perRadian() const {
+  return angle == Angle::kDegree ? 180.0 / kPi : 1.0;
+}
 
 QString Units::lengthUnit() const {
   switch (length) {
-    case Length::kMillimetre: return QStringLiteral("mm");
-    case Length::kCentimetre: return QStringLiteral("cm");
-    case Length::kMetre: return QStringLiteral("m");
-    case Length::kInch: return QStringLiteral("in");
+    case Length::kMillimetre:
+      return QStringLiteral("mm");
+    case Length::kCentimetre:
+      return QStringLiteral("cm");
+    case Length::kMetre:
+      return QStringLiteral("m");
+    case Length::kInch:
+      return QStringLiteral("in");
   }
   return {};
 }
 
-QString Units::angleUnit() const { return angle == Angle::kDegree ? QStringLiteral("°") : QStringLiteral("rad"); }
+QString Units::angleUnit() const {
+  return angle == Angle::kDegree ? QStringLiteral("°") : QStringLiteral("rad");
+}
 
 Units unitsNow() {
   const QVariantList list = qApp ? qApp->property(kProperty).toList() : QVariantList();
@@ -68,12 +80,21 @@ QString lengthText(double metres) {
   return numberText(units.perMetre() * metres, units.length_decimals) + QLatin1Char(' ') + units.lengthUnit();
 }
 
+QString lengthText(double metres, int millimetre_decimals) {
+  const Units units = unitsNow();
+  const int fewer = units.length == Units::Length::kMillimetre ? 0 : units.length == Units::Length::kMetre ? 3 : 1;
+  return numberText(units.perMetre() * metres, millimetre_decimals + fewer) + QLatin1Char(' ') + units.lengthUnit();
+}
+
 QString angleText(double radians) {
   const Units units = unitsNow();
   const QString number = numberText(units.perRadian() * radians, units.angle_decimals);
-  return units.angle == Units::Angle::kDegree ? number + units.angleUnit() : number + QLatin1Char(' ') + units.angleUnit();
+  return units.angle == Units::Angle::kDegree ? number + units.angleUnit()
+                                              : number + QLatin1Char(' ') + units.angleUnit();
 }
 
-QString forceText(double newtons) { return numberText(newtons, unitsNow().force_decimals) + QStringLiteral(" N"); }
+QString forceText(double newtons) {
+  return numberText(newtons, unitsNow().force_decimals) + QStringLiteral(" N");
+}
 
 }  // namespace hapticell::app

@@ -29,6 +29,9 @@ void setUnitsNow(const Units& units);
 
 /// "6.4 mm", "22.8°", "1.1 N", in the units in force, never a minus zero.
 QString lengthText(double metres);
+/// The same as finely as `millimetre_decimals` says of millimetres, whatever the user's decimals: "1510 mm", "1.51 m",
+/// "59.4 in" for 0.
+QString lengthText(double metres, int millimetre_decimals);
 QString angleText(double radians);
 QString forceText(double newtons);
 /// The number alone with its fixed decimals.

@@ -12,6 +12,7 @@
 #include "app/host/host.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/trajectory/motion_list.h"
 #include "app/trajectory/motion_panel.h"
@@ -131,13 +132,9 @@ void MotionPanel::showFrame() {
     return;
   }
   const auto& frame = (*motion->trajectory)[*frame_];
-  QString text = tr("Frame %1 of %2 at %3 s: %4, %5, %6 mm")
-                     .arg(*frame_ + 1)
-                     .arg(motion->trajectory->size())
-                     .arg(frame.t, 0, 'f', 3);
-  text = text.arg(1e3 * frame.X_WT.p.x, 0, 'f', 1)
-             .arg(1e3 * frame.X_WT.p.y, 0, 'f', 1)
-             .arg(1e3 * frame.X_WT.p.z, 0, 'f', 1);
+  QString text =
+      tr("Frame %1 of %2 at %3 s: %4, %5, %6").arg(*frame_ + 1).arg(motion->trajectory->size()).arg(frame.t, 0, 'f', 3);
+  text = text.arg(lengthText(frame.X_WT.p.x), lengthText(frame.X_WT.p.y), lengthText(frame.X_WT.p.z));
   if (frame.by_hand) text += tr(", by hand");
   if (frame.dwell > 0.0) text += tr(", waits %1 s").arg(frame.dwell, 0, 'f', 2);
   frame_label_->setText(text);

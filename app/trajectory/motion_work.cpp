@@ -7,6 +7,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/style/units.h"
 #include "app/trajectory/track_rows.h"
 #include "trajectory/simplification.h"
 #include "trajectory/smoothing.h"
@@ -21,7 +22,7 @@ constexpr double kDegrees = 57.29577951308232;
 constexpr double kTimeToSpeed = 0.25;  // s, where nobody gives an acceleration.
 
 QString distanceText(const PoseDistance& distance) {
-  return QObject::tr("%1 mm, %2°").arg(1000.0 * distance.position, 0, 'f', 2).arg(kDegrees * distance.angle, 0, 'f', 2);
+  return lengthText(distance.position, 2) + QStringLiteral(", %1°").arg(kDegrees * distance.angle, 0, 'f', 2);
 }
 
 std::function<bool(double)> progressOf(workcell::ImportMonitor& monitor, const std::string& stage) {
@@ -165,8 +166,8 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
                           .arg(report.rms_jerk_after, 0, 'f', 1);
         if (report.tremor_exceeds_tolerance) {
           result.careful = true;
-          result.line += tr(". The hand's tremor (%1 mm) is larger than the tolerance: much of it is kept")
-                             .arg(1000.0 * report.tremor.position, 0, 'f', 2);
+          result.line += tr(". The hand's tremor (%1) is larger than the tolerance: much of it is kept")
+                             .arg(lengthText(report.tremor.position, 2));
         }
         const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
                                          [&](const auto& e) { return e->name == given->entity; });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/trajectory/track_rows.h"
 
+#include "app/style/units.h"
+
 #include <QObject>
 #include <algorithm>
 #include <cmath>
@@ -55,7 +57,8 @@ QString findingText(const manipulation::PathFinding& finding) {
     case Kind::kSingularity:
       return QObject::tr("Near a singular position: a direction is nearly lost");
     case Kind::kOffPose:
-      return QObject::tr("The robot cannot reach the frame: %1 mm or rad away").arg(1000.0 * finding.worst, 0, 'f', 1);
+      return QObject::tr("The robot cannot reach the frame: it stays up to %1 or %2 beside it")
+          .arg(lengthText(finding.worst), angleText(finding.worst));
     case Kind::kConfiguration:
       return QObject::tr("The arm changes its configuration: %1").arg(first);
   }
@@ -99,9 +102,7 @@ QString checkLine(const manipulation::PathCheckResult& check) {
   if (careful > 0) words << QObject::tr("singular places, changes of configuration: %1").arg(careful);
   if (words.isEmpty()) words << QObject::tr("free of contact");
   if (std::isfinite(check.least_clearance) && collisions == 0)
-    words << QObject::tr("least gap %1 mm at %2 s")
-                 .arg(1000.0 * check.least_clearance, 0, 'f', 1)
-                 .arg(check.t_nearest, 0, 'f', 1);
+    words << QObject::tr("least gap %1 at %2 s").arg(lengthText(check.least_clearance)).arg(check.t_nearest, 0, 'f', 1);
   return words.join(QStringLiteral(", "));
 }
 

@@ -20,6 +20,7 @@
 #include "app/host/recording_hub.h"
 #include "app/panels/form.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/trajectory/motion_list.h"
 #include "app/trajectory/progress_plot.h"
@@ -314,12 +315,12 @@ void TrainingPanel::show() {
     return;
   }
   const auto& last = session_.attempts.back();
-  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, contacts: %8, "
+  score_->setText(tr("Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, "
                      "smoothness %6 (expert %7).")
                       .arg(last.score.points, 0, 'f', 0)
                       .arg(last.score.time, 0, 'f', 1)
                       .arg(last.score.expert_time, 0, 'f', 1)
-                      .arg(1e3 * last.score.mean_deviation, 0, 'f', 1)
+                      .arg(lengthText(last.score.mean_deviation))
                       .arg(last.score.max_force, 0, 'f', 1)
                       .arg(last.score.smoothness, 0, 'f', 1)
                       .arg(last.score.expert_smoothness, 0, 'f', 1)

@@ -12,6 +12,7 @@
 #include "app/host/host.h"
 #include "app/panels/form.h"
 #include "app/style/icon.h"
+#include "app/style/narrow_words.h"
 #include "app/style/theme.h"
 #include "app/trajectory/chart_limits.h"
 #include "app/trajectory/motion_chart.h"
@@ -138,6 +139,7 @@ QWidget* TrajectoryPanel::makeTransport() {
   connect(edit_, &QToolButton::clicked, this, &TrajectoryPanel::editWanted);
   for (QComboBox* combo : {group_, order_})
     connect(combo, &QComboBox::currentIndexChanged, this, &TrajectoryPanel::chooseCurves);
+  new NarrowWords(*holder, {{record_}, {trim_, smooth_, check_, export_, edit_}});
   return holder;
 }
 

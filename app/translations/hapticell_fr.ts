@@ -225,8 +225,8 @@
         <translation>%1 vaudra %2 dès le prochain démarrage.</translation>
     </message>
     <message>
-        <source>%1 is %2 mm short of the target</source>
-        <translation>%1 manque la cible de %2 mm</translation>
+        <source>%1 is %2 short of the target</source>
+        <translation>%1 manque la cible de %2</translation>
     </message>
     <message>
         <source>%1 is as it was</source>
@@ -245,8 +245,8 @@
         <translation>%1 est libre</translation>
     </message>
     <message>
-        <source>%1 is held up by %2, %3 mm short of the target</source>
-        <translation>%1 est retenue par %2, à %3 mm de la cible</translation>
+        <source>%1 is held up by %2, %3 short of the target</source>
+        <translation>%1 est retenue par %2, à %3 de la cible</translation>
     </message>
     <message>
         <source>%1 is in the cell</source>
@@ -289,6 +289,10 @@
         <translation>%1 kg</translation>
     </message>
     <message>
+        <source>%1 left</source>
+        <translation>reste %1</translation>
+    </message>
+    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
@@ -297,44 +301,12 @@
         <translation>%1 rencontre %2</translation>
     </message>
     <message>
-        <source>%1 meets the own body, %2 mm short of the target</source>
-        <translation>%1 touche son propre corps, à %2 mm de la cible</translation>
+        <source>%1 meets the own body, %2 short of the target</source>
+        <translation>%1 touche son propre corps, à %2 de la cible</translation>
     </message>
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm left</source>
-        <translation>reste %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm of hand → %2 mm in the cell</source>
-        <translation>%1 mm de main → %2 mm dans la cellule</translation>
-    </message>
-    <message>
-        <source>%1 mm short</source>
-        <translation>manque %1 mm</translation>
-    </message>
-    <message>
-        <source>%1 mm to the edge</source>
-        <translation>%1 mm jusqu'au bord</translation>
-    </message>
-    <message>
-        <source>%1 mm to the edge of the workspace</source>
-        <translation>%1 mm jusqu'au bord de l'espace de travail</translation>
-    </message>
-    <message>
-        <source>%1 mm up, %2 mm away, %3: </source>
-        <translation>%1 mm plus haut, %2 mm plus loin, %3 : </translation>
-    </message>
-    <message>
-        <source>%1 mm, %2°</source>
-        <translation>%1 mm, %2°</translation>
     </message>
     <message>
         <source>%1 mm&lt;br&gt;%2°</source>
@@ -371,6 +343,10 @@
     <message>
         <source>%1 of %2:  %3</source>
         <translation>%1 de %2 :  %3</translation>
+    </message>
+    <message>
+        <source>%1 of hand → %2 in the cell</source>
+        <translation>%1 de main → %2 dans la cellule</translation>
     </message>
     <message>
         <source>%1 of many, nearest first</source>
@@ -425,6 +401,10 @@
         <translation>%1 s, RULA %2, pire image à %3 s</translation>
     </message>
     <message>
+        <source>%1 short</source>
+        <translation>manque %1</translation>
+    </message>
+    <message>
         <source>%1 takes configuration %2</source>
         <translation>%1 prend la configuration %2</translation>
     </message>
@@ -439,6 +419,14 @@
     <message>
         <source>%1 to %2, being measured</source>
         <translation>%1 à %2, mesure en cours</translation>
+    </message>
+    <message>
+        <source>%1 to the edge</source>
+        <translation>%1 jusqu'au bord</translation>
+    </message>
+    <message>
+        <source>%1 to the edge of the workspace</source>
+        <translation>%1 jusqu'au bord de l'espace de travail</translation>
     </message>
     <message>
         <source>%1 to the flange</source>
@@ -463,6 +451,10 @@
     <message>
         <source>%1 triangles, off the mesh by at most %2</source>
         <translation>%1 triangles, à %2 au plus du maillage</translation>
+    </message>
+    <message>
+        <source>%1 up, %2 away, %3: </source>
+        <translation>%1 plus haut, %2 plus loin, %3 : </translation>
     </message>
     <message>
         <source>%1 was not added</source>
@@ -521,8 +513,8 @@
         <translation>%1 ×</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm, %4 N peak, %5 N continuous, %6 measured and %7 driven axes</source>
-        <translation>%1 × %2 × %3 mm, crête %4 N, %5 N en continu, %6 axes mesurés et %7 motorisés</translation>
+        <source>%1 × %2 × %3, %4 N peak, %5 N continuous, %6 measured and %7 driven axes</source>
+        <translation>%1 × %2 × %3, crête %4 N, %5 N en continu, %6 axes mesurés et %7 motorisés</translation>
     </message>
     <message>
         <source>%1 – %2</source>
@@ -537,8 +529,8 @@
         <translation>%1%2 triangles</translation>
     </message>
     <message>
-        <source>%1, %2 mm</source>
-        <translation>%1, %2 mm</translation>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
@@ -589,8 +581,8 @@
         <translation>%1 : %2</translation>
     </message>
     <message>
-        <source>%1: %2 % seen, %3 mm away, %4</source>
-        <translation>%1 : vu à %2 %, à %3 mm, %4</translation>
+        <source>%1: %2 % seen, %3 away, %4</source>
+        <translation>%1 : vu à %2 %, à %3, %4</translation>
     </message>
     <message>
         <source>%1: %2 markers, %3 s at %4 Hz</source>
@@ -617,8 +609,8 @@
         <translation>%1 : l'une d'elles n'a pas de forme à mesurer.</translation>
     </message>
     <message>
-        <source>%1: the nearest that %2 comes to is %3 mm away.</source>
-        <translation>%1 : %2 n'approche qu'à %3 mm.</translation>
+        <source>%1: the nearest that %2 comes to is %3 away.</source>
+        <translation>%1 : %2 n'approche qu'à %3.</translation>
     </message>
     <message>
         <source>%1: they touch or cut each other</source>
@@ -633,8 +625,8 @@
         <translation>%1°</translation>
     </message>
     <message>
-        <source>%1° · %2 mm</source>
-        <translation>%1° · %2 mm</translation>
+        <source>%1° · %2</source>
+        <translation>%1° · %2</translation>
     </message>
     <message numerus="yes">
         <source>%n are hidden.</source>
@@ -681,8 +673,8 @@
         <translation><numerusform>%n solide</numerusform><numerusform>%n solides</numerusform></translation>
     </message>
     <message>
-        <source>, %1 mm clear</source>
-        <translation>, %1 mm libres</translation>
+        <source>, %1 clear</source>
+        <translation>, %1 libres</translation>
     </message>
     <message>
         <source>, as it says</source>
@@ -741,8 +733,8 @@
         <translation>. La priorité temps réel y remédie : ajoutez le compte au groupe realtime</translation>
     </message>
     <message>
-        <source>. The hand's tremor (%1 mm) is larger than the tolerance: much of it is kept</source>
-        <translation>. Le tremblement de la main (%1 mm) dépasse la tolérance : il en reste beaucoup</translation>
+        <source>. The hand's tremor (%1) is larger than the tolerance: much of it is kept</source>
+        <translation>. Le tremblement de la main (%1) dépasse la tolérance : il en reste beaucoup</translation>
     </message>
     <message>
         <source>. The robot cannot reach all of it: up to %1 away</source>
@@ -1137,12 +1129,12 @@
         <translation>En Z</translation>
     </message>
     <message>
-        <source>At full reach with the trunk locked. Unlock the trunk, or move it %1 mm closer.</source>
-        <translation>À bout de bras, le tronc bloqué. Débloquez le tronc, ou approchez de %1 mm.</translation>
+        <source>At full reach with the trunk locked. Unlock the trunk, or move it %1 closer.</source>
+        <translation>À bout de bras, le tronc bloqué. Débloquez le tronc, ou approchez de %1.</translation>
     </message>
     <message>
-        <source>At full reach. Move it %1 mm closer, or let the feet step.</source>
-        <translation>À bout de bras. Approchez de %1 mm, ou laissez les pieds avancer.</translation>
+        <source>At full reach. Move it %1 closer, or let the feet step.</source>
+        <translation>À bout de bras. Approchez de %1, ou laissez les pieds avancer.</translation>
     </message>
     <message>
         <source>At most %1 from the recording; jerk %2 → %3 m/s³</source>
@@ -1185,8 +1177,8 @@
         <translation>À rebours</translation>
     </message>
     <message>
-        <source>Balance: %1 mm inside the soles</source>
-        <translation>Équilibre : %1 mm à l'intérieur des semelles</translation>
+        <source>Balance: %1 inside the soles</source>
+        <translation>Équilibre : %1 à l'intérieur des semelles</translation>
     </message>
     <message>
         <source>Bars: points of each run, hatched where it was not passed. Line: help.</source>
@@ -1261,8 +1253,8 @@
         <translation>Importer comme</translation>
     </message>
     <message>
-        <source>Bringing the work %1 mm nearer</source>
-        <translation>En approchant le travail de %1 mm</translation>
+        <source>Bringing the work %1 nearer</source>
+        <translation>En approchant le travail de %1</translation>
     </message>
     <message>
         <source>Built-in robots</source>
@@ -2205,8 +2197,8 @@
         <translation>Repère %1 de %2</translation>
     </message>
     <message>
-        <source>Frame %1 of %2 at %3 s: %4, %5, %6 mm</source>
-        <translation>Image %1 sur %2 à %3 s : %4, %5, %6 mm</translation>
+        <source>Frame %1 of %2 at %3 s: %4, %5, %6</source>
+        <translation>Image %1 sur %2 à %3 s : %4, %5, %6</translation>
     </message>
     <message>
         <source>Frames recorded: %1</source>
@@ -2309,12 +2301,12 @@
         <translation>Prise de %1</translation>
     </message>
     <message>
-        <source>Grid %1 m</source>
-        <translation>Grille %1 m</translation>
+        <source>Grid %1</source>
+        <translation>Grille %1</translation>
     </message>
     <message>
-        <source>Grid %1 mm</source>
-        <translation>Grille %1 mm</translation>
+        <source>Grid %1 m</source>
+        <translation>Grille %1 m</translation>
     </message>
     <message>
         <source>Grip</source>
@@ -2697,8 +2689,8 @@ Licence Apache 2.0</translation>
         <translation>Langue du rapport</translation>
     </message>
     <message>
-        <source>Last run: %1 points. %2 s (expert %3 s), %4 mm off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
-        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 mm hors du chemin, au plus %5 N, contacts : %8, régularité %6 (expert %7).</translation>
+        <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
+        <translation>Dernier essai : %1 points. %2 s (expert %3 s), %4 hors du chemin, au plus %5 N, contacts : %8, régularité %6 (expert %7).</translation>
     </message>
     <message>
         <source>Lasted</source>
@@ -2881,8 +2873,8 @@ Licence Apache 2.0</translation>
         <translation>Descendez la pièce sur ses appuis et sentez ce qu'elle touche.</translation>
     </message>
     <message>
-        <source>Lowering the work by %1 mm</source>
-        <translation>En abaissant le travail de %1 mm</translation>
+        <source>Lowering the work by %1</source>
+        <translation>En abaissant le travail de %1</translation>
     </message>
     <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
@@ -3061,12 +3053,12 @@ Licence Apache 2.0</translation>
         <translation>Bouger la vue</translation>
     </message>
     <message>
-        <source>Moving the work %1 mm further away</source>
-        <translation>En éloignant le travail de %1 mm</translation>
+        <source>Moving the work %1 further away</source>
+        <translation>En éloignant le travail de %1</translation>
     </message>
     <message>
-        <source>Moving the work %1 mm to the side</source>
-        <translation>En décalant le travail de %1 mm de côté</translation>
+        <source>Moving the work %1 to the side</source>
+        <translation>En décalant le travail de %1 de côté</translation>
     </message>
     <message>
         <source>N</source>
@@ -3309,8 +3301,8 @@ Licence Apache 2.0</translation>
         <translation>Pas encore d'essai</translation>
     </message>
     <message>
-        <source>No shift of the work by up to 600 mm lowers the level for this body.</source>
-        <translation>Aucun déplacement du travail jusqu'à 600 mm n'abaisse le niveau pour ce corps.</translation>
+        <source>No shift of the work by up to %1 lowers the level for this body.</source>
+        <translation>Aucun déplacement du travail jusqu'à %1 n'abaisse le niveau pour ce corps.</translation>
     </message>
     <message>
         <source>No solid is selected</source>
@@ -3609,8 +3601,8 @@ Licence Apache 2.0</translation>
         <translation>Autre sens</translation>
     </message>
     <message>
-        <source>Out of balance by %1 mm</source>
-        <translation>Hors d'équilibre de %1 mm</translation>
+        <source>Out of balance by %1</source>
+        <translation>Hors d'équilibre de %1</translation>
     </message>
     <message>
         <source>Own</source>
@@ -3779,6 +3771,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Pelvis</source>
         <translation>Bassin</translation>
+    </message>
+    <message>
+        <source>Pelvis in world</source>
+        <translation>Bassin dans le monde</translation>
     </message>
     <message>
         <source>Percentile</source>
@@ -4081,8 +4077,8 @@ Licence Apache 2.0</translation>
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Raising the work by %1 mm</source>
-        <translation>En relevant le travail de %1 mm</translation>
+        <source>Raising the work by %1</source>
+        <translation>En relevant le travail de %1</translation>
     </message>
     <message>
         <source>Ramp</source>
@@ -5129,8 +5125,8 @@ Licence Apache 2.0</translation>
         <translation>La main droite est à %1 de la fin de sa portée</translation>
     </message>
     <message>
-        <source>The robot cannot reach the frame: %1 mm or rad away</source>
-        <translation>Le robot ne peut pas atteindre l'image : %1 mm ou rad d'écart</translation>
+        <source>The robot cannot reach the frame: it stays up to %1 or %2 beside it</source>
+        <translation>Le robot n’atteint pas l’image : il reste jusqu’à %1 ou %2 à côté</translation>
     </message>
     <message>
         <source>The robot stands so now.</source>
@@ -5837,8 +5833,8 @@ Licence Apache 2.0</translation>
         <translation>en lecture</translation>
     </message>
     <message>
-        <source>best %1 mm</source>
-        <translation>meilleur %1 mm</translation>
+        <source>best %1</source>
+        <translation>meilleur %1</translation>
     </message>
     <message>
         <source>by %1</source>
@@ -5993,8 +5989,8 @@ Licence Apache 2.0</translation>
         <translation>retard %1 ms</translation>
     </message>
     <message>
-        <source>least gap %1 mm at %2 s</source>
-        <translation>distance minimale %1 mm à %2 s</translation>
+        <source>least gap %1 at %2 s</source>
+        <translation>distance minimale %1 à %2 s</translation>
     </message>
     <message>
         <source>left out</source>
@@ -6121,8 +6117,8 @@ Licence Apache 2.0</translation>
         <translation>maintenant</translation>
     </message>
     <message>
-        <source>now %1 mm</source>
-        <translation>maintenant %1 mm</translation>
+        <source>now %1</source>
+        <translation>maintenant %1</translation>
     </message>
     <message>
         <source>of %1</source>

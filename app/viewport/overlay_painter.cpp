@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/style/fonts.h"
+#include "app/style/units.h"
 #include "app/viewport/curve_painter.h"
 #include "app/viewport/frame.h"
 #include "app/viewport/stylus_mesh.h"
@@ -244,14 +245,19 @@ void paintStrip(QPainter& painter, const Overlay& overlay) {
 void paintQuietText(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
   const double cell = floorCell(overlay.camera);
-  const QString grid = cell >= 1.0 ? QObject::tr("Grid %1 m").arg(cell) : QObject::tr("Grid %1 mm").arg(cell * 1000.0);
+  const bool usual = unitsNow().length == Units::Length::kMillimetre;
+  const QString grid =
+      usual && cell >= 1.0 ? QObject::tr("Grid %1 m").arg(cell) : QObject::tr("Grid %1").arg(lengthText(cell, 0));
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   const QString missing = overlay.missing_parts == 0 ? QString()
                                                      : QObject::tr("  ·  %n parts are made ready", nullptr,
                                                                    static_cast<int>(overlay.missing_parts));
   QPainterPath words;
-  words.addText(14, overlay.size.height - 17, textFont(TextRole::kSecond), grid + missing);
+  const QRectF strip = stripBox(overlay.strip, overlay.size);
+  const bool under_strip = 14 + textWidth(textFont(TextRole::kSecond), grid + missing) + 8 > strip.left();
+  const double base = !strip.isEmpty() && under_strip ? strip.top() - 8 : overlay.size.height - 17;
+  words.addText(14, base, textFont(TextRole::kSecond), grid + missing);
   painter.strokePath(words, QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.fillPath(words, theme.text2);
   if (overlay.hint.isEmpty()) return;

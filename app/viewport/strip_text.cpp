@@ -71,11 +71,7 @@ std::vector<StripCell> stripCells(const manipulation::SceneSnapshot& snapshot, c
       {Mark::kNone, say(snapshot.stopped ? StripText::tr("Stopped") : on_contact), say(StripText::tr("on contact"))});
   cells.push_back({Mark::kNone, snapshot.clutched ? say(StripText::tr("Clutch")) : context.free_axes,
                    say(StripText::tr("free to move"))});
-  const Units units = unitsNow();
-  const bool usual = units.length == Units::Length::kMillimetre;
-  StripCell edge{Mark::kNone,
-                 usual ? fixed(snapshot.device_edge_m * 1000.0, 0) + " mm" : millimetres(snapshot.device_edge_m),
-                 say(StripText::tr("to device edge"))};
+  StripCell edge{Mark::kNone, say(lengthText(snapshot.device_edge_m, 0)), say(StripText::tr("to device edge"))};
   if (snapshot.device_edge_m < 0.005) edge.mark = Mark::kLimit;
   cells.push_back(edge);
   return cells;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/force_reason.h"
 
+#include "app/style/units.h"
+
 #include <QObject>
 #include <cmath>
 
@@ -47,7 +49,8 @@ QString scaleNote(double motion_scale) {
   if (!(motion_scale > 0.0)) return {};
   const double hand = motion_scale < 1.0 ? 1.0 / motion_scale : 1.0;
   const double cell = motion_scale < 1.0 ? 1.0 : motion_scale;
-  return tr("%1 mm of hand → %2 mm in the cell").arg(hand, 0, 'g', 3).arg(cell, 0, 'g', 3);
+  const auto count = [](double of_them) { return QString::number(of_them, 'g', 3) + ' ' + unitsNow().lengthUnit(); };
+  return tr("%1 of hand → %2 in the cell").arg(count(hand), count(cell));
 }
 
 std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& facts,
@@ -63,12 +66,10 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
   checks.push_back({Result::kGood, tr("The haptic server answers"),
                     tr("%1, round trip %2 ms").arg(server).arg(now.round_trip_ms, 0, 'f', 2)});
   if (device) {
-    const dvec3 size = 1000.0 * (device->workspace_max - device->workspace_min);
+    const dvec3 size = device->workspace_max - device->workspace_min;
     checks.push_back({Result::kGood, QString::fromStdString(device->name),
-                      tr("%1 × %2 × %3 mm, %4 N peak, %5 N continuous, %6 measured and %7 driven axes")
-                          .arg(std::lround(size.x))
-                          .arg(std::lround(size.y))
-                          .arg(std::lround(size.z))
+                      tr("%1 × %2 × %3, %4 N peak, %5 N continuous, %6 measured and %7 driven axes")
+                          .arg(lengthText(size.x, 0), lengthText(size.y, 0), lengthText(size.z, 0))
                           .arg(device->peak_force, 0, 'f', 1)
                           .arg(device->continuous_force, 0, 'f', 1)
                           .arg(device->measured_axes)
@@ -84,7 +85,7 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
            .arg(slow ? tr(". Real-time priority mends it: add the account to the group realtime") : QString())});
   const bool edge = now.device_edge_m < 0.005;
   checks.push_back({edge ? Result::kWarning : Result::kGood, tr("Range of motion"),
-                    tr("%1 mm to the edge of the workspace").arg(std::lround(1000.0 * now.device_edge_m))});
+                    tr("%1 to the edge of the workspace").arg(lengthText(now.device_edge_m, 0))});
   return checks;
 }
 

@@ -15,6 +15,7 @@
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
+#include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/strip_text.h"
 #include "app/viewport/viewport_widget.h"
@@ -80,8 +81,10 @@ void VirtualDesktopPanel::listEntities() {
   entity_->addItem(icon("hand"), tr("What the tip touches"), 0ULL);
   for (const auto& entity : host_.documentModel().document().state().entities) {
     if (entity->locked) continue;
-    entity_->addItem(icon(entity->robot ? "robot" : "cube"), QString::fromStdString(entity->name),
-                     static_cast<qulonglong>(entity->id));
+    entity_->addItem(icon(entity->figure  ? "mannequin"
+                          : entity->robot ? "robot"
+                                          : "cube"),
+                     QString::fromStdString(entity->name), static_cast<qulonglong>(entity->id));
     if (entity->id == chosen) entity_->setCurrentIndex(entity_->count() - 1);
   }
 }
@@ -110,7 +113,10 @@ void VirtualDesktopPanel::listFrames(const workcell::Entity* entity) {
   moved_frame_->setCurrentText(QString::fromStdString(settings.moved_frame));
   axes_frame_->clear();
   for (const auto& other : host_.documentModel().document().state().entities)
-    axes_frame_->addItem(icon(other->robot ? "robot" : "cube"), QString::fromStdString(other->name));
+    axes_frame_->addItem(icon(other->figure  ? "mannequin"
+                              : other->robot ? "robot"
+                                             : "cube"),
+                         QString::fromStdString(other->name));
   axes_frame_->setCurrentText(QString::fromStdString(settings.axes_frame));
 }
 
@@ -157,16 +163,15 @@ void VirtualDesktopPanel::showSnapshot() {
   if (const auto& device = controller_.device()) {
     const dvec3 low = device->workspace_min, high = device->workspace_max, tip = now.X_DS.p;
     workspace_->setState({low.x, low.y, low.z}, {high.x, high.y, high.z}, {tip.x, tip.y, tip.z}, true);
-    const dvec3 size = 1000.0 * (high - low);
+    const dvec3 size = high - low;
+    const auto number = [](double metres) { return lengthText(metres, 0).section(QLatin1Char(' '), 0, 0); };
     const Theme& theme = themeOf(palette());
     const QString keys = keyLine("Space", tr("hold: clutch"), theme) + keyLine("1–4", tr("scale"), theme) +
                          keyLine("C", tr("stop, slide, pass"), theme) + keyLine("B", tr("stylus button"), theme);
     workspace_text_->setText(
-        QStringLiteral("%1 × %2 × %3 mm<br>%4<table style=\"margin-top:6px\" cellpadding=\"1\">%5</table>")
-            .arg(std::lround(size.x))
-            .arg(std::lround(size.y))
-            .arg(std::lround(size.z))
-            .arg(tr("%1 mm to the edge").arg(std::lround(1000.0 * now.device_edge_m)), keys));
+        QStringLiteral("%1 × %2 × %3<br>%4<table style=\"margin-top:6px\" cellpadding=\"1\">%5</table>")
+            .arg(number(size.x), number(size.y), lengthText(size.z, 0))
+            .arg(tr("%1 to the edge").arg(lengthText(now.device_edge_m, 0)), keys));
   } else {
     workspace_->setState({-0.08, -0.065, -0.065}, {0.08, 0.065, 0.065}, {0, 0, 0}, false);
     workspace_text_->setText(tr("No device"));

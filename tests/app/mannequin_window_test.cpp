@@ -185,7 +185,7 @@ TEST(MannequinGizmo, DrawsTheHandByTheMouseAndSaysWhatIsMissing) {
   ASSERT_TRUE(hand.drag(0.12, 8));
   EXPECT_LT(glm::length(hand.grip() - start - dvec3(0.0, 0.0, 0.12)), 0.005);
   ASSERT_TRUE(hand.drag(1.2, 8));
-  EXPECT_TRUE(page.words("labelReach").contains("mm short")) << page.words("labelReach").toStdString();
+  EXPECT_TRUE(page.words("labelReach").contains(" short of the target")) << page.words("labelReach").toStdString();
   page.trigger("actionUndo");
   page.trigger("actionUndo");
   EXPECT_LT(glm::length(hand.grip() - start), 1e-9);

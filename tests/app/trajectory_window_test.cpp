@@ -8,12 +8,14 @@
 #include <QDir>
 #include <QFile>
 #include <QListWidget>
+#include <QProcess>
 #include <QStandardPaths>
 
 #include "app/host/recording_hub.h"
 #include "app/style/proxy_style.h"
 #include "app/trajectory/motion_chart.h"
 #include "app/trajectory/motion_export.h"
+#include "app/trajectory/play_video.h"
 #include "app/trajectory/time_bar.h"
 #include "app/trajectory/track_rows.h"
 #include "app/trajectory/training_panel.h"
@@ -296,6 +298,57 @@ TEST(TrajectoryDock, ExportsAndReadsBack) {
   const auto again = trajectory::readTrajectory(page.folder().filePath("x.csv").toStdString());
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(trajectory::toCsvText(*again), trajectory::toCsvText(page.newest())) << "bit for bit";
+}
+
+TEST(TrajectoryDock, AVideoOfThePlayIsWritten) {
+  if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) GTEST_SKIP() << "no ffmpeg here";
+  MotionPage page;
+  ASSERT_TRUE(page.import({{0.0, {0, 0, 0}}, {0.4, {0.2, 0, 0.1}}}, "short"));
+  auto* video = page.window().findChild<PlayVideo*>();
+  ASSERT_NE(video, nullptr);
+  const QString file = page.folder().filePath("play.mkv");
+  std::optional<QString> problem;
+  QObject::connect(video, &PlayVideo::ended, &page.window(),
+                   [&problem](const QString&, const QString& what) { problem = what; });
+  const auto begun = video->start(file, {320, 180});
+  ASSERT_TRUE(begun) << begun.error().message();
+  EXPECT_TRUE(video->isBusy());
+  ASSERT_TRUE(MotionPage::until([&] { return problem.has_value(); }, 120000));
+  EXPECT_EQ(*problem, "");
+  // Read back by ffmpeg itself: as many pictures as the motion is long, of that size, and the box moves in them.
+  QProcess reader;
+  reader.start("ffmpeg", {"-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "gray", "-"});
+  ASSERT_TRUE(reader.waitForFinished(120000));
+  const QByteArray pictures = reader.readAllStandardOutput();
+  constexpr qsizetype kPicture = 320 * 180;
+  EXPECT_EQ(pictures.size(), 11 * kPicture) << reader.readAllStandardError().toStdString();
+  ASSERT_GE(pictures.size(), 2 * kPicture);
+  EXPECT_NE(pictures.first(kPicture), pictures.last(kPicture));
+  EXPECT_FALSE(page.shownBox().p.x > 0.3) << "the window's own scene goes on";
+}
+
+TEST(TrajectoryDock, SweptVolumeShowsThePlacesAllAlongTheMotion) {
+  MotionPage page;
+  ASSERT_TRUE(page.import({{0.0, {0, 0, 0}}, {2.0, {0.3, 0, 0.1}}}, "sweep"));
+  const auto ghosts = [&page] {
+    std::vector<dvec3> places;
+    for (const RenderItem& item : page.window().viewport().scene().items({}))
+      if (item.ghost != Ghost::kNone && item.mesh) places.push_back(item.X_WM.p);
+    return places;
+  };
+  const std::size_t before = ghosts().size();
+  page.press("buttonSwept");
+  ASSERT_TRUE(MotionPage::until([&] { return ghosts().size() > before; }, MotionPage::kPatience));
+  double least = 1e9, most = -1e9;
+  for (const dvec3& p : ghosts()) {
+    least = std::min(least, p.x);
+    most = std::max(most, p.x);
+    EXPECT_NEAR(p.z, p.x / 3.0, 1e-3) << "on the way";
+  }
+  EXPECT_NEAR(least, 0.0, 0.02);
+  EXPECT_NEAR(most, 0.3, 0.02);
+  page.press("buttonSwept");
+  EXPECT_TRUE(MotionPage::until([&] { return ghosts().size() == before; }, MotionPage::kPatience));
 }
 
 TEST(TrainingDock, AMotionIsTaughtRunAndScored) {

@@ -5,6 +5,7 @@ Each gives a list of (p, R): metres, and the rotation as three rows.
 """
 import math
 import re
+from xml.etree import ElementTree
 
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?"
 
@@ -83,3 +84,22 @@ def read_urscript(folder, name):
         targets.append((n[:3], of_vector(*n[3:])))
     return targets
 
+
+
+def read_val3(folder):
+    """By the order in which start.pgx moves to the points; also gives the joints (degrees) of the first move."""
+    space = "{http://www.staubli.com/robotics/VAL3/Data/2}"
+    data = ElementTree.parse(next(folder.glob("*.dtx"))).getroot()
+    arrays = {d.get("name"): d.findall(space + "Value") for d in data.iter(space + "Data")}
+    number = lambda value, names: [float(value.get(n)) for n in names.split()]
+    code = ElementTree.parse(folder / "start.pgx").getroot().find(".//{*}Code").text
+    start = number(arrays["jStart"][0], "j1 j2 j3 j4 j5 j6") if "jStart" in arrays else None
+    targets = []
+    for index in re.findall(r"movel\(pPoint\[(\d+)\]", code):
+        value = arrays["pPoint"][int(index)]
+        assert value.get("key") == index and value.get("fatherId") == "world[0]"
+        rx, ry, rz = number(value, "rx ry rz")
+        R = product(product(about("x", rx), about("y", ry)), about("z", rz))
+        targets.append(([v / 1000 for v in number(value, "x y z")], R))
+    assert code.rstrip().removesuffix("end").rstrip().endswith("waitEndMove()"), code[-60:]
+    return targets, start

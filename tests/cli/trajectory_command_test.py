@@ -143,6 +143,11 @@ def read_back(case, motion, cell):
             joints = found if name == "urscript" else [math.radians(v) for v in found]
             (case.folder / "first.csv").write_text(",".join(motion["joints"]) + "\n" + ",".join(map(repr, joints)) + "\n")
             same(reached("first.csv"), frames[:1], name + ", first move")
+    targets, start = readers.read_val3(next(case.folder.rglob("*.dtx")).parent)
+    assert len(targets) == len(frames) - 1, len(targets)
+    same(targets, frames[1:], "val3")
+    (case.folder / "first.csv").write_text(",".join(motion["joints"]) + "\n" + ",".join(repr(math.radians(v)) for v in start) + "\n")
+    same(reached("first.csv"), frames[:1], "val3, first move")
 
 
 def frames_of(case, name):

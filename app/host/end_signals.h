@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+class QSocketNotifier;
+
+namespace hapticell::app {
+
+/// The system asks the program to end (SIGTERM at shutdown, SIGHUP when the session's terminal goes, SIGINT): told in
+/// the thread that made it, from its event loop. One at a time; nothing where there are no such signals.
+class EndSignals : public QObject {
+  Q_OBJECT
+ public:
+  explicit EndSignals(QObject* parent = nullptr);
+  ~EndSignals() override;
+
+ signals:
+  void asked(int number);
+
+ private:
+  QSocketNotifier* notifier_ = nullptr;
+};
+
+}  // namespace hapticell::app
