@@ -41,6 +41,7 @@ ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, co
   language_->setObjectName("comboReportLanguage");
   language_->addItems({tr("English"), tr("French")});
   language_->setAccessibleName(tr("Language of the report"));
+  language_->setMinimumWidth(language_->sizeHint().width() + 12);  // Fields stand closer than the style says.
   language_->setCurrentIndex(shownLanguage() == ergonomics::Language::kFrench ? 1 : 0);
   line->addWidget(save);
   line->addStretch(1);

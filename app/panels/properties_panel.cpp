@@ -174,7 +174,7 @@ void PropertiesPanel::rebuild() {
   const bool figure = now->figure != nullptr;
   tool_.holder->setVisible(robot && !figure && !now->tip_link.empty());
   tool_.heading->setText(tr("TCP in world"));
-  place_.heading->setText(figure ? tr("Pelvis in world") : robot ? tr("Base in world") : tr("Origin in world"));
+  place_.heading->setText(figure ? tr("Stands in world") : robot ? tr("Base in world") : tr("Origin in world"));
   joints_holder_->setVisible(robot && !figure);  // A posture is led by hands and feet: dock Mannequin.
   const void* model = now->robot.get();
   if (model != shown_model_) rebuildJoints();

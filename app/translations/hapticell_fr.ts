@@ -3773,10 +3773,6 @@ Licence Apache 2.0</translation>
         <translation>Bassin</translation>
     </message>
     <message>
-        <source>Pelvis in world</source>
-        <translation>Bassin dans le monde</translation>
-    </message>
-    <message>
         <source>Percentile</source>
         <translation>Percentile</translation>
     </message>
@@ -4667,6 +4663,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Split</source>
         <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Stands in world</source>
+        <translation>Place dans le monde</translation>
     </message>
     <message>
         <source>Start the run</source>

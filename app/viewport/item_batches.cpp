@@ -69,7 +69,7 @@ struct Seen {
   GpuMesh* mesh = nullptr;
   std::size_t step = 0;
   double nearness = 0.0, pixels = 0.0;  ///< `pixels`: its radius.
-  bool box = false;
+  bool box = false, kept = false;  ///< `kept`: the drawn stylus stays as it is.
   std::size_t triangles() const { return box ? 12 : mesh->trianglesOf(step); }
 };
 
@@ -79,7 +79,8 @@ void keepWithin(std::size_t most, std::vector<Seen>& seen) {
   for (const Seen& one : seen) total += one.triangles();
   if (total <= most) return;
   std::vector<Seen*> smallest;
-  for (Seen& one : seen) smallest.push_back(&one);
+  for (Seen& one : seen)
+    if (!one.kept) smallest.push_back(&one);
   std::sort(smallest.begin(), smallest.end(), [](const Seen* a, const Seen* b) { return a->pixels < b->pixels; });
   const auto coarsen = [&](auto change) {
     for (Seen* one : smallest) {
@@ -142,7 +143,7 @@ std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_worl
     const std::size_t step = detailStepFor(mesh->steps(), metres_per_pixel / std::max(item.scale, 1e-12), allowed);
     const double nearness =
         item.over_scene ? -1e30 : glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - radius;
-    seen.push_back({i, mesh, step, nearness, radius / std::max(metres_per_pixel, 1e-12), false});
+    seen.push_back({i, mesh, step, nearness, radius / std::max(metres_per_pixel, 1e-12), false, item.entity == 0});
   }
   return seen;
 }

@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QProcess>
@@ -24,8 +25,8 @@ namespace {
 TEST(EndSignals, AreToldInTheEventLoopAndOnlyWhileSomebodyListens) {
   std::vector<int> told;
   {
-    EndSignals signals;
-    QObject::connect(&signals, &EndSignals::asked, [&told](int number) { told.push_back(number); });
+    EndSignals listener;
+    QObject::connect(&listener, &EndSignals::asked, [&told](int number) { told.push_back(number); });
     for (const int number : {SIGTERM, SIGHUP, SIGINT}) {
       ASSERT_EQ(std::raise(number), 0);
       EXPECT_TRUE(WindowPage::until([&] { return !told.empty() && told.back() == number; }, 30000));
