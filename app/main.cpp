@@ -232,6 +232,7 @@ int main(int argc, char** argv) {
     hapticell::app::installLanguage(options.language.isEmpty()
                                         ? hapticell::app::languageFrom(hapticell::app::UserSettings(settings))
                                         : options.language);
+  const hapticell::app::EndSignals end;  // Before anything is started that must not be left behind.
   MainWindow window(*configuration, settings);
   if (!options.theme.isEmpty()) window.setTheme(options.theme != "light");
   window.resize(options.size);
@@ -240,7 +241,6 @@ int main(int argc, char** argv) {
   window.loadModules(hapticell::app::ModuleLoader::defaultFolders());
   if (options.module) window.startModule("Virtual Desktop");
   window.restoreLayout();
-  hapticell::app::EndSignals end;
   QObject::connect(&end, &hapticell::app::EndSignals::asked, &window, &MainWindow::endNow);
   int status = 0;
   if (!options.screenshot.isEmpty()) {

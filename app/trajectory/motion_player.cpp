@@ -8,6 +8,7 @@
 #include "app/robot/robot_ghosts.h"
 #include "app/trajectory/motion_list.h"
 #include "app/viewport/viewport_widget.h"
+#include "trajectory/trajectory.h"
 
 namespace hapticell::app {
 namespace {
@@ -21,6 +22,33 @@ void addTimes(const trajectory::Trajectory& motion, std::vector<double>& times) 
   const std::size_t stride = 1 + motion.size() / kMostStops;
   for (std::size_t i = 0; i < motion.size(); i += stride) times.push_back(motion[i].t);
   if (!motion.empty()) times.push_back(motion.frames().back().t);
+}
+
+/// Turning in place needs room too.
+double wayBetween(const Pose& a, const Pose& b) {
+  constexpr double kMetresARadian = 0.1;
+  const trajectory::PoseDistance distance = trajectory::distanceBetween(a, b);
+  return distance.position + kMetresARadian * distance.angle;
+}
+
+/// Times at which the swept volume shows the motion: evenly along its way, so that a rest does not use them up and a
+/// motion of few frames is whole.
+std::vector<double> sweptTimes(const trajectory::Trajectory& frames) {
+  std::vector<double> times;
+  if (frames.empty()) return times;
+  double way = 0.0;
+  for (std::size_t i = 1; i < frames.size(); ++i) way += wayBetween(frames[i - 1].X_WT, frames[i].X_WT);
+  const double apart = std::max(kGhostApart, way / static_cast<double>(kMostGhosts - 1));
+  times.push_back(frames[0].t);
+  double walked = 0.0, next = apart;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const double length = wayBetween(frames[i - 1].X_WT, frames[i].X_WT);
+    for (; length > 0.0 && next <= walked + length; next += apart)
+      times.push_back(frames[i - 1].t + (next - walked) / length * (frames[i].t - frames[i - 1].t));
+    walked += length;
+  }
+  if (times.back() < frames.frames().back().t) times.push_back(frames.frames().back().t);
+  return times;
 }
 
 }  // namespace
@@ -106,17 +134,8 @@ void MotionPlayer::showSwept() {
   const auto& state = host_.documentModel().document().state();
   for (const Motion& motion : list_.motions()) {
     if (!swept_ || !motion.played || !motion.replay) continue;
-    const auto& frames = *motion.trajectory;
-    double way = 0.0;
-    for (std::size_t i = 1; i < frames.size(); ++i) way += glm::distance(frames[i].X_WT.p, frames[i - 1].X_WT.p);
-    // Evenly along the way, so that a rest does not use them up.
-    const double apart = std::max(kGhostApart, way / static_cast<double>(kMostGhosts - 1));
-    double since = apart;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      if (i > 0) since += glm::distance(frames[i].X_WT.p, frames[i - 1].X_WT.p);
-      if (since < apart && i + 1 < frames.size()) continue;
-      since = 0.0;
-      const auto at = motion.replay->at(frames[i].t);
+    for (const double t : sweptTimes(*motion.trajectory)) {
+      const auto at = motion.replay->at(t);
       const auto with = entityGhosts(state, motion.replay->entity(), at.X_WE, at.joints);
       ghosts.insert(ghosts.end(), with.begin(), with.end());
     }

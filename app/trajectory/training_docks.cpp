@@ -3,10 +3,12 @@
 
 #include <QDockWidget>
 #include <QScrollArea>
+#include <QTimer>
 
 #include "app/guides/guide_curves.h"
 #include "app/host/document_model.h"
 #include "app/host/main_window.h"
+#include "app/import/file_work.h"
 #include "app/robot/robot_ghosts.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/training_panel.h"
@@ -63,7 +65,13 @@ void TrainingDocks::openCell(const QString& path) {
     emit panel_->told(tr("Save this cell first; then choose the exercise again."), true);
     return;
   }
-  if (auto* window = qobject_cast<MainWindow*>(&host_.window())) window->openFile(path);
+  auto* window = qobject_cast<MainWindow*>(&host_.window());
+  if (!window) return;
+  // What is opened brings its own panel to the front; who trains goes on here.
+  connect(
+      &window->files(), &FileWork::opened, this, [this] { QTimer::singleShot(0, this, &TrainingDocks::open); },
+      Qt::SingleShotConnection);
+  window->openFile(path);
 }
 
 void TrainingDocks::showGuide(const std::optional<workcell::Guide>& guide) {

@@ -41,7 +41,7 @@ TEST(EndSignals, AreToldInTheEventLoopAndOnlyWhileSomebodyListens) {
 struct Recording : CellPage {
   Recording() {
     part = addSolid("part", geometry::makeBox(dvec3(0.06)));
-    window().recording().start({});
+    trigger("actionRecord");
     EXPECT_TRUE(window().recording().isRecording());
     // The waits pace what is recorded; a slower machine only gets more frames.
     for (int step = 1; step <= 20; ++step) {
