@@ -327,30 +327,6 @@ TEST(TrajectoryDock, AVideoOfThePlayIsWritten) {
   EXPECT_FALSE(page.shownBox().p.x > 0.3) << "the window's own scene goes on";
 }
 
-TEST(TrajectoryDock, SweptVolumeShowsThePlacesAllAlongTheMotion) {
-  MotionPage page;
-  ASSERT_TRUE(page.import({{0.0, {0, 0, 0}}, {2.0, {0.3, 0, 0.1}}}, "sweep"));
-  const auto ghosts = [&page] {
-    std::vector<dvec3> places;
-    for (const RenderItem& item : page.window().viewport().scene().items({}))
-      if (item.ghost != Ghost::kNone && item.mesh) places.push_back(item.X_WM.p);
-    return places;
-  };
-  const std::size_t before = ghosts().size();
-  page.press("buttonSwept");
-  ASSERT_TRUE(MotionPage::until([&] { return ghosts().size() > before; }, MotionPage::kPatience));
-  double least = 1e9, most = -1e9;
-  for (const dvec3& p : ghosts()) {
-    least = std::min(least, p.x);
-    most = std::max(most, p.x);
-    EXPECT_NEAR(p.z, p.x / 3.0, 1e-3) << "on the way";
-  }
-  EXPECT_NEAR(least, 0.0, 0.02);
-  EXPECT_NEAR(most, 0.3, 0.02);
-  page.press("buttonSwept");
-  EXPECT_TRUE(MotionPage::until([&] { return ghosts().size() == before; }, MotionPage::kPatience));
-}
-
 TEST(TrainingDock, AMotionIsTaughtRunAndScored) {
   MotionPage page;
   std::vector<std::pair<double, dvec3>> way;
