@@ -31,7 +31,7 @@ struct PostureOptions {
   std::string sex = "male", posture = "standing", task;
   std::optional<double> percentile, stature, mass;
   std::vector<std::string> reports;
-  std::string language = "en", date;
+  std::string language = "en", date, picture, force_limits;
   std::string input;
   std::vector<std::string> station;
   std::vector<double> rise{-0.2, 0.2, 0.04}, away{-0.12, 0.2, 0.04};
@@ -121,6 +121,16 @@ Expected<Subject> subjectOf(const PostureOptions& options) {
     if (!task) return tl::unexpected(task.error());
     subject->input.task = *task;
   }
+  if (!options.force_limits.empty()) {
+    auto limits = readForceTable(options.force_limits);
+    if (!limits) return tl::unexpected(limits.error());
+    subject->input.own_limits = std::move(*limits);
+  }
+  if (!options.picture.empty()) {
+    auto picture = readPng(options.picture);
+    if (!picture) return tl::unexpected(picture.error());
+    subject->input.scene = std::move(*picture);
+  }
   subject->input.language = options.language == "fr" ? Language::kFrench : Language::kEnglish;
   subject->input.date = options.date.empty() ? today() : options.date;
   return subject;
@@ -146,8 +156,18 @@ ordered_json handForcesReport(const HandForces& forces) {
     side["shoulder_moment_nm"] = forces.shoulder_nm[i];
   }
   document["lumbar_moment_nm"] = forces.lumbar_nm;
+  document["partial"] = !forces.missing.empty();
+  document["missing"] = forces.missing;
   document["limits"] = ordered_json::array();
   for (const ForceLimit& limit : forces.limits) {
+    if (limit.method == "own") {
+      document["limits"].push_back({{"method", "own"},
+                                    {"hand", sides[static_cast<std::size_t>(limit.hand)]},
+                                    {"force_n", limit.force_n},
+                                    {"limit_n", *limit.limit_n},
+                                    {"share", limit.force_n / *limit.limit_n}});
+      continue;
+    }
     document["limits"].push_back({{"method", limit.method},
                                   {"hand", limit.hand < 0 ? "both" : sides[static_cast<std::size_t>(limit.hand)]},
                                   {"force_n", limit.force_n},
@@ -170,7 +190,8 @@ ExitStatus runPosture(const PostureOptions& options, const ResultWriter& writer)
   ordered_json document = postureScoresReport(subject->input, scores);
   if (subject->input.task.is_lift)
     document["niosh"] = liftOfPosture(subject->input.figure, pose, scores, subject->input.task);
-  document["hand_forces"] = handForcesReport(handForces(subject->input.figure, pose, subject->input.task));
+  document["hand_forces"] =
+      handForcesReport(handForces(subject->input.figure, pose, subject->input.task, subject->input.own_limits));
   if (!subject->warnings.empty()) document["warnings"] = subject->warnings;
   if (auto written = writer.write(document); !written) return failed(written.error());
   return options.fail_over && scores.rula() > *options.fail_over ? ExitStatus::kCheckFound : ExitStatus::kDone;
@@ -236,6 +257,10 @@ void addErgonomicsPostureCommands(CLI::App& ergonomics, Action& chosen) {
   addSubject(*posture, *options);
   posture->add_option("--report", options->reports,
                       "Writes a report: .pdf, .html, .csv or .json; several may be given");
+  posture->add_option("--picture", options->picture,
+                      "A PNG for the report: the figure in its cell (hapticell --render)");
+  posture->add_option("--force-limits", options->force_limits,
+                      "Own limits of the hands' force, a table (docs/formats.md)");
   posture->add_option("--language", options->language, "en or fr, of the report")->check(CLI::IsMember({"en", "fr"}));
   posture->add_option("--date", options->date, "As printed in the report (default: today)");
   posture->add_option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");

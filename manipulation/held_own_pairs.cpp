@@ -44,15 +44,20 @@ void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOption
   std::vector<Pose> X_EP = restPoses(entity);
   // A body has no rest in which all is apart: what overlaps as it is taken (an arm on the thigh) is left out instead.
   if (body) manipulator_->partPoses(accepted_, X_EP);
+  // What a hand carries is checked as that hand is.
+  const auto linkOf = [&](const MovedPart& part) -> const std::string& {
+    return entity.robot->links[static_cast<std::size_t>(std::max(0, part.link))].name;
+  };
   std::vector<std::string> touching;
   for (const OwnPair& own : ownPairs(*entity.robot, parts)) {
     const MovedPart &first = moved_parts_[own.first], &second = moved_parts_[own.second];
     const bool links = isMember(first.owner) && isMember(second.owner);
-    if (body && links && !isOwnPairOfMannequin(first.name, second.name)) continue;
-    if (body && !links) continue;  // A tool lies in the hand, and its hand's fingers about it.
+    if (body && !isOwnPairOfMannequin(linkOf(first), linkOf(second))) continue;
     const auto& a = first.part->mesh.collider;
     const auto& b = second.part->mesh.collider;
-    if (links && collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
+    // What lies between both hands touches the other one's fingers as it is taken.
+    if ((links || body) &&
+        collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
       if (!body) touching.push_back(first.name + " with " + second.name);
       continue;
     }

@@ -9,7 +9,7 @@
 namespace hapticell::manipulation {
 
 /// A mannequin drawn by a hand, or by what both hands hold: the arms, the trunk and the legs follow, feet standing (or
-/// going along where they may).
+/// stepping where they may).
 ///
 /// The moved frame is the grip of the hand, or the middle between both hands. Its reach is felt as a limit: how far the
 /// figure could follow outward is asked of the solver.
@@ -25,7 +25,7 @@ class MannequinManipulator final : public MannequinBody {
     bool trunk = false;
     bool pelvis = false;
     bool on_seat = false;   ///< The pelvis does not move, and the feet need not bear the body.
-    bool may_step = false;  ///< The feet go along, over the floor, where the hands would not be reached.
+    bool may_step = false;  ///< The feet step where the hand would not be reached (mannequin_steps.h).
   };
 
   /// `figure` and `model` belong together. `taken` is how the figure stands when it is taken: that is how both hands go
@@ -48,6 +48,7 @@ class MannequinManipulator final : public MannequinBody {
   /// or still does when the time for it is over.
   std::optional<double> reachAlong(const dvec3& outward, double ahead, mannequin::Posture posture,
                                    const Pose& X_WM) const;
+  dvec3 beyondComfort(const Pose& X_WM, const Feet& X_WF) const;
   bool isBoth() const { return hands_ == Hands::kBoth || hands_ == Hands::kBothApart; }
   mannequin::Side driven() const;
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "mannequin/hair_shape.h"
 #include "mannequin/rotations.h"
 #include "mannequin/surface_nets.h"
 
@@ -331,6 +332,15 @@ std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, do
   for (std::size_t g = 0; g < wardrobe.colors.size(); ++g)
     if (!cut[g].triangles.empty()) parts.push_back({wardrobe.colors[g], std::move(cut[g])});
   return parts;
+}
+
+SkinPart hairPart(const Figure& figure, const Posture& posture) {
+  constexpr double kCell = 0.006;  // m
+  SkinPart hair{kHairColor, hairMesh(figure, fleshOf(figure)[indexOf(S::kHead)], kCell)};
+  smooth(hair.mesh);
+  const SegmentPlace head = forwardKinematics(figure, posture)[S::kHead];
+  for (dvec3& vertex : hair.mesh.vertices) vertex = head.point(vertex);
+  return hair;
 }
 
 }  // namespace hapticell::mannequin

@@ -31,5 +31,7 @@ struct SkinPart {
 /// Which of it: hands and fingers want finer cells than a body.
 enum class SkinRegion { kWhole, kBody, kHands };
 std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region);
+/// The hair over it (hair_shape.h).
+SkinPart hairPart(const Figure& figure, const Posture& posture);
 
 }  // namespace hapticell::mannequin

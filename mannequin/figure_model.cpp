@@ -7,6 +7,7 @@
 
 #include "geometry/assertion.h"
 #include "mannequin/body_shape.h"
+#include "mannequin/hair_shape.h"
 #include "mannequin/joint_limits.h"
 
 namespace hapticell::mannequin {
@@ -155,6 +156,13 @@ class ModelBuilder {
     };
     kinematics::Link& target = model_.links[static_cast<std::size_t>(link)];
     target.visuals.push_back(shape(finger || hand ? kFineFinger : kFineCell));
+    if (body == indexOf(S::kHead)) {
+      kinematics::LinkShape hair;
+      hair.mesh = std::make_shared<const geometry::TriangleMesh>(hairMesh(figure_, flesh, 0.5 * kFineCell));
+      hair.color = {kHairColor[0], kHairColor[1], kHairColor[2], 1.0f};
+      hair.source = "body";
+      target.visuals.push_back(std::move(hair));
+    }
     target.collisions.push_back(shape(finger ? kCoarseFinger : hand ? 0.5 * kCoarseCell : kCoarseCell));
   }
 

@@ -2,6 +2,7 @@
 #include "app/ergonomics/ergonomics_panel.h"
 
 #include <QAbstractButton>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -13,6 +14,7 @@
 #include "app/ergonomics/sub_score_table.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/message_log.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/panels/form.h"
@@ -95,6 +97,11 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   sub_scores_ = new SubScoreTable;
   rows->addWidget(sub_scores_);
   rows->addWidget(sums_);
+  limits_ = new QPushButton(tr("Own limits of the hands…"));
+  limits_->setObjectName("buttonOwnLimits");
+  limits_->setToolTip(tr("A table of the forces that a hand may exert, of your own source; none are shipped"));
+  rows->addWidget(limits_, 0, Qt::AlignLeft);
+  connect(limits_, &QPushButton::clicked, this, &ErgonomicsPanel::chooseOwnLimits);
   lift_ = makeLabel({}, TextRole::kSecond);
   lift_->setObjectName("labelLift");
   lift_->setWordWrap(true);
@@ -134,6 +141,15 @@ void ErgonomicsPanel::takeBetterPosture() {
                                              {postureCommand(*entity, scores_.advice()->better->posture)});
 }
 
+void ErgonomicsPanel::chooseOwnLimits() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Own limits of the hands' force"), {}, tr("Tables (*.csv);;All files (*)"));
+  if (file.isEmpty()) return;
+  const auto read = scores_.chooseOwnLimits(file);
+  if (!read)
+    context_.host().messages().tell(Severity::kProblem, tr("The limits were not read"), shown(read.error().message()));
+}
+
 void ErgonomicsPanel::showScores() {
   const bool any = !scores_.isEmpty();
   empty_->setVisible(!any);
@@ -150,9 +166,9 @@ void ErgonomicsPanel::showScores() {
   table_title_->setText(shows_load_ ? tr("Lift (NIOSH) and forces on the hands") : tr("Sub-scores of the worse side"));
   QString sums;
   if (shows_load_) {
-    sums =
-        tr("Limits are where a method's next class begins; moments hold the arms' own weight. No table of strength is "
-           "behind them.");
+    sums = tr("A method's limit is where its next class begins; moments hold the arms' own weight.") + ' ';
+    sums += scores_.ownLimits().isEmpty() ? tr("No table of strength is shipped; yours can be read in.")
+                                          : tr("Own limits: %1").arg(shown(scores_.ownLimits().source));
   } else if (method_ == ColourMethod::kRula || method_ == ColourMethod::kReba) {
     const bool rula = method_ == ColourMethod::kRula;
     const ergonomics::Rula by_rula;
@@ -172,6 +188,7 @@ void ErgonomicsPanel::showScores() {
   }
   sums_->setText(sums);
   sums_->setVisible(!sums.isEmpty());
+  limits_->setVisible(shows_load_);
   lift_->setVisible(scores_.task().is_lift);
   if (scores_.task().is_lift) {
     const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());

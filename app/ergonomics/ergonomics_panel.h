@@ -37,6 +37,7 @@ class ErgonomicsPanel : public QWidget {
   void showScores();
   void showAdvice();
   void takeBetterPosture();
+  void chooseOwnLimits();
   MannequinContext& context_;
   LiveScores& scores_;
   ergonomics::ColourMethod method_ = ergonomics::ColourMethod::kRula;
@@ -47,7 +48,7 @@ class ErgonomicsPanel : public QWidget {
   ScoreColumns* columns_;
   SubScoreTable* sub_scores_;
   HeightStrips* heights_;
-  QPushButton *show_posture_, *task_;
+  QPushButton *show_posture_, *task_, *limits_;
 };
 
 }  // namespace hapticell::app

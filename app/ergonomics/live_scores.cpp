@@ -8,6 +8,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/user_settings.h"
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/style/units.h"
@@ -15,6 +16,7 @@
 namespace hapticell::app {
 namespace {
 
+constexpr auto kLimitsKey = "ergonomics/force_limits";
 constexpr int kRestMilliseconds = 350;
 constexpr int kBodiesMilliseconds = 90;                           // Four bodies are solved ten times a second at most.
 constexpr double kLowest = -0.30, kHighest = 0.30, kRise = 0.03;  // m
@@ -58,6 +60,24 @@ LiveScores::LiveScores(MannequinContext& context, QObject* parent)
   rests_.setSingleShot(true);
   rests_.setInterval(kRestMilliseconds);
   connect(&rests_, &QTimer::timeout, this, &LiveScores::advise);
+  const QString limits = context_.host().userSettings().value(kLimitsKey).toString();
+  if (limits.isEmpty()) return;
+  if (auto read = ergonomics::readForceTable(limits.toStdString())) own_limits_ = std::move(*read);
+}
+
+Expected<void> LiveScores::chooseOwnLimits(const QString& file) {
+  UserSettings& settings = context_.host().userSettings();
+  if (file.isEmpty()) {
+    own_limits_ = {};
+    settings.remove(kLimitsKey);
+  } else {
+    auto read = ergonomics::readForceTable(file.toStdString());
+    if (!read) return tl::unexpected(read.error());
+    own_limits_ = std::move(*read);
+    settings.setValue(kLimitsKey, file);
+  }
+  emit changed();
+  return {};
 }
 
 int LiveScores::ownBody() const {

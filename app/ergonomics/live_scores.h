@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "mannequin/ergonomics/body_sizes.h"
+#include "mannequin/ergonomics/force_table.h"
 #include "mannequin/ergonomics/score_words.h"
 
 namespace hapticell::app {
@@ -30,6 +31,11 @@ class LiveScores : public QObject {
   /// The document's task of this mannequin; where it has none, one in which nothing is entered.
   const ergonomics::WorkTask& task() const { return task_; }
   bool hasTask() const { return has_task_; }
+  /// The user's own limits of the hands' force, of the file that was chosen last; empty where there is none.
+  const ergonomics::ForceTable& ownLimits() const { return own_limits_; }
+  /// Reads a table and keeps its name for the next start; an empty name forgets it. What cannot be read changes
+  /// nothing.
+  Expected<void> chooseOwnLimits(const QString& file);
   const std::vector<ergonomics::BodyAtTask>& bodies() const { return bodies_; }
   /// Which of bodies() is of the mannequin's own size; -1: none.
   int ownBody() const;
@@ -60,6 +66,7 @@ class LiveScores : public QObject {
   mannequin::Posture posture_;
   ergonomics::WorkTask task_;
   bool has_task_ = false;
+  ergonomics::ForceTable own_limits_;
   std::optional<ergonomics::PostureScores> scores_;
   std::vector<ergonomics::BodyAtTask> bodies_;
   std::vector<mannequin::NamedFigure> figures_;

@@ -54,10 +54,22 @@ void addForces(const ergonomics::HandForces& forces, std::vector<Row>& rows) {
     const QString name = limit.hand == 0   ? SubScoreTable::tr("%1, left").arg(method)
                          : limit.hand == 1 ? SubScoreTable::tr("%1, right").arg(method)
                                            : method;
+    if (limit.method == "own") {
+      const QString hand =
+          limit.hand == 0 ? SubScoreTable::tr("Own limit, left") : SubScoreTable::tr("Own limit, right");
+      rows.push_back(
+          {hand, {}, SubScoreTable::tr("%1 of %2").arg(newtons(limit.force_n), newtons(*limit.limit_n)), limit.band});
+      continue;
+    }
     const QString reason = limit.limit_n
                                ? SubScoreTable::tr("%1 of %2").arg(newtons(limit.force_n), newtons(*limit.limit_n))
                                : SubScoreTable::tr("%1, heaviest class").arg(newtons(limit.force_n));
     rows.push_back({name, {}, reason, limit.band});
+  }
+  for (const std::string_view name : forces.missing) {
+    if (name == "force_limits")
+      rows.push_back(
+          {SubScoreTable::tr("Own limits"), {}, SubScoreTable::tr("partial: none entered for this place"), -1});
   }
   const std::array<std::pair<QString, double>, 5> moments{{{SubScoreTable::tr("Left elbow"), forces.elbow_nm[0]},
                                                            {SubScoreTable::tr("Right elbow"), forces.elbow_nm[1]},
@@ -82,7 +94,7 @@ std::vector<Row> loadRows(const LiveScores& scores) {
     rows.push_back({SubScoreTable::tr("Lift"), {}, shown(lift.error().message()), 3});
   }
   if (rows.size() % 2 == 1) rows.push_back({});
-  addForces(ergonomics::handForces(*scores.figure(), pose, scores.task()), rows);
+  addForces(ergonomics::handForces(*scores.figure(), pose, scores.task(), scores.ownLimits()), rows);
   return rows;
 }
 

@@ -19,11 +19,15 @@
 #include "app/panels/form.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
+#include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {
 
 constexpr int kDrawMilliseconds = 300;
+constexpr int kQuickSamples = 4, kFineSamples = 24;
+constexpr QSize kSceneSize(760, 560);
+constexpr double kAround = 0.35;  ///< m of the cell about the figure.
 
 }  // namespace
 
@@ -79,7 +83,11 @@ ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, co
     draw();
   });
   connect(&scores_, &LiveScores::changed, this, &ReportPanel::drawLater);
-  connect(&scores_, &LiveScores::adviceChanged, this, &ReportPanel::drawLater);
+  // Told once the figure rests: then the scene is worth a picture.
+  connect(&scores_, &LiveScores::adviceChanged, this, [this] {
+    if (isSeen(*this)) takeScene(kQuickSamples);
+    drawLater();
+  });
 }
 
 ergonomics::Report ReportPanel::report() const {
@@ -97,6 +105,8 @@ ergonomics::Report ReportPanel::report() const {
   input.task = scores_.task();
   input.bodies = scores_.bodies();
   input.advice = scores_.adviceText().toStdString();
+  input.own_limits = scores_.ownLimits();
+  input.scene = scene_;
   input.history = motion_.strips();
   input.history_seconds = motion_.seconds();
   return kind_->current() == 1 ? ergonomics::taskReport(input) : ergonomics::postureReport(input);
@@ -104,6 +114,7 @@ ergonomics::Report ReportPanel::report() const {
 
 bool ReportPanel::write(const QString& path) {
   if (scores_.isEmpty()) return false;
+  takeScene(kFineSamples);
   const auto written = ergonomics::writeReport(report(), path.toStdString());
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The report is written"), path);
@@ -112,6 +123,35 @@ bool ReportPanel::write(const QString& path) {
                                     shown(written.error().message()));
   }
   return written.has_value();
+}
+
+void ReportPanel::takeScene(int samples) {
+  const workcell::Entity* entity = context_.entity();
+  scene_ = {};
+  if (!entity || scores_.isEmpty()) return;
+  if (!renderer_) {
+    auto made = PictureRenderer::make();
+    if (!made) return;  // No OpenGL: the report has its outline only.
+    renderer_.emplace(std::move(*made));
+  }
+  geometry::Bounds about;
+  const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
+  for (const auto& segment : pose.segments) {
+    about.add(segment.p_WS - dvec3(kAround));
+    about.add(segment.p_WS + dvec3(kAround));
+  }
+  ViewportWidget& view = context_.host().viewport();
+  const Camera camera = view.camera().fitted(about, {kSceneSize.width() * 1.0, kSceneSize.height() * 1.0});
+  PictureRenderer::Look look;
+  look.samples = samples;
+  const QImage drawn = renderer_->draw(view.scene(), camera, kSceneSize, lightTheme(), look)
+                           .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+  scene_.width = drawn.width();
+  scene_.height = drawn.height();
+  for (int y = 0; y < drawn.height(); ++y) {
+    const auto* line = static_cast<const QRgb*>(static_cast<const void*>(drawn.constScanLine(y)));
+    scene_.pixels.insert(scene_.pixels.end(), line, line + drawn.width());
+  }
 }
 
 void ReportPanel::chooseFile() {
@@ -171,6 +211,7 @@ void ReportPanel::resizeEvent(QResizeEvent* event) {
 
 void ReportPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  takeScene(kQuickSamples);
   wait_.start();
 }
 

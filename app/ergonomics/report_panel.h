@@ -4,7 +4,9 @@
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
+#include <optional>
 
+#include "app/viewport/picture_renderer.h"
 #include "mannequin/ergonomics/posture_report.h"
 
 class QComboBox;
@@ -36,6 +38,8 @@ class ReportPanel : public QWidget {
   void draw();
   void drawLater();
   void chooseFile();
+  /// Takes the picture of the figure in its cell anew, smooth or quick.
+  void takeScene(int samples);
   MannequinContext& context_;
   const LiveScores& scores_;
   const MotionScoresModel& motion_;
@@ -44,6 +48,8 @@ class ReportPanel : public QWidget {
   QLabel *page_, *which_;
   int shown_page_ = 1, pages_ = 1;
   bool drawing_ = false, again_ = false;
+  ergonomics::ReportPicture scene_;
+  std::optional<PictureRenderer> renderer_;
   QTimer wait_;
 };
 

@@ -23,14 +23,17 @@ SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<doub
   skin.robot = entity.robot;
   skin.joints = joints;
   const mannequin::Posture posture = mannequin::toPosture(*entity.figure, {Pose::identity(), joints});
-  const auto add = [&](double cell, mannequin::SkinRegion region) {
-    for (mannequin::SkinPart& part : mannequin::skinParts(*entity.figure, posture, cell, region)) {
-      RenderItem item;
-      item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
-      item.color = part.color;
-      skin.parts.push_back(std::move(item));
-    }
+  const auto show = [&](mannequin::SkinPart part) {
+    RenderItem item;
+    item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
+    item.color = part.color;
+    item.smooth = true;
+    skin.parts.push_back(std::move(item));
   };
+  const auto add = [&](double cell, mannequin::SkinRegion region) {
+    for (mannequin::SkinPart& part : mannequin::skinParts(*entity.figure, posture, cell, region)) show(std::move(part));
+  };
+  show(mannequin::hairPart(*entity.figure, posture));
   add(kCell, mannequin::SkinRegion::kBody);
   add(kHandCell, mannequin::SkinRegion::kHands);
   return skin;

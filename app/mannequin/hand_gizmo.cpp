@@ -64,7 +64,8 @@ void HandGizmo::setOn(bool on) {
 void HandGizmo::showNow() {
   ViewportWidget& viewport = context_.host().viewport();
   std::vector<SceneCurve> curves;
-  if (isReady()) {
+  shown_ = isReady();
+  if (shown_) {
     const ViewSize view{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
     curves = gizmoNow(viewport.camera(), view).curves(drag_ ? drag_->handle : over_);
     const QString text = drag_ ? reachText(figure_, kind()) : QString();

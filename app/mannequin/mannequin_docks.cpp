@@ -71,7 +71,10 @@ class MannequinDocks : public QObject {
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, panel_, &MannequinPanel::showNow);
     connect(timer, &QTimer::timeout, drawings_, &FigureDrawings::showNow);
-    connect(timer, &QTimer::timeout, this, [this] { skins_.look(); });
+    connect(timer, &QTimer::timeout, this, [this] {
+      skins_.look();
+      gizmo_.look();
+    });
     timer->start(kRefreshMilliseconds);
   }
 

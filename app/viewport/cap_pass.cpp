@@ -79,7 +79,7 @@ void CapPass::draw(const DrawContext& context) {
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
     if (!cuts(context, item)) continue;
-    GpuMesh* mesh = context.meshes.of(item.mesh);
+    GpuMesh* mesh = context.meshes.of(item);
     if (!mesh || !mesh->closed()) continue;
     // Not to be cut: the stencil counts all faces of a part before its cap is filled.
     context.share.once(mesh->triangles(), [&] {

@@ -41,7 +41,10 @@ struct DisplayMesh {
   bool closed = true;                  ///< Each edge has two triangles: it bounds a solid.
 };
 
+inline constexpr double kPartCrease = 0.48869219;  ///< 28 degrees.
+inline constexpr double kSkinCrease = 1.9;         ///< rad: only where a surface folds back on itself.
+
 /// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.
-DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle = 0.48869219);  // 28 degrees
+DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle = kPartCrease);
 
 }  // namespace hapticell::app

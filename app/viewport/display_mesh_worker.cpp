@@ -32,13 +32,14 @@ DisplayMeshWorker::~DisplayMeshWorker() {
   pool_.waitForDone();
 }
 
-std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const geometry::TriangleMesh> mesh) {
+std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const geometry::TriangleMesh> mesh,
+                                                         double crease_angle) {
   auto prepared = std::make_shared<PreparedMesh>();
-  pool_.start([this, mesh = std::move(mesh), waiting = std::weak_ptr(prepared)] {
+  pool_.start([this, crease_angle, mesh = std::move(mesh), waiting = std::weak_ptr(prepared)] {
     const std::shared_ptr<PreparedMesh> answer = waiting.lock();
     if (!answer) return;
     stepBack();
-    answer->mesh = makeDisplayMesh(*mesh);
+    answer->mesh = makeDisplayMesh(*mesh, crease_angle);
     addDetailSteps(answer->mesh);
     answer->ready.store(true, std::memory_order_release);
     if (on_ready_) on_ready_();

@@ -28,7 +28,8 @@ class DisplayMeshWorker {
 
   /// Begins at once or after those asked for before; the mesh is kept alive until then. One whose answer nobody holds
   /// any more is skipped.
-  std::shared_ptr<PreparedMesh> prepare(std::shared_ptr<const geometry::TriangleMesh> mesh);
+  std::shared_ptr<PreparedMesh> prepare(std::shared_ptr<const geometry::TriangleMesh> mesh,
+                                        double crease_angle = kPartCrease);
   /// Waits until all are ready.
   void wait() { pool_.waitForDone(); }
 

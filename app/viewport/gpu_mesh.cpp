@@ -112,7 +112,9 @@ void GpuMesh::drawEdges(std::size_t first, std::size_t count) {
   ++counted_.calls;
 }
 
-GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& mesh) {
+GpuMesh* GpuMeshCache::of(const RenderItem& item) {
+  const std::shared_ptr<const geometry::TriangleMesh>& mesh = item.mesh;
+  const double crease_angle = item.smooth ? kSkinCrease : kPartCrease;
   Entry& entry = entries_[mesh.get()];
   entry.used = true;
   // An address that was reused by another mesh must not show the old one.
@@ -120,9 +122,9 @@ GpuMesh* GpuMeshCache::of(const std::shared_ptr<const geometry::TriangleMesh>& m
     entry.mesh.reset();
     entry.source = mesh;
     if (mesh->triangles.size() <= kSmallMesh && hasTime())
-      entry.mesh = wholeMesh(makeDisplayMesh(*mesh));
+      entry.mesh = wholeMesh(makeDisplayMesh(*mesh, crease_angle));
     else
-      entry.prepared = worker_.prepare(mesh);
+      entry.prepared = worker_.prepare(mesh, crease_angle);
   }
   if (entry.prepared && entry.prepared->ready.load(std::memory_order_acquire)) {
     if (hasTime() && !entry.mesh) entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh, counted_);

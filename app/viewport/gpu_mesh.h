@@ -10,6 +10,7 @@
 #include "app/viewport/display_mesh_worker.h"
 #include "app/viewport/draw_share.h"
 #include "app/viewport/gl.h"
+#include "app/viewport/render_item.h"
 
 namespace hapticell::app {
 
@@ -71,8 +72,8 @@ class GpuMeshCache {
   /// What one frame may spend on making meshes ready; what is left over comes with the next one, which `on_ready` asks
   /// for. Negative, as it begins: without limit.
   void setFrameMilliseconds(qint64 most) { most_ms_ = most; }
-  /// Null while it is being made ready.
-  GpuMesh* of(const std::shared_ptr<const geometry::TriangleMesh>& mesh);
+  /// The item's mesh; null while it is being made ready.
+  GpuMesh* of(const RenderItem& item);
   /// From -0.5 to 0.5 on each axis.
   GpuMesh& unitBox();
   /// Frees what was not asked for since the last call.

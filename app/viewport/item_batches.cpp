@@ -134,7 +134,7 @@ std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_worl
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
     if (!item.mesh || kindOf(item) != kind) continue;
-    GpuMesh* mesh = meshes.of(item.mesh);
+    GpuMesh* mesh = meshes.of(item);
     if (!mesh) continue;
     const dvec3 p_WC = item.X_WM * (item.scale * mesh->bounds().center());
     const double radius = item.scale * mesh->bounds().radius();
@@ -177,7 +177,7 @@ std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
     if (!item.casts_shadow || !item.mesh) continue;
-    GpuMesh* mesh = meshes.of(item.mesh);
+    GpuMesh* mesh = meshes.of(item);
     if (!mesh) continue;
     const std::size_t step = detailStepFor(mesh->steps(), metres_per_texel / std::max(item.scale, 1e-12), 0.5);
     gathering.add({mesh, step, 0u, 0u, std::nullopt, item.over_scene, false}, 0.0, i);

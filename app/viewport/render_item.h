@@ -54,6 +54,7 @@ struct RenderItem {
   bool casts_shadow = true;
   Ghost ghost = Ghost::kNone;  ///< Ghosts are neither picked nor marked and cast no shadow.
   std::uint8_t pattern = 0;    ///< Over the colour: 0 plain, 1 hatched, 2 cross-hatched (scores).
+  bool smooth = false;         ///< A skin: shaded as one smooth surface and drawn without lines.
   bool over_scene = false;     ///< Drawn over all that would hide it: the stylus must always be found.
 };
 

@@ -203,8 +203,8 @@ void EdgePass::draw(const DrawContext& context, bool creases_only) {
   gl_.glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   if (frame.section) gl_.glEnable(GL_CLIP_DISTANCE0);
   for (const RenderItem& item : frame.items) {
-    if (!item.mesh || (item.state & kContact)) continue;
-    GpuMesh* mesh = context.meshes.of(item.mesh);
+    if (!item.mesh || item.smooth || (item.state & kContact)) continue;
+    GpuMesh* mesh = context.meshes.of(item);
     if (mesh && showsEdges(frame, context.view, item, *mesh)) drawItem(context, item, *mesh, creases_only);
   }
   gl_.glDisable(GL_CLIP_DISTANCE0);

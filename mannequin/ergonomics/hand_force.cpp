@@ -68,19 +68,41 @@ void addLimit(std::string_view method, int hand, double load_kg, const std::arra
   limits.push_back(limit);
 }
 
+/// The user's own limit for what a hand bears, where the table has one for the place of its grip.
+bool addOwnLimit(const Figure& figure, const FigurePose& pose, Side side, const ForceTable& own, HandForces& forces) {
+  const std::size_t i = static_cast<std::size_t>(side);
+  const dvec3 grip = mannequin::handPose(pose, side) * figure.p_HandGrip[i];
+  const dvec3 from_shoulder = grip - pose[armSegment(side, Segment::kLeftUpperArm)].p_WS;
+  double floor = 1e9;
+  for (const Side foot : {Side::kLeft, Side::kRight})
+    floor = std::min(floor, pose[legSegment(foot, Segment::kLeftFoot)].point({0, 0, figure.sole.z}).z);
+  const auto limit = own.limitAt(static_cast<int>(i), grip.z - floor, std::hypot(from_shoulder.x, from_shoulder.y));
+  if (!limit) return false;
+  const double share = *forces.force_n[i] / *limit;
+  const int band = share <= 0.5 ? 0 : share <= 0.7 ? 1 : share <= 1.0 ? 2 : 3;
+  forces.limits.push_back({"own", static_cast<int>(i), *forces.force_n[i], limit, band});
+  return true;
+}
+
 }  // namespace
 
-HandForces handForces(const Figure& figure, const FigurePose& pose, const WorkTask& task) {
+HandForces handForces(const Figure& figure, const FigurePose& pose, const WorkTask& task, const ForceTable& own) {
   HandForces forces;
+  bool has_limits = true;
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const std::size_t i = static_cast<std::size_t>(side);
     const Segment upper = armSegment(side, Segment::kLeftUpperArm), fore = armSegment(side, Segment::kLeftForearm);
     forces.shoulder_nm[i] = carriedBy(figure, pose, upper, task).about(pose[upper].p_WS);
     forces.elbow_nm[i] = carriedBy(figure, pose, fore, task).about(pose[fore].p_WS);
-    if (!task.load_kg[i]) continue;
+    if (!task.load_kg[i]) {
+      forces.missing.push_back(side == Side::kLeft ? "load_left" : "load_right");
+      continue;
+    }
     forces.force_n[i] = kGravity * *task.load_kg[i];
     addLimit("RULA", static_cast<int>(i), *task.load_kg[i], {2.0, 10.0}, forces.limits);
+    has_limits = addOwnLimit(figure, pose, side, own, forces) && has_limits;
   }
+  if (!has_limits || own.isEmpty()) forces.missing.push_back("force_limits");
   forces.lumbar_nm = carriedBy(figure, pose, Segment::kLowerBack, task).about(pose[Segment::kLowerBack].p_WS);
   if (const auto total = task.totalLoad()) {
     addLimit("REBA", -1, *total, {5.0, 10.0}, forces.limits);

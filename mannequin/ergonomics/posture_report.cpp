@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "mannequin/ergonomics/hand_force.h"
 #include "mannequin/figure_outline.h"
 
 namespace hapticell::ergonomics {
@@ -39,8 +40,10 @@ class Writer {
     if (!input_.history.empty()) report.blocks.push_back(history());
     report.blocks.push_back(subScores());
     report.blocks.push_back(zones());
-    report.blocks.push_back(limits());
-    report.blocks.push_back({say("Source of the posture"), {input_.source}});
+    ReportBlock assumed = limits();
+    assumed.lines.push_back(say("Source of the posture") + ": " +
+                            (input_.source == "As it stands in the cell." ? say(input_.source) : input_.source));
+    report.blocks.push_back(std::move(assumed));
     report.blocks.push_back(joints());
     return report;
   }
@@ -55,6 +58,7 @@ class Writer {
     if (!input_.history.empty()) report.blocks.push_back(history());
     if (!input_.bodies.empty()) report.blocks.push_back(bodies());
     if (input_.task.is_lift) report.blocks.push_back(lifting());
+    report.blocks.push_back(forces());
     report.blocks.push_back(limits());
     return report;
   }
@@ -69,6 +73,7 @@ class Writer {
     report.subtitle = input_.subtitle;
     report.date = input_.date;
     report.language = language() == Language::kFrench ? "fr" : "en";
+    report.scene = input_.scene;
     report.picture = reportPicture(input_.figure, input_.posture, scores_, ColourMethod::kRula);
     report.signatures = {say("Assessed by"), say("Date"), say("Signature")};
     return report;
@@ -105,7 +110,7 @@ class Writer {
   }
 
   ReportBlock methods() const {
-    ReportBlock block{say("Result"), {}, {say("Method"), say("left"), say("right"), say("Level"), "Standard"}};
+    ReportBlock block{say("Result"), {}, {say("Method"), say("left"), say("right"), say("Level"), say("Standard")}};
     const auto& left = scores_.sides[0];
     const auto& right = scores_.sides[1];
     block.rows.push_back({{"RULA"},
@@ -133,8 +138,7 @@ class Writer {
                           {"ISO 11226:2000"}});
     const int eaws = eawsLevel(scores_.eaws_points) - 1;
     const Cell points{format("%.0f", scores_.eaws_points), eaws == 0 ? 0 : eaws == 1 ? 1 : 3};
-    block.rows.push_back(
-        {{"EAWS"}, points, points, {std::string(nameOf(scores_.eaws))}, {"1.3.6, posture outline only"}});
+    block.rows.push_back({{"EAWS"}, points, points, {say(nameOf(scores_.eaws))}, {say("1.3.6, posture outline only")}});
     return block;
   }
 
@@ -209,24 +213,32 @@ class Writer {
     return block;
   }
 
+  /// Both standards side by side.
   ReportBlock zones() const {
-    ReportBlock block{say("Zones by part"), {}, {"", say("Part"), say("Angle"), say("Zone"), say("Condition")}};
+    ReportBlock block{say("Zones by part"), {}, {}};
     const SideScores& side = scores_.worse();
-    const auto add = [&](const char* standard, const PartVerdicts& verdicts) {
-      for (const PartVerdict& part : verdicts.parts) {
-        std::string condition(part.condition);
-        if (part.holding_time_min) condition = format("%.1f min", *part.holding_time_min);
-        const int band = part.zone == Zone::kAcceptable ? 0 : part.zone == Zone::kConditional ? 1 : 3;
-        block.rows.push_back({{standard},
-                              {std::string(part.part)},
-                              {format("%.0f°", part.angle)},
-                              {zoneWord(part.zone), band},
-                              {condition}});
-      }
-    };
-    add("EN 1005-4", side.en1005);
-    add("ISO 11226", side.iso11226);
+    for (const char* standard : {"EN 1005-4", "ISO 11226"}) {
+      for (const std::string& name : {std::string(standard), say("Angle"), say("Zone"), say("Condition")})
+        block.columns.push_back(name);
+    }
+    const auto& en = side.en1005.parts;
+    const auto& iso = side.iso11226.parts;
+    for (std::size_t i = 0; i < std::max(en.size(), iso.size()); ++i) {
+      std::vector<Cell> row;
+      addZone(i < en.size() ? &en[i] : nullptr, row);
+      addZone(i < iso.size() ? &iso[i] : nullptr, row);
+      block.rows.push_back(std::move(row));
+    }
     return block;
+  }
+
+  void addZone(const PartVerdict* part, std::vector<Cell>& row) const {
+    if (part == nullptr) return void(row.insert(row.end(), 4, Cell{}));
+    std::string condition = say(part->condition);
+    if (part->holding_time_min) condition = format("%.1f min", *part->holding_time_min);
+    const int band = part->zone == Zone::kAcceptable ? 0 : part->zone == Zone::kConditional ? 1 : 3;
+    row.insert(row.end(), {Cell{say(part->part)}, Cell{format("%.0f°", part->angle)}, Cell{zoneWord(part->zone), band},
+                           Cell{condition}});
   }
 
   ReportBlock lifting() const {
@@ -249,22 +261,36 @@ class Writer {
     return block;
   }
 
+  ReportBlock forces() const {
+    const bool fr = language() == Language::kFrench;
+    const HandForces found = handForces(input_.figure, pose_, input_.task, input_.own_limits);
+    ReportBlock block{say("Forces on the hands"), {}, {say("Method"), say("Part"), say("Force"), say("Limit")}};
+    for (const ForceLimit& limit : found.limits) {
+      const bool own = limit.method == "own";
+      const std::string hand =
+          limit.hand < 0 ? (fr ? "les deux mains" : "both hands") : say(limit.hand == 0 ? "left" : "right");
+      block.rows.push_back({{own ? say("own table") : std::string(limit.method)},
+                            {hand},
+                            {format("%.0f N", limit.force_n)},
+                            {limit.limit_n ? format("%.0f N", *limit.limit_n) : say("heaviest class"), limit.band}});
+    }
+    if (!input_.own_limits.isEmpty()) block.lines.push_back(say("Own limits:") + " " + input_.own_limits.source);
+    for (const std::string_view name : found.missing) {
+      if (name == "force_limits")
+        block.lines.push_back(say("Partial: no own limit of the hands' force is entered for this place."));
+    }
+    return block;
+  }
+
   ReportBlock limits() const {
     return {say("Method and limits of this report"), assumptionsOf(scores_, input_.task, language())};
   }
 
   ReportBlock joints() const {
-    ReportBlock block{say("Joint angles"), {}, {say("Joint"), "°", say("Joint"), "°", say("Joint"), "°"}};
-    constexpr std::size_t kRows = (mannequin::kDofCount + 2) / 3;
-    for (std::size_t r = 0; r < kRows; ++r) {
-      std::vector<Cell> row;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t i = c * kRows + r;
-        if (i >= mannequin::kDofCount) continue;
-        row.push_back({mannequin::dofInfo(static_cast<mannequin::Dof>(i)).name});
-        row.push_back({format("%.1f", 57.295779513082323 * input_.posture.angles[i] + 0.0)});
-      }
-      block.rows.push_back(std::move(row));
+    ReportBlock block{say("Joint angles"), {}, {say("Joint"), "°"}, true};
+    for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {
+      block.rows.push_back({{mannequin::dofInfo(static_cast<mannequin::Dof>(i)).name},
+                            {format("%.1f", 57.295779513082323 * input_.posture.angles[i] + 0.0)}});
     }
     return block;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mannequin/ergonomics/body_sizes.h"
+#include "mannequin/ergonomics/force_table.h"
 #include "mannequin/ergonomics/report.h"
 #include "mannequin/ergonomics/score_words.h"
 
@@ -22,7 +23,9 @@ struct PostureReportInput {
   std::vector<BodyAtTask> bodies{};           ///< Others at the same task; empty: none is shown.
   std::vector<ReportBlock::Strip> history{};  ///< Along a recorded motion.
   double history_seconds = 0.0;
-  std::string advice{};  ///< What would bring the score down.
+  std::string advice{};     ///< What would bring the score down.
+  ReportPicture scene{};    ///< The figure in its cell.
+  ForceTable own_limits{};  ///< Of the hands, from the user's own source.
 };
 
 /// The posture's page: picture, body, task, result, four bodies, drivers, sub-scores, zones, assumptions, joint angles.

@@ -31,6 +31,7 @@ struct ReportBlock {
     int band = -1;  ///< A patch of the score's colour and pattern beside the text; -1: none.
   };
   std::vector<std::string> columns{};  ///< Of a table.
+  bool flows = false;                  ///< Pages show the rows (name, value) as running text, without those at 0.0.
   std::vector<std::vector<Cell>> rows{};
   struct Strip {
     std::string name;
@@ -40,9 +41,17 @@ struct ReportBlock {
   std::string scale_first{}, scale_last{};  ///< At the ends of the strips.
 };
 
+/// A picture, premultiplied ARGB (0xAARRGGBB), rows from the top.
+struct ReportPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> pixels{};
+  bool isEmpty() const { return pixels.empty(); }
+};
+
 struct Report {
   std::string title, subtitle, date;
   std::string language = "en";  ///< "en" or "fr".
+  ReportPicture scene{};        ///< The figure in its cell; may be empty.
   std::vector<ReportShape> picture{};
   std::vector<ReportBlock> beside{};  ///< Blocks of lines to the picture's right.
   std::string result{};               ///< The one number, "6".
@@ -56,19 +65,20 @@ struct Report {
 std::string reportCsv(const Report& report);
 /// The same as JSON, "format":"hapticell-ergonomics-report","version":1 (docs/formats.md).
 std::string reportJson(const Report& report);
-/// One file with everything in it, the picture as SVG; prints on A4.
+/// One file with everything in it, the figure as SVG, the scene as PNG; prints on A4.
 std::string reportHtml(const Report& report);
 
-/// A4 pages. Errors: a file that cannot be written.
+/// One A4 page, all drawn smaller (to two thirds) where it must be; what is longer takes several. Errors: a file that
+/// cannot be written.
 Expected<void> writeReportPdf(const Report& report, const std::filesystem::path& file);
 
-/// A page as a picture, premultiplied ARGB (0xAARRGGBB), `width` pixels wide in A4's proportion. Any thread.
-struct ReportPicture {
-  int width = 0, height = 0;
-  std::vector<std::uint32_t> pixels{};
-};
+/// A page as a picture, `width` pixels wide in A4's proportion. Any thread.
 ReportPicture drawReportPage(const Report& report, int page, int width);
 int reportPages(const Report& report);
+
+/// A PNG file's bytes, and a picture out of a PNG file (refused: what is none, or larger than 8192 pixels).
+std::string pngOf(const ReportPicture& picture);
+Expected<ReportPicture> readPng(const std::filesystem::path& file);
 
 /// By the file's ending: .pdf, .html, .csv, .json; another one is refused.
 Expected<void> writeReport(const Report& report, const std::filesystem::path& file);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "mannequin/ergonomics/report.h"
@@ -15,21 +16,42 @@ namespace {
 
 constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;  // Points.
 constexpr double kFoot = 96.0;                                       // Kept free for the signatures on the last page.
-constexpr double kInner = kWidth - 2.0 * kMargin;
+constexpr double kPictureWidth = 190.0, kPictureHeight = 218.0, kSceneWidth = 240.0;
+constexpr double kLeastDensity = 0.66, kManyPagesDensity = 0.85;
 
-/// Lays the report out from top to bottom, page after page. `page_begins` gives what the page is drawn on.
+/// A copy of a picture as cairo has it.
+Surface surfaceOf(const ReportPicture& picture) {
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, picture.width, picture.height));
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return surface;
+  cairo_surface_flush(surface.get());
+  unsigned char* row = cairo_image_surface_get_data(surface.get());
+  const std::size_t width = static_cast<std::size_t>(picture.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y) {
+    std::memcpy(row, picture.pixels.data() + y * width, 4 * width);
+    row += cairo_image_surface_get_stride(surface.get());
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+/// Lays the report out from top to bottom, page after page. With a density below 1 all is drawn smaller by it.
 class PagePainter : protected ReportCanvas {
  public:
-  explicit PagePainter(const Report& report) : report_(report) {}
+  PagePainter(const Report& report, double density)
+      : report_(report),
+        density_(density),
+        height_(kHeight / density),
+        margin_(kMargin / density),
+        inner_(kWidth / density - 2.0 * margin_) {}
   virtual ~PagePainter() = default;
 
   int paint() {
     begin();
     header();
     top();
-    for (const ReportBlock& block : report_.blocks) paintBlock(block, kMargin, kInner);
+    for (const ReportBlock& block : report_.blocks) paintBlock(block, margin_, inner_);
     signatures();
-    finishPage(page_);
+    endPage();
     return page_;
   }
 
@@ -40,50 +62,79 @@ class PagePainter : protected ReportCanvas {
  private:
   void begin() {
     cr_ = contextOf(++page_);
-    y_ = kMargin;
+    y_ = margin_;
+    cairo_save(cr_);
+    cairo_scale(cr_, density_, density_);
     cairo_set_source_rgb(cr_, 1, 1, 1);
     cairo_paint(cr_);
     ink();
   }
-  void need(double height) {
-    if (y_ + height <= kHeight - kMargin) return;
+  void endPage() {
+    cairo_restore(cr_);
     finishPage(page_);
+  }
+  void need(double height) {
+    if (y_ + height <= height_ - margin_) return;
+    endPage();
     begin();
   }
 
   void header() {
     font(16, true);
-    show(kMargin, y_ + 12, report_.title);
+    show(margin_, y_ + 12, report_.title);
     font(9);
     quiet();
-    show(kMargin + kInner - widthOf(report_.date), y_ + 12, report_.date);
-    show(kMargin, y_ + 27, report_.subtitle);
+    show(margin_ + inner_ - widthOf(report_.date), y_ + 12, report_.date);
+    show(margin_, y_ + 27, report_.subtitle);
     ink();
     y_ += 36;
-    rule(kMargin, kInner, 1.4, 0.1);
+    rule(margin_, inner_, 1.4, 0.1);
     y_ += 14;
   }
 
   /// The picture at the left, blocks beside it, and the one number.
   void top() {
-    const double width = report_.picture.empty() ? 0.0 : 190.0, height = report_.picture.empty() ? 0.0 : 218.0;
     const double start = y_;
-    if (width > 0.0) picture(kMargin, y_, width, height);
-    const double x = kMargin + (width > 0.0 ? width + 20.0 : 0.0);
-    for (const ReportBlock& block : report_.beside) paintBlock(block, x, kMargin + kInner - x);
+    double left = margin_, right = margin_ + inner_, height = 0.0;
+    if (!report_.picture.empty()) {
+      picture(left, y_, kPictureWidth, kPictureHeight);
+      left += kPictureWidth + 20.0;
+      height = kPictureHeight;
+    }
+    if (!report_.scene.isEmpty()) {
+      const double width = std::min(kSceneWidth, 0.45 * (right - left));
+      right -= width;
+      height = std::max(height, scene(right, y_, width));
+      right -= 14.0;
+    }
+    const double x = left;
+    for (const ReportBlock& block : report_.beside) paintBlock(block, x, right - x);
     if (!report_.result.empty() || !report_.result_words.empty()) {
       font(26, true);
       show(x, y_ + 24, report_.result);
-      double right = x + widthOf(report_.result) + (report_.result.empty() ? 0.0 : 10.0);
+      double at = x + widthOf(report_.result) + (report_.result.empty() ? 0.0 : 10.0);
       if (report_.result_band >= 0) {
-        patch(right, y_ + 9, 30, 16, report_.result_band);
-        right += 40;
+        patch(at, y_ + 9, 30, 16, report_.result_band);
+        at += 40;
       }
       font(10, true);
-      show(right, y_ + 21, report_.result_words);
+      show(at, y_ + 21, report_.result_words);
       y_ += 36;
     }
     y_ = std::max(y_, start + height + 6.0);
+  }
+
+  /// The scene's picture; returns how tall it is drawn.
+  double scene(double x, double y, double width) {
+    const double scale = width / report_.scene.width;
+    const Surface surface = surfaceOf(report_.scene);
+    cairo_save(cr_);
+    cairo_translate(cr_, x, y);
+    cairo_scale(cr_, scale, scale);
+    cairo_set_source_surface(cr_, surface.get(), 0, 0);
+    cairo_paint(cr_);
+    cairo_restore(cr_);
+    return scale * report_.scene.height;
   }
 
   void picture(double x, double y, double width, double height) {
@@ -136,9 +187,25 @@ class PagePainter : protected ReportCanvas {
         y_ += 11.5;
       }
     }
-    if (!block.rows.empty()) table(block, x, width);
+    if (block.flows) flow(block, x, width);
+    if (!block.rows.empty() && !block.flows) table(block, x, width);
     if (!block.strips.empty()) strips(block, x, width);
     y_ += 8;
+  }
+
+  /// Rows as running text, "name value", what is 0 left out.
+  void flow(const ReportBlock& block, double x, double width) {
+    std::string text;
+    for (const auto& row : block.rows) {
+      if (row.size() < 2 || row[1].text == "0.0") continue;
+      text += (text.empty() ? "" : ", ") + row[0].text + "\u00A0" + row[1].text;
+    }
+    for (const std::string& piece : wrapped(text, width)) {
+      need(12);
+      font(9);
+      show(x, y_ + 8.5, piece);
+      y_ += 11.5;
+    }
   }
 
   void table(const ReportBlock& block, double x, double width) {
@@ -182,18 +249,18 @@ class PagePainter : protected ReportCanvas {
       cells.push_back(wrapped(row[i].text, widths[i] - 8.0 - (row[i].band >= 0 ? 22.0 : 0.0)));
       lines = std::max(lines, cells.back().size());
     }
-    const double height = 3.0 + 11.5 * static_cast<double>(lines);
+    const double height = 1.5 + 11.5 * static_cast<double>(lines);
     need(height + 2);
     double at = x;
     for (std::size_t i = 0; i < row.size(); ++i) {
       double left = at;
       if (row[i].band >= 0) {
-        patch(left, y_ + 3.5, 17, 8, row[i].band);
+        patch(left, y_ + 2.5, 17, 8, row[i].band);
         left += 22;
       }
       font(9);
       for (std::size_t k = 0; k < cells[i].size(); ++k)
-        show(left, y_ + 11 + 11.5 * static_cast<double>(k), cells[i][k]);
+        show(left, y_ + 9.8 + 11.5 * static_cast<double>(k), cells[i][k]);
       at += widths[i];
     }
     y_ += height + 1;
@@ -225,10 +292,10 @@ class PagePainter : protected ReportCanvas {
 
   void signatures() {
     if (report_.signatures.empty()) return;
-    if (y_ > kHeight - kFoot) need(kHeight);
-    y_ = kHeight - kMargin - 16;
-    const double each = (kInner - 30.0) / static_cast<double>(report_.signatures.size());
-    double at = kMargin;
+    if (y_ > height_ - kFoot) need(height_);
+    y_ = height_ - margin_ - 16;
+    const double each = (inner_ - 30.0) / static_cast<double>(report_.signatures.size());
+    double at = margin_;
     for (const std::string& name : report_.signatures) {
       rule(at, each - 8.0, 0.8, 0.1);
       font(8.5);
@@ -238,12 +305,14 @@ class PagePainter : protected ReportCanvas {
   }
 
   const Report& report_;
+  double density_, height_, margin_, inner_;
   int page_ = 0;
 };
 
 class PdfPainter final : public PagePainter {
  public:
-  PdfPainter(const Report& report, cairo_t* context) : PagePainter(report), context_(context) {}
+  PdfPainter(const Report& report, double density, cairo_t* context)
+      : PagePainter(report, density), context_(context) {}
 
  protected:
   cairo_t* contextOf(int) override { return context_; }
@@ -256,8 +325,8 @@ class PdfPainter final : public PagePainter {
 /// One page onto `context`, the others nowhere.
 class OnePagePainter final : public PagePainter {
  public:
-  OnePagePainter(const Report& report, int wanted, cairo_t* context)
-      : PagePainter(report),
+  OnePagePainter(const Report& report, double density, int wanted, cairo_t* context)
+      : PagePainter(report, density),
         wanted_(wanted),
         context_(context),
         surface_(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, nullptr)),
@@ -273,6 +342,14 @@ class OnePagePainter final : public PagePainter {
   Context nowhere_;
 };
 
+/// As large as it fits on one page; where even the smallest is too long, readable on several.
+double densityOf(const Report& report) {
+  for (double density = 1.0; density >= kLeastDensity; density -= 0.02) {
+    if (OnePagePainter(report, density, -1, nullptr).paint() == 1) return density;
+  }
+  return kManyPagesDensity;
+}
+
 }  // namespace
 
 Expected<void> writeReportPdf(const Report& report, const std::filesystem::path& file) {
@@ -280,7 +357,7 @@ Expected<void> writeReportPdf(const Report& report, const std::filesystem::path&
   if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) {
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, report.title.c_str());
     const Context context(cairo_create(surface.get()));
-    PdfPainter(report, context.get()).paint();
+    PdfPainter(report, densityOf(report), context.get()).paint();
     cairo_surface_finish(surface.get());
   }
   if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) return {};
@@ -297,13 +374,43 @@ ReportPicture drawReportPage(const Report& report, int page, int width) {
                                                             4 * picture.width));
   const Context context(cairo_create(surface.get()));
   cairo_scale(context.get(), picture.width / kWidth, picture.width / kWidth);
-  OnePagePainter(report, page, context.get()).paint();
+  OnePagePainter(report, densityOf(report), page, context.get()).paint();
   cairo_surface_flush(surface.get());
   return picture;
 }
 
+std::string pngOf(const ReportPicture& picture) {
+  std::string bytes;
+  const auto append = [](void* to, const unsigned char* data, unsigned length) {
+    static_cast<std::string*>(to)->append(data, data + length);
+    return CAIRO_STATUS_SUCCESS;
+  };
+  cairo_surface_write_to_png_stream(surfaceOf(picture).get(), append, &bytes);
+  return bytes;
+}
+
+Expected<ReportPicture> readPng(const std::filesystem::path& file) {
+  constexpr int kMost = 8192;
+  const Surface read(cairo_image_surface_create_from_png(file.c_str()));
+  const int width = cairo_image_surface_get_width(read.get()), height = cairo_image_surface_get_height(read.get());
+  if (cairo_surface_status(read.get()) != CAIRO_STATUS_SUCCESS || width < 1 || height < 1)
+    return makeError({file.string(), "", "it cannot be read as a picture", "a PNG file", ""});
+  if (width > kMost || height > kMost)
+    return makeError({file.string(), "", std::to_string(width) + " x " + std::to_string(height) + " pixels",
+                      "at most 8192 either way", ""});
+  ReportPicture picture{width, height, {}};
+  picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  auto* bytes = static_cast<unsigned char*>(static_cast<void*>(picture.pixels.data()));
+  const Surface copy(cairo_image_surface_create_for_data(bytes, CAIRO_FORMAT_ARGB32, width, height, 4 * width));
+  const Context context(cairo_create(copy.get()));
+  cairo_set_source_surface(context.get(), read.get(), 0, 0);
+  cairo_paint(context.get());
+  cairo_surface_flush(copy.get());
+  return picture;
+}
+
 int reportPages(const Report& report) {
-  return OnePagePainter(report, -1, nullptr).paint();
+  return OnePagePainter(report, densityOf(report), -1, nullptr).paint();
 }
 
 }  // namespace hapticell::ergonomics

@@ -113,6 +113,24 @@ std::string pictureSvg(const std::vector<ReportShape>& shapes) {
   return svg + "</svg>";
 }
 
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kDigits[three >> (18 - 6 * k) & 63u] : '=';
+  }
+  return text;
+}
+
+std::string sceneHtml(const ReportPicture& scene) {
+  if (scene.isEmpty()) return {};
+  return "<img class=\"scene\" alt=\"\" src=\"data:image/png;base64," + base64(pngOf(scene)) + "\">";
+}
+
 std::string stripHtml(const ReportBlock::Strip& strip) {
   std::string text = "<tr><td>" + escaped(strip.name) +
                      "</td><td><svg class=\"strip\" viewBox=\"0 0 1000 24\" preserveAspectRatio=\"none\">";
@@ -158,7 +176,8 @@ constexpr const char* kStyle =
     "body{font:10pt Roboto,'Noto Sans','DejaVu Sans',sans-serif;color:#1A2027;max-width:180mm;margin:10mm auto}"
     "h1{font-size:16pt;margin:0}h2{font-size:10.5pt;margin:4mm 0 1mm}p{margin:0 0 1mm}"
     "header{display:flex;justify-content:space-between;border-bottom:1.5pt solid #1A2027;padding-bottom:2mm}"
-    ".top{display:flex;gap:8mm;margin-top:4mm}.figure{width:62mm;max-height:88mm;background:#EEF1F4}"
+    ".top{display:flex;gap:8mm;margin-top:4mm}.scene{display:block;width:62mm;margin-bottom:2mm}.figure{width:62mm;max-"
+    "height:88mm;background:#EEF1F4}"
     ".result{font-size:22pt;font-weight:700}.patch{width:22px;height:12px;vertical-align:-1px}"
     "table{border-collapse:collapse;width:100%}td,th{text-align:left;padding:.8mm 2mm .8mm 0;border-bottom:.5pt solid "
     "#BCC5CE;vertical-align:top}.strips td{border:0;padding:.6mm 2mm .6mm 0}.strip{width:100%;height:5mm}"
@@ -246,7 +265,8 @@ std::string reportHtml(const Report& report) {
   std::string text = "<!DOCTYPE html>\n<html lang=\"" + report.language + "\"><head><meta charset=\"utf-8\"><title>" +
                      escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>" + patterns();
   text += "<header><div><h1>" + escaped(report.title) + "</h1>" + escaped(report.subtitle) + "</div><div>" +
-          escaped(report.date) + "</div></header><div class=\"top\">" + pictureSvg(report.picture) + "<div>";
+          escaped(report.date) + "</div></header><div class=\"top\"><div>" + sceneHtml(report.scene) +
+          pictureSvg(report.picture) + "</div><div>";
   for (const ReportBlock& block : report.beside) text += blockHtml(block);
   text += "<p><span class=\"result\">" + escaped(report.result) + "</span> " + patch(report.result_band) +
           escaped(report.result_words) + "</p></div></div>";

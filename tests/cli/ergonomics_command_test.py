@@ -111,5 +111,96 @@ def test_ergonomics_refuses_bad_fields_by_name(case):
         assert name in message, (given, message)
 
 
+REBA_ANGLES = {"upper_arm_flexion": 40, "upper_arm_abducted": False, "shoulder_raised": False, "arm_supported": False,
+               "lower_arm_flexion": 80, "wrist_flexion": 12, "wrist_deviated": False, "neck_flexion": 18, "neck_twisted": False,
+               "neck_side_bent": False, "trunk_flexion": 15, "trunk_twisted": False, "trunk_side_bent": False,
+               "knee_flexion": 10, "legs_bilateral": True, "seated": False}
+ZONES = {"trunk_flexion": 30, "trunk_twist": 0, "trunk_side_bend": 0, "upper_arm_flexion": 15, "upper_arm_abduction": 5,
+         "movements_per_min": 1, "static": False, "trunk_supported": False, "arm_supported": False}
+GOOD = [
+    ("rula", {"scores": {"upper_arm": 4, "lower_arm": 2, "wrist": 3, "wrist_twist": 1, "neck": 3, "trunk": 4, "legs": 2,
+                         "muscle_use_arm": 0, "force_arm": 0, "muscle_use_body": 0, "force_body": 0}}),
+    ("rula", {"angles": RULA_ANGLES, "muscle_use": 0, "force": 0}),
+    ("reba", {"scores": {"neck": 1, "trunk": 3, "legs": 3, "upper_arm": 2, "lower_arm": 2, "wrist": 1}, "load": 1, "coupling": 1,
+              "activity": 0}),
+    ("reba", {"angles": REBA_ANGLES, "load": 1, "coupling": 1, "activity": 0}),
+    ("owas", {"code": "2151"}),
+    ("niosh", {"load_kg": 12, "h_cm": 25, "v_cm": 55, "d_cm": 95, "asymmetry_deg": 0, "frequency_per_min": 3, "duration_h": 1,
+               "coupling": "fair", "one_handed": False, "seated_or_kneeling": False, "restricted_space": False,
+               "unstable_load": False, "pushing_pulling_or_carrying": False, "fast": False, "hot_or_cold": False,
+               "slippery_floor": False}),
+    ("en1005", dict(ZONES, gaze_below_horizontal=10)),
+    ("iso11226", dict(ZONES, head_inclination=25, shoulder_raised_deg=0)),
+    ("eaws", {"stand_bent": 0.05, "sit_upright": 0.5}),
+]
+
+
+def leaves(given, path=()):
+    for name, value in given.items():
+        if isinstance(value, dict):
+            yield from leaves(value, path + (name,))
+        else:
+            yield path + (name,), value
+
+
+def replaced(given, path, value):
+    """A copy in which the field at `path` is `value`."""
+    copy = json.loads(json.dumps(given))
+    at = copy
+    for name in path[:-1]:
+        at = at[name]
+    at[path[-1]] = value
+    return copy
+
+
+def bad_values(value):
+    """Of the wrong kind, and outside any range."""
+    if isinstance(value, bool):
+        return ["yes", 1, None]
+    if isinstance(value, str):
+        return ["maybe", [value], -7]
+    return ["7", [value], 1e6, -1e6]
+
+
+def test_every_field_of_every_method_is_refused_by_name_when_it_is_bad(case):
+    for method, given in GOOD:
+        ergonomics(case, method, given)
+        for path, value in leaves(given):
+            for bad in bad_values(value):
+                message = ergonomics(case, method, replaced(given, path, bad), expect=2)
+                assert path[-1] in message, (method, path, bad, message)
+            misspelt = replaced(given, path[:-1] + (path[-1] + "x",), value)
+            assert path[-1] + "x" in ergonomics(case, method, misspelt, expect=2), (method, path)
+
+
+def test_every_field_of_task_data_is_refused_by_name_when_it_is_bad(case):
+    task = dict(TASK, name="Screw", mannequin="Ann", shock=False, rapid_changes=False, walking=False, trunk_supported=False,
+                left_arm_supported=False, right_arm_supported=False, lift=True, lift_distance_m=0.6, asymmetry_deg=0, note="x")
+    figure = ("--sex", "female", "--percentile", "5")
+    case.run("ergonomics", "posture", *figure, "--task", json.dumps(task))
+    for name, value in task.items():
+        for bad in ([7] if name in ("name", "mannequin", "note") else bad_values(value)):
+            message = case.run("ergonomics", "posture", *figure, "--task", json.dumps(dict(task, **{name: bad})), expect=2)
+            assert name in message or name.replace("_left", "").replace("_right", "") in message, (name, bad, message)
+    assert "loadx" in case.run("ergonomics", "posture", *figure, "--task", json.dumps(dict(task, loadx=1)), expect=2)
+
+
+def test_own_limits_of_the_hands_force(case):
+    table = case.folder / "limits.csv"
+    table.write_text("# source: our physiologist, 2026\nhand,height_from_m,height_to_m,limit_n\nany,0,3,40\nright,1.0,3,30\n")
+    figure = ("ergonomics", "posture", "--sex", "male", "--percentile", "50", "--posture", "overhead", "--task", json.dumps(TASK))
+    without = case.run(*figure)["hand_forces"]
+    assert without["partial"] and without["missing"] == ["force_limits"]
+    found = case.run(*figure, "--force-limits", table)["hand_forces"]
+    assert not found["partial"], found
+    right = next(limit for limit in found["limits"] if limit["method"] == "own" and limit["hand"] == "right")
+    assert right["limit_n"] == 30 and abs(right["share"] - 2.4 * 9.80665 / 30) < 1e-9
+    for text, name in (("hand,force\nany,3\n", "force"), ("limit_n\n-3\n", "limit_n"), ("limit_n\n", "row"), ("hand\nleft\n", "limit_n"),
+                       ("hand,limit_n\nboth,3\n", "hand"), ("height_from_m,height_to_m,limit_n\n2,1,3\n", "height_to_m"),
+                       ("limit_n\n1,2\n", "fields"), ("", "names")):
+        table.write_text(text)
+        assert name in case.run(*figure, "--force-limits", table, expect=2), text
+
+
 if __name__ == "__main__":
     sys.exit(main(globals()))

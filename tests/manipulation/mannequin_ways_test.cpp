@@ -119,25 +119,58 @@ TEST(MannequinManipulator, OnASeatThePelvisStays) {
   EXPECT_LT(placeError(at.X_WE, start.X_WE), 1e-6);
 }
 
-TEST(MannequinManipulator, WithFreeFeetItGoesAlongTheFloor) {
+/// The right hand drawn by `way`, 6 mm a tick, then held there; the feet may step.
+struct Walk {
+  double left_out = 0.0;  ///< What placeError() leaves.
+  std::array<dvec3, 2> gone{};
+  double highest = 0.0, lowest = 0.0;  ///< Of any foot above where it stood.
+  bool both_lifted = false;
+  double nearest = 1e9;  ///< Of both feet, along the floor.
+};
+Walk walkBy(const dvec3& way) {
   const workcell::Entity entity = worker("both_hands_forward");
   const EntityConfiguration start{entity.X_WE, entity.joints};
   MannequinManipulator::Locks locks;
   locks.may_step = true;
   const MannequinManipulator hand(entity.figure, entity.robot, Hands::kRight, locks, start, partsOf(entity));
+  const auto before = poseOf(entity, start);
   Pose wanted = hand.movedFrame(start);
   EntityConfiguration at = start;
-  for (int i = 0; i < 240; ++i) {
-    wanted.p.x += 0.006;  // 1.44 m in all: far beyond the reach of standing feet.
+  Walk walk;
+  const int ticks = static_cast<int>(glm::length(way) / 0.006);
+  for (int i = 0; i < ticks + 300; ++i) {
+    if (i < ticks) wanted.p += way / static_cast<double>(ticks);
     at = hand.propose(at, wanted, 1.0);
+    const auto pose = poseOf(entity, at);
+    std::array<double, 2> height{};
+    for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+      const std::size_t foot = static_cast<std::size_t>(side);
+      walk.gone[foot] = mannequin::footPose(pose, side).p - mannequin::footPose(before, side).p;
+      height[foot] = walk.gone[foot].z;
+      walk.highest = std::max(walk.highest, height[foot]);
+      walk.lowest = std::min(walk.lowest, height[foot]);
+    }
+    walk.both_lifted = walk.both_lifted || std::min(height[0], height[1]) > 1e-3;
+    const dvec3 apart =
+        mannequin::footPose(pose, mannequin::Side::kLeft).p - mannequin::footPose(pose, mannequin::Side::kRight).p;
+    walk.nearest = std::min(walk.nearest, std::hypot(apart.x, apart.y));
   }
-  for (int i = 0; i < 60; ++i) at = hand.propose(at, wanted, 1.0);
-  EXPECT_LT(placeError(hand.movedFrame(at), wanted), 5e-3);
-  const auto before = poseOf(entity, start), after = poseOf(entity, at);
-  for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
-    const dvec3 way = mannequin::footPose(after, side).p - mannequin::footPose(before, side).p;
-    EXPECT_GT(way.x, 0.5);
-    EXPECT_LT(std::abs(way.z), 1e-3) << "on the floor";
+  walk.left_out = placeError(hand.movedFrame(at), wanted);
+  return walk;
+}
+
+TEST(MannequinManipulator, WithFreeFeetItWalksOneFootAfterTheOther) {
+  for (const dvec3& way : {dvec3(1.44, 0.0, 0.0), dvec3(0.0, 1.2, 0.0), dvec3(0.0, -1.2, 0.0), dvec3(1.0, 0.6, 0.0)}) {
+    const Walk walk = walkBy(way);  // Far beyond the reach of standing feet.
+    EXPECT_LT(walk.left_out, 5e-3);
+    EXPECT_GT(walk.highest, 0.03) << "it lifts its feet";
+    EXPECT_GT(walk.lowest, -1e-3);
+    EXPECT_FALSE(walk.both_lifted);
+    EXPECT_GT(walk.nearest, 0.06) << "no foot on the other";
+    for (const dvec3& gone : walk.gone) {
+      EXPECT_GT(glm::dot(gone, glm::normalize(way)), 0.2 * glm::length(way));
+      EXPECT_LT(std::abs(gone.z), 1e-3) << "on the floor in the end";
+    }
   }
 }
 
@@ -145,6 +178,14 @@ TEST(MannequinOwnPairs, HandsMeetTheBodyButNotTheirOwnArm) {
   EXPECT_TRUE(isOwnPairOfMannequin("l_hand", mannequin::segmentInfo(mannequin::Segment::kThorax).name));
   EXPECT_TRUE(isOwnPairOfMannequin(mannequin::segmentInfo(mannequin::Segment::kHead).name, "r_hand"));
   EXPECT_TRUE(isOwnPairOfMannequin("l_hand", "r_hand"));
+  for (const auto segment :
+       {mannequin::Segment::kPelvis, mannequin::Segment::kLeftThigh, mannequin::Segment::kRightFoot}) {
+    EXPECT_TRUE(isOwnPairOfMannequin("l_hand", mannequin::segmentInfo(segment).name));
+    EXPECT_TRUE(isOwnPairOfMannequin(mannequin::segmentInfo(segment).name, "l_index3"));
+  }
+  EXPECT_TRUE(isOwnPairOfMannequin("l_index3", "r_hand"));
+  EXPECT_FALSE(isOwnPairOfMannequin("l_index3", "l_hand"));
+  EXPECT_FALSE(isOwnPairOfMannequin("l_index3", "r_index3"));
   const char* upper = mannequin::segmentInfo(mannequin::Segment::kLeftUpperArm).name;
   EXPECT_FALSE(isOwnPairOfMannequin("l_hand", upper));
   EXPECT_FALSE(isOwnPairOfMannequin(upper, mannequin::segmentInfo(mannequin::Segment::kThorax).name));
@@ -156,7 +197,8 @@ TEST(HeldMannequin, TheHandStopsAtTheOwnChestAndAtATable) {
   const config::Configuration configuration;
   HoldOptions options;
   options.moved_by.kind = Kind::kRightHand;
-  for (const dvec3& way : {dvec3(-0.6, 0.25, 0.0), dvec3(0.1, 0.0, -0.6)}) {
+  // Chest, table, own hip.
+  for (const dvec3& way : {dvec3(-0.6, 0.25, 0.0), dvec3(0.1, 0.0, -0.6), dvec3(-0.6, 0.15, -0.18)}) {
     auto held = HeldEntity::take(scene, entity.id, {}, options, configuration);
     ASSERT_TRUE(held) << held.error().message();
     MotionMapping mapping;

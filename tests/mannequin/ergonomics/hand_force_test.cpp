@@ -89,5 +89,30 @@ TEST(HandForces, LimitsAreTheMethodsOwnClassesAndNothingIsInvented) {
   }
 }
 
+TEST(HandForces, OwnLimitsAreThoseOfTheGripsPlaceAndWithoutThemItIsPartial) {
+  const mannequin::Figure figure = man();
+  const auto pose = mannequin::forwardKinematics(figure, *mannequin::libraryPosture(figure, "overhead"));
+  WorkTask task;
+  EXPECT_EQ(handForces(figure, pose, task).missing.size(), 3u) << "both loads and the limits";
+  task.load_kg = {0.0, 4.0};
+  EXPECT_EQ(handForces(figure, pose, task).missing, std::vector<std::string_view>{"force_limits"});
+  ForceTable own{
+      "a test",
+      {{-1, {0.0, 1.4}, {0.0, 9.0}, 60.0}, {-1, {1.4, 3.0}, {0.0, 9.0}, 50.0}, {1, {1.4, 3.0}, {0.0, 9.0}, 40.0}}};
+  const auto forces = handForces(figure, pose, task, own);
+  EXPECT_TRUE(forces.missing.empty());
+  int found = 0;
+  for (const ForceLimit& limit : forces.limits) {
+    if (limit.method != "own") continue;
+    ++found;
+    EXPECT_EQ(*limit.limit_n, limit.hand == 1 ? 40.0 : 50.0);
+    EXPECT_EQ(limit.band, limit.hand == 1 ? 2 : 0) << "39.2 of 40 N";
+  }
+  EXPECT_EQ(found, 2);
+  own.rows.pop_back();
+  own.rows.pop_back();
+  EXPECT_EQ(handForces(figure, pose, task, own).missing.size(), 1u) << "none holds overhead";
+}
+
 }  // namespace
 }  // namespace hapticell::ergonomics

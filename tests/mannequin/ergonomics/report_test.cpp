@@ -54,6 +54,25 @@ TEST(Report, FrenchHasNoEnglishHeadings) {
   for (const auto& block : report.blocks) EXPECT_EQ(block.heading.find("Sub-scores"), std::string::npos);
 }
 
+TEST(Report, TheScenesPictureIsInHtmlAndPdfAndComesBackFromPng) {
+  PostureReportInput input = inputFor(Language::kEnglish);
+  const std::string plain = reportHtml(postureReport(input));
+  EXPECT_EQ(plain.find("data:image/png"), std::string::npos);
+  input.scene = {3, 2, {0xFF102030u, 0xFF405060u, 0xFF708090u, 0xFFA0B0C0u, 0xFFD0E0F0u, 0xFF000000u}};
+  EXPECT_NE(reportHtml(postureReport(input)).find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+  const fs::path file = fs::temp_directory_path() / "hapticell_report_scene.png";
+  std::ofstream(file, std::ios::binary) << pngOf(input.scene);
+  const auto read = readPng(file);
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->width, 3);
+  EXPECT_EQ(read->pixels, input.scene.pixels);
+  std::ofstream(file, std::ios::binary) << "no picture";
+  EXPECT_FALSE(readPng(file));
+  fs::remove(file);
+  EXPECT_FALSE(readPng(file));
+  EXPECT_GE(reportPages(postureReport(input)), 1);
+}
+
 TEST(Report, CsvQuotesAndJsonHoldsTheSame) {
   const Report report = taskReport(inputFor(Language::kEnglish));
   const std::string csv = reportCsv(report);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <string>
+#include <tuple>
 
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/reba.h"
@@ -55,6 +57,29 @@ TEST(ScoredMethod, TablesHaveThePublishedCounts) {
                                                       {14, 7999},
                                                       {15, 3312}}));
   EXPECT_EQ(histogram(Owas(), 4), (std::map<int, int>{{1, 72}, {2, 53}, {3, 55}, {4, 72}}));
+}
+
+/// The sum of all cells of each table that any input leads to.
+std::map<std::string, int> cellSums(const ScoredMethod& method, std::size_t count) {
+  std::map<std::tuple<std::string, int, int, int, int>, int> cells;
+  forAll(method, count, [&](const std::vector<int>& values) {
+    for (const TableEntry& entry : method.evaluate(values).entries) {
+      const auto [cell, is_new] = cells.try_emplace(
+          {std::string(entry.table), entry.row, entry.row_part, entry.column, entry.column_part}, entry.value);
+      EXPECT_EQ(cell->second, entry.value) << "one cell, one value";
+    }
+  });
+  std::map<std::string, int> sums;
+  for (const auto& [cell, value] : cells) sums[std::get<0>(cell)] += value;
+  return sums;
+}
+
+TEST(ScoredMethod, TablesHaveTheKnownChecksums) {
+  EXPECT_EQ(cellSums(Rula(), 7), (std::map<std::string, int>{{"A", 705}, {"B", 438}, {"C", 269}}));
+  EXPECT_EQ(cellSums(Reba(), 9), (std::map<std::string, int>{{"A", 321}, {"B", 177}, {"C", 1192}}));
+  int owas = 0;
+  forAll(Owas(), 4, [&](const std::vector<int>& values) { owas += Owas().score(values); });
+  EXPECT_EQ(owas, 631);
 }
 
 TEST(ScoredMethod, NoRaisedSubScoreLowersTheScore) {
