@@ -30,7 +30,7 @@ struct PostureOptions {
   std::string cell, mannequin;
   std::string sex = "male", posture = "standing", task;
   std::optional<double> percentile, stature, mass;
-  std::vector<std::string> reports;
+  std::vector<std::string> reports, task_reports;
   std::string language = "en", date, picture, force_limits;
   std::string input;
   std::vector<std::string> station;
@@ -137,11 +137,15 @@ Expected<Subject> subjectOf(const PostureOptions& options) {
 }
 
 Expected<void> writeReports(const PostureOptions& options, PostureReportInput& input) {
-  if (options.reports.empty()) return {};
+  if (options.reports.empty() && options.task_reports.empty()) return {};
   input.bodies = atSameTask(mannequin::boundaryFigures(), input.figure, input.posture, input.task);
   const Report page = postureReport(input);
   for (const std::string& file : options.reports) {
     if (auto written = writeReport(page, file); !written) return written;
+  }
+  const Report task_page = taskReport(input);
+  for (const std::string& file : options.task_reports) {
+    if (auto written = writeReport(task_page, file); !written) return written;
   }
   return {};
 }
@@ -257,6 +261,7 @@ void addErgonomicsPostureCommands(CLI::App& ergonomics, Action& chosen) {
   addSubject(*posture, *options);
   posture->add_option("--report", options->reports,
                       "Writes a report: .pdf, .html, .csv or .json; several may be given");
+  posture->add_option("--task-report", options->task_reports, "The task's page, in the same formats");
   posture->add_option("--picture", options->picture,
                       "A PNG for the report: the figure in its cell (hapticell --render)");
   posture->add_option("--force-limits", options->force_limits,

@@ -9,7 +9,7 @@
 namespace hapticell::mannequin {
 
 geometry::TriangleMesh hairMesh(const Figure& figure, const Flesh& head, double cell) {
-  constexpr double kThick = 0.006;  // m
+  constexpr double kThick = 0.009;  // m
   const double k = figure.body[Dimension::kStature] / 1.755, below = figure.sex == Sex::kFemale ? 0.125 : 0.085;
   // A plane from the forehead down over the ears to the nape: hair is above and behind it.
   const dvec3 forehead = figure.p_HeadEyes + k * dvec3(-0.012, 0.0, 0.062);

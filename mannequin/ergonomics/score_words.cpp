@@ -26,7 +26,10 @@ const std::unordered_map<std::string_view, std::string_view>& french() {
       {"load", "charge"},
       {"coupling", "prise"},
       {"activity", "activité"},
-      {"muscle use", "usage musculaire"},
+      {"muscle use, arm", "usage musculaire, bras"},
+      {"muscle use, body", "usage musculaire, corps"},
+      {"force, arm", "effort, bras"},
+      {"force, body", "effort, corps"},
       {"force", "force"},
       {"raised", "épaule levée"},
       {"abducted", "écarté"},
@@ -217,9 +220,9 @@ std::string word(std::string_view english, Language language) {
 }
 
 std::string rulaPart(Rula::Index index, Side side, Language language) {
-  constexpr std::array<std::string_view, Rula::kCount> kNames{"upper arm", "lower arm",  "wrist", "wrist twist",
-                                                              "neck",      "trunk",      "legs",  "muscle use",
-                                                              "force",     "muscle use", "force"};
+  constexpr std::array<std::string_view, Rula::kCount> kNames{
+      "upper arm", "lower arm",       "wrist",      "wrist twist",      "neck",       "trunk",
+      "legs",      "muscle use, arm", "force, arm", "muscle use, body", "force, body"};
   if (index <= Rula::kWristTwist) return sided(kNames[index], side, language);
   return word(kNames[index], language);
 }

@@ -154,12 +154,12 @@ def replaced(given, path, value):
 
 
 def bad_values(value):
-    """Of the wrong kind, and outside any range."""
+    """Of the wrong kind, and outside any range (each is a run of the program: no more than needed)."""
     if isinstance(value, bool):
-        return ["yes", 1, None]
+        return ["yes"]
     if isinstance(value, str):
-        return ["maybe", [value], -7]
-    return ["7", [value], 1e6, -1e6]
+        return ["maybe", [value]]
+    return ["7", 1e6]
 
 
 def test_every_field_of_every_method_is_refused_by_name_when_it_is_bad(case):
@@ -169,8 +169,8 @@ def test_every_field_of_every_method_is_refused_by_name_when_it_is_bad(case):
             for bad in bad_values(value):
                 message = ergonomics(case, method, replaced(given, path, bad), expect=2)
                 assert path[-1] in message, (method, path, bad, message)
-            misspelt = replaced(given, path[:-1] + (path[-1] + "x",), value)
-            assert path[-1] + "x" in ergonomics(case, method, misspelt, expect=2), (method, path)
+        misspelt = replaced(given, path[:-1] + (path[-1] + "x",), value)
+        assert path[-1] + "x" in ergonomics(case, method, misspelt, expect=2), (method, path)
 
 
 def test_every_field_of_task_data_is_refused_by_name_when_it_is_bad(case):
