@@ -869,6 +869,10 @@
         <translation>Une butée d'articulation gêne cette pose</translation>
     </message>
     <message>
+        <source>A method's limit is where its next class begins; moments hold the arms' own weight.</source>
+        <translation>La limite d'une méthode est là où commence sa classe suivante ; les moments comprennent le poids des bras.</translation>
+    </message>
+    <message>
         <source>A new workcell</source>
         <translation>Une nouvelle cellule</translation>
     </message>
@@ -895,6 +899,10 @@
     <message>
         <source>A straight way before it</source>
         <translation>Une voie droite avant</translation>
+    </message>
+    <message>
+        <source>A table of the forces that a hand may exert, of your own source; none are shipped</source>
+        <translation>Une table des efforts qu'une main peut exercer, de votre propre source ; aucune n'est fournie</translation>
     </message>
     <message>
         <source>A trajectory is not on disk</source>
@@ -2797,10 +2805,6 @@ Licence Apache 2.0</translation>
         <translation>Limites et collisions sur tout le mouvement</translation>
     </message>
     <message>
-        <source>Limits are where a method's next class begins; moments hold the arms' own weight. No table of strength is behind them.</source>
-        <translation>Les limites sont le début de la classe suivante d'une méthode ; les moments comprennent le poids des bras. Aucune table de force ne les fonde.</translation>
-    </message>
-    <message>
         <source>Limits, singular places, configurations and collisions, between the frames too</source>
         <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
     </message>
@@ -3321,6 +3325,10 @@ Licence Apache 2.0</translation>
         <translation>Aucun stylet n'est connecté</translation>
     </message>
     <message>
+        <source>No table of strength is shipped; yours can be read in.</source>
+        <translation>Aucune table de force n'est fournie ; la vôtre peut être lue.</translation>
+    </message>
+    <message>
         <source>No turning about %1</source>
         <translation>Pas de rotation autour de %1</translation>
     </message>
@@ -3611,6 +3619,30 @@ Licence Apache 2.0</translation>
     <message>
         <source>Own frame %1</source>
         <translation>Repère propre %1</translation>
+    </message>
+    <message>
+        <source>Own limit, left</source>
+        <translation>Limite propre, gauche</translation>
+    </message>
+    <message>
+        <source>Own limit, right</source>
+        <translation>Limite propre, droite</translation>
+    </message>
+    <message>
+        <source>Own limits</source>
+        <translation>Limites propres</translation>
+    </message>
+    <message>
+        <source>Own limits of the hands' force</source>
+        <translation>Limites propres de l'effort aux mains</translation>
+    </message>
+    <message>
+        <source>Own limits of the hands…</source>
+        <translation>Limites propres des mains…</translation>
+    </message>
+    <message>
+        <source>Own limits: %1</source>
+        <translation>Limites propres : %1</translation>
     </message>
     <message>
         <source>Own measure</source>
@@ -4797,6 +4829,10 @@ Licence Apache 2.0</translation>
         <translation>Tableau (.csv)</translation>
     </message>
     <message>
+        <source>Tables (*.csv);;All files (*)</source>
+        <translation>Tables (*.csv);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
         <source>Take</source>
         <translation>Prendre</translation>
     </message>
@@ -5031,6 +5067,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The lifting equation and what the hands bear; the colours stay those of RULA</source>
         <translation>L'équation de levage et ce que portent les mains ; les couleurs restent celles de RULA</translation>
+    </message>
+    <message>
+        <source>The limits were not read</source>
+        <translation>Les limites n'ont pas été lues</translation>
     </message>
     <message>
         <source>The load is lifted or lowered</source>
@@ -6151,6 +6191,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>part</source>
         <translation>pièce</translation>
+    </message>
+    <message>
+        <source>partial: none entered for this place</source>
+        <translation>partiel : aucune entrée pour cet endroit</translation>
     </message>
     <message>
         <source>parts</source>
