@@ -25,7 +25,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kDrawMilliseconds = 300;
-constexpr int kQuickSamples = 4, kFineSamples = 24;
+constexpr int kQuickSamples = 1, kFineSamples = 8;
 constexpr QSize kSceneSize(760, 560);
 constexpr double kAround = 0.35;  ///< m of the cell about the figure.
 
