@@ -44,6 +44,7 @@ std::vector<FigureJob> allJobs(const BenchmarkOptions& options) {
   addStabilityJobs(options, jobs);
   addWallJobs(options, jobs);
   addMeshJobs(options, jobs);
+  addNetworkJobs(options, jobs);
   if (options.timing) addTimedJobs(options, jobs);
   return jobs;
 }
@@ -51,7 +52,7 @@ std::vector<FigureJob> allJobs(const BenchmarkOptions& options) {
 std::string names(const std::vector<FigureJob>& jobs) {
   std::set<std::string> scenes;
   for (const FigureJob& job : jobs) scenes.insert(job.scene);
-  std::string text = "M1 .. M14";
+  std::string text = "M1 .. M14, NET";
   for (const std::string& scene : scenes) text += ", " + scene;
   return text;
 }

@@ -36,6 +36,7 @@ void addEnergyJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs
 void addStabilityJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);  // M5, M10
 void addWallJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);       // M8, M12
 void addMeshJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);       // M13
+void addNetworkJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);    // NET: M1..M4 over a bad network
 void addTimedJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs);      // M7, M11
 
 }  // namespace hapticell::feel

@@ -29,11 +29,23 @@ ConstraintSet SlowClient::look(const RenderingWay& way, double t) const {
   return way.sent(set);
 }
 
+double SlowClient::arrivalOf(double t) {
+  double arrival = t + rate_.latency;
+  if (rate_.jitter > 0.0 || rate_.loss > 0.0) {
+    // 53 bits by hand: the distributions of the library differ between libraries.
+    const auto share = [this] { return static_cast<double>(random_() >> 11) * 0x1p-53; };
+    arrival += rate_.jitter * share();
+    if (share() < rate_.loss) arrival += rate_.retransmit;
+    arrival = last_arrival_ = std::max(arrival, last_arrival_);
+  }
+  return arrival;
+}
+
 void SlowClient::step(double t, RenderingWay& way) {
   if (t + 1e-9 >= next_look_) {
     next_look_ += 1.0 / rate_.rate_hz;
     if (t < stall_from_ || t >= stall_until_) {
-      on_the_way_.push_back({t, t + rate_.latency, look(way, t)});
+      on_the_way_.push_back({t, arrivalOf(t), look(way, t)});
       on_the_way_.back().set.sequence = ++sequence_;
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <random>
 
 #include "feel/rendering_way.h"
 #include "feel/scene.h"
@@ -12,6 +13,10 @@ namespace hapticell::feel {
 struct ClientRate {
   double rate_hz = 10.0;
   double latency = 0.05;  ///< s.
+  // As TCP shows a bad network: late, never out of order, and what was lost comes after a time-out with all behind it.
+  double jitter = 0.0;      ///< s: as much later at most, evenly spread.
+  double loss = 0.0;        ///< Share of the sets that are sent again.
+  double retransmit = 0.2;  ///< s until then: the least time-out of Linux (RFC 6298 would wait a second).
 };
 
 inline constexpr ClientRate kRates[] = {{10.0, 0.05}, {60.0, 0.01}, {1000.0, 0.001}};
@@ -39,6 +44,7 @@ class SlowClient {
     ConstraintSet set;
   };
   ConstraintSet look(const RenderingWay& way, double t) const;
+  double arrivalOf(double t);
 
   const FeelScene& scene_;
   ClientRate rate_;
@@ -48,6 +54,8 @@ class SlowClient {
   double back_at_ = -1.0;
   std::uint64_t sequence_ = 0;
   std::deque<Sent> on_the_way_;
+  double last_arrival_ = 0.0;
+  std::mt19937_64 random_{20261122};  // The same network each time.
 };
 
 }  // namespace hapticell::feel

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "geometry/assertion.h"
+#include "kinematics/link_pose.h"
 
 namespace hapticell::kinematics {
 
@@ -121,6 +122,22 @@ void forwardKinematics(const RobotModel& model, const std::vector<double>& q, st
     const Pose X_PL = joint.X_PJ * jointMotion(joint, jointPosition(model, q, joint));
     X_BL[static_cast<std::size_t>(joint.child_link)] = X_BL[static_cast<std::size_t>(joint.parent_link)] * X_PL;
   }
+}
+
+Pose linkPose(const RobotModel& model, const std::vector<double>& q, int link) {
+  HAPTICELL_DEMAND(q.size() == model.dof() && link >= 0 && static_cast<std::size_t>(link) < model.links.size());
+  if (model.closure) {
+    std::vector<Pose> X_BL;
+    forwardKinematics(model, q, X_BL);
+    return X_BL[static_cast<std::size_t>(link)];
+  }
+  Pose X_PL = Pose::identity();  // Of the link in the one that is gone through.
+  for (int at = model.links[static_cast<std::size_t>(link)].parent_joint; at >= 0;) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(at)];
+    X_PL = joint.X_PJ * jointMotion(joint, jointPosition(model, q, joint)) * X_PL;
+    at = model.links[static_cast<std::size_t>(joint.parent_link)].parent_joint;
+  }
+  return X_PL;
 }
 
 }  // namespace hapticell::kinematics

@@ -28,9 +28,15 @@ FreeMotion::FreeMotion(std::vector<std::shared_ptr<const collision::MeshCollider
   }
   for (const auto& part : parts_) spheres_.push_back({part->center(), part->radius()});
   X_WP_.resize(parts_.size());
-  X_WP_at_s_.resize(parts_.size());
   bounds_.resize(parts_.size());
   reached_.resize(pairs_.size());
+  pair_bounds_.resize(pairs_.size());
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (pairs_[i].other_part < 0) continue;
+    own_.push_back(i);
+    own_parts_.push_back({pairs_[i].part, static_cast<std::uint32_t>(pairs_[i].other_part)});
+  }
+  own_bounds_.resize(own_.size());
 }
 
 collision::DistanceResult FreeMotion::measure(std::uint32_t pair, const Pose& X_WP, double limit) {
@@ -43,10 +49,15 @@ Pose FreeMotion::standingPose(std::uint32_t pair) const {
   return other < 0 ? obstacles_[pairs_[pair].obstacle].X_WO : X_WP_[static_cast<std::size_t>(other)];
 }
 
-/// How far the two may come together along the whole motion.
-double FreeMotion::boundOf(std::uint32_t pair) const {
-  const int other = pairs_[pair].other_part;
-  return bounds_[pairs_[pair].part] + (other < 0 ? 0.0 : bounds_[static_cast<std::size_t>(other)]);
+/// How far the two of each pair may come together along the whole motion.
+void FreeMotion::boundPairs(const Motion& motion) {
+  motion.manipulator.pathBounds(motion.from, motion.to, spheres_, bounds_);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) pair_bounds_[i] = bounds_[pairs_[i].part];
+  for (std::size_t k = 0; k < own_.size(); ++k) {
+    own_bounds_[k] = bounds_[own_parts_[k].part] + bounds_[own_parts_[k].other];
+  }
+  motion.manipulator.tightenOwnBounds(motion.from, motion.to, spheres_, own_parts_, own_bounds_);
+  for (std::size_t k = 0; k < own_.size(); ++k) pair_bounds_[own_[k]] = own_bounds_[k];
 }
 
 /// Where it stands for what blocks.
@@ -94,41 +105,45 @@ bool FreeMotion::anySoft() const {
   return std::any_of(states_.begin(), states_.end(), [](const PairState& state) { return state.soft; });
 }
 
-const Pose& FreeMotion::partPoseAt(const Motion& motion, std::uint32_t part, double s) {
+Pose FreeMotion::partPoseAt(const Motion& motion, std::uint32_t part, double s) {
   if (s != scratch_s_) {
-    motion.manipulator.partPoses(motion.manipulator.between(motion.from, motion.to, s), X_WP_at_s_);
+    at_s_ = motion.manipulator.between(motion.from, motion.to, s);
     scratch_s_ = s;
   }
-  return X_WP_at_s_[part];
+  return motion.manipulator.partPose(at_s_, part);
 }
 
 void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer) {
   const std::uint32_t part = pairs_[pair].part;
-  const double bound = boundOf(pair);
+  const double bound = pair_bounds_[pair];
   PairState& state = states_[pair];
   reached_[pair] = 0.0;
   if (state.clearance - kStandOff > answer.s * bound) return;
-  const Pose X_WO = obstaclePose(pair);
-  const double reach_of_list = state.query.near().reachAt(X_WP_[part].inverse() * X_WO);
+  const Pose X_WO = obstaclePose(pair), X_WP = X_WP_[part];
+  const double reach_of_list = state.query.near().reachAt(X_WP.inverse() * X_WO);
   if (reach_of_list < kStandOff + answer.s * bound) {
-    state.clearance = state.query.distance(X_WP_[part], X_WO, std::max(kLeastLook, 2.0 * bound)).distance;
+    state.clearance = state.query.distance(X_WP, X_WO, std::max(kLeastLook, 2.0 * bound)).distance;
     if (state.clearance - kStandOff > answer.s * bound) return;
   }
 
-  collision::PartMotion moved;
-  moved.X_WStart = X_WP_[part];
-  moved.path_bound = bounds_[part];
-  moved.bend_bound = 2.0 * motion.turned * bounds_[part];
-  moved.along = [&](double s) { return partPoseAt(motion, part, s); };
-  collision::PartMotion met = collision::standingStill(X_WO);
-  if (const int other = pairs_[pair].other_part; other >= 0) {
-    const auto second = static_cast<std::uint32_t>(other);
-    met.path_bound = bounds_[second];
-    met.bend_bound = 2.0 * motion.turned * bounds_[second];
-    met.along = [&, second](double s) {
-      const Pose& X_WP = partPoseAt(motion, second, s);
-      return Pose{X_WP.p + state.stand_back_W, X_WP.q};
+  // Of two parts of the entity the one is looked at from the other: what carries both along brings them no nearer.
+  const bool own = pairs_[pair].other_part >= 0;
+  const auto other = static_cast<std::uint32_t>(std::max(0, pairs_[pair].other_part));
+  collision::PartMotion moved, met = collision::standingStill(X_WO);
+  if (own) {
+    moved = collision::standingStill(X_WP);
+    met.path_bound = bound;
+    met.bend_bound = 2.0 * motion.turned * bound;
+    met.along = [&](double s) {
+      const Pose X_WQ = partPoseAt(motion, other, s);
+      const Pose back = {X_WQ.p + state.stand_back_W, X_WQ.q};
+      return X_WP * (partPoseAt(motion, part, s).inverse() * back);
     };
+  } else {
+    moved.X_WStart = X_WP;
+    moved.path_bound = bound;
+    moved.bend_bound = 2.0 * motion.turned * bound;
+    moved.along = [&](double s) { return partPoseAt(motion, part, s); };
   }
   const collision::MotionStop stop = collision::advance(state.query, moved, met, {kStandOff, answer.s});
   reached_[pair] = stop.s;
@@ -140,7 +155,13 @@ void FreeMotion::advancePair(const Motion& motion, std::uint32_t pair, MotionAns
   answer.contact = stop.nearest;
   // Where the check gave up its nearest points may be missing.
   if (stop.nearest.beyond_limit || stop.nearest.colliding) {
-    answer.contact = state.query.distance(partPoseAt(motion, part, stop.s), met.at(stop.s), kLeastLook);
+    answer.contact = state.query.distance(moved.at(stop.s), met.at(stop.s), kLeastLook);
+  }
+  if (own) {
+    const Pose carried = partPoseAt(motion, part, stop.s) * X_WP.inverse();
+    answer.contact.p_WA = carried * answer.contact.p_WA;
+    answer.contact.p_WB = carried * answer.contact.p_WB;
+    answer.contact.nhat_BA_W = carried.rotate(answer.contact.nhat_BA_W);
   }
 }
 
@@ -149,7 +170,7 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
   const Motion motion{manipulator, from, to, manipulator.turnBound(from, to)};
   MotionAnswer answer;
   scratch_s_ = -1.0;
-  manipulator.pathBounds(from, to, spheres_, bounds_);
+  boundPairs(motion);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     reached_[i] = 0.0;
     if (pairs_[i].blocks && (!states_[i].soft || states_[i].guarded())) advancePair(motion, i, answer);
@@ -157,7 +178,7 @@ MotionAnswer FreeMotion::advance(const Manipulator& manipulator, const EntityCon
   manipulator.partPoses(manipulator.between(from, to, answer.s), X_WP_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     PairState& state = states_[i];
-    state.clearance -= std::abs(answer.s - reached_[i]) * boundOf(i);
+    state.clearance -= std::abs(answer.s - reached_[i]) * pair_bounds_[i];
     if (!state.soft || !pairs_[i].blocks) continue;
     const collision::DistanceResult found = measure(i, X_WP_[pairs_[i].part], kLeastLook);
     state.soft = found.distance <= collision::kLeastClearance;

@@ -98,17 +98,22 @@ class FreeMotion {
   Pose obstaclePose(std::uint32_t pair) const;
   double boundOf(std::uint32_t pair) const;
   void advancePair(const Motion& motion, std::uint32_t pair, MotionAnswer& answer);
-  const Pose& partPoseAt(const Motion& motion, std::uint32_t part, double s);
+  Pose partPoseAt(const Motion& motion, std::uint32_t part, double s);
+  void boundPairs(const Motion& motion);
 
   std::vector<std::shared_ptr<const collision::MeshCollider>> parts_;
   std::vector<Obstacle> obstacles_;
   std::vector<MotionPair> pairs_;
   std::vector<PairState> states_;
   std::vector<PartSphere> spheres_;
-  std::vector<Pose> X_WP_;       ///< At the accepted configuration.
-  std::vector<Pose> X_WP_at_s_;  ///< Scratch: at the last s asked for.
+  std::vector<Pose> X_WP_;  ///< At the accepted configuration.
   std::vector<double> bounds_;
-  std::vector<double> reached_;  ///< Scratch per pair: s where its clearance was last measured.
+  std::vector<std::uint32_t> own_;               ///< Indices of the pairs of two parts,
+  std::vector<Manipulator::OwnPair> own_parts_;  ///< and their parts.
+  std::vector<double> own_bounds_;               ///< Scratch: one each.
+  std::vector<double> pair_bounds_;              ///< How far the two of a pair may come together along the motion.
+  std::vector<double> reached_;                  ///< Scratch per pair: s where its clearance was last measured.
+  EntityConfiguration at_s_;                     ///< Scratch: at the last s asked for.
   double scratch_s_ = -1.0;
 };
 

@@ -76,9 +76,23 @@ class Manipulator {
   /// Poses X_WP of all parts, one for each entry of `X_WP`.
   virtual void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const = 0;
 
+  /// The same of one part: cheaper where the other parts are many.
+  virtual Pose partPose(const EntityConfiguration& configuration, std::size_t part) const = 0;
+
   /// For each part an upper bound (m) of the length of the path of any of its points along between(from, to, 0..1).
   virtual void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                           std::span<const PartSphere> spheres, std::span<double> bounds) const = 0;
+
+  /// Two parts of the entity itself, by index.
+  struct OwnPair {
+    std::uint32_t part = 0, other = 0;
+  };
+  /// Lowers each of `bounds` (m; one a pair, on entry the sum of both parts' pathBounds()) to the length of the longest
+  /// path of a point of `other` as seen from `part`, where the entity knows that to be less: two parts that one trunk
+  /// carries along do not meet by that.
+  virtual void tightenOwnBounds(const EntityConfiguration& /*from*/, const EntityConfiguration& /*to*/,
+                                std::span<const PartSphere> /*spheres*/, std::span<const OwnPair> /*pairs*/,
+                                std::span<double> /*bounds*/) const {}
 
   /// Upper bound (rad) of how much all joints, or the body, turn in all on that motion.
   virtual double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const = 0;

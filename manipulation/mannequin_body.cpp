@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/assertion.h"
+#include "kinematics/link_pose.h"
 #include "mannequin/body_shape.h"
 #include "mannequin/figure_model.h"
 
@@ -12,6 +13,17 @@ namespace hapticell::manipulation {
 
 using mannequin::Posture;
 using mannequin::Segment;
+
+namespace {
+
+/// The segments from this one to the root, itself first.
+std::vector<Segment> chainOf(Segment segment) {
+  std::vector<Segment> chain{segment};
+  while (const auto parent = mannequin::segmentInfo(chain.back()).parent) chain.push_back(*parent);
+  return chain;
+}
+
+}  // namespace
 
 MannequinBody::MannequinBody(std::shared_ptr<const mannequin::Figure> figure,
                              std::shared_ptr<const kinematics::RobotModel> model, std::vector<Part> parts)
@@ -48,6 +60,11 @@ void MannequinBody::partPoses(const EntityConfiguration& configuration, std::spa
   }
 }
 
+Pose MannequinBody::partPose(const EntityConfiguration& configuration, std::size_t part) const {
+  const int link = std::max(0, parts_[part].link);
+  return configuration.X_WE * kinematics::linkPose(*model_, configuration.joints, link) * parts_[part].X_LP;
+}
+
 void MannequinBody::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                                std::span<const PartSphere> spheres, std::span<double> bounds) const {
   HAPTICELL_DEMAND(spheres.size() == parts_.size() && bounds.size() == parts_.size());
@@ -56,20 +73,55 @@ void MannequinBody::pathBounds(const EntityConfiguration& from, const EntityConf
   const auto turns = mannequin::turnsBetween(start, end);
   const double slid = glm::length(end.X_WR.p - start.X_WR.p);
   const double fingers = std::abs(end[mannequin::Dof::kLeftFingersCurl] - start[mannequin::Dof::kLeftFingersCurl]);
-  double turned = fingers;
-  for (const double turn : turns) turned += turn;
   std::vector<Pose> X_WP(parts_.size());
   partPoses(from, X_WP);
-  // A point turns about a joint with the lever it has at the start, plus what both may come apart meanwhile.
-  const double loose = 2.0 * (slid + 2.0 * turned * figure_->body[mannequin::Dimension::kStature]);
+  // From the part inwards: a point moves, seen from a joint, as far as the joints beyond it take it, so its distance
+  // from that joint grows by no more than that.
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     const dvec3 centre = X_WP[k] * spheres[k].p_PS;
-    bounds[k] = slid + fingers * places_[k].phalanges * (spheres[k].radius + 0.1);
+    bounds[k] = fingers * places_[k].phalanges * (spheres[k].radius + 0.1);
     for (Segment s = places_[k].segment;; s = *mannequin::segmentInfo(s).parent) {
-      const double lever = glm::length(centre - pose[s].p_WS) + spheres[k].radius + loose;
+      const double lever = glm::length(centre - pose[s].p_WS) + spheres[k].radius + bounds[k];
       bounds[k] += turns[mannequin::indexOf(s)] * lever;
       if (!mannequin::segmentInfo(s).parent) break;
     }
+    bounds[k] += slid;
+  }
+}
+
+void MannequinBody::tightenOwnBounds(const EntityConfiguration& from, const EntityConfiguration& to,
+                                     std::span<const PartSphere> spheres, std::span<const OwnPair> pairs,
+                                     std::span<double> bounds) const {
+  HAPTICELL_DEMAND(spheres.size() == parts_.size() && bounds.size() == pairs.size());
+  const Posture start = postureOf(from), end = postureOf(to);
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, start);
+  const auto turns = mannequin::turnsBetween(start, end);
+  const double fingers = std::abs(end[mannequin::Dof::kLeftFingersCurl] - start[mannequin::Dof::kLeftFingersCurl]);
+  std::vector<Pose> X_WP(parts_.size());
+  partPoses(from, X_WP);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const OwnPair& pair = pairs[i];
+    const PartPlace &near = places_[pair.part], &far = places_[pair.other];
+    const dvec3 centre = X_WP[pair.other] * spheres[pair.other].p_PS;
+    const double radius = spheres[pair.other].radius;
+    // From the other part inwards to where both hang, then outwards again: every joint between turns its points, with
+    // the lever that it has to them (see pathBounds()).
+    double bound = fingers * far.phalanges * (radius + 0.1);
+    const auto turn = [&](Segment s) {
+      bound += turns[mannequin::indexOf(s)] * (glm::length(centre - pose[s].p_WS) + radius + bound);
+    };
+    const std::vector<Segment> inwards = chainOf(far.segment), outwards = chainOf(near.segment);
+    std::size_t shared = 0;
+    while (shared < inwards.size() && shared < outwards.size() &&
+           inwards[inwards.size() - 1 - shared] == outwards[outwards.size() - 1 - shared]) {
+      ++shared;
+    }
+    for (std::size_t k = 0; k + shared < inwards.size(); ++k) turn(inwards[k]);
+    for (std::size_t k = outwards.size() - shared; k-- > 0;) turn(outwards[k]);
+    const dvec3 seen_from = X_WP[pair.part] * spheres[pair.part].p_PS;
+    const double reach = glm::length(centre - seen_from) + radius + spheres[pair.part].radius + 0.1;
+    bound += fingers * near.phalanges * (reach + bound);
+    bounds[i] = std::min(bounds[i], bound);
   }
 }
 

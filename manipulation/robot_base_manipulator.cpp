@@ -81,6 +81,10 @@ void RobotBaseManipulator::partPoses(const EntityConfiguration& configuration, s
   arm_.partPoses(configuration, X_WP);
 }
 
+Pose RobotBaseManipulator::partPose(const EntityConfiguration& configuration, std::size_t part) const {
+  return arm_.partPose(configuration, part);
+}
+
 void RobotBaseManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                                       std::span<const PartSphere> spheres, std::span<double> bounds) const {
   arm_.pathBounds(from, to, spheres, bounds);

@@ -7,6 +7,7 @@
 
 #include "geometry/assertion.h"
 #include "kinematics/jog.h"
+#include "kinematics/link_pose.h"
 #include "manipulation/robot_differential.h"
 #include "manipulation/symmetric.h"
 
@@ -165,6 +166,11 @@ void RobotManipulator::partPoses(const EntityConfiguration& configuration, std::
   for (std::size_t k = 0; k < X_WP.size(); ++k) {
     X_WP[k] = X_WL[static_cast<std::size_t>(parts_[k].link)] * parts_[k].X_LP;
   }
+}
+
+Pose RobotManipulator::partPose(const EntityConfiguration& configuration, std::size_t part) const {
+  return configuration.X_WE * kinematics::linkPose(*model_, configuration.joints, parts_[part].link) *
+         parts_[part].X_LP;
 }
 
 void RobotManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,

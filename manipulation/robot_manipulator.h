@@ -46,6 +46,7 @@ class RobotManipulator final : public Manipulator {
   MotionTime leastTime(const EntityConfiguration& from, const EntityConfiguration& to) const override;
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
+  Pose partPose(const EntityConfiguration& configuration, std::size_t part) const override;
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
                   std::span<double> bounds) const override;
   double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;

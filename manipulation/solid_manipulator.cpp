@@ -29,6 +29,10 @@ void SolidManipulator::partPoses(const EntityConfiguration& configuration, std::
   for (std::size_t k = 0; k < X_WP.size(); ++k) X_WP[k] = configuration.X_WE * X_EP_[k];
 }
 
+Pose SolidManipulator::partPose(const EntityConfiguration& configuration, std::size_t part) const {
+  return configuration.X_WE * X_EP_[part];
+}
+
 void SolidManipulator::pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                                   std::span<const PartSphere> spheres, std::span<double> bounds) const {
   HAPTICELL_DEMAND(spheres.size() == X_EP_.size() && bounds.size() == X_EP_.size());

@@ -15,6 +15,7 @@ class SolidManipulator final : public Manipulator {
   EntityConfiguration propose(const EntityConfiguration& from, const Pose& X_WM, double duration_s) const override;
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
+  Pose partPose(const EntityConfiguration& configuration, std::size_t part) const override;
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
                   std::span<double> bounds) const override;
   double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;

@@ -14,7 +14,7 @@ namespace hapticell::driver {
 template <std::size_t N>
 void copyText(char (&to)[N], std::string_view text) noexcept {
   const std::size_t length = std::min(text.size(), N - 1);
-  std::memcpy(to, text.data(), length);
+  if (length > 0) std::memcpy(to, text.data(), length);  // An empty view may point nowhere.
   to[length] = '\0';
 }
 

@@ -36,6 +36,9 @@ class TurntableManipulator final : public Manipulator {
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override {
     for (std::size_t k = 0; k < X_WP.size(); ++k) X_WP[k] = configuration.X_WE * X_EP_[k];
   }
+  Pose partPose(const EntityConfiguration& configuration, std::size_t part) const override {
+    return configuration.X_WE * X_EP_[part];
+  }
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
                   std::span<double> bounds) const override {
     for (std::size_t k = 0; k < bounds.size(); ++k)
