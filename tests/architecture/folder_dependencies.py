@@ -36,7 +36,7 @@ ALLOWED = {
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
     r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
-    r"^archive": {"workcell"},
+    r"^archive": {"workcell", "importer"},
     r"^meshoptimizer": {"workcell", "app"},
     r"^toml\+\+": {"config", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
