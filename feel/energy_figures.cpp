@@ -61,6 +61,34 @@ std::vector<Figure> tapFigures(double speed, bool judged) {
   return figures;
 }
 
+/// Presses into the wall and stays there while the force still comes in (the ramp of 0.8 s after taking): the motors
+/// must not give what they did not take. J.
+double takingEnergy(const FeelScene& scene, const SessionSetup& setup, double force) {
+  constexpr double kGate = 0.02, kPressing = 0.15, kStaying = 2.0;  // s.
+  FeelSession session(scene, setup);
+  const dvec3 outside = scene.start();
+  const dvec3 goal = scene.rest() + pressDepth(session.hand(), force) * scene.pressDirection();
+  session.begin(outside, kGate);
+  session.follow([&](double t) { return glm::mix(outside, goal, std::min(1.0, t / kPressing)); }, kStaying);
+  return session.figures().energy_min;
+}
+
+std::vector<Figure> takingFigures() {
+  std::vector<Figure> figures;
+  const auto scene = planeScene();
+  SessionSetup setup;
+  setup.rate = kRates[0];
+  setup.classic = true;
+  const double classic = takingEnergy(*scene, setup, 4.0);
+  setup.classic = false;
+  for (const ClientRate& rate : kRates) {
+    setup.rate = rate;
+    figures.push_back({"M3.taking", "flat wall pressed right after taking", rateName(rate), "mJ",
+                       1e3 * takingEnergy(*scene, setup, 4.0), -0.5, true, 1e3 * classic});
+  }
+  return figures;
+}
+
 /// Swings beside the obstacle at up to 1 m/s without touching it. The largest force, N; not a number if it touched.
 double freeForce(const FeelScene& scene, const SessionSetup& wanted, int ticks) {
   SessionSetup setup = wanted;
@@ -136,6 +164,7 @@ std::vector<Figure> releaseFigures() {
 void addEnergyJobs(const BenchmarkOptions& options, std::vector<FigureJob>& jobs) {
   jobs.push_back({{"M3"}, "taps of 0.25 m/s", [] { return tapFigures(0.25, true); }});
   jobs.push_back({{"M3"}, "taps of 0.56 m/s", [] { return tapFigures(0.56, false); }});
+  jobs.push_back({{"M3"}, "flat wall pressed right after taking", [] { return takingFigures(); }});
   const int ticks = options.full ? 160000 : 10000;
   for (const NamedScene& scene : benchmarkScenes()) {
     if (scene.name != "cylinder R10" && scene.name != "corner of three planes") continue;

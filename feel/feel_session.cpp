@@ -57,13 +57,13 @@ FeelSession::FeelSession(const FeelScene& scene, const SessionSetup& wanted)
   HAPTICELL_DEMAND(device_.open().has_value());
 }
 
-void FeelSession::begin(const dvec3& start) {
+void FeelSession::begin(const dvec3& start, double rest) {
   const Pose X_DS = Pose::translation(start);
   device_.place(X_DS);
   way_->reset(X_DS);
   exact_.reset(X_DS);
   X_DSBefore_ = X_DS;
-  follow([&](double) { return start; }, 1.2, false);
+  follow([&](double) { return start; }, rest, false);
 }
 
 void FeelSession::follow(const std::function<dvec3(double)>& path, double duration, bool measured) {
@@ -112,6 +112,7 @@ void FeelSession::tick(bool measured) {
   input.v_DS = result_.v_DS;
   input.enabled = true;
   safety_result_ = safety_.tick(input);
+  way_->setForceLimit(safety_result_.force_limit);
   way_->noteApplied(safety_result_.force_D, safety_result_.torque_D);
   device_.write(safety_result_.force_D, safety_result_.torque_D);
   readings_.push_back(reading.X_DS.p);

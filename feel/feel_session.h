@@ -48,8 +48,9 @@ class FeelSession {
   /// metric (a torque counts with the lever kRotationLever).
   FeelSession(const FeelScene& scene, const SessionSetup& setup);
 
-  /// Puts stylus and proxy there and lets the gate open while the hand holds still.
-  void begin(const dvec3& start);
+  /// Puts stylus and proxy there; the hand holds still for `rest` seconds, in which the gate opens and the force has
+  /// come in if they are enough.
+  void begin(const dvec3& start, double rest = 1.2);
   /// Hand along the path for `duration`; nothing is measured if `measured` is false.
   void follow(const std::function<dvec3(double)>& path, double duration, bool measured = true);
   /// The same with the scene's turning of the stylus.

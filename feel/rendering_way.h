@@ -18,6 +18,8 @@ class RenderingWay {
   virtual void offer(const haptic::ConstraintSet& set, double age) = 0;
   virtual haptic::RenderResult tick(const Pose& X_DS, double dt) = 0;
   virtual void noteApplied(const dvec3& force_D, const dvec3& torque_D) = 0;
+  /// N that the motors may do now.
+  virtual void setForceLimit(double newtons) = 0;
 };
 
 /// The renderer of this program: the proxy is looked at and the whole set is sent.
@@ -30,6 +32,7 @@ class ProxyWay final : public RenderingWay {
   void offer(const haptic::ConstraintSet& set, double age) override { renderer_.adopt(set, age); }
   haptic::RenderResult tick(const Pose& X_DS, double dt) override { return renderer_.tick(X_DS, dt); }
   void noteApplied(const dvec3& force_D, const dvec3& torque_D) override { renderer_.noteApplied(force_D, torque_D); }
+  void setForceLimit(double newtons) override { renderer_.setForceLimit(newtons); }
 
  private:
   haptic::ForceRenderer renderer_;
@@ -46,6 +49,7 @@ class ClassicWay final : public RenderingWay {
   void offer(const haptic::ConstraintSet& set, double age) override;
   haptic::RenderResult tick(const Pose& X_DS, double dt) override;
   void noteApplied(const dvec3&, const dvec3&) override {}
+  void setForceLimit(double) override {}
 
  private:
   haptic::RendererOptions options_;

@@ -103,19 +103,18 @@ SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
   const dvec3 wanted_torque = result.input_fault ? dvec3(0.0) : input.torque_D;
   slewTowards(force_, wanted, dt, result);
   slewTowards(torque_, wanted_torque, dt, result);
-  dvec3 force = insideBall(force_.slewed, thermalShare() * force_.peak);
-  const dvec3 torque = insideBall(torque_.slewed, thermalShare() * torque_.peak);
-
   stepFade(input, dt);
   const bool small = glm::length(wanted) < options_.gate_force &&
                      (torque_.peak <= 0.0 || glm::length(wanted_torque) < options_.gate_force * kRotationLever);
   stepGate(input, !result.input_fault && small, dt);
-  force *= ramp_ * fade_;
+  // A ceiling that rises: a share that grows would let motors give back what a hand never put in, pressing meanwhile.
+  const double share = ramp_ * thermalShare();
+  dvec3 force = fade_ * insideBall(force_.slewed, share * force_.peak);
   if (gate_ == GateState::kRamping && isPlausible(input.v_DS)) {
     force -= (options_.ramp_damping * (1.0 - ramp_) * fade_) * input.v_DS;
   }
   finish(force_, force, dt);
-  finish(torque_, (ramp_ * fade_) * torque, dt);
+  finish(torque_, fade_ * insideBall(torque_.slewed, share * torque_.peak), dt);
   stepTemperature(input.reported_temperature, dt);
 
   result.force_D = force_.last;
@@ -124,7 +123,7 @@ SafetyResult SafetyChain::tick(const SafetyInput& input) noexcept {
   result.ramp = ramp_;
   result.fade = fade_;
   result.temperature = temperature_;
-  result.force_limit = thermalShare() * options_.peak_force;
+  result.force_limit = (ramp_ > 0.0 ? ramp_ : 1.0) * thermalShare() * options_.peak_force;
   return result;
 }
 

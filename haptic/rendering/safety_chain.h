@@ -50,10 +50,11 @@ struct SafetyResult {
   dvec3 force_D{0.0};   ///< To the device.
   dvec3 torque_D{0.0};  ///< To the device.
   GateState gate = GateState::kClosed;
-  double ramp = 0.0;          ///< 0 closed .. 1 open.
+  double ramp = 0.0;          ///< 0 closed .. 1 open: the share of the peak force that may be had.
   double fade = 1.0;          ///< 1 while the link lives .. 0.
   double temperature = 0.0;   ///< Motor model, 0 cold .. 1 at the limit.
-  double force_limit = 0.0;   ///< N that the motors bear now: the peak force, towards the continuous one when warm.
+  double force_limit = 0.0;   ///< N that the motors may do now: the peak force, towards the continuous one when warm,
+                              ///< less while the ramp rises; what it will be anew while no force is let through.
   bool input_fault = false;   ///< This tick's wanted force was not a plausible number; it counted as zero.
   bool slew_limited = false;  ///< The wanted force moved faster than the slew limit.
   bool derated = false;       ///< Thermal derating bites.

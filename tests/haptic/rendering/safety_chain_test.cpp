@@ -70,6 +70,20 @@ TEST(SafetyChain, opensOnlyFromASmallForceAndRampsWithinASecond) {
   EXPECT_NEAR(run(chain, wanting(dvec3(0, 0, 2)), 10), 2.0, 1e-12);
 }
 
+/// A share of the force that grew with the ramp would be given back by the motors: a hand that pressed right after
+/// taking got 4 mJ and more that it had never put in.
+TEST(SafetyChain, rampsByACeilingAndNotByAShare) {
+  SafetyChain chain;
+  run(chain, wanting(dvec3(0.0)), 4);
+  for (int i = 0; i < 700; ++i) {
+    const SafetyResult result = chain.tick(wanting(dvec3(0, 0, 0.3)));
+    if (result.ramp > 0.0) {
+      EXPECT_NEAR(result.force_limit, result.ramp * chain.options().peak_force, 1e-9);
+    }
+    EXPECT_NEAR(result.force_D.z, std::min(0.3, result.ramp * chain.options().peak_force), 0.01) << i;
+  }
+}
+
 TEST(SafetyChain, aForceBetweenSmallOnesStartsTheCountAnew) {
   SafetyChain chain;
   for (int i = 0; i < 50; ++i) {
