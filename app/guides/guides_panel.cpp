@@ -10,11 +10,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/guides/detents_text.h"
 #include "app/guides/guide_making.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -246,14 +246,8 @@ void GuidesPanel::addFields(QVBoxLayout& column) {
   connect(detents_, &QLineEdit::editingFinished, this, [this] {
     const workcell::Guide* now = guide();
     if (!now) return;
-    const double unit = now->kind == workcell::GuideKind::kHinge ? 0.017453292519943295 : 1e-3;
-    std::vector<double> places;
-    for (const QString& word :
-         detents_->text().split(QRegularExpression(QStringLiteral("[\\s;]+")), Qt::SkipEmptyParts)) {
-      bool good = false;
-      const double place = QString(word).replace(',', '.').toDouble(&good);
-      if (good) places.push_back(place * unit);
-    }
+    const bool turns = now->kind == workcell::GuideKind::kHinge;
+    const std::vector<double> places = readDetents(detents_->text(), turns, now->detents);
     if (places != now->detents) edit([&](auto& guide) { guide.detents = places; });
     show();
   });

@@ -10,8 +10,10 @@
 #include <QPushButton>
 #include <QSlider>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "app/guides/detents_text.h"
 #include "app/guides/guide_curves.h"
 #include "app/guides/guide_making.h"
 #include "app/guides/guides_panel.h"
@@ -290,10 +292,9 @@ void GuidesPanel::showStops(const Guide& guide) {
     degree_stop_[i]->setEnabled(stop.has_value());
     (turns ? degree_stop_[i] : mm_stop_[i])->setValue(stop ? *stop / (turns ? kDegree : 1e-3) : 0.0);
   }
-  QStringList places;
-  for (const double place : guide.detents) places << QString::number(place / (turns ? kDegree : 1e-3), 'g', 6);
-  if (!detents_->hasFocus()) detents_->setText(places.join(' '));
-  detents_->setPlaceholderText(turns ? tr("none; degrees, e.g. 0 68") : tr("none; mm, e.g. 0 120"));
+  if (!detents_->hasFocus()) detents_->setText(detentsText(guide.detents, turns));
+  const std::array<double, 2> example{0.0, turns ? 60.0 * kDegree : 0.12};
+  detents_->setPlaceholderText(tr("none; e.g. %1").arg(detentsText(example, turns)));
 }
 
 }  // namespace hapticell::app

@@ -6137,12 +6137,8 @@ Licence Apache 2.0</translation>
         <translation>rien de proche</translation>
     </message>
     <message>
-        <source>none; degrees, e.g. 0 68</source>
-        <translation>aucun ; degrés, p. ex. 0 68</translation>
-    </message>
-    <message>
-        <source>none; mm, e.g. 0 120</source>
-        <translation>aucun ; mm, p. ex. 0 120</translation>
+        <source>none; e.g. %1</source>
+        <translation>aucun ; p. ex. %1</translation>
     </message>
     <message>
         <source>not checked</source>

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 
+#include "app/guides/detents_text.h"
 #include "app/host/hold_choice.h"
 #include "app/panels/switch_list.h"
 #include "tests/app/cell_page.h"
@@ -55,6 +56,13 @@ TEST(GuidesPanel, TheCarDoorAHingeOnARoundPostWithStopsAndDetent) {
   QTest::keyClick(detents, Qt::Key_Return);
   ASSERT_EQ(page.guide().detents.size(), 2u);
   EXPECT_NEAR(page.guide().detents[1], 68.0 * M_PI / 180.0, 1e-9);
+  detents->clearFocus();
+  EXPECT_EQ(detents->text(), "0.0 68.0 °");
+  const std::vector<double> uneven{0.0, 0.35}, typed{0.5, 1.25};
+  EXPECT_EQ(detentsText(uneven, true), "0.0 20.1 °");
+  EXPECT_EQ(readDetents("0.0 20.1 °", true, uneven), uneven) << "what is shown rounded is no edit";
+  EXPECT_EQ(readDetents("0,5 1.25 rad", true, uneven), typed);
+  EXPECT_EQ(readDetents("500mm; 1250mm", false, {}), typed);
   page.type("fieldFriction", "0.8");
   EXPECT_NEAR(page.guide().friction, 0.8, 1e-12);
   while (page.enabled("actionUndo") && !page.state().guides.empty()) page.trigger("actionUndo");
