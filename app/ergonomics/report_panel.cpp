@@ -114,7 +114,7 @@ ergonomics::Report ReportPanel::report() const {
 
 bool ReportPanel::write(const QString& path) {
   if (scores_.isEmpty()) return false;
-  takeScene(kFineSamples);
+  if (path.endsWith(".pdf") || path.endsWith(".html") || path.endsWith(".htm")) takeScene(kFineSamples);
   const auto written = ergonomics::writeReport(report(), path.toStdString());
   if (written) {
     context_.host().messages().tell(Severity::kInformation, tr("The report is written"), path);
