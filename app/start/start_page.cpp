@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <vector>
 
@@ -60,8 +61,8 @@ void StartPage::open() {
 }
 
 void StartPage::build() {
-  delete content_;
-  content_ = new QWidget(this);
+  delete scroll_;
+  content_ = new QWidget;
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(24, 20, 24, 16);
   column->setSpacing(14);
@@ -72,7 +73,15 @@ void StartPage::build() {
   delete layout();
   setLayout(whole);
   whole->setContentsMargins(0, 0, 0, 0);
-  whole->addWidget(content_);
+  // A small window shows as much as it can and scrolls to the rest.
+  scroll_ = new QScrollArea;
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setWidgetResizable(true);
+  scroll_->setWidget(content_);
+  content_->setAutoFillBackground(false);
+  scroll_->viewport()->setAutoFillBackground(false);
+  whole->addWidget(scroll_);
 }
 
 void StartPage::addSamples(QVBoxLayout& column) {
@@ -98,6 +107,7 @@ void StartPage::addOwn(QVBoxLayout& column) {
   auto* row = new QHBoxLayout;
   row->setSpacing(24);
   auto* begin = new QVBoxLayout;
+  begin->setSpacing(8);
   begin->addWidget(makeLabel(tr("Your own"), TextRole::kSection));
   const auto add = [&](const QString& text, const QString& icon_name, const char* action) {
     auto* button = new QPushButton(icon(icon_name), text);
@@ -111,6 +121,7 @@ void StartPage::addOwn(QVBoxLayout& column) {
   add(tr("Begin with an empty cell"), "new", "actionNew");
   begin->addStretch(1);
   auto* last = new QVBoxLayout;
+  last->setSpacing(8);
   last->addWidget(makeLabel(tr("Opened last"), TextRole::kSection));
   const QStringList files = recent_.files();
   for (const QString& path : files.mid(0, kMostRecent)) {

@@ -3,6 +3,7 @@
 
 #include <QFrame>
 
+class QScrollArea;
 class QVBoxLayout;
 
 namespace hapticell::app {
@@ -37,6 +38,7 @@ class StartPage : public QFrame {
   QWidget& scene_;
   UserSettings& settings_;
   RecentFiles& recent_;
+  QScrollArea* scroll_ = nullptr;
   QWidget* content_ = nullptr;
 };
 

@@ -206,10 +206,10 @@ TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
   const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
-  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, 3 * MannequinPage::kPatience))
-      << "trousers, shirt, skin, shoes and hands: " << drawn();
+  ASSERT_TRUE(page.until([&] { return drawn() == 6; }, 3 * MannequinPage::kPatience))
+      << "trousers, shirt, skin, shoes, hair and hands: " << drawn();
   ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
-  ASSERT_TRUE(page.until([&] { return drawn() == 5; }, 3 * MannequinPage::kPatience))
+  ASSERT_TRUE(page.until([&] { return drawn() == 6; }, 3 * MannequinPage::kPatience))
       << "and again in the next posture";
 }
 
