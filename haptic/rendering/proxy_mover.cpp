@@ -82,6 +82,7 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
     // Free to the last bit, so that free motion costs exactly nothing.
     const bool free = result.active_count == 0 && size <= kLongestMove && kept == d;
     step.X_DP = free ? X_DS : displacedInMetric(step.X_DP, asVector6(kept));
+    if (result.status != SolverStatus::kSolved) break;  // It has been solved twice already.
   }
   applyFriction(grouped, X_DP, step, dt);
   return step;
