@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,8 @@ struct Words {
   double shift_s = 30.0;
   std::uint64_t seed = 1;
 };
+
+volatile std::sig_atomic_t asked_to_end = 0;  // Ctrl+C: the figures so far are told.
 
 double residentMegabytes() {
   malloc_trim(0);
@@ -128,7 +131,8 @@ int run(const Words& words) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   Totals totals;
-  while ((real ? elapsed() : totals.hand_s) < asked && totals.broken.size() < 100) {
+  std::signal(SIGINT, [](int) { asked_to_end = 1; });
+  while ((real ? elapsed() : totals.hand_s) < asked && totals.broken.size() < 100 && asked_to_end == 0) {
     totals.add(day->work(words.shift_s));
     if (totals.shifts % 50 == 0) {
       std::fprintf(stderr, "%.2f h, %.1f MB, %zu broken\n", totals.hand_s / 3600.0, totals.memory.back(),
