@@ -19,6 +19,7 @@ constexpr double kLevel = 1.25;      // ratio of the reaches that cells are made
 constexpr double kCellShare = 0.25;  // of the reach: a cell's edge
 constexpr double kBehind = 2e-6;     // m: on a surface counts as behind it
 constexpr double kSagittaShare = 1.2;
+constexpr double kOpposite = -0.5;     // cosine between two normals
 constexpr double kInwards = 0.2;       // share of the way to the facet's middle
 constexpr double kMostInwards = 2e-4;  // m
 constexpr double kSmall = 0.2;         // of the reach: a triangle's middle stands for it
@@ -29,6 +30,18 @@ constexpr std::size_t kMostGroups = 400;
 constexpr std::size_t kMostCells = 30000;
 constexpr std::size_t kMostSignatures = 4000;
 constexpr std::size_t kSamplingWork = 60, kSampleWork = 8;  // of a triangle and a sample, in element values
+
+/// Of the directions from n1 to n2 (unit) the one that is nearest to `way`, a little inside.
+dvec3 nearestBetween(const dvec3& n1, const dvec3& n2, const dvec3& way) {
+  const dvec3 middle = n1 + n2;
+  const double c = glm::dot(n1, n2), to1 = glm::dot(way, n1), to2 = glm::dot(way, n2);
+  const double sine2 = std::max(1.0 - c * c, 1e-12);
+  const double part1 = (to1 - c * to2) / sine2, part2 = (to2 - c * to1) / sine2;
+  const dvec3 within = part1 * n1 + part2 * n2;
+  const bool inside = part1 >= 0.0 && part2 >= 0.0 && glm::length(within) > 1e-9;
+  const dvec3 nearest = inside ? glm::normalize(within) : (to1 > to2 ? n1 : n2);
+  return glm::normalize(nearest + 0.02 * middle);
+}
 
 /// Keeps those that contain no other.
 std::vector<Signature> minimal(std::vector<Signature> all) {
@@ -143,15 +156,23 @@ void SignatureCache::sampleEdge(std::uint32_t t, int k, const geometry::Bounds& 
   const auto normal = [&](std::uint32_t triangle) {
     return viewFrom(model_->elements()[model_->elementOf(triangle)].shape, p).nhat_M;
   };
-  const dvec3 middle = normal(t) + normal(other);
-  if (glm::length(middle) < 1e-6) return;
-  const dvec3 nhat_M = glm::normalize(middle), rolling = p + radius * nhat_M;
-  if (glm::length(glm::max(glm::abs(rolling - box.center()) - 0.5 * box.size(), dvec3(0.0))) > reach) return;
+  const dvec3 n1 = normal(t), n2 = normal(other);
+  if (glm::length(n1 + n2) < 1e-6) return;
   const dvec3 place = glm::floor((p - box.min) / (kGrain * reach));
-  if (!grains_.insert({static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z), edge}).second)
-    return;
+  const Grain grain{static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z), edge};
+  if (grains_.count(grain) != 0) return;
   const auto component = model_->surface().closed ? model_->surface().component[t] : 0u;
-  samples_.push_back({rolling, nhat_M, component});
+  const auto add = [&](const dvec3& nhat_M) {
+    const dvec3 rolling = p + radius * nhat_M;
+    if (glm::length(glm::max(glm::abs(rolling - box.center()) - 0.5 * box.size(), dvec3(0.0))) > reach) return;
+    grains_.insert(grain);
+    samples_.push_back({rolling, nhat_M, component});
+  };
+  const dvec3 middle = glm::normalize(n1 + n2);
+  add(middle);
+  // A large ball is far from the roof's ridge and yet near its sides.
+  const dvec3 nearest = nearestBetween(n1, n2, box.center() - p);
+  if (glm::dot(nearest, middle) < 0.9999) add(nearest);
 }
 
 SignatureCell SignatureCache::made(const dvec3& center, double half, double radius, double reach) {
@@ -201,7 +222,13 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list[i].first != s.component) continue;
       const SurfaceElement& element = model_->elements()[list[i].second];
-      if (elementValue(element, s.p_M, radius) <= kBehind + kSagittaShare * element.sagitta) signature.add(i);
+      const double tolerance = kBehind + kSagittaShare * element.sagitta;
+      const double value = elementValue(element, s.p_M, radius);
+      if (value > tolerance) continue;
+      // A ball that just fits between two walls touches both: neither frees it of the other.
+      const bool touches = radius > 0.0 && value >= -tolerance;
+      if (touches && glm::dot(viewFrom(element.shape, s.p_M).nhat_M, s.nhat_M) < kOpposite) continue;
+      signature.add(i);
     }
     if (signature.count() == 0) continue;
     const auto [name, is_new] = names.try_emplace(signature, static_cast<std::uint32_t>(signatures.size()));

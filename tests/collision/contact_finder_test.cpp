@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <numeric>
 #include <random>
@@ -166,6 +167,50 @@ TEST(ContactFinder, ABallLargerThanTheZoneMeetsWhatIsUnderIt) {
     ASSERT_FALSE(of_group.empty()) << zone;
     const double least = *std::min_element(of_group.begin(), of_group.end());
     EXPECT_NEAR(least, 0.0001, 1e-6) << zone;
+  }
+}
+
+/// A block along y with a slot 10 mm wide and 13 mm deep.
+geometry::TriangleMesh slottedBlock() {
+  const double outline[8][2] = {{-15, -10}, {15, -10}, {15, 8}, {5, 8}, {5, -5}, {-5, -5}, {-5, 8}, {-15, 8}};
+  geometry::TriangleMesh mesh;
+  for (const double y : {-0.02, 0.02}) {
+    for (const auto& p : outline) mesh.vertices.push_back({1e-3 * p[0], y, 1e-3 * p[1]});
+  }
+  for (const auto& [a, b, c] :
+       {std::array{0u, 1u, 4u}, {0u, 4u, 5u}, {1u, 2u, 3u}, {1u, 3u, 4u}, {0u, 5u, 6u}, {0u, 6u, 7u}}) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a + 8, c + 8, b + 8});
+  }
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const std::uint32_t j = (i + 1) % 8;
+    mesh.triangles.push_back({i, i + 8, j});
+    mesh.triangles.push_back({j, i + 8, j + 8});
+  }
+  return mesh;
+}
+
+TEST(ContactFinder, ABallThatJustFitsASlotIsHeldByBothItsWalls) {
+  const Body ball(geometry::makeSphere(0.005, 42)), block(slottedBlock());
+  const auto fixed = block.at(Pose::identity(), 2), held = ball.at(Pose::translation({0, 0.001, 0.0001}), 1);
+  collision::ZoneOptions options;
+  options.max_rotation = 0.02;
+  for (const double zone : {0.002, 0.004, 0.015}) {
+    options.radius = zone;
+    ContactFinder finder(ContactFinder::Ways::kSurfaces);
+    collision::ZoneContacts set;
+    for (int i = 0; i < 12; ++i) set = finder.find({&held, 1}, {&fixed, 1}, options);
+    ASSERT_TRUE(set.complete) << zone;
+    for (const dvec3& way : {dvec3(1e-3, 0, 0), dvec3(-1e-3, 0, 0), dvec3(0, 0, -1e-3)}) {
+      std::vector<double> of_group(set.groups, -1.0);
+      for (const auto& contact : set.contacts) {
+        double value = contact.gap + glm::dot(contact.nhat_W, way);
+        if (contact.has_trim) value = std::min(value, contact.trim_gap + glm::dot(contact.trim_nhat_W, way));
+        of_group[contact.group] = std::max(of_group[contact.group], value);
+      }
+      ASSERT_FALSE(of_group.empty());
+      EXPECT_LT(*std::min_element(of_group.begin(), of_group.end()), -0.5e-3) << zone << ' ' << way.x << ' ' << way.z;
+    }
   }
 }
 
