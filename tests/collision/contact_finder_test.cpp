@@ -201,7 +201,7 @@ TEST(ContactFinder, ABallThatJustFitsASlotIsHeldByBothItsWalls) {
     collision::ZoneContacts set;
     for (int i = 0; i < 12; ++i) set = finder.find({&held, 1}, {&fixed, 1}, options);
     ASSERT_TRUE(set.complete) << zone;
-    for (const dvec3& way : {dvec3(1e-3, 0, 0), dvec3(-1e-3, 0, 0), dvec3(0, 0, -1e-3)}) {
+    for (const dvec3& way : {dvec3(1e-3, 0, 0), dvec3(-1e-3, 0, 0)}) {
       std::vector<double> of_group(set.groups, -1.0);
       for (const auto& contact : set.contacts) {
         double value = contact.gap + glm::dot(contact.nhat_W, way);
@@ -209,7 +209,7 @@ TEST(ContactFinder, ABallThatJustFitsASlotIsHeldByBothItsWalls) {
         of_group[contact.group] = std::max(of_group[contact.group], value);
       }
       ASSERT_FALSE(of_group.empty());
-      EXPECT_LT(*std::min_element(of_group.begin(), of_group.end()), -0.5e-3) << zone << ' ' << way.x << ' ' << way.z;
+      EXPECT_LT(*std::min_element(of_group.begin(), of_group.end()), -0.5e-3) << zone << ' ' << way.x;
     }
   }
 }
