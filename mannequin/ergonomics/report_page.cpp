@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <memory>
 
 #include "mannequin/ergonomics/report.h"
@@ -18,21 +17,6 @@ constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;  // Points.
 constexpr double kFoot = 96.0;                                       // Kept free for the signatures on the last page.
 constexpr double kPictureWidth = 190.0, kPictureHeight = 218.0, kSceneWidth = 240.0;
 constexpr double kLeastDensity = 0.66, kManyPagesDensity = 0.85;
-
-/// A copy of a picture as cairo has it.
-Surface surfaceOf(const ReportPicture& picture) {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, picture.width, picture.height));
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return surface;
-  cairo_surface_flush(surface.get());
-  unsigned char* row = cairo_image_surface_get_data(surface.get());
-  const std::size_t width = static_cast<std::size_t>(picture.width);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y) {
-    std::memcpy(row, picture.pixels.data() + y * width, 4 * width);
-    row += cairo_image_surface_get_stride(surface.get());
-  }
-  cairo_surface_mark_dirty(surface.get());
-  return surface;
-}
 
 /// Lays the report out from top to bottom, page after page. With a density below 1 all is drawn smaller by it.
 class PagePainter : protected ReportCanvas {
@@ -376,36 +360,6 @@ ReportPicture drawReportPage(const Report& report, int page, int width) {
   cairo_scale(context.get(), picture.width / kWidth, picture.width / kWidth);
   OnePagePainter(report, densityOf(report), page, context.get()).paint();
   cairo_surface_flush(surface.get());
-  return picture;
-}
-
-std::string pngOf(const ReportPicture& picture) {
-  std::string bytes;
-  const auto append = [](void* to, const unsigned char* data, unsigned length) {
-    static_cast<std::string*>(to)->append(data, data + length);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  cairo_surface_write_to_png_stream(surfaceOf(picture).get(), append, &bytes);
-  return bytes;
-}
-
-Expected<ReportPicture> readPng(const std::filesystem::path& file) {
-  constexpr int kMost = 8192;
-  const Surface read(cairo_image_surface_create_from_png(file.c_str()));
-  const int width = cairo_image_surface_get_width(read.get()), height = cairo_image_surface_get_height(read.get());
-  if (cairo_surface_status(read.get()) != CAIRO_STATUS_SUCCESS || width < 1 || height < 1)
-    return makeError({file.string(), "", "it cannot be read as a picture", "a PNG file", ""});
-  if (width > kMost || height > kMost)
-    return makeError({file.string(), "", std::to_string(width) + " x " + std::to_string(height) + " pixels",
-                      "at most 8192 either way", ""});
-  ReportPicture picture{width, height, {}};
-  picture.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  auto* bytes = static_cast<unsigned char*>(static_cast<void*>(picture.pixels.data()));
-  const Surface copy(cairo_image_surface_create_for_data(bytes, CAIRO_FORMAT_ARGB32, width, height, 4 * width));
-  const Context context(cairo_create(copy.get()));
-  cairo_set_source_surface(context.get(), read.get(), 0, 0);
-  cairo_paint(context.get());
-  cairo_surface_flush(copy.get());
   return picture;
 }
 
