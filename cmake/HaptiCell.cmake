@@ -25,6 +25,12 @@ target_compile_options(hapticell_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${HAPTICELL_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# Linked by whatever includes asio, Boost's or its own: it decides by what a source included before it whether it allocates
+# by aligned_alloc() or by operator new, and all must decide alike, or one source frees what another made.
+# tests/architecture/asio_users.py sees to it.
+add_library(hapticell_asio INTERFACE)
+target_compile_definitions(hapticell_asio INTERFACE ASIO_DISABLE_STD_ALIGNED_ALLOC BOOST_ASIO_DISABLE_STD_ALIGNED_ALLOC)
+
 # hapticell_add_library(NAME SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...])
 #
 # A library with the alias hapticell::NAME. Headers are found as "folder/file.h" from the project's root, and as
