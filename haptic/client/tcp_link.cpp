@@ -81,6 +81,17 @@ class TcpLink::Connection {
     return state() == LinkState::kConnected ? std::optional(welcome_.device) : std::nullopt;
   }
 
+  std::optional<DeviceCondition> condition() const {
+    const std::scoped_lock lock(mutex_);
+    return state() == LinkState::kConnected ? condition_ : std::nullopt;
+  }
+
+  void calibrate(std::uint32_t step) {
+    asio::post(context_, [this, step] {
+      if (stream_ && welcomed_) stream_->send(encoder_.encode(Message(Calibrate{step})));
+    });
+  }
+
   ClientKind grantedKind() const {
     const std::scoped_lock lock(mutex_);
     return welcome_.kind;
@@ -170,7 +181,8 @@ class TcpLink::Connection {
     stream_->send(encoder_.encode(Message(Hello{.protocol_version = kProtocolVersion,
                                                 .kind = options_.kind,
                                                 .accept_watching = options_.accept_watching,
-                                                .program = options_.program})));
+                                                .program = options_.program,
+                                                .wants_condition = true})));
   }
 
   std::string stranger() const {
@@ -185,6 +197,10 @@ class TcpLink::Connection {
     if (!welcomed_) return;
     if (const auto* state = std::get_if<HapticState>(&message)) states.write(*state);
     if (const auto* figures = std::get_if<ServerStatistics>(&message)) statistics.write(*figures);
+    if (const auto* condition = std::get_if<DeviceCondition>(&message)) {
+      const std::scoped_lock lock(mutex_);
+      condition_ = *condition;
+    }
     if (const auto* beat = std::get_if<Heartbeat>(&message)) heartbeat_.heard(*beat, heard_);
   }
 
@@ -192,6 +208,7 @@ class TcpLink::Connection {
     {
       const std::scoped_lock lock(mutex_);
       welcome_ = welcome;
+      condition_.reset();
     }
     // What an earlier connection left unsent is not for this one.
     sets.update();
@@ -263,6 +280,7 @@ class TcpLink::Connection {
   mutable std::mutex mutex_;
   std::string problem_;
   Welcome welcome_;
+  std::optional<DeviceCondition> condition_;
   std::thread thread_;
 };
 
@@ -297,6 +315,14 @@ std::optional<DeviceDescription> TcpLink::device() const {
 
 ClientKind TcpLink::grantedKind() const {
   return connection_->grantedKind();
+}
+
+std::optional<DeviceCondition> TcpLink::condition() const {
+  return connection_->condition();
+}
+
+void TcpLink::calibrate(std::uint32_t step) {
+  connection_->calibrate(step);
 }
 
 std::uint64_t TcpLink::connections() const {

@@ -46,6 +46,10 @@ class TcpLink final : public HapticLink {
   ClientKind grantedKind() const;
   /// How often a connection was made so far; counts up at each new one.
   std::uint64_t connections() const;
+  /// How the device is, once the server has told; nothing while not connected. Any thread.
+  std::optional<DeviceCondition> condition() const;
+  /// The user has done step `step` of its calibration. Any thread; nothing happens while not connected.
+  void calibrate(std::uint32_t step);
 
   std::optional<HapticState> latestState() override;
   std::optional<ServerStatistics> latestStatistics() override;

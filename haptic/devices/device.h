@@ -38,6 +38,7 @@ struct DeviceReading {
 
 enum class DeviceStatus : std::uint8_t { kOk, kNotOpen, kFault, kVanished };
 
+class DeviceCare;
 class SimulatedDevice;
 
 /// A force-feedback stylus (or a pointing device without force). Used by one thread at a time: the force loop's.
@@ -60,6 +61,9 @@ class Device {
   virtual void close() noexcept = 0;
   /// The simulated device that this is or holds, which has to be advanced and can be held by a hand; null for others.
   virtual SimulatedDevice* simulated() noexcept { return nullptr; }
+  /// Where its condition is told and its calibration asked for; null for devices that want nothing of their user. Lives
+  /// as long as the device.
+  virtual DeviceCare* care() noexcept { return nullptr; }
 };
 
 }  // namespace hapticell::haptic

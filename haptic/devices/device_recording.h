@@ -48,6 +48,7 @@ class RecordingDevice final : public Device {
   void setEngaged(bool engaged) noexcept override { device_->setEngaged(engaged); }
   void close() noexcept override;
   SimulatedDevice* simulated() noexcept override { return device_->simulated(); }
+  DeviceCare* care() noexcept override { return device_->care(); }
 
   /// Ticks that did not get into the file because the disk was too slow.
   std::uint64_t lost() const;

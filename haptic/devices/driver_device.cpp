@@ -114,7 +114,9 @@ struct DriverDevice::Worker {
 };
 
 DriverDevice::DriverDevice(driver::Driver& driver, std::string id, DriverDeviceOptions options)
-    : driver_(driver), id_(std::move(id)), options_(std::move(options)) {}
+    : driver_(driver), id_(std::move(id)), options_(std::move(options)) {
+  options_.session.care = care_;
+}
 
 DriverDevice::~DriverDevice() {
   close();

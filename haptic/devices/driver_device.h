@@ -46,6 +46,7 @@ class DriverDevice final : public Device {
   void setMotors(bool on) noexcept override;
   void setEngaged(bool engaged) noexcept override;
   void close() noexcept override;
+  DeviceCare* care() noexcept override { return care_.get(); }
 
  private:
   struct Worker;
@@ -58,6 +59,7 @@ class DriverDevice final : public Device {
   driver::Capabilities driver_capabilities_;
   std::shared_ptr<Worker> worker_;          // kOwnThread; shared with its thread, which may outlive this.
   std::unique_ptr<DriverSession> session_;  // kInline.
+  std::shared_ptr<DeviceCare> care_ = std::make_shared<DeviceCare>();
   driver::Command command_;
   DeviceReading reading_;
   driver::Status status_ = driver::Status::kVanished;

@@ -9,6 +9,8 @@ namespace hapticell::haptic {
 
 namespace {
 
+constexpr std::uint32_t kMostCalibrationSteps = 16;
+
 bool allFinite(const driver::State& state) {
   double sum = state.motor_temperature;
   for (const double value : state.position) sum += value;
@@ -41,6 +43,16 @@ driver::Problem DriverSession::open() {
   answer_.status = driver::Status::kOk;
   garbled_ = 0;
   asked_for_calibration_ = false;
+  condition_.calibration.clear();
+  for (std::uint32_t step = 0; step < kMostCalibrationSteps; ++step) {
+    const char* const text = device_->calibrationText(step);
+    if (text == nullptr) break;
+    condition_.calibration.emplace_back(text);
+  }
+  // Until the first measurement says so; a device that wants nothing is taken at its word.
+  condition_.calibrated = condition_.calibration.empty();
+  condition_.answers = true;
+  tellCondition();
   return {};
 }
 
@@ -65,7 +77,11 @@ const DriverAnswer& DriverSession::turn(const driver::Command& command) {
     answer_.state = state;
     ++answer_.measurements;
     askForCalibration();
+    condition_.calibrated = (state.flags & driver::kCalibrated) != 0;
+    condition_.docked = (state.flags & driver::kDocked) != 0;
+    tellCondition();
   }
+  calibrateIfAsked();
   driver::Command allowed = command;
   if (!command.motors || (answer_.state.flags & driver::kCalibrated) == 0) {
     allowed.motors = false;
@@ -83,6 +99,22 @@ void DriverSession::askForCalibration() {
     asked_for_calibration_ = true;
     report(std::string(capabilities_.name) + ": it is not calibrated, and exerts no force until it is. " + text);
   }
+}
+
+void DriverSession::calibrateIfAsked() {
+  const auto step = options_.care ? options_.care->takeCalibration() : std::nullopt;
+  if (!step || *step >= condition_.calibration.size()) return;
+  const driver::Status status = device_->calibrate(*step);
+  if (status == driver::Status::kOk || status == driver::Status::kNothingNew) return;
+  const driver::Problem& problem = device_->problem();
+  const std::string fix = problem.fix[0] != '\0' ? std::string(". ") + problem.fix : "";
+  report(std::string(capabilities_.name) + ": it could not be calibrated: " + problem.found + fix);
+}
+
+void DriverSession::tellCondition() {
+  if (!options_.care || condition_ == told_) return;
+  told_ = condition_;
+  options_.care->tell(condition_);
 }
 
 bool DriverSession::keep(driver::Status status, bool reading) {
@@ -110,6 +142,7 @@ void DriverSession::lose(const driver::Problem& problem) {
   close();
   answer_.status = status;
   turns_without_ = 0;
+  condition_.answers = false;
   report(std::string(capabilities_.name) + ": " + why + ". Forces are off." + fix);
 }
 
@@ -124,7 +157,9 @@ void DriverSession::tryAgain() {
   report(std::string(capabilities_.name) + ": it answers again. Forces stay off until they are switched on.");
 }
 
-void DriverSession::report(const std::string& sentence) const {
+void DriverSession::report(const std::string& sentence) {
+  condition_.sentence = sentence;
+  tellCondition();
   if (options_.report) options_.report(sentence);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "haptic/devices/device_care.h"
 #include "haptic/devices/driver_interface.h"
 
 namespace hapticell::haptic {
@@ -13,6 +15,7 @@ struct DriverSessionOptions {
   std::uint32_t reopen_turns = 500;  ///< Turns between two attempts to find a device again that has gone.
   std::uint32_t garbled_turns = 20;  ///< So many garbled answers on end count as a device that has gone.
   std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, by the thread of turn().
+  std::shared_ptr<DeviceCare> care{};  ///< Told the device's condition; the user's calibration comes from there.
 };
 
 /// What a turn brought.
@@ -49,7 +52,9 @@ class DriverSession {
   void lose(const driver::Problem& problem);
   void tryAgain();
   void askForCalibration();
-  void report(const std::string& sentence) const;
+  void calibrateIfAsked();
+  void tellCondition();
+  void report(const std::string& sentence);
 
   driver::Driver& driver_;
   std::string id_;
@@ -60,6 +65,7 @@ class DriverSession {
   std::uint32_t garbled_ = 0;
   std::uint32_t turns_without_ = 0;
   bool asked_for_calibration_ = false;
+  DeviceCondition condition_, told_;
 };
 
 }  // namespace hapticell::haptic

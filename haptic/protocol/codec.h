@@ -21,6 +21,9 @@ inline constexpr std::size_t kMaxFrameBytes = 64 * 1024;
 /// Longest text that is sent or accepted (names, sentences); a longer one is cut when it is sent.
 inline constexpr std::size_t kMaxTextBytes = 1024;
 
+/// Most steps of a calibration that are sent or accepted.
+inline constexpr std::size_t kMaxCalibrationSteps = 16;
+
 /// Turns messages into frames (length and FlatBuffer in one piece, so that it leaves in one send).
 ///
 /// One object per thread; it keeps its memory, so encoding the same kind of message again does not allocate.

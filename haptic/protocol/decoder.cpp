@@ -49,7 +49,7 @@ Expected<void> read(const wire::Hello& from, Hello& to) {
   const auto program = text(from.program(), "Hello.program");
   if (!kind) return tl::unexpected(kind.error());
   if (!program) return tl::unexpected(program.error());
-  to = {from.protocol_version(), *kind, from.accept_watching(), *program};
+  to = {from.protocol_version(), *kind, from.accept_watching(), *program, from.wants_condition()};
   return {};
 }
 
@@ -192,6 +192,29 @@ Expected<void> read(const wire::Heartbeat& from, Heartbeat& to) {
   return {};
 }
 
+Expected<void> read(const wire::DeviceCondition& from, DeviceCondition& to) {
+  const std::size_t steps = from.calibration() == nullptr ? 0 : from.calibration()->size();
+  if (steps > kMaxCalibrationSteps) {
+    return refuse("DeviceCondition.calibration", std::to_string(steps) + " steps",
+                  "at most " + std::to_string(kMaxCalibrationSteps));
+  }
+  to = {from.answers(), from.calibrated(), from.docked(), {}, {}};
+  for (std::size_t i = 0; i < steps; ++i) {
+    auto step = text(from.calibration()->Get(static_cast<flatbuffers::uoffset_t>(i)), "DeviceCondition.calibration");
+    if (!step) return tl::unexpected(step.error());
+    to.calibration.push_back(std::move(*step));
+  }
+  auto sentence = text(from.sentence(), "DeviceCondition.sentence");
+  if (!sentence) return tl::unexpected(sentence.error());
+  to.sentence = std::move(*sentence);
+  return {};
+}
+
+Expected<void> read(const wire::Calibrate& from, Calibrate& to) {
+  to = {from.step()};
+  return {};
+}
+
 /// Reads into the alternative that `message` holds already, if it is the right one: a set is large.
 template <typename T>
 Expected<void> readInto(const wire::Envelope& envelope, Message& message) {
@@ -220,6 +243,10 @@ Expected<void> readBody(const wire::Envelope& envelope, Message& message) {
       return readInto<HandTarget>(envelope, message);
     case wire::Body_Heartbeat:
       return readInto<Heartbeat>(envelope, message);
+    case wire::Body_DeviceCondition:
+      return readInto<DeviceCondition>(envelope, message);
+    case wire::Body_Calibrate:
+      return readInto<Calibrate>(envelope, message);
     case wire::Body_NONE:
       break;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "geometry/assertion.h"
 #include "haptic/protocol/codec.h"
@@ -20,7 +21,7 @@ Offset<flatbuffers::String> text(FlatBufferBuilder& builder, std::string_view te
 
 Offset<wire::Hello> write(FlatBufferBuilder& builder, const Hello& hello) {
   return wire::CreateHello(builder, hello.protocol_version, toWire(hello.kind), hello.accept_watching,
-                           text(builder, hello.program));
+                           text(builder, hello.program), hello.wants_condition);
 }
 
 Offset<wire::Device> write(FlatBufferBuilder& builder, const DeviceDescription& device) {
@@ -100,6 +101,21 @@ Offset<wire::HandTarget> write(FlatBufferBuilder& builder, const HandTarget& tar
 
 Offset<wire::Heartbeat> write(FlatBufferBuilder& builder, const Heartbeat& beat) {
   return wire::CreateHeartbeat(builder, beat.sent_ns, beat.echo_ns, beat.held_ns);
+}
+
+Offset<wire::DeviceCondition> write(FlatBufferBuilder& builder, const DeviceCondition& condition) {
+  std::vector<Offset<flatbuffers::String>> steps;
+  for (const std::string& step : condition.calibration) {
+    if (steps.size() < kMaxCalibrationSteps) steps.push_back(text(builder, step));
+  }
+  const auto calibration = builder.CreateVector(steps);
+  const auto sentence = text(builder, condition.sentence);
+  return wire::CreateDeviceCondition(builder, condition.answers, condition.calibrated, condition.docked, calibration,
+                                     sentence);
+}
+
+Offset<wire::Calibrate> write(FlatBufferBuilder& builder, const Calibrate& calibrate) {
+  return wire::CreateCalibrate(builder, calibrate.step);
 }
 
 }  // namespace

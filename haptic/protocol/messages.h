@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "geometry/pose.h"
+#include "haptic/devices/device_condition.h"
 #include "haptic/rendering/constraint_set.h"
 #include "haptic/rendering/held_load.h"
 
@@ -77,6 +78,7 @@ struct Hello {
   ClientKind kind = ClientKind::kController;
   bool accept_watching = false;  ///< A controller that would rather watch than be refused when there is one already.
   std::string program{};         ///< Who it is, for messages to the user.
+  bool wants_condition = false;  ///< Wants to be told the device's condition.
 };
 
 /// The server's answer to a Hello that it accepts.
@@ -100,9 +102,14 @@ struct Heartbeat {
   std::int64_t held_ns = 0;  ///< Time between hearing that one and sending this one.
 };
 
+/// The user has done step `step` of DeviceCondition::calibration. From any client that wanted the condition.
+struct Calibrate {
+  std::uint32_t step = 0;
+};
+
 /// Any message of the protocol.
 using Message = std::variant<std::monostate, Hello, Welcome, Refusal, ConstraintSet, HapticState, ServerStatistics,
-                             HapticControl, HandTarget, Heartbeat>;
+                             HapticControl, HandTarget, Heartbeat, DeviceCondition, Calibrate>;
 
 /// Seconds between a client's heart-beats.
 inline constexpr double kHeartbeatPeriod = 0.1;

@@ -69,6 +69,15 @@ struct WireType<Heartbeat> {
   using Type = wire::Heartbeat;
 };
 
+template <>
+struct WireType<DeviceCondition> {
+  using Type = wire::DeviceCondition;
+};
+template <>
+struct WireType<Calibrate> {
+  using Type = wire::Calibrate;
+};
+
 template <typename T>
 using wireType = typename WireType<T>::Type;
 

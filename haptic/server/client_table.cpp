@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptic/devices/device_care.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/force_loop.h"
 
@@ -68,6 +69,10 @@ void ClientTable::hear(Client& client, const Message& message) {
     client.heartbeat.heard(*beat, client.heard_ns);
     return client.stream->send(encoder_.encode(Message(client.heartbeat.next(clock_.now()))));
   }
+  if (const auto* calibrate = std::get_if<Calibrate>(&message); calibrate != nullptr && client.wants_condition) {
+    if (options_.care != nullptr) options_.care->calibrate(calibrate->step);
+    return;
+  }
   hearController(client, message);
 }
 
@@ -98,6 +103,7 @@ void ClientTable::submitSet(const Client& client, const ConstraintSet& set) {
 
 void ClientTable::hearHello(Client& client, const Hello& hello) {
   if (!hello.program.empty()) client.name = hello.program + " at " + client.stream->peer();
+  client.wants_condition = hello.wants_condition;
   if (hello.protocol_version != kProtocolVersion) {
     return refuse(client, "This haptic server speaks version " + std::to_string(kProtocolVersion) +
                               " of the protocol, the client version " + std::to_string(hello.protocol_version) +
@@ -129,6 +135,9 @@ void ClientTable::welcome(Client& client, ClientKind kind) {
   }
   client.stream->send(encoder_.encode(Message(Welcome{
       .protocol_version = kProtocolVersion, .kind = kind, .tick_rate_hz = 1.0 / loop_.period(), .device = device_})));
+  if (client.wants_condition && options_.care != nullptr) {
+    client.stream->send(encoder_.encode(Message(options_.care->condition())));
+  }
   report(client.name + (kind == ClientKind::kController ? " controls the stylus." : " watches."));
 }
 
@@ -184,7 +193,18 @@ bool ClientTable::overdue(const Client& client, std::int64_t now) const {
   return seconds(now - client.heard_ns) > options_.silence_time;
 }
 
+void ClientTable::tellCondition() {
+  if (options_.care == nullptr || options_.care->changes() == told_condition_) return;
+  told_condition_ = options_.care->changes();
+  const DeviceCondition condition = options_.care->condition();
+  for (const auto& client : clients_) {
+    if (client->kind && client->wants_condition && !client->gone)
+      client->stream->send(encoder_.encode(Message(condition)));
+  }
+}
+
 void ClientTable::sweep() {
+  tellCondition();
   const std::int64_t now = clock_.now();
   for (const auto& client : clients_) {
     if (client->gone || !overdue(*client, now)) continue;

@@ -41,6 +41,7 @@ class ClientTable {
     std::int64_t since_ns = 0;       ///< Connected, or told to go.
     std::int64_t heard_ns = 0;
     HeartbeatExchange heartbeat;
+    bool wants_condition = false;
     bool gone = false;
   };
 
@@ -54,6 +55,7 @@ class ClientTable {
   void drop(Client& client, const std::string& why);
   void report(const std::string& sentence) const;
   void tellOfStall(bool stalled);
+  void tellCondition();
   bool overdue(const Client& client, std::int64_t now) const;
   bool controllerIsSilent() const;
 
@@ -65,6 +67,7 @@ class ClientTable {
   ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
   std::vector<std::unique_ptr<Client>> clients_;
   Client* controller_ = nullptr;
+  std::uint64_t told_condition_ = 0;  // DeviceCare::changes() that was sent.
   bool stalled_ = false;  // As it was reported last.
 };
 

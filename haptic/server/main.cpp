@@ -105,7 +105,7 @@ sigset_t blockSignals() {
 Expected<void> serve(const ServerOptions& asked) {
   const auto configuration = config::loadConfiguration(asked.config);
   if (!configuration) return tl::unexpected(configuration.error());
-  const auto options = networkOptions(asked, *configuration);
+  auto options = networkOptions(asked, *configuration);
   if (!options) return tl::unexpected(options.error());
   auto made = makeDevice(asked.device.value_or(configuration->haptic.device), *configuration,
                          [](const std::string& sentence) { spdlog::warn("{}", sentence); });
@@ -121,6 +121,7 @@ Expected<void> serve(const ServerOptions& asked) {
   const RealClock clock;
   ForceLoop loop(device, clock, configuredLoop(device, *configuration));
   RealTimeRunner runner(loop, {.fifo = asked.real_time, .lock_memory = asked.real_time});
+  options->care = device.care();
   auto network = NetworkServer::start(loop, clock, describe(device), *options);
   if (!network) return tl::unexpected(network.error());
   runner.start();

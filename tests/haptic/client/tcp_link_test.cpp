@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "haptic/devices/device_care.h"
 #include "tests/haptic/server/live_server.h"
 #include "tests/haptic/server/raw_client.h"
 #include "tests/haptic/server/virtual_session.h"
@@ -46,6 +47,35 @@ TEST(TcpLink, connects_and_hears_the_device_states_and_statistics) {
     const auto statistics = link.latestStatistics();
     return statistics && statistics->round_trip_ms > 0.0;
   })) << "heart-beats come by themselves";
+}
+
+TEST(TcpLink, hears_how_the_device_is_and_asks_for_its_calibration) {
+  DeviceCare care;
+  care.tell({.calibrated = false, .calibration = {"Put the stylus into its inkwell."}});
+  LiveServer server({.care = &care});
+  TcpLink link(to(server.port()));
+  ASSERT_TRUE(eventually([&] { return link.condition().has_value(); }));
+  EXPECT_FALSE(link.condition()->calibrated);
+  EXPECT_EQ(link.condition()->calibration, std::vector<std::string>{"Put the stylus into its inkwell."});
+  link.calibrate(0);
+  std::optional<std::uint32_t> step;
+  EXPECT_TRUE(eventually([&] { return (step = care.takeCalibration()).has_value(); }));
+  EXPECT_EQ(step, 0u);
+  care.tell({.answers = false, .sentence = "It was unplugged. Plug it in again."});
+  EXPECT_TRUE(eventually([&] { return link.condition() && !link.condition()->answers; }));
+  EXPECT_THAT(link.condition()->sentence, HasSubstr("unplugged"));
+
+  // A watcher hears it too, and a client that did not ask neither hears of it nor may ask.
+  TcpLinkOptions watching = to(server.port());
+  watching.kind = ClientKind::kWatcher;
+  TcpLink watcher(watching);
+  EXPECT_TRUE(eventually([&] { return watcher.condition() && !watcher.condition()->answers; }));
+  RawClient plain(server.port());
+  ASSERT_TRUE(plain.hello(ClientKind::kWatcher).has_value());
+  ASSERT_TRUE(plain.send(Calibrate{0}));
+  const auto refusal = plain.receiveOf<Refusal>();
+  ASSERT_TRUE(refusal.has_value());
+  EXPECT_FALSE(care.takeCalibration().has_value());
 }
 
 TEST(TcpLink, a_session_over_the_socket_feels_the_floor) {

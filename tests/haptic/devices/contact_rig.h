@@ -10,7 +10,8 @@ namespace hapticell::haptic {
 
 /// Any device under a real force loop in virtual time, with a client that puts a floor under it.
 struct ContactRig {
-  explicit ContactRig(Device& device) : loop(device, clock, patientOptionsFor(device)), link(loop, clock, describe(device)) {}
+  explicit ContactRig(Device& device)
+      : loop(device, clock, patientOptionsFor(device)), link(loop, clock, describe(device)) {}
 
   /// So many ticks; `each` is called before each. Notes the greatest force step.
   template <typename Each>

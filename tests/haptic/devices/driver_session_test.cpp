@@ -43,6 +43,47 @@ TEST(DriverSession, NoForceToADeviceThatIsNotCalibrated) {
   EXPECT_EQ(driver.device.commands.back().force[2], 2.0);
 }
 
+TEST(DriverSession, TellsItsConditionAndCalibratesWhenItsUserHasDoneHisPart) {
+  ScriptedDriver driver;
+  driver.device.state.flags = driver::kDocked;
+  driver.device.steps = {"Put it into its inkwell.", "Pull it out."};
+  const auto care = std::make_shared<DeviceCare>();
+  DriverSession session(driver, "", {.reopen_turns = 2, .care = care});
+  ASSERT_EQ(session.open().status, Status::kOk);
+  EXPECT_FALSE(care->condition().calibrated);  // Before the first measurement too.
+  session.turn({});
+  EXPECT_EQ(care->condition().calibration, driver.device.steps);
+  EXPECT_TRUE(care->condition().docked);
+  EXPECT_NE(care->condition().sentence.find("not calibrated"), std::string::npos);
+  const std::uint64_t changes = care->changes();
+  for (int i = 0; i < 100; ++i) session.turn({});
+  EXPECT_EQ(care->changes(), changes) << "nothing changed, so nothing is told";
+
+  care->calibrate(7);  // There is no such step.
+  session.turn({});
+  EXPECT_TRUE(driver.device.calibrated_steps.empty());
+  driver.device.refuses_step = 0;
+  care->calibrate(0);
+  session.turn({});
+  EXPECT_NE(care->condition().sentence.find("wrong place. Try again."), std::string::npos);
+  driver.device.refuses_step = -1;
+  for (const std::uint32_t step : {0u, 1u}) {
+    care->calibrate(step);
+    session.turn({});
+  }
+  EXPECT_EQ(driver.device.calibrated_steps, (std::vector<std::uint32_t>{0, 0, 1}));
+  session.turn({});
+  EXPECT_TRUE(care->condition().calibrated);
+  EXPECT_NE(care->condition().sentence.find("it is calibrated"), std::string::npos);
+
+  driver.device.fail(Status::kVanished, "it was unplugged");
+  session.turn({});
+  EXPECT_FALSE(care->condition().answers);
+  EXPECT_NE(care->condition().sentence.find("it was unplugged. Forces are off. Plug it in again."), std::string::npos);
+  for (int i = 0; i < 3; ++i) session.turn({});
+  EXPECT_TRUE(care->condition().answers);
+}
+
 TEST(DriverSession, LivesThroughSomeGarbageAndGivesUpOnMuch) {
   ScriptedDriver driver;
   std::string told;

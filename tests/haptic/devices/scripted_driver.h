@@ -43,6 +43,17 @@ class ScriptedDevice final : public Device {
     return Status::kOk;
   }
   const Problem& problem() const noexcept override { return last_problem; }
+  const char* calibrationText(std::uint32_t step) const noexcept override {
+    return step < steps.size() ? steps[step].c_str() : nullptr;
+  }
+  Status calibrate(std::uint32_t step) noexcept override {
+    const std::scoped_lock lock(mutex);
+    calibrated_steps.push_back(step);
+    if (refuses_step == static_cast<int>(step))
+      return refuse(last_problem, Status::kFault, "it stood in the wrong place", "Try again.");
+    if (step + 1 == steps.size()) state.flags |= kCalibrated;
+    return Status::kOk;
+  }
 
   void fail(Status status, const char* found) {
     const std::scoped_lock lock(mutex);
@@ -55,6 +66,9 @@ class ScriptedDevice final : public Device {
   Status answer = Status::kOk;
   Problem last_problem;
   std::vector<Command> commands;
+  std::vector<std::string> steps;  ///< Of its calibration.
+  std::vector<std::uint32_t> calibrated_steps;
+  int refuses_step = -1;
   std::mutex mutex;
   std::condition_variable changed;
   bool blocked = false;

@@ -124,15 +124,22 @@ inline DeviceDescription device() {
   return d;
 }
 
+inline DeviceCondition condition() {
+  DeviceCondition c{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), {}, text()};
+  c.calibration.resize(*rc::gen::inRange<std::size_t>(0, kMaxCalibrationSteps + 1));
+  for (std::string& step : c.calibration) step = text();
+  return c;
+}
+
 inline ClientKind kind() {
   return *rc::gen::element(ClientKind::kController, ClientKind::kWatcher);
 }
 
 /// A message of any type.
 inline Message message() {
-  switch (*rc::gen::inRange(0, 9)) {
+  switch (*rc::gen::inRange(0, 11)) {
     case 0:
-      return Hello{*rc::gen::arbitrary<std::uint32_t>(), kind(), *rc::gen::arbitrary<bool>(), text()};
+      return Hello{*rc::gen::arbitrary<std::uint32_t>(), kind(), *rc::gen::arbitrary<bool>(), text(), *rc::gen::arbitrary<bool>()};
     case 1:
       return Welcome{*rc::gen::arbitrary<std::uint32_t>(), kind(), 1.0 * *rc::gen::inRange(1, 4000), device()};
     case 2:
@@ -148,6 +155,10 @@ inline Message message() {
                            {notNegative(), notNegative(), notNegative(), vector()}};
     case 7:
       return HandTarget{*rc::gen::arbitrary<bool>(), pose(), *rc::gen::arbitrary<std::uint32_t>()};
+    case 8:
+      return condition();
+    case 9:
+      return Calibrate{*rc::gen::arbitrary<std::uint32_t>()};
     default:
       return Heartbeat{*rc::gen::arbitrary<std::int64_t>(), *rc::gen::arbitrary<std::int64_t>(),
                        *rc::gen::arbitrary<std::int64_t>()};

@@ -59,7 +59,7 @@ inline bool same(const DeviceDescription& a, const DeviceDescription& b) {
 
 inline bool same(const Hello& a, const Hello& b) {
   return a.protocol_version == b.protocol_version && a.kind == b.kind && a.accept_watching == b.accept_watching &&
-         a.program == b.program;
+         a.program == b.program && a.wants_condition == b.wants_condition;
 }
 
 inline bool same(const Welcome& a, const Welcome& b) {
@@ -73,6 +73,15 @@ inline bool same(const Refusal& a, const Refusal& b) {
 
 inline bool same(const Heartbeat& a, const Heartbeat& b) {
   return a.sent_ns == b.sent_ns && a.echo_ns == b.echo_ns && a.held_ns == b.held_ns;
+}
+
+inline bool same(const DeviceCondition& a, const DeviceCondition& b) {
+  return a.answers == b.answers && a.calibrated == b.calibrated && a.docked == b.docked &&
+         a.calibration == b.calibration && a.sentence == b.sentence;
+}
+
+inline bool same(const Calibrate& a, const Calibrate& b) {
+  return a.step == b.step;
 }
 
 inline bool same(std::monostate, std::monostate) {
