@@ -2,11 +2,22 @@
 #include "workcell/document.h"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "geometry/assertion.h"
 
 namespace hapticell::workcell {
+
+namespace {
+
+/// The next push_back allocates nothing.
+template <typename T>
+void makeRoom(std::vector<T>& list) {
+  if (list.size() == list.capacity()) list.reserve(2 * list.size() + 8);
+}
+
+}  // namespace
 
 Document::Document(DocumentState state) : state_(std::move(state)) {
   for (auto& entity : state_.entities) {
@@ -30,26 +41,41 @@ std::string Document::uniqueName(std::string_view wanted) const {
 }
 
 Expected<EntityId> Document::execute(const Command& command) {
-  std::optional<Step> before;
-  if (!inCompound()) before = Step{commandText(command, state_), state_, state_id_};
-  Expected<EntityId> done = apply(command, state_, next_id_);
-  if (!done) return done;
-  for (const auto& entity : state_.entities) next_id_ = std::max(next_id_, entity->id + 1);
-  if (before) {
-    undo_.push_back(std::move(*before));
+  // Where the memory ends, the state of before stands: nothing below the last allocation throws.
+  Expected<EntityId> done = EntityId{0};
+  if (inCompound()) {
+    // In place: copies for each of an import's thousands of parts would take seconds.
+    try {
+      done = apply(command, state_, next_id_);
+    } catch (...) {
+      cancelCompound();
+      throw;
+    }
+    if (!done) return done;
+  } else {
+    DocumentState next = state_;
+    Step before{commandText(command, state_), {}, state_id_};
+    done = apply(command, next, next_id_);
+    if (!done) return done;
+    makeRoom(undo_);
+    before.state = std::exchange(state_, std::move(next));
+    undo_.push_back(std::move(before));
     redo_.clear();
   }
+  for (const auto& entity : state_.entities) next_id_ = std::max(next_id_, entity->id + 1);
   state_id_ = ++last_state_id_;
   ++revision_;
   return done;
 }
 
 void Document::beginCompound(std::string text) {
-  if (compound_depth_++ == 0) compound_ = {std::move(text), state_, state_id_};
+  if (compound_depth_ == 0) compound_ = {std::move(text), state_, state_id_};
+  ++compound_depth_;  // Last: it is open only when what it goes back to is kept.
 }
 
 void Document::endCompound() {
   HAPTICELL_DEMAND(compound_depth_ > 0);
+  if (compound_depth_ == 1) makeRoom(undo_);
   if (--compound_depth_ > 0) return;
   if (compound_.state_id != state_id_) {
     undo_.push_back(std::move(compound_));
@@ -70,9 +96,11 @@ void Document::cancelCompound() {
 }
 
 void Document::moveStep(std::vector<Step>& from, std::vector<Step>& to) {
+  makeRoom(to);
+  std::string text = from.back().text;
   Step step = std::move(from.back());
   from.pop_back();
-  to.push_back({step.text, std::move(state_), state_id_});
+  to.push_back({std::move(text), std::move(state_), state_id_});
   state_ = std::move(step.state);
   state_id_ = step.state_id;
   ++revision_;

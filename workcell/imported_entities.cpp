@@ -239,25 +239,45 @@ Expected<ImportResult> entitiesFromScene(ImportedScene scene, const SourceFile& 
   return SceneConverter(std::move(scene), source, options, diagnostics).convert();
 }
 
+namespace {
+
+/// A compound of the document that is taken back when it is left without end(): by an error, or where memory ends.
+class Compound {
+ public:
+  Compound(Document& document, std::string text) : document_(document) { document_.beginCompound(std::move(text)); }
+  Compound(const Compound&) = delete;
+  Compound& operator=(const Compound&) = delete;
+  ~Compound() {
+    if (open_ && document_.inCompound()) document_.cancelCompound();
+  }
+  void end() {
+    document_.endCompound();
+    open_ = false;
+  }
+
+ private:
+  Document& document_;
+  bool open_ = true;
+};
+
+}  // namespace
+
 Expected<std::vector<EntityId>> addImported(Document& document, std::vector<Entity> entities, const Pose& X_WF) {
   Names names;
   for (const auto& entity : document.state().entities) names.take(entity->name);
   std::unordered_map<std::string, std::string> renamed;
   std::vector<EntityId> ids;
-  document.beginCompound(entities.size() == 1 ? "Add " + entities[0].name : "Import");
+  Compound import(document, entities.size() == 1 ? "Add " + entities[0].name : "Import");
   for (Entity& entity : entities) {
     const std::string old = entity.name;
     entity.name = renamed[old] = names.unique(old);
     if (const auto parent = renamed.find(entity.parent); parent != renamed.end()) entity.parent = parent->second;
     entity.X_WE = X_WF * entity.X_WE;
     const auto added = document.execute(AddEntity{std::move(entity)});
-    if (!added) {
-      document.cancelCompound();
-      return makeError(added.error());
-    }
+    if (!added) return makeError(added.error());
     ids.push_back(*added);
   }
-  document.endCompound();
+  import.end();
   return ids;
 }
 

@@ -20,6 +20,19 @@ bool isFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+/// A file of the package, not another one of this machine under a borrowed name: a link stays below `folder` or leads
+/// to a file of the same name, as the links do that build tools of ROS 2 make.
+bool isFileOfPackage(const fs::path& folder, const fs::path& rest) {
+  const fs::path path = folder / rest;
+  if (!isFile(path)) return false;
+  std::error_code problem;
+  const fs::path real = fs::canonical(path, problem);
+  if (problem) return false;
+  if (real.filename() == path.filename()) return true;
+  const fs::path inside = real.lexically_relative(fs::canonical(folder, problem));
+  return !problem && !inside.empty() && *inside.begin() != "..";
+}
+
 /// True when the folder's package.xml has <name>NAME</name>.
 bool isPackage(const fs::path& folder, const std::string& name) {
   const fs::path manifest = folder / "package.xml";
@@ -35,13 +48,14 @@ bool isPackage(const fs::path& folder, const std::string& name) {
 
 /// The file `rest` of the package `name` in `folder`, or in the folder itself where that is the package.
 std::optional<fs::path> findIn(const fs::path& folder, const std::string& name, const fs::path& rest) {
-  if (isFile(folder / name / rest)) return folder / name / rest;
-  if (isFile(folder / rest) && (folder.filename() == name || isPackage(folder, name))) return folder / rest;
+  if (isFileOfPackage(folder / name, rest)) return folder / name / rest;
+  if ((folder.filename() == name || isPackage(folder, name)) && isFileOfPackage(folder, rest)) return folder / rest;
   std::error_code problem;
   std::size_t seen = 0;
   for (fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, problem), end;
        !problem && entry != end && ++seen <= kMostNeighbours; entry.increment(problem)) {
-    if (isFile(entry->path() / rest) && isPackage(entry->path(), name)) return entry->path() / rest;
+    if (isFile(entry->path() / rest) && isPackage(entry->path(), name) && isFileOfPackage(entry->path(), rest))
+      return entry->path() / rest;
   }
   return std::nullopt;
 }

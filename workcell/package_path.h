@@ -14,7 +14,8 @@ namespace hapticell::workcell {
 /// package.xml says so; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Empty when
 /// there is no such file, and for a package's file that is outside of it (leavesPackage()).
 ///
-/// Links inside a package are followed: workspaces of ROS 2 consist of them.
+/// Links inside a package are followed within it, and out of it only to a file of the same name: workspaces of ROS 2
+/// consist of such links, while "part.stl" that leads to somebody's "id_rsa" is no part of a package.
 std::optional<std::filesystem::path> resolveMeshPath(const std::string& uri,
                                                      const std::filesystem::path& description_folder);
 

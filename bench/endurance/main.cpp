@@ -26,6 +26,7 @@ struct Words {
   double virtual_hours = 0.0, real_minutes = 0.0;
   double shift_s = 30.0;
   std::uint64_t seed = 1;
+  std::string log;
 };
 
 volatile std::sig_atomic_t asked_to_end = 0;  // Ctrl+C: the figures so far are told.
@@ -36,6 +37,12 @@ double residentMegabytes() {
   double pages = 0.0, resident = 0.0;
   in >> pages >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// What the program holds of it: when this is flat and residentMegabytes() is not, pages are scattered, nothing leaks.
+double allocatedMegabytes() {
+  const auto told = mallinfo2();
+  return static_cast<double>(told.uordblks + told.hblkhd) / 1e6;
 }
 
 double median(std::vector<double> values) {
@@ -61,7 +68,7 @@ struct Totals {
   std::uint64_t frames = 0;
   double force = 0.0, force_step = 0.0, penetration = 0.0, energy = 0.0;
   std::string most_energy;
-  std::vector<double> memory, step_median, step_p99;
+  std::vector<double> memory, allocated, step_median, step_p99;
   std::vector<std::string> broken;
 
   void add(const ShiftReport& report) {
@@ -77,6 +84,7 @@ struct Totals {
       most_energy = report.what;
     }
     memory.push_back(residentMegabytes());
+    allocated.push_back(allocatedMegabytes());
     step_median.push_back(report.step_median_ms);
     step_p99.push_back(report.step_p99_ms);
     for (const std::string& sentence : report.broken) {
@@ -87,13 +95,15 @@ struct Totals {
 };
 
 void print(const Totals& totals, double seconds) {
-  const Trend memory = trendOf(totals.memory), median_step = trendOf(totals.step_median),
-              p99 = trendOf(totals.step_p99);
+  const Trend memory = trendOf(totals.memory), allocated = trendOf(totals.allocated),
+              median_step = trendOf(totals.step_median), p99 = trendOf(totals.step_p99);
   std::printf("hand                 %.2f h in %zu shifts, %.1f min of the clock on the wall\n", totals.hand_s / 3600.0,
               totals.shifts, seconds / 60.0);
   std::printf("recorded, imported   %llu frames, %zu STEP files\n", static_cast<unsigned long long>(totals.frames),
               totals.imports);
   std::printf("resident memory      %.1f -> %.1f MB (%+.2f %%)\n", memory.begin, memory.end, 100.0 * memory.growth());
+  std::printf("of it allocated      %.2f -> %.2f MB (%+.2f %%)\n", allocated.begin, allocated.end,
+              100.0 * allocated.growth());
   std::printf("step, median         %.3f -> %.3f ms\n", median_step.begin, median_step.end);
   std::printf("step, p99            %.3f -> %.3f ms\n", p99.begin, p99.end);
   std::printf("force                %.3f N at most, %.4f N in a millisecond\n", totals.force, totals.force_step);
@@ -131,9 +141,19 @@ int run(const Words& words) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   Totals totals;
+  std::ofstream log;
+  if (!words.log.empty()) {
+    log.open(words.log);
+    log << "shift,seconds,resident_mb,allocated_mb,step_median_ms,step_p99_ms,what\n";
+  }
   std::signal(SIGINT, [](int) { asked_to_end = 1; });
   while ((real ? elapsed() : totals.hand_s) < asked && totals.broken.size() < 100 && asked_to_end == 0) {
-    totals.add(day->work(words.shift_s));
+    const ShiftReport report = day->work(words.shift_s);
+    totals.add(report);
+    if (log.is_open()) {
+      log << totals.shifts << ',' << elapsed() << ',' << totals.memory.back() << ',' << totals.allocated.back() << ','
+          << report.step_median_ms << ',' << report.step_p99_ms << ',' << report.what << std::endl;
+    }
     if (totals.shifts % 50 == 0) {
       std::fprintf(stderr, "%.2f h, %.1f MB, %zu broken\n", totals.hand_s / 3600.0, totals.memory.back(),
                    totals.broken.size());
@@ -153,6 +173,7 @@ int main(int argc, char** argv) {
   app.add_option("--real-minutes", words.real_minutes, "Minutes in real time, through a haptic server over TCP");
   app.add_option("--shift", words.shift_s, "Seconds of one session")->check(CLI::Range(1.0, 600.0));
   app.add_option("--seed", words.seed, "Another seed, another day");
+  app.add_option("--log", words.log, "CSV, a line a session: seconds, memory, steps, what was taken");
   CLI11_PARSE(app, argc, argv);
   if (words.virtual_hours <= 0.0 && words.real_minutes <= 0.0) {
     std::fprintf(stderr, "nothing to do: give --virtual-hours or --real-minutes\n");

@@ -2,14 +2,22 @@
 #include "tests/support/allocation_guard.h"
 
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace {
 
 thread_local std::size_t allocations = 0;
+constexpr std::size_t kNoShortage = std::numeric_limits<std::size_t>::max();
+thread_local std::size_t still_granted = kNoShortage;
+thread_local std::size_t smallest_refused = 0;
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
+  if (still_granted != kNoShortage && size >= smallest_refused) {
+    if (still_granted == 0) throw std::bad_alloc();
+    --still_granted;
+  }
   size = size == 0 ? 1 : size;
   void* memory = alignment == 0 ? std::malloc(size)
                                 : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
@@ -62,6 +70,15 @@ AllocationGuard::AllocationGuard() : at_start_(allocations) {}
 
 std::size_t AllocationGuard::count() const {
   return allocations - at_start_;
+}
+
+MemoryShortage::MemoryShortage(std::size_t granted, std::size_t smallest) {
+  smallest_refused = smallest;
+  still_granted = granted;
+}
+
+MemoryShortage::~MemoryShortage() {
+  still_granted = kNoShortage;
 }
 
 }  // namespace hapticell::test

@@ -19,4 +19,14 @@ class AllocationGuard {
   std::size_t at_start_;
 };
 
+/// While it lives, the calling thread gets `granted` allocations of `smallest` bytes or more; all that follow of that
+/// size throw std::bad_alloc. One at a time.
+class MemoryShortage {
+ public:
+  explicit MemoryShortage(std::size_t granted, std::size_t smallest = 0);
+  MemoryShortage(const MemoryShortage&) = delete;
+  MemoryShortage& operator=(const MemoryShortage&) = delete;
+  ~MemoryShortage();
+};
+
 }  // namespace hapticell::test

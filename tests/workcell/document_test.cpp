@@ -9,43 +9,18 @@
 #include <limits>
 
 #include "geometry/shapes.h"
+#include "tests/workcell/every_command.h"
 #include "workcell/document_io.h"
 
 namespace hapticell::workcell {
 namespace {
 
+using test::makeSolid;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Entity makeSolid(const std::string& name) {
-  static const auto mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
-  Entity entity;
-  entity.name = name;
-  entity.mesh = mesh;
-  entity.source = {"box:0.1,0.1,0.1", 1.0};
-  return entity;
-}
-
 Entity makeArm(const std::string& name) {
-  kinematics::RobotModel model;
-  model.name = "arm";
-  model.links = {{"base", -1, {}, {}}, {"upper", 0, {}, {}}};
-  kinematics::Joint joint;
-  joint.name = "shoulder";
-  joint.type = kinematics::JointType::kRevolute;
-  joint.parent_link = 0;
-  joint.child_link = 1;
-  joint.lower = 0.5;
-  joint.upper = 1.0;
-  joint.variable = 0;
-  model.joints = {joint};
-  model.moving = {0};
-  Entity entity;
-  entity.name = name;
-  entity.kind = EntityKind::kRobot;
-  entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(model));
-  entity.source = {"/robots/arm.urdf", 1.0};
-  return entity;
+  return test::makeArm(name, 0.5);
 }
 
 EntityId add(Document& document, const Entity& entity) {

@@ -191,6 +191,26 @@ TEST(PackagePath, StaysInThePackage) {
   EXPECT_FALSE(leavesPackage("../meshes/a.stl")) << "a plain path is the user's own";
 }
 
+TEST(PackagePath, FollowsTheLinksOfAWorkspaceAndNoBorrowedName) {
+  const hapticell::test::TemporaryFolder folder;
+  const auto source = folder.write("source/pack/meshes/a.stl", "x");
+  const auto secret = folder.write("id_rsa", "x");
+  folder.write("install/pack/meshes/b.stl", "x");
+  const auto meshes = folder.path() / "install/pack/meshes";
+  std::filesystem::create_symlink(source, meshes / "a.stl");
+  std::filesystem::create_symlink("b.stl", meshes / "c.stl");
+  std::filesystem::create_symlink(secret, meshes / "d.stl");
+  std::filesystem::create_symlink("e.stl", meshes / "e.stl");
+  std::filesystem::create_symlink("/dev/zero", meshes / "f.stl");
+  const auto here = folder.path() / "install/pack";
+  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/a.stl", here)) << "as build tools of ROS 2 make them";
+  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/b.stl", here));
+  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/c.stl", here)) << "within the package";
+  EXPECT_FALSE(resolveMeshPath("package://pack/meshes/d.stl", here)) << "another file under a borrowed name";
+  EXPECT_FALSE(resolveMeshPath("package://pack/meshes/e.stl", here)) << "a ring";
+  EXPECT_FALSE(resolveMeshPath("package://pack/meshes/f.stl", here)) << "a device without end";
+}
+
 struct RealRobot {
   std::string folder;
   std::size_t dof;
