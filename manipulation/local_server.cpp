@@ -8,10 +8,23 @@
 
 namespace hapticell::manipulation {
 
+namespace {
+
+/// The session works in the same process: locked memory would keep all that it ever used.
+haptic::RealTimeOptions ownThreadOnly() {
+  haptic::RealTimeOptions options;
+  options.lock_memory = false;
+  return options;
+}
+
+}  // namespace
+
 /// In the order in which they need each other; they end the other way round.
 struct LocalServer::Parts {
   Parts(const config::DeviceProfile& profile, const config::Configuration& configuration)
-      : device(profile), loop(device, clock, haptic::configuredLoop(device, configuration)), runner(loop) {
+      : device(profile),
+        loop(device, clock, haptic::configuredLoop(device, configuration)),
+        runner(loop, ownThreadOnly()) {
     device.hand().setOptions(haptic::configuredHand(configuration));
   }
 
