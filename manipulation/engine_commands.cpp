@@ -31,6 +31,8 @@ void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
   }
   scene_ = std::move(scene);
   placements_ = std::move(kept);
+  posed_.reset();  // Taken anew at the next step.
+  if (wanted_pose_) poseJoints(command::PoseJoints(*wanted_pose_));
   if (scene_->find(chosen_) == nullptr) chosen_ = 0;
   if (held_) retake();
 }
@@ -87,6 +89,7 @@ void ManipulationEngine::apply(const Command& command) {
                         [&](const command::SetClutch& c) { clutch_command_ = c.on; },
                         [&](const command::SetHandTarget& c) { link_.sendHandTarget(c.target); },
                         [&](const command::Grab& c) { grab(c.entity); }, [&](const command::Release&) { release(); },
+                        [&](const command::PoseJoints& c) { poseJoints(c); },
                         [&](const command::StartRecording& c) { startRecording(c); },
                         [&](const command::MarkFrame&) { mark_wanted_ = true; },
                         [&](const command::StopRecording&) { stopRecording(); }},
@@ -143,7 +146,9 @@ void ManipulationEngine::anchorMapping() {
 void ManipulationEngine::hold(workcell::EntityId entity) {
   const workcell::Entity* found = scene_ ? scene_->find(entity) : nullptr;
   if (found == nullptr) return;
-  const HoldOptions options{moved_by_, on_contact_.value_or(found->on_contact),
+  MovedBy moved_by = moved_by_;
+  moved_by.joints_move = joints_move_;
+  const HoldOptions options{moved_by, on_contact_.value_or(found->on_contact),
                             force_class_.value_or(found->force_class)};
   auto taken = HeldEntity::take(scene_, entity, placements_, options, configuration_);
   if (!taken) {
@@ -202,7 +207,7 @@ void ManipulationEngine::release() {
   passed_.clear();
   passed_ns_ = -1;
   near_.clear();
-  stopped_ = false;
+  stopped_ = joints_move_ = false;
   set_wanted_ = true;
 }
 

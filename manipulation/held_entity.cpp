@@ -197,6 +197,7 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
     obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0, part.mesh.surfaces.get()});
     obstacles.push_back({part.mesh.collider, X_WO});
     obstacle_owners_.push_back(other.id);
+    obstacle_links_.push_back(part.link);
   }
   gatherOwnPairs(entity, options, configuration);
   gaps_.resize(pairs_.size());

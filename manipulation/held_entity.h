@@ -136,6 +136,9 @@ class HeldEntity {
   /// as far as it can; where it cannot the obstacle waits: the share of its way that it went (a machine's own guard).
   double moveOther(workcell::EntityId other, const dvec3& way_W);
 
+  /// Something that another hand moves stands elsewhere now; its way was free of what is held here.
+  void placeOther(workcell::EntityId other, const EntityConfiguration& at);
+
   /// Exact distances of the pairs nearer than `limit` (m) at the accepted configuration, those of `pass` too.
   void distances(double limit, std::vector<FreeMotion::PairDistance>& near);
 
@@ -229,6 +232,7 @@ class HeldEntity {
   std::optional<Asked> asked_;  ///< A search is under way for it.
   std::vector<collision::ZonePart> obstacles_;
   std::vector<workcell::EntityId> obstacle_owners_;  ///< In the order of the obstacles.
+  std::vector<int> obstacle_links_;
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;

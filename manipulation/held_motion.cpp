@@ -158,6 +158,7 @@ HeldEntity::WayResult HeldEntity::goTo(const EntityConfiguration& target) {
   constexpr double kPiece = 0.05;  // rad or m of a joint: bounds of the way are good for small pieces
   constexpr int kMostPieces = 4000;
   const EntityConfiguration start = accepted_;
+  way_->known = false;
   double furthest = glm::length(target.X_WE.p - start.X_WE.p);
   for (std::size_t i = 0; i < start.joints.size(); ++i) {
     furthest = std::max(furthest, std::abs(target.joints[i] - start.joints[i]));
@@ -196,6 +197,16 @@ double HeldEntity::moveOther(workcell::EntityId other, const dvec3& way_W) {
   way_->known = false;
   way_->contacts.count = 0;
   return share;
+}
+
+void HeldEntity::placeOther(workcell::EntityId other, const EntityConfiguration& at) {
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    if (obstacle_owners_[i] != other) continue;
+    obstacles_[i].X_W = PreparedScene::partPose(*scene_->find(other), at.X_WE, at.joints, obstacle_links_[i]);
+    motion_->moveObstacle(static_cast<std::uint32_t>(i), obstacles_[i].X_W);
+  }
+  way_->known = false;
+  way_->contacts.count = 0;
 }
 
 HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMapping& mapping,

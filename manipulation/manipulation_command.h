@@ -44,6 +44,7 @@ struct MovedBy {
   bool lock_pelvis = false;  ///< The pelvis does not move. Feet stand unless they may step.
   bool on_seat = false;      ///< As lock_pelvis, and the seat bears the body: the feet need not be under it.
   bool hands_apart = false;  ///< kBothHands: each hand goes by the stylus's motion about its own grip; else as one.
+  bool joints_move = false;  ///< Something else moves the entity's joints meanwhile. Set by the engine itself.
   bool may_step = false;     ///< The feet may be put elsewhere where the hand is not reached from where they stand.
 };
 
@@ -137,6 +138,15 @@ struct Grab {
 };
 struct Release {};
 
+/// Brings an entity's joints where a glove has them, as far as the way is free, each of `fingers` (indices of joints) by
+/// itself, and keeps them there until told otherwise; what touches is told in the snapshot's pairs. The stylus may hold
+/// the entity meanwhile. An entity that is not there (0), is locked or has another number of joints ends it.
+struct PoseJoints {
+  workcell::EntityId entity = 0;
+  std::vector<double> joints;  ///< Of all variables.
+  std::vector<std::vector<std::size_t>> fingers;
+};
+
 /// From now on what moves is recorded, a step of the loop at a time: what is held, what goes by itself; each by itself,
 /// all on one clock. A recording that goes on is finished first.
 struct StartRecording {
@@ -159,7 +169,7 @@ using Command =
     std::variant<command::SetDocument, command::SetGuides, command::ChooseEntity, command::SetMovedBy, command::SetAxes,
                  command::SetScale, command::SetCamera, command::SetOnContact, command::SetForceClass,
                  command::SetForces, command::SetFilter, command::SetClutch, command::SetHandTarget, command::Grab,
-                 command::Release, command::StartRecording, command::MarkFrame, command::StopRecording>;
+                 command::Release, command::PoseJoints, command::StartRecording, command::MarkFrame, command::StopRecording>;
 
 /// What the loop tells back, in order; each is told once.
 namespace result {

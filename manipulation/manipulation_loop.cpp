@@ -11,6 +11,7 @@
 #include "haptic/rendering/triple_buffer.h"
 #include "manipulation/manipulation_step.h"
 #include "manipulation/prepared_scene.h"
+#include "manipulation/second_stylus.h"
 
 namespace hapticell::manipulation {
 
@@ -110,24 +111,51 @@ struct ManipulationLoop::Worker {
   }
 
   void takeCommands(ManipulationEngine& engine) {
-    std::vector<Command> taken;
+    std::vector<Command> taken, for_second;
+    std::optional<std::unique_ptr<haptic::HapticLink>> link_of_second;
     std::shared_ptr<const PreparedScene> scene;
     {
       const std::lock_guard lock(mutex);
       taken.swap(commands);
+      for_second.swap(second_commands);
+      link_of_second.swap(second_link);
       scene.swap(ready_scene);
     }
+    if (link_of_second) changeSecond(engine, std::move(*link_of_second));
+    if (scene && second) second->engine().setScene(scene);
     if (scene) engine.setScene(std::move(scene));
     for (const Command& one : taken) engine.apply(one);
+    if (!second) return;
+    for (const Command& one : for_second) second->engine().apply(one);
+  }
+
+  void changeSecond(ManipulationEngine& engine, std::unique_ptr<haptic::HapticLink> the_link) {
+    endSecond(engine);
+    if (!the_link) return;
+    second = std::make_unique<SecondStylus>(std::move(the_link), configuration);
+    second->engine().searchInThread();
+    if (engine.sharedScene()) second->engine().setScene(engine.sharedScene());
+  }
+
+  /// Lets go of what the second stylus holds, and of the stylus.
+  void endSecond(ManipulationEngine& engine) {
+    if (!second) return;
+    second->engine().apply(command::Release{});
+    second->engine().apply(command::SetForces{false});
+    second->step(engine, nanoseconds(Clock::now()));
+    keepResults(second->engine());
+    second.reset();
   }
 
   void showStep(ManipulationEngine& engine, const StepTimes& times) {
     SceneSnapshot& snapshot = snapshots.writeSlot();
     engine.fillSnapshot(snapshot);
+    if (second) second->addTo(snapshot);
     snapshot.rate_manipulation_hz = times.rate();
     snapshot.step_p99_ms = 1e3 * times.p99();
     snapshots.publish();
     keepResults(engine);
+    if (second) keepResults(second->engine());
   }
 
   void keepResults(ManipulationEngine& engine) {
@@ -148,6 +176,7 @@ struct ManipulationLoop::Worker {
       const Clock::time_point begin = Clock::now();
       takeCommands(engine);
       engine.step(nanoseconds(begin));
+      if (second) second->step(engine, nanoseconds(begin));
       if (begin - shown >= kPictureEvery) {
         shown = begin;
         showStep(engine, times);
@@ -160,6 +189,7 @@ struct ManipulationLoop::Worker {
       if (stopping) break;
     }
     takeCommands(engine);
+    endSecond(engine);
     engine.apply(command::Release{});
     engine.apply(command::StopRecording{});
     engine.apply(command::SetForces{false});
@@ -168,12 +198,14 @@ struct ManipulationLoop::Worker {
   }
 
   std::unique_ptr<haptic::HapticLink> link;
+  std::unique_ptr<SecondStylus> second;  // The loop's thread alone.
   const config::Configuration configuration;
   haptic::TripleBuffer<SceneSnapshot> snapshots;
 
   std::mutex mutex;  // Guards what follows; held only while pointers are moved.
   std::condition_variable documents_wait, steps_wait;
-  std::vector<Command> commands;
+  std::vector<Command> commands, second_commands;
+  std::optional<std::unique_ptr<haptic::HapticLink>> second_link;  ///< Until the loop's thread takes it.
   std::vector<Result> results;
   command::SetDocument newest_document;
   bool document_waits = false;
@@ -200,6 +232,17 @@ void ManipulationLoop::post(Command command) {
     return;
   }
   worker_->commands.push_back(std::move(command));
+}
+
+void ManipulationLoop::setSecondStylus(std::unique_ptr<haptic::HapticLink> link) {
+  const std::lock_guard lock(worker_->mutex);
+  worker_->second_link = std::move(link);
+  worker_->second_commands.clear();
+}
+
+void ManipulationLoop::postSecond(Command command) {
+  const std::lock_guard lock(worker_->mutex);
+  worker_->second_commands.push_back(std::move(command));
 }
 
 bool ManipulationLoop::latest(SceneSnapshot& snapshot) {

@@ -30,6 +30,10 @@ class ManipulationLoop {
 
   /// Queues a command for the next step. Holds a lock only for as long as a pointer is moved.
   void post(Command command);
+  /// A second stylus in the same cell (manipulation/second_stylus.h); null takes it away: what it holds is let go.
+  void setSecondStylus(std::unique_ptr<haptic::HapticLink> link);
+  /// A command for the second stylus; dropped while there is none.
+  void postSecond(Command command);
   /// Copies the newest snapshot if there is one since the last call; false when there is none.
   bool latest(SceneSnapshot& snapshot);
   /// What happened since the last call, in order.

@@ -260,6 +260,7 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   driftAtEdge();
   mapping_.lookFrom(state_->X_DP);
   moveScripted();
+  followPose();
   if (held_ && !clutched_) {
     const HeldEntity::FollowResult followed = held_->follow(onGuides(state_->X_DP), mapping_, &built_, stepTime());
     hurried_joint_ = followed.hurried_joint;

@@ -43,10 +43,15 @@ class ManipulationEngine {
   /// One step at `now_ns` of a steady clock that never goes back.
   void step(std::int64_t now_ns);
 
+  /// What `other` holds in the same scene counts here where it stands now: as something in the way, or, where both hold
+  /// the same mannequin, as the other hand's doing, which goes as far as this one's exact check finds it free.
+  void takeOver(const ManipulationEngine& other);
+
   /// What happened since the last call, in order.
   std::vector<Result> takeResults();
 
   const PreparedScene* scene() const { return scene_.get(); }
+  const std::shared_ptr<const PreparedScene>& sharedScene() const { return scene_; }
   const HeldEntity* held() const { return held_.get(); }
   /// Where an entity stands now, moved or not. It exists (contract).
   EntityConfiguration placement(workcell::EntityId entity) const;
@@ -105,6 +110,13 @@ class ManipulationEngine {
   void tellWherePlain();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
+  void wishSetForOthers();
+  void placeOther(workcell::EntityId id, const EntityConfiguration& at);
+  void poseJoints(const command::PoseJoints& wanted);
+  bool yieldJoints();
+  HeldEntity* poser(workcell::EntityId entity);
+  void followPose();
+  void addPosed(SceneSnapshot& snapshot);
   void notice(const std::string& sentence) { results_.emplace_back(result::Notice{sentence}); }
 
   haptic::HapticLink& link_;
@@ -113,6 +125,9 @@ class ManipulationEngine {
   Placements placements_;
   std::unique_ptr<ContactSearch> search_;  // Outlives what is held.
   std::unique_ptr<HeldEntity> held_;
+  std::unique_ptr<HeldEntity> posed_;  // What a glove poses, unless it is what is held.
+  std::optional<command::PoseJoints> wanted_pose_;
+  bool joints_move_ = false;  // Of what is held, by somebody else.
 
   std::optional<haptic::HapticState> state_;
   haptic::ServerStatistics statistics_;

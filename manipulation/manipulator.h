@@ -79,6 +79,9 @@ class Manipulator {
   /// The same of one part: cheaper where the other parts are many.
   virtual Pose partPose(const EntityConfiguration& configuration, std::size_t part) const = 0;
 
+  /// True where between() and the bounds go along with joints that something else moves (a glove, another hand).
+  virtual bool movesJoints() const { return true; }
+
   /// For each part an upper bound (m) of the length of the path of any of its points along between(from, to, 0..1).
   virtual void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to,
                           std::span<const PartSphere> spheres, std::span<double> bounds) const = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kinematics/inverse_factory.h"
+#include "manipulation/jointed_whole.h"
 #include "manipulation/mannequin_head.h"
 #include "manipulation/mannequin_manipulator.h"
 #include "manipulation/robot_base_manipulator.h"
@@ -172,6 +173,11 @@ Made makeWhole(const Taking& taking) {
     X_EM = Pose::translation(entity.mesh->bounds().center());
   } else if (kind == Kind::kTcp || kind > Kind::kWhole || (kind == Kind::kBase) != isRobot(entity)) {
     return makeError(takingRefused(entity, "it cannot be moved by that", choicesOf(entity)));
+  }
+  if (taking.moved_by.joints_move && entity.robot && !entity.robot->closure) {
+    std::vector<JointedWhole::Part> parts;
+    for (const Taking::Part& part : taking.parts) parts.push_back({part.link, part.X_LP});
+    return std::make_unique<JointedWhole>(entity.robot, X_EM, std::move(parts));
   }
   std::vector<Pose> X_EP;
   for (const Taking::Part& part : taking.parts) {

@@ -23,6 +23,17 @@ std::vector<Segment> chainOf(Segment segment) {
   return chain;
 }
 
+/// The most that a joint of a finger turns, of either hand.
+double fingersBetween(const Posture& a, const Posture& b) {
+  using mannequin::Dof;
+  double most = 0.0;
+  for (const Dof dof : {Dof::kLeftFingersCurl, Dof::kLeftThumbFlexion, Dof::kLeftThumbAbduction, Dof::kRightFingersCurl,
+                        Dof::kRightThumbFlexion, Dof::kRightThumbAbduction}) {
+    most = std::max(most, std::abs(b[dof] - a[dof]));
+  }
+  return most;
+}
+
 }  // namespace
 
 MannequinBody::MannequinBody(std::shared_ptr<const mannequin::Figure> figure,
@@ -72,7 +83,7 @@ void MannequinBody::pathBounds(const EntityConfiguration& from, const EntityConf
   const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, start);
   const auto turns = mannequin::turnsBetween(start, end);
   const double slid = glm::length(end.X_WR.p - start.X_WR.p);
-  const double fingers = std::abs(end[mannequin::Dof::kLeftFingersCurl] - start[mannequin::Dof::kLeftFingersCurl]);
+  const double fingers = fingersBetween(start, end);
   std::vector<Pose> X_WP(parts_.size());
   partPoses(from, X_WP);
   // From the part inwards: a point moves, seen from a joint, as far as the joints beyond it take it, so its distance
@@ -96,7 +107,7 @@ void MannequinBody::tightenOwnBounds(const EntityConfiguration& from, const Enti
   const Posture start = postureOf(from), end = postureOf(to);
   const mannequin::FigurePose pose = mannequin::forwardKinematics(*figure_, start);
   const auto turns = mannequin::turnsBetween(start, end);
-  const double fingers = std::abs(end[mannequin::Dof::kLeftFingersCurl] - start[mannequin::Dof::kLeftFingersCurl]);
+  const double fingers = fingersBetween(start, end);
   std::vector<Pose> X_WP(parts_.size());
   partPoses(from, X_WP);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -126,8 +137,9 @@ void MannequinBody::tightenOwnBounds(const EntityConfiguration& from, const Enti
 }
 
 double MannequinBody::turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const {
-  double turned = 0.0;
-  for (const double turn : mannequin::turnsBetween(postureOf(from), postureOf(to))) turned += turn;
+  const Posture start = postureOf(from), end = postureOf(to);
+  double turned = 3.0 * fingersBetween(start, end);
+  for (const double turn : mannequin::turnsBetween(start, end)) turned += turn;
   return turned;
 }
 

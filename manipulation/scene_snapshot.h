@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,18 @@ struct LimitState {
   bool holds = false;  ///< It pushes back now.
 };
 
+/// A second stylus beside the first: what is drawn and said of it.
+struct SecondStylusState {
+  bool connected = false, forces_on = false, device_fault = false;
+  workcell::EntityId held = 0;  ///< 0 while it holds nothing.
+  Pose X_WStylus;               ///< As drawn in the cell.
+  Pose X_DS;                    ///< In its own workspace.
+  dvec3 force_W{0.0};           ///< N on that hand, by the cell's axes.
+  double force_n = 0.0;
+  double motion_scale = 1.0;
+  std::string status;  ///< One sentence.
+};
+
 /// What the manipulation loop hands to the window each step: a value, newest wins, no lock between the loops.
 struct SceneSnapshot {
   std::uint64_t step = 0;
@@ -75,6 +88,7 @@ struct SceneSnapshot {
     std::size_t frames = 0;   ///< Kept so far, of all entities.
     std::size_t by_hand = 0;  ///< Of these, added by the user.
   } recording;
+  std::optional<SecondStylusState> second;  ///< Where there is one.
   std::string status;  ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
 };
 

@@ -132,6 +132,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
     snapshot.limits = nearLimits();
     snapshot.held = held_->id();
   }
+  addPosed(snapshot);
   snapshot.clutched = clutched_;
   snapshot.stopped = stopped_;
   snapshot.connected = link_state_ == haptic::LinkState::kConnected;

@@ -16,6 +16,7 @@ class SolidManipulator final : public Manipulator {
   EntityConfiguration between(const EntityConfiguration& from, const EntityConfiguration& to, double s) const override;
   void partPoses(const EntityConfiguration& configuration, std::span<Pose> X_WP) const override;
   Pose partPose(const EntityConfiguration& configuration, std::size_t part) const override;
+  bool movesJoints() const override { return false; }
   void pathBounds(const EntityConfiguration& from, const EntityConfiguration& to, std::span<const PartSphere> spheres,
                   std::span<double> bounds) const override;
   double turnBound(const EntityConfiguration& from, const EntityConfiguration& to) const override;
