@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/host/application.h"
 #include "app/host/end_signals.h"
 #include "app/host/language.h"
 #include "app/host/main_window.h"
@@ -211,7 +212,7 @@ int main(int argc, char** argv) {
     qCritical("There is no display to draw on. Start it on a desktop, or under xvfb-run.");
     return 2;
   }
-  QApplication application(argc, argv);
+  hapticell::app::Application application(argc, argv);
   QApplication::setApplicationName("hapticell");
   QApplication::setApplicationDisplayName("HaptiCell");
   QApplication::setApplicationVersion(HAPTICELL_VERSION);
@@ -242,6 +243,8 @@ int main(int argc, char** argv) {
   if (options.module) window.startModule("Virtual Desktop");
   window.restoreLayout();
   QObject::connect(&end, &hapticell::app::EndSignals::asked, &window, &MainWindow::endNow);
+  QObject::connect(&application, &hapticell::app::Application::outOfMemory, &window,
+                   [&window] { hapticell::app::tellOutOfMemory(window); });
   int status = 0;
   if (!options.screenshot.isEmpty()) {
     whenRead(window, options.delay_ms, [&] {

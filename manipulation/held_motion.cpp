@@ -26,6 +26,9 @@ constexpr double kAllTheTime = 1.0 - 1e-6;  ///< Of a step's time: as fast as th
 constexpr double kStillMoving = 3e-4;       ///< s of a joint's greatest speed: it may have way left.
 constexpr double kNoTime = 1e-9;            ///< s: no joint gets anywhere in it.
 constexpr std::size_t kMostKept = 16;
+/// rad in all: bounds of an articulated way are good for small pieces, and a long one whole may take seconds.
+constexpr double kPieceTurn = 0.4;
+constexpr int kMostPiecesOfAStep = 8;
 
 haptic::Vector6 inMetric(const Twist& t) {
   const dvec3 turned = kSlideLever * t.angular;
@@ -48,6 +51,32 @@ haptic::SolverRow rowOf(const haptic::Vector6& gradient, double slack) {
   for (double& n : row.normal) n /= length;
   row.slack = slack / length;
   return row;
+}
+
+/// How a way went that was cut into pieces.
+struct PiecewiseAnswer {
+  MotionAnswer last;      ///< Of the last piece.
+  double share = 1.0;     ///< Of the whole way.
+  bool has_rest = false;  ///< Nothing blocks, but there was more way than one step may take.
+};
+
+/// Goes from `accepted` towards `target` and leaves there where it came to.
+PiecewiseAnswer goInPieces(FreeMotion& motion, const Manipulator& manipulator, EntityConfiguration& accepted,
+                           const EntityConfiguration& target) {
+  const EntityConfiguration start = accepted;
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(std::min(1e6, manipulator.turnBound(start, target) / kPieceTurn))));
+  PiecewiseAnswer answer;
+  for (int piece = 1; piece <= std::min(pieces, kMostPiecesOfAStep); ++piece) {
+    const EntityConfiguration next =
+        piece == pieces ? target : manipulator.between(start, target, static_cast<double>(piece) / pieces);
+    answer.last = motion.advance(manipulator, accepted, next);
+    accepted = answer.last.s >= 1.0 ? next : manipulator.between(accepted, next, answer.last.s);
+    answer.share = (piece - 1 + answer.last.s) / pieces;
+    if (answer.last.blocked) return answer;
+  }
+  answer.has_rest = pieces > kMostPiecesOfAStep;
+  return answer;
 }
 
 }  // namespace
@@ -234,9 +263,10 @@ HeldEntity::FollowResult HeldEntity::follow(const Pose& X_DP, const MotionMappin
     const bool hurried = needed.seconds > kAllTheTime * duration_s;
     result.hurried_joint = hurried ? needed.joint : -1;
     if (hurried || needed.seconds > kStillMoving) way_->known = false;
-    const MotionAnswer answer = motion_->advance(*manipulator_, accepted_, target);
-    accepted_ = answer.s >= 1.0 ? target : manipulator_->between(accepted_, target, answer.s);
-    duration_s -= answer.s * needed.seconds;
+    const PiecewiseAnswer gone = goInPieces(*motion_, *manipulator_, accepted_, target);
+    const MotionAnswer& answer = gone.last;
+    duration_s -= gone.share * needed.seconds;
+    if (gone.has_rest) way_->known = false;
     const haptic::Vector6 moved = inMetric(mapping.toDevice(difference(movedFrame(), X_WM)));
     rows.moveBy(moved);
     way_->moveBy(moved);

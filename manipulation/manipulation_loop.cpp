@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "haptic/rendering/triple_buffer.h"
@@ -95,10 +96,21 @@ struct ManipulationLoop::Worker {
         progress.build.cancelled = stopping;
         preparing = true;
       }
-      auto made = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get(),
-                                         &progress);
+      bool had_memory = true;
+      std::shared_ptr<const PreparedScene> made;
+      try {
+        made = PreparedScene::prepare(std::move(document.entities), std::move(document.pairs), rule, previous.get(),
+                                      &progress);
+      } catch (const std::bad_alloc&) {
+        had_memory = false;
+      }
       const std::lock_guard lock(mutex);
       preparing = false;
+      if (!had_memory) {
+        results.push_back(result::Notice{
+            "There was not enough memory to prepare the contacts: what was changed is not felt. Remove large parts"});
+        continue;
+      }
       if (!made) {
         previous = std::move(progress.given_up);
         results.push_back(result::Notice{"Preparing the contacts was given up: what was changed is not felt yet"});

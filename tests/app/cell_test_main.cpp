@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <QApplication>
-
+#include "app/host/application.h"
 #include "app/style/proxy_style.h"
 #include "app/style/theme.h"
 
 int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+  hapticell::app::Application application(argc, argv);
   QApplication::setStyle(new hapticell::app::ProxyStyle);
   QApplication::setPalette(hapticell::app::paletteOf(hapticell::app::darkTheme()));
   testing::InitGoogleTest(&argc, argv);

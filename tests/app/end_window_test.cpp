@@ -13,8 +13,10 @@
 #include <QTimer>
 #include <csignal>
 #include <filesystem>
+#include <new>
 #include <vector>
 
+#include "app/host/application.h"
 #include "app/host/end_signals.h"
 #include "tests/app/cell_page.h"
 #include "workcell/autosave.h"
@@ -36,6 +38,29 @@ TEST(EndSignals, AreToldInTheEventLoopAndOnlyWhileSomebodyListens) {
   struct sigaction now {};
   ::sigaction(SIGTERM, nullptr, &now);
   EXPECT_EQ(now.sa_handler, SIG_DFL);
+}
+
+TEST(OutOfMemory, GivesUpWhatWasAskedAndSaysSo) {
+  CellPage page;
+  const workcell::EntityId part = page.addSolid("part", geometry::makeBox(dvec3(0.06)));
+  auto* application = qobject_cast<Application*>(qApp);
+  ASSERT_NE(application, nullptr);
+  MainWindow& window = page.window();
+  const auto told = QObject::connect(application, &Application::outOfMemory, [&window] { tellOutOfMemory(window); });
+  const std::size_t before = window.messages().messages().size();
+  bool tried = false;
+  QTimer::singleShot(0, &window, [&] {
+    tried = true;
+    window.documentModel().beginStep("Move part");
+    window.documentModel().execute(workcell::SetPlacement{part, Pose::translation({1.0, 0.0, 0.0})});
+    throw std::bad_alloc();
+  });
+  EXPECT_TRUE(WindowPage::until([&] { return tried; }, 30000));
+  QObject::disconnect(told);
+  ASSERT_EQ(window.messages().messages().size(), before + 1);
+  EXPECT_EQ(window.messages().messages().back().severity, Severity::kProblem);
+  EXPECT_FALSE(window.documentModel().document().inCompound());
+  EXPECT_LT(window.documentModel().document().find(part)->X_WE.p.x, 0.5) << "half a step was kept";
 }
 
 struct Recording : CellPage {
