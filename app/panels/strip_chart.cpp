@@ -156,19 +156,17 @@ void StripChart::paintCurves(QPainter& painter, const Axes& axes) const {
 void StripChart::paintRates(QPainter& painter, const Axes& axes) const {
   const Theme& theme = themeOf(palette());
   painter.fillRect(axes.rates, theme.field);
-  QPainterPath haptic, collision;
+  QPolygonF haptic, collision;
   for (const StripSample& sample : history_.samples()) {
-    const QPointF at_haptic(axes.x(sample.time_s), axes.yRate(sample.haptic_hz));
-    const QPointF at_collision(axes.x(sample.time_s), axes.yRate(sample.manipulation_hz));
-    haptic.isEmpty() ? haptic.moveTo(at_haptic) : haptic.lineTo(at_haptic);
-    collision.isEmpty() ? collision.moveTo(at_collision) : collision.lineTo(at_collision);
+    haptic.append({axes.x(sample.time_s), axes.yRate(sample.haptic_hz)});
+    collision.append({axes.x(sample.time_s), axes.yRate(sample.manipulation_hz)});
   }
   painter.setClipRect(axes.rates);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.text1, 1.2));
-  painter.drawPath(haptic);
+  painter.drawPolyline(haptic);
   painter.setPen(QPen(theme.text2, 1.4, Qt::DashLine));  // Dashed: told apart without colour.
-  painter.drawPath(collision);
+  painter.drawPolyline(collision);
   painter.setClipping(false);
   const StripSample* now = history_.samples().empty() ? nullptr : &history_.samples().back();
   painter.setFont(textFont(TextRole::kSecond));
@@ -192,8 +190,7 @@ void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
   painter.drawText(QRect(12, top + 18, 160, 20), Qt::AlignVCenter, tr("Force on the hand"));
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.near_miss_text);
-  painter.drawText(QRect(12, top + 40, 160, 20), Qt::AlignVCenter,
-                   tr("Near miss under %1").arg(gapText(near_miss_m_)));
+  painter.drawText(QRect(12, top + 40, 160, 20), Qt::AlignVCenter, tr("Near miss under %1").arg(gapText(near_miss_m_)));
   if (!history_.samples().empty()) return;
   painter.setPen(theme.text2);
   painter.drawText(axes.plot, Qt::AlignCenter, tr("Nothing is measured yet. Connect a stylus and hold an entity."));

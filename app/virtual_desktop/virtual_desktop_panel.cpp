@@ -83,6 +83,7 @@ void VirtualDesktopPanel::addForces(QVBoxLayout& column) {
   words->setSpacing(0);
   forces_state_ = makeLabel({}, TextRole::kPanelState);
   forces_why_ = makeLabel({}, TextRole::kSecond, true);
+  forces_why_->setWordWrap(true);
   words->addWidget(forces_state_);
   words->addWidget(forces_why_);
   auto* number = new QVBoxLayout;
@@ -236,6 +237,7 @@ void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
   axes_->setObjectName("segmentsAxes");
   addRow(*section, tr("Axes of"), axes_);
   axes_frame_ = new QComboBox;
+  axes_frame_->setObjectName("comboAxesFrame");
   axes_frame_row_ = addRow(*section, {}, axes_frame_);
   const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
   for (std::size_t i = 0; i < 6; ++i) {
@@ -251,6 +253,7 @@ void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
   scale_->setObjectName("segmentsScale");
   addRow(*section, tr("Scale"), scale_);
   scale_note_ = makeLabel({}, TextRole::kSecond, true);
+  scale_note_->setObjectName("labelScale");
   scale_note_->setContentsMargins(kLabelColumn, 2, 0, 2);
   section->addWidget(scale_note_);
   connect(axes_, &Segmented::chosen, this, [this](int index) {

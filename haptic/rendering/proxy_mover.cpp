@@ -11,6 +11,17 @@ namespace {
 constexpr double kLongestMove = 0.002;  // m of one iteration of the proxy.
 constexpr int kIterations = 2;
 constexpr double kLargestOutrun = 3.0;
+constexpr double kTouches = 2e-5;  // m.
+
+/// Whether the proxy touched at X_DP any of what holds it now.
+bool touches(const GroupedSet& grouped, const Pose& X_DP, const std::bitset<kMaxConstraints>& pressing) {
+  ProxyRows rows;
+  rows.gather(grouped, X_DP);
+  for (std::size_t i = 0; i + 1 < rows.count; ++i) {
+    if (pressing[i] && rows.row[i].slack < kTouches) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -22,6 +33,7 @@ void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const Sol
   contact = false;
   friction = stiffness = damping = 0.0;
   v_DO = dvec3(0.0);
+  pressing.reset();
   outrun = 1.0;
   double pressed = 0.0;
   for (std::size_t i = 0; i < last; ++i) {
@@ -29,6 +41,7 @@ void ProxyStep::note(const GroupedSet& grouped, const ProxyRows& rows, const Sol
     if (press <= 0.0) continue;
     const Constraint& constraint = grouped.set.constraints[rows.entry[i]];
     contact = true;
+    pressing.set(i);
     noteOutrun(constraint, press);
     pressed += press;
     friction += press * constraint.friction;
@@ -121,11 +134,23 @@ void ProxyMover::applyFriction(const GroupedSet& grouped, const Pose& from, Prox
   } else {
     step.X_DP.p = carried.p + share * gone.linear;
   }
+  goOn(grouped, from, size, step);
+}
+
+/// Back onto the set along its normals where friction left the proxy inside. Nothing rubs before it touches: a proxy
+/// that came through the air goes on to what it meets.
+void ProxyMover::goOn(const GroupedSet& grouped, const Pose& from, double most, ProxyStep& step) const {
   ProxyRows rows;
   rows.gather(grouped, step.X_DP);
-  const SolverResult back = nearestUnentered(rows.all(), Vector6{});
-  if (back.active_count == 0) return;
-  step.X_DP = displacedInMetric(step.X_DP, asVector6(keptInZone(grouped.set, step, metricVector(back.d))));
+  const bool arrives = !touches(grouped, from, step.pressing);
+  for (std::size_t i = 0; arrives && i + 1 < rows.count; ++i) {
+    rows.row[i].equality = rows.row[i].equality || step.pressing[i];
+  }
+  const SolverResult solved = nearestUnentered(rows.all(), Vector6{});
+  if (solved.active_count == 0) return;
+  MetricVector d = metricVector(solved.d);
+  if (arrives && length(d) > most) d *= most / length(d);
+  step.X_DP = displacedInMetric(step.X_DP, asVector6(keptInZone(grouped.set, step, d)));
 }
 
 }  // namespace hapticell::haptic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bitset>
 #include <cstddef>
 
 #include "geometry/pose.h"
@@ -25,6 +26,7 @@ struct ProxyStep {
   double damping = 0.0;    ///< Most that an active row asks for.
   double outrun = 1.0;     ///< How much faster than the stylus the proxy goes along what bulges towards it.
   dvec3 v_DO{0.0};         ///< Of what is touched, weighted by how hard it presses, m/s.
+  std::bitset<kMaxConstraints> pressing;  ///< The groups whose rows hold it.
 
   void note(const GroupedSet& grouped, const ProxyRows& rows, const SolverResult& result);
 
@@ -50,6 +52,7 @@ class ProxyMover {
 
  private:
   void applyFriction(const GroupedSet& grouped, const Pose& from, ProxyStep& step, double dt) const;
+  void goOn(const GroupedSet& grouped, const Pose& from, double most, ProxyStep& step) const;
   MetricVector keptInZone(const ConstraintSet& set, ProxyStep& step, const MetricVector& d) const;
   MetricVector felt(MetricVector v) const;
   bool turning_ = false;

@@ -199,5 +199,26 @@ TEST(ProxyMover, slidesOnWithFrictionHoweverFarTheProxyIsBehind) {
   EXPECT_NEAR(result.X_DP.p.x, 0.2 - 0.15 * 0.030, 1e-4);
 }
 
+TEST(ProxyMover, rubsOnlyOnWhatItTouches) {
+  // It comes through the air, straight or at a slant, fast or all at once, and stays where it touched if that sticks.
+  for (const double friction : {0.15, 0.6, 1e3}) {
+    for (const double aside : {0.0, 0.01}) {
+      for (const int ticks : {1, 20, 100}) {
+        ForceRenderer renderer;
+        renderer.reset(at(0, 0, 0.005));
+        ConstraintSet set = floorSet(1);
+        set.constraints[0].friction = friction;
+        ASSERT_EQ(renderer.adopt(set), Adoption::kAdopted);
+        const RenderResult result = moveTo(renderer, dvec3(0, 0, 0.005), dvec3(aside, 0, -0.010), ticks, 100);
+        EXPECT_NEAR(result.X_DP.p.z, 0.0, 2e-5) << friction << ' ' << aside << ' ' << ticks;
+        EXPECT_LE(result.X_DP.p.x, aside);
+        if (friction > 1.0 && ticks == 100) {
+          EXPECT_NEAR(result.X_DP.p.x, aside / 3.0, 2e-4) << "where it touched";
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hapticell::haptic
