@@ -48,6 +48,11 @@ class RowDelegate final : public QStyledItemDelegate {
     const bool shown = index.data(Role::kVisibleRole).toBool();
     const QRect r = option.rect;
     const QColor text = shown ? theme.text1 : theme.text3;
+    if (index.data(Role::kMotionFrameRole).isValid()) {
+      paintDot(*painter, QPointF(r.left() + 8.0, r.center().y() + 0.5), index, theme);
+      paintName(*painter, QRect(r.left() + 24, r.top(), r.width() - 28, r.height()), index, text);
+      return painter->restore();
+    }
     icon(index.data(Role::kIconRole).toString(), shown ? theme.text2 : theme.text3)
         .paint(painter, QRect(r.left(), r.center().y() - 7, 16, 16));
     const bool open = view->isExpanded(index);
@@ -69,6 +74,15 @@ class RowDelegate final : public QStyledItemDelegate {
   }
 
  private:
+  /// Of a trajectory's frame: what the check found, by shape and colour; free: a disc; not checked: a ring.
+  static void paintDot(QPainter& painter, const QPointF& at, const QModelIndex& index, const Theme& theme) {
+    const Mark mark = static_cast<Mark>(index.data(Role::kMarkRole).toInt());
+    if (mark != Mark::kNone) return paintMark(painter, mark, at, 10, theme);
+    painter.setPen(QPen(theme.text1, 1.4));
+    painter.setBrush(index.data(Role::kCheckedRole).toBool() ? QBrush(theme.text1) : QBrush(Qt::NoBrush));
+    painter.drawEllipse(at, 3.0, 3.0);
+  }
+
   static void paintName(QPainter& painter, const QRect& rect, const QModelIndex& index, const QColor& color) {
     const Theme& theme = themeOf(static_cast<QWidget*>(painter.device())->palette());
     painter.setFont(textFont(TextRole::kText));
@@ -78,8 +92,9 @@ class RowDelegate final : public QStyledItemDelegate {
     const QString suffix = index.data(Role::kSuffixRole).toString();
     if (suffix.isEmpty()) return;
     painter.setPen(theme.text3);
-    painter.drawText(rect.adjusted(painter.fontMetrics().horizontalAdvance(name) + 5, 0, 0, 0),
-                     Qt::AlignVCenter | Qt::AlignLeft, suffix);
+    const QRect rest = rect.adjusted(painter.fontMetrics().horizontalAdvance(name) + 5, 0, 0, 0);
+    painter.drawText(rest, Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(suffix, Qt::ElideRight, rest.width()));
   }
 };
 
@@ -220,11 +235,13 @@ void WorkcellPanel::keepExpanded() {
       const QModelIndex index = filter_model_.index(row, 0, parent);
       const auto kind = model_.kindOf(source(index));
       constexpr int kManyRows = 40;  // A large assembly is opened by whom it interests.
+      // Frames of a motion are opened by whom they interest, and have nothing below them.
+      const bool motion = kind == WorkcellTreeModel::Kind::kTrajectory;
       const bool few = kind == WorkcellTreeModel::Kind::kCell || filter_model_.rowCount(index) <= kManyRows;
-      const bool open_at_first = few && kind != WorkcellTreeModel::Kind::kPairSets;
+      const bool open_at_first = few && !motion && kind != WorkcellTreeModel::Kind::kPairSets;
       const QString key = keyOf(index);
       tree_->setExpanded(index, expanded_.contains(key) || (open_at_first && !collapsed_.contains(key)));
-      self(self, index);
+      if (!motion) self(self, index);
     }
   };
   restore(restore, {});

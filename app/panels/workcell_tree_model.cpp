@@ -3,6 +3,7 @@
 
 #include <QMimeData>
 #include <algorithm>
+#include <utility>
 
 #include "app/panels/tree_edits.h"
 #include "app/style/units.h"
@@ -48,24 +49,28 @@ QString markWord(Mark mark) {
 
 WorkcellTreeModel::WorkcellTreeModel(DocumentModel& document, QObject* parent)
     : QAbstractItemModel(parent), document_(document) {
-  nodes_ = build(document_);
+  nodes_ = build();
   connect(&document_, &DocumentModel::changed, this, &WorkcellTreeModel::documentChanged);
 }
 
 void WorkcellTreeModel::documentChanged() {
-  std::vector<Node> fresh = build(document_);
-  if (fresh == nodes_) {
-    for (const Node& node : nodes_)
-      if (!node.children.empty()) {
-        const int first = node.children.front(), last = node.children.back();
-        emit dataChanged(indexOfNode(first), indexOfNode(last));
-      }
-    return;
-  }
-  beginResetModel();
+  takeRows(build());
+}
+
+void WorkcellTreeModel::setMotionFrames(MotionFrames frames) {
+  if (frames == motion_frames_) return;
+  const MotionFrames before = std::exchange(motion_frames_, std::move(frames));  // Rows point there till they are new.
+  takeRows(build());
+}
+
+void WorkcellTreeModel::takeRows(std::vector<Node> fresh) {
+  const bool same = fresh == nodes_;
+  if (!same) beginResetModel();
   nodes_ = std::move(fresh);
   for (Node& node : nodes_) node.mark = markOf(node);
-  endResetModel();
+  if (!same) return endResetModel();
+  for (const Node& node : nodes_)
+    if (!node.children.empty()) emit dataChanged(indexOfNode(node.children.front()), indexOfNode(node.children.back()));
 }
 
 void WorkcellTreeModel::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
@@ -95,6 +100,7 @@ void WorkcellTreeModel::updateMarks() {
 }
 
 Mark WorkcellTreeModel::markOf(const Node& node) const {
+  if (node.frame) return node.frame->mark;
   if (!snapshot_ || node.entity == 0 || node.kind == Kind::kTcp || node.kind == Kind::kFrame) return Mark::kNone;
   Mark mark = Mark::kNone;
   for (const auto& pair : snapshot_->pairs) {
@@ -166,6 +172,7 @@ std::vector<workcell::EntityId> WorkcellTreeModel::entitiesOf(const QModelIndex&
 }
 
 QString WorkcellTreeModel::stateWords(const Node& node) const {
+  if (node.frame) return node.frame->finding;
   QStringList words;
   const workcell::Entity* entity = node.kind == Kind::kEntity ? entityOf(node) : nullptr;
   if (node.mark != Mark::kNone) words << markWord(node.mark);
@@ -201,6 +208,8 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
       return node.name;
     case Qt::AccessibleTextRole:
       return accessibleText(node);
+    case Qt::ToolTipRole:
+      return node.frame && !node.frame->finding.isEmpty() ? node.frame->finding : QVariant();
     case kEntityRole:
       return static_cast<qulonglong>(node.entity);
     case kPartRole:
@@ -209,7 +218,15 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
       return static_cast<int>(node.mark);
     case kInnerMarkRole:
       return static_cast<int>(innerMark(static_cast<int>(index.internalId())));
+    case kMotionRole:
+      if (node.kind == Kind::kTrajectory) return node.name;
+      return node.frame ? nodes_[static_cast<std::size_t>(node.parent)].name : QString();
+    case kMotionFrameRole:
+      return node.frame ? QVariant(static_cast<qulonglong>(node.frame->frame)) : QVariant();
+    case kCheckedRole:
+      return node.frame && node.frame->checked;
     case kSuffixRole:
+      if (node.frame) return node.frame->finding;
       if (entity && entity->unloaded) return tr("file missing");
       return entity && snapshot_ && snapshot_->held == entity->id ? tr("held") : QString();
     case kCanHideRole:
@@ -243,6 +260,8 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
           return QStringLiteral("measure");
         case Kind::kPairSet:
           return QStringLiteral("near_miss");
+        case Kind::kMotionFrame:
+          break;  // A dot, drawn by the view.
       }
       return {};
     default:

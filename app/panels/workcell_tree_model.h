@@ -33,13 +33,40 @@ class WorkcellTreeModel : public QAbstractItemModel {
     kLockedRole,                 ///< bool.
     kCanHideRole,                ///< bool: the row has an eye.
     kFilterRole,                 ///< Name and state words.
+    kMotionRole,                 ///< Of a trajectory and its frames: the trajectory's name; else empty.
+    kMotionFrameRole,            ///< Index of a trajectory's frame as qulonglong; no value for other rows.
+    kCheckedRole,                ///< bool: of a trajectory's frame, a check went over it.
   };
-  enum class Kind { kCell, kFolder, kEntity, kTcp, kLink, kFrame, kPairSets, kPairSet, kTrajectories, kTrajectory };
+  enum class Kind {
+    kCell,
+    kFolder,
+    kEntity,
+    kTcp,
+    kLink,
+    kFrame,
+    kPairSets,
+    kPairSet,
+    kTrajectories,
+    kTrajectory,
+    kMotionFrame
+  };
+  /// A frame of a trajectory as a row below it, standing for the way on to the next row.
+  struct MotionFrame {
+    QString name;             ///< "Frame 12 · 0.11 s"
+    std::size_t frame = 0;    ///< Its index.
+    QString finding;          ///< What a check found there; empty: nothing.
+    Mark mark = Mark::kNone;  ///< The strongest of it.
+    bool checked = false;
+    bool operator==(const MotionFrame&) const = default;
+  };
+  using MotionFrames = std::map<std::string, std::vector<MotionFrame>>;  ///< By the trajectory's name.
 
   explicit WorkcellTreeModel(DocumentModel& document, QObject* parent = nullptr);
 
   /// Marks and what is held; nothing: no marks.
   void setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot);
+  /// The rows below the trajectories; those of names that the cell does not have wait.
+  void setMotionFrames(MotionFrames frames);
   QModelIndex indexOf(workcell::EntityId entity) const;
   Kind kindOf(const QModelIndex& index) const;
   /// Shows or hides, locks or unlocks the entities of the row and below it, as one step of undo.
@@ -72,18 +99,21 @@ class WorkcellTreeModel : public QAbstractItemModel {
     int parent = -1, row = 0;
     std::vector<int> children;
     Mark mark = Mark::kNone;
+    const MotionFrame* frame = nullptr;  ///< In motion_frames_.
     bool operator==(const Node& other) const {
       return kind == other.kind && name == other.name && part == other.part && entity == other.entity &&
              parent == other.parent;
     }
   };
-  static std::vector<Node> build(const DocumentModel& document);
+  std::vector<Node> build() const;
+  void appendMotions(std::vector<Node>& nodes, int cell) const;
   static int append(std::vector<Node>& nodes, int parent, Node node);
   using Children = std::multimap<std::string, const workcell::Entity*>;  // By the name of what they stand below.
   static void appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity,
                            const Children& children);
   static void appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity);
   void documentChanged();
+  void takeRows(std::vector<Node> fresh);
   void updateMarks();
   Mark markOf(const Node& node) const;
   Mark innerMark(int node) const;
@@ -95,6 +125,7 @@ class WorkcellTreeModel : public QAbstractItemModel {
   bool renameFolder(const Node& node, const QString& name);
 
   DocumentModel& document_;
+  MotionFrames motion_frames_;
   std::vector<Node> nodes_;
   std::optional<manipulation::SceneSnapshot> snapshot_;
 };

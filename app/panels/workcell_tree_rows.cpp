@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-
 namespace hapticell::app {
 
 int WorkcellTreeModel::append(std::vector<Node>& nodes, int parent, Node node) {
@@ -23,32 +22,46 @@ int WorkcellTreeModel::append(std::vector<Node>& nodes, int parent, Node node) {
 void WorkcellTreeModel::appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity) {
   if (!entity.tip_link.empty()) {
     const QString tip = QString::fromStdString(entity.tip_link);
-    append(nodes, row, {Kind::kTcp, QStringLiteral("TCP · ") + tip, tip, entity.id, -1, 0, {}, {}});
+    append(nodes, row, {Kind::kTcp, QStringLiteral("TCP · ") + tip, tip, entity.id, -1, 0, {}, {}, {}});
   }
   for (const auto& link : entity.robot->links) {
     if (link.visuals.empty() && link.collisions.empty()) continue;
     const QString name = QString::fromStdString(link.name);
-    append(nodes, row, {Kind::kLink, name, name, entity.id, -1, 0, {}, {}});
+    append(nodes, row, {Kind::kLink, name, name, entity.id, -1, 0, {}, {}, {}});
   }
 }
 
 void WorkcellTreeModel::appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity,
                                      const Children& children) {
   const int row =
-      append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity.name), {}, entity.id, -1, 0, {}, {}});
+      append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity.name), {}, entity.id, -1, 0, {}, {}, {}});
   if (entity.robot) appendRobot(nodes, row, entity);
   for (const workcell::Frame& frame : entity.frames) {
     const QString name = QString::fromStdString(frame.name);
-    append(nodes, row, {Kind::kFrame, name, name, entity.id, -1, 0, {}, {}});
+    append(nodes, row, {Kind::kFrame, name, name, entity.id, -1, 0, {}, {}, {}});
   }
   const auto [first, last] = children.equal_range(entity.name);
   for (auto child = first; child != last; ++child) appendEntity(nodes, row, *child->second, children);
 }
 
-std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build(const DocumentModel& document) {
+void WorkcellTreeModel::appendMotions(std::vector<Node>& nodes, int cell) const {
+  const auto& motions = document_.document().state().trajectories;
+  if (motions.empty()) return;
+  const int all = append(nodes, cell, {Kind::kTrajectories, tr("Trajectories"), {}, 0, -1, 0, {}, {}, {}});
+  for (const auto& motion : motions) {
+    const int row =
+        append(nodes, all, {Kind::kTrajectory, QString::fromStdString(motion.name), {}, 0, -1, 0, {}, {}, {}});
+    const auto frames = motion_frames_.find(motion.name);
+    if (frames == motion_frames_.end()) continue;
+    for (const MotionFrame& frame : frames->second)
+      append(nodes, row, {Kind::kMotionFrame, frame.name, {}, 0, -1, 0, {}, frame.mark, &frame});
+  }
+}
+
+std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build() const {
   std::vector<Node> nodes;
-  const auto& state = document.document().state();
-  const int cell = append(nodes, -1, {Kind::kCell, document.title(), {}, 0, -1, 0, {}, {}});
+  const auto& state = document_.document().state();
+  const int cell = append(nodes, -1, {Kind::kCell, document_.title(), {}, 0, -1, 0, {}, {}, {}});
   std::set<std::string> names;
   Children children;
   for (const auto& entity : state.entities) {
@@ -63,21 +76,17 @@ std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build(const DocumentMode
       const auto [place, added] = folders.try_emplace(entity->parent, -1);
       if (added)
         place->second =
-            append(nodes, cell, {Kind::kFolder, QString::fromStdString(entity->parent), {}, 0, -1, 0, {}, {}});
+            append(nodes, cell, {Kind::kFolder, QString::fromStdString(entity->parent), {}, 0, -1, 0, {}, {}, {}});
       parent = place->second;
     }
     appendEntity(nodes, parent, *entity, children);
   }
   if (!state.pair_sets.empty()) {
-    const int sets = append(nodes, cell, {Kind::kPairSets, tr("Pair sets"), {}, 0, -1, 0, {}, {}});
+    const int sets = append(nodes, cell, {Kind::kPairSets, tr("Pair sets"), {}, 0, -1, 0, {}, {}, {}});
     for (const auto& set : state.pair_sets)
-      append(nodes, sets, {Kind::kPairSet, QString::fromStdString(set.name), {}, 0, -1, 0, {}, {}});
+      append(nodes, sets, {Kind::kPairSet, QString::fromStdString(set.name), {}, 0, -1, 0, {}, {}, {}});
   }
-  if (!state.trajectories.empty()) {
-    const int all = append(nodes, cell, {Kind::kTrajectories, tr("Trajectories"), {}, 0, -1, 0, {}, {}});
-    for (const auto& trajectory : state.trajectories)
-      append(nodes, all, {Kind::kTrajectory, QString::fromStdString(trajectory.name), {}, 0, -1, 0, {}, {}});
-  }
+  appendMotions(nodes, cell);
   return nodes;
 }
 

@@ -13,11 +13,16 @@ std::vector<MotionChart::Limit> chartLimits(const workcell::Entity& entity, cons
   const auto columns = manipulation::jointColumns(entity, trajectory);
   std::vector<MotionChart::Limit> limits;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    MotionChart::Limit limit{names[i], bounds.velocity[i], bounds.acceleration[i], bounds.acceleration[i] / kUsualRamp};
+    MotionChart::Limit limit;
+    limit.curve = names[i];
+    limit.speed = bounds.velocity[i];
+    limit.acceleration = bounds.acceleration[i];
+    limit.jerk = bounds.acceleration[i] / kUsualRamp;
     if (trajectory.hasJoints() && columns && entity.robot) {
       const int joint = entity.robot->moving[(*columns)[i]];
       limit.lowest = entity.robot->joints[static_cast<std::size_t>(joint)].lower;
       limit.highest = entity.robot->joints[static_cast<std::size_t>(joint)].upper;
+      limit.slides = entity.robot->joints[static_cast<std::size_t>(joint)].type == kinematics::JointType::kPrismatic;
     }
     limits.push_back(std::move(limit));
   }

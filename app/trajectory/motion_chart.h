@@ -11,13 +11,14 @@
 
 namespace hapticell::app {
 
-/// Position, speed, acceleration or jerk of the current motion over the time bar's axis, with limits where there are
-/// some and the cursor's values. One unit at a time: all curves share the scale. Where a limit is passed the curve lies
-/// under a band in the limit's colour.
+/// Position, speed, acceleration or jerk of the current motion over the time bar's axis, or all four one below the
+/// other, with limits where there are some and the cursor's values. The curves of one plot share its scale; how much of
+/// their limits they use at most stands in it, and where a limit is passed the curve lies under a band in the limit's
+/// colour.
 class MotionChart : public QWidget {
   Q_OBJECT
  public:
-  enum class Order { kValue, kSpeed, kAcceleration, kJerk };
+  enum class Order { kValue, kSpeed, kAcceleration, kJerk, kAll };
   enum class Group { kPath, kPlace, kTurn, kJoints };
 
   explicit MotionChart(QWidget* parent = nullptr);
@@ -28,6 +29,7 @@ class MotionChart : public QWidget {
     std::string curve;
     double speed = 0.0, acceleration = 0.0, jerk = 0.0;
     double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
+    bool slides = false;  ///< A sliding joint: metres, no angle.
   };
   void setLimits(std::vector<Limit> limits);
   void setChoice(Group group, Order order);
@@ -54,22 +56,27 @@ class MotionChart : public QWidget {
     const trajectory::MotionCurve* curve = nullptr;
     const std::vector<double>* samples = nullptr;
     double lowest = 0.0, highest = 0.0;  ///< Its limits in SI, infinite where it has none.
+    double factor = 1.0;                 ///< Shown units by SI.
+    QString unit;
     QColor color;
     Qt::PenStyle style = Qt::SolidLine;
   };
-  std::vector<Shown> shown() const;
-  double unitFactor() const;
-  QString unit() const;
-  QRect plot() const;
+  std::vector<Shown> shown(Order order) const;
+  Shown shownCurve(const trajectory::MotionCurve& curve, Order order) const;
+  /// The orders that have a plot, and where each stands.
+  std::vector<std::pair<Order, QRect>> plots() const;
+  static double limitUse(const std::vector<Shown>& curves);
   struct Scale {
     double low = -1.0, high = 1.0;  ///< Shown units.
     QRect plot;
     double y(double value) const;
   };
-  Scale scaleOf(const std::vector<Shown>& curves) const;
+  static Scale scaleOf(const std::vector<Shown>& curves, Order order, const QRect& plot);
+  void paintPlot(QPainter& painter, Order order, const QRect& plot) const;
   void paintGrid(QPainter& painter, const Scale& scale) const;
   void paintLimits(QPainter& painter, const std::vector<Shown>& curves, const Scale& scale) const;
   void paintCurves(QPainter& painter, const std::vector<Shown>& curves, const Scale& scale) const;
+  void paintWords(QPainter& painter, const std::vector<Shown>& curves, const Scale& scale, Order order) const;
   void paintLegend(QPainter& painter, const std::vector<Shown>& curves) const;
 
   std::shared_ptr<const trajectory::MotionCurves> curves_;

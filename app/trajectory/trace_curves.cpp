@@ -39,6 +39,22 @@ void addAxes(const Pose& X_WT, double length, std::vector<SceneCurve>& curves) {
   }
 }
 
+/// Frames about as far from each other along the way, kMostDots of them: where it stood still there is one.
+void addEvenFrames(const trajectory::Trajectory& trajectory, std::size_t stride, std::vector<std::size_t>& dots) {
+  std::vector<std::pair<std::size_t, double>> places;  // Frame and way to it.
+  double way = 0.0;
+  for (std::size_t i = 0; i < trajectory.size(); i += stride) {
+    if (!places.empty()) way += glm::distance(trajectory[i].X_WT.p, trajectory[places.back().first].X_WT.p);
+    places.emplace_back(i, way);
+  }
+  double next = 0.0;
+  for (const auto& [frame, at] : places) {
+    if (at < next) continue;
+    dots.push_back(frame);
+    next = at + way / static_cast<double>(kMostDots);
+  }
+}
+
 }  // namespace
 
 std::vector<SceneCurve> traceCurves(const Motion& motion, std::size_t most, std::optional<std::size_t> frame,
@@ -69,6 +85,7 @@ std::vector<SceneCurve> traceCurves(const Motion& motion, std::size_t most, std:
   std::vector<std::size_t> dots{0, trajectory.size() - 1};
   for (std::size_t i = 0; i < trajectory.size() && dots.size() < kMostDots; ++i)
     if (trajectory[i].by_hand || trajectory[i].dwell > 0.0) dots.push_back(i);
+  if (motion.check) addEvenFrames(trajectory, stride, dots);
   for (const std::size_t i : dots) {
     SceneCurve dot;
     dot.points_W = {trajectory[i].X_WT.p};

@@ -43,6 +43,58 @@ void addDots(const Motion& motion, std::size_t most, TrackRow& row) {
   }
 }
 
+/// Which frames get a row, in order.
+std::vector<std::size_t> rowFrames(const Motion& motion, std::size_t most) {
+  const auto frames = motion.trajectory->frames();
+  const std::size_t stride = std::max<std::size_t>(1, (frames.size() + most - 1) / most);
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < frames.size(); i += stride) rows.push_back(i);
+  rows.push_back(frames.size() - 1);
+  if (motion.check)
+    for (const auto& finding : motion.check->findings) {
+      const auto after = std::upper_bound(frames.begin(), frames.end(), finding.t_in,
+                                          [](double t, const auto& frame) { return t < frame.t; });
+      rows.push_back(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - frames.begin() - 1)));
+    }
+  std::size_t by_hand = 0;
+  for (std::size_t i = 0; stride > 1 && i < frames.size() && by_hand < most; ++i)
+    if (frames[i].by_hand || frames[i].dwell > 0.0) {
+      rows.push_back(i);
+      ++by_hand;
+    }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
+Mark treeMark(CheckMark mark) {
+  switch (mark) {
+    case CheckMark::kCollision:
+      return Mark::kContact;
+    case CheckMark::kLimit:
+      return Mark::kLimit;
+    case CheckMark::kCareful:
+      return Mark::kNearMiss;
+    case CheckMark::kFree:
+    case CheckMark::kNone:
+      break;
+  }
+  return Mark::kNone;
+}
+
+/// The strongest of what was found on the way from t to t_next.
+void addFinding(const manipulation::PathCheckResult& check, double t, double t_next,
+                WorkcellTreeModel::MotionFrame& row) {
+  CheckMark strongest = CheckMark::kNone;
+  for (const auto& finding : check.findings) {
+    if (finding.t_out < t || (finding.t_in >= t_next && finding.t_in > t)) continue;
+    if (strength(markOf(finding)) <= strength(strongest)) continue;
+    strongest = markOf(finding);
+    row.finding = findingText(finding);
+  }
+  row.mark = treeMark(strongest);
+}
+
 }  // namespace
 
 QString findingText(const manipulation::PathFinding& finding) {
@@ -126,6 +178,24 @@ std::vector<TrackRow> trackRows(const MotionList& list, std::size_t most) {
     } else if (!motion.trajectory && motion.problem.isEmpty()) {
       row.note = QObject::tr("being read");
     }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<WorkcellTreeModel::MotionFrame> motionFrames(const Motion& motion, std::size_t most) {
+  std::vector<WorkcellTreeModel::MotionFrame> rows;
+  if (!motion.trajectory || motion.trajectory->empty() || most == 0) return rows;
+  const auto& trajectory = *motion.trajectory;
+  const std::vector<std::size_t> frames = rowFrames(motion, most);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto& frame = trajectory[frames[i]];
+    WorkcellTreeModel::MotionFrame row;
+    row.frame = frames[i];
+    row.name = QObject::tr("Frame %1 · %2 s").arg(frames[i] + 1).arg(frame.t, 0, 'f', 2);
+    if (frame.by_hand) row.name += QObject::tr(", by hand");
+    row.checked = motion.check && !motion.check->cancelled;
+    if (motion.check) addFinding(*motion.check, frame.t, trajectory[frames[std::min(i + 1, frames.size() - 1)]].t, row);
     rows.push_back(std::move(row));
   }
   return rows;

@@ -4,6 +4,7 @@
 #include <QString>
 #include <vector>
 
+#include "app/panels/workcell_tree_model.h"
 #include "app/trajectory/motion_list.h"
 
 namespace hapticell::app {
@@ -47,5 +48,10 @@ QString checkLine(const manipulation::PathCheckResult& check);
 /// Rows of all motions, dots at most `most` a row: all frames where they are fewer, else those set by hand and every so
 /// many.
 std::vector<TrackRow> trackRows(const MotionList& list, std::size_t most);
+
+/// The frames of a motion as rows of the tree: all where there are at most `most`, else those set by hand (as many at
+/// most), those where a finding begins, and every so many. What a check found between a row's frame and the next row's
+/// stands at the row, so that nothing that was found is left out.
+std::vector<WorkcellTreeModel::MotionFrame> motionFrames(const Motion& motion, std::size_t most);
 
 }  // namespace hapticell::app

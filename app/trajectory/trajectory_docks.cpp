@@ -30,6 +30,7 @@
 #include "app/trajectory/motion_work.h"
 #include "app/trajectory/play_video.h"
 #include "app/trajectory/trace_curves.h"
+#include "app/trajectory/track_rows.h"
 #include "app/trajectory/training_docks.h"
 #include "app/trajectory/training_panel.h"
 #include "app/trajectory/trajectory_panel.h"
@@ -40,8 +41,8 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRefreshMilliseconds = 100;
-constexpr int kDockWidth = 332;
-constexpr std::size_t kTracePoints = 600;
+constexpr int kDockWidth = 332, kHighDock = 460;
+constexpr std::size_t kTracePoints = 600, kFrameRows = 200;
 
 /// Docks of one window and what they share; owned by the window.
 class TrajectoryDocks : public QObject {
@@ -100,6 +101,10 @@ class TrajectoryDocks : public QObject {
     connect(panel_, &TrajectoryPanel::checkWanted, this, [this] { work_.check(); });
     connect(panel_, &TrajectoryPanel::trimWanted, motion_, &MotionPanel::trim);
     connect(panel_, &TrajectoryPanel::frameChosen, this, [this](std::size_t frame) { motion_->setFrame(frame); });
+    connect(panel_, &TrajectoryPanel::roomWanted, this, [this] {
+      if (handWorks() || dock_->isFloating() || dock_->height() >= kHighDock) return;
+      host_.window().resizeDocks({dock_}, {kHighDock}, Qt::Vertical);
+    });
     connect(motion_, &MotionPanel::sectionWanted, this,
             [this](QWidget* section) { scroll_->ensureWidgetVisible(section, 0, 160); });
     const auto tell = [this](const QString& line, bool careful) {
@@ -131,15 +136,31 @@ class TrajectoryDocks : public QObject {
                    return std::vector<trajectory::Trajectory>{std::move(*made)};
                  });
     });
-    if (auto* tree = host_.window().findChild<WorkcellTreeView*>())
-      connect(tree, &QTreeView::clicked, this, [this](const QModelIndex& index) {
-        // The row of a trajectory: it becomes the current one and is played.
-        const std::string name = index.data(Qt::DisplayRole).toString().toStdString();
-        if (index.data(WorkcellTreeModel::kEntityRole).toULongLong() != 0 || !list_.find(name)) return;
-        list_.setCurrent(name);
-        list_.setPlayed(name, true);
-      });
+    tree_ = host_.window().findChild<WorkcellPanel*>();
+    if (tree_) connect(&tree_->tree(), &QTreeView::clicked, this, &TrajectoryDocks::takeTreeRow);
+    connect(&list_, &MotionList::changed, this, &TrajectoryDocks::showFrameRows);
+    showFrameRows();
     showTraces();
+  }
+
+  /// The row of a trajectory: it becomes the current one and is played; that of a frame: it is chosen and shown.
+  void takeTreeRow(const QModelIndex& index) {
+    const std::string name = index.data(WorkcellTreeModel::kMotionRole).toString().toStdString();
+    if (name.empty() || !list_.find(name)) return;
+    list_.setCurrent(name);
+    list_.setPlayed(name, true);
+    const QVariant frame = index.data(WorkcellTreeModel::kMotionFrameRole);
+    const Motion* motion = list_.current();
+    if (!frame.isValid() || !motion->trajectory || frame.toULongLong() >= motion->trajectory->size()) return;
+    motion_->setFrame(frame.toULongLong());
+    player_.seek((*motion->trajectory)[frame.toULongLong()].t);
+  }
+
+  void showFrameRows() {
+    if (!tree_) return;
+    WorkcellTreeModel::MotionFrames rows;
+    for (const Motion& motion : list_.motions()) rows[motion.name] = motionFrames(motion, kFrameRows);
+    tree_->model().setMotionFrames(std::move(rows));
   }
 
   void showGizmo() {
@@ -216,9 +237,13 @@ class TrajectoryDocks : public QObject {
     if (!begun) panel_->showLine(QString::fromStdString(begun.error().message()), true);
   }
 
-  void openMotion(const QString& section) {
+  bool handWorks() const {
     const auto& snapshot = host_.snapshot();
-    if (snapshot && (snapshot->held != 0 || snapshot->forces_on)) {
+    return snapshot && (snapshot->held != 0 || snapshot->forces_on);
+  }
+
+  void openMotion(const QString& section) {
+    if (handWorks()) {
       panel_->showLine(tr("Switch the forces off first: no panel moves while the hand works."), true);
       return;
     }
@@ -296,6 +321,7 @@ class TrajectoryDocks : public QObject {
   TrainingDocks training_;
   TrajectoryPanel* panel_;
   MotionPanel* motion_;
+  WorkcellPanel* tree_ = nullptr;
   QScrollArea* scroll_;
   QDockWidget *dock_, *motion_dock_;
   QAction *record_ = nullptr, *film_ = nullptr;

@@ -106,7 +106,7 @@ QWidget* TrajectoryPanel::makeTransport() {
   order_ = new QComboBox;
   order_->setObjectName("comboCurveOrder");
   order_->setAccessibleName(tr("Quantity of the curves"));
-  order_->addItems({tr("Position"), tr("Speed"), tr("Accel."), tr("Jerk")});
+  order_->addItems({tr("Position"), tr("Speed"), tr("Accel."), tr("Jerk"), tr("All four")});
   order_->setCurrentIndex(1);
   trim_ = button("buttonTrim", "trim", tr("Keep the part between the brackets as a new motion"), tr("Trim"));
   smooth_ = button("buttonSmooth", "smooth", tr("Take the hand's tremor, keep the path"), tr("Smooth…"));
@@ -161,6 +161,7 @@ void TrajectoryPanel::connectBar() {
 void TrajectoryPanel::chooseCurves() {
   chart_->setChoice(static_cast<MotionChart::Group>(group_->currentIndex()),
                     static_cast<MotionChart::Order>(order_->currentIndex()));
+  if (chart_->order() == MotionChart::Order::kAll) emit roomWanted();
 }
 
 void TrajectoryPanel::showMotions() {

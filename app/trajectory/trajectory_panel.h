@@ -44,6 +44,7 @@ class TrajectoryPanel : public QWidget {
   void exportWanted();
   void trimWanted();
   void frameChosen(std::size_t frame);
+  void roomWanted();  ///< All four curves are shown: they need a high dock.
 
  private:
   QToolButton* button(const char* name, const QString& icon, const QString& tip, const QString& word = {});
