@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trajectory/recorder.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace hapticell::trajectory {
+
+namespace {
+
+/// What the joints alone do: a figure's arm moves while its root stands, a redundant arm about its still tool.
+double largestTurn(std::span<const double> from, std::span<const double> to) {
+  double turn = 0.0;
+  for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i) turn = std::max(turn, std::abs(to[i] - from[i]));
+  return turn;
+}
+
+}  // namespace
 
 Recorder::Recorder(Trajectory empty, const RecordingOptions& options)
     : trajectory_(std::move(empty)), options_(options) {}
@@ -13,7 +27,9 @@ bool Recorder::hasStarted(const Step& step) {
     first_ = step;
     return false;
   }
-  if (options_.soft_start.shareOf(distanceBetween(first_->X_WT, step.X_WT)) <= 1.0) return false;
+  if (options_.soft_start.shareOf(distanceBetween(first_->X_WT, step.X_WT)) <= 1.0 &&
+      largestTurn(first_->joints, step.joints) <= options_.soft_start.angle)
+    return false;
   started_ = true;
   if (options_.mode != RecordingMode::kByHand) keep(last_.value_or(*first_), false);
   return true;
@@ -29,7 +45,8 @@ bool Recorder::isWanted(const Step& step) const {
     case RecordingMode::kByTime:
       return step.t - t_start_ - kept.t >= options_.interval_s - 5e-7;
     case RecordingMode::kByDistance:
-      return options_.spacing.shareOf(distanceBetween(kept.X_WT, step.X_WT)) >= 1.0;
+      return options_.spacing.shareOf(distanceBetween(kept.X_WT, step.X_WT)) >= 1.0 ||
+             largestTurn(trajectory_.joints(trajectory_.size() - 1), step.joints) >= options_.spacing.angle;
     case RecordingMode::kByHand:
       return false;
   }

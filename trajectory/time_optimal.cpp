@@ -263,6 +263,29 @@ double stretchFor(const LimitUse& use) {
   return std::max({1.0, use.velocity, std::sqrt(use.acceleration), std::cbrt(use.jerk)});
 }
 
+/// The worst of limitUse() wherever its steps of `dt` begin: a controller's clock begins where it likes.
+LimitUse worstUse(const CubicSpline& path, const PathTiming& timing, const MotionLimits& limits, double dt) {
+  constexpr std::size_t kPhases = 4;
+  const std::size_t d = path.dimensions();
+  const auto steps = static_cast<std::size_t>(std::ceil(kPhases * timing.duration() / dt)) + kPhases;
+  std::vector<double> first(d), second(d), accelerations(kPhases * d, 0.0);
+  LimitUse use;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const PathTiming::State state = timing.at(dt / kPhases * static_cast<double>(i));
+    path.evaluate(state.s, 1, first);
+    path.evaluate(state.s, 2, second);
+    for (std::size_t j = 0; j < d; ++j) {
+      double& before = accelerations[(i % kPhases) * d + j];  // One step of `dt` ago.
+      const double acceleration = first[j] * state.acceleration + second[j] * state.speed * state.speed;
+      use.velocity = std::max(use.velocity, std::abs(first[j] * state.speed) / limits.velocity[j]);
+      use.acceleration = std::max(use.acceleration, std::abs(acceleration) / limits.acceleration[j]);
+      use.jerk = std::max(use.jerk, std::abs(acceleration - before) / dt / limits.jerk[j]);
+      before = acceleration;
+    }
+  }
+  return use;
+}
+
 PathTiming stretched(const PathTiming& timing, double factor) {
   std::vector<double> speeds = timing.speeds();
   for (double& speed : speeds) speed /= factor;
@@ -338,11 +361,11 @@ Expected<PathTiming> jerkLimited(const CubicSpline& path, const MotionLimits& li
     const double window = share * fastest->duration();
     PathTiming smooth = averaged(*fastest, window);
     // Jerk is looked at over steps that a controller would see.
-    for (int round = 0; round < 3; ++round) {
-      const double dt = std::max(1e-3, smooth.duration() / 4000.0);
-      const double factor = stretchFor(limitUse(path, smooth, limits, dt));
-      if (factor <= 1.0 + 1e-9) break;
-      smooth = stretched(smooth, factor);
+    for (int round = 0; round < 6; ++round) {
+      const double dt = std::max(1e-3, smooth.duration() / 10000.0);
+      const double factor = stretchFor(worstUse(path, smooth, limits, dt));
+      if (factor <= 1.0 + 1e-5) break;
+      smooth = stretched(smooth, factor * (1.0 + 1e-5));
     }
     if (!best || smooth.duration() < best->duration()) best = std::move(smooth);
   }

@@ -53,7 +53,9 @@ std::string termination(const ProgramInput& input, std::size_t i) {
 
 std::vector<ProgramFile> writeFanuc(const ProgramInput& input) {
   Body body;
-  body.add("!Made by HaptiCell: check UTOOL");
+  body.add("!Made by HaptiCell");
+  body.add("!Your own: tool, base, safety");
+  body.add("!Before running: check UTOOL,");
   body.add("!UFRAME and start; run slowly");
   const std::string speed = fixedText(std::clamp(kMillimetres * input.options.speed, 1.0, 4000.0), 0) + "mm/sec";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {

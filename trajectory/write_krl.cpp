@@ -24,7 +24,9 @@ std::string axes(std::span<const double> joints) {
 
 std::string header(const ProgramInput& input) {
   std::string text = "&ACCESS RVP\nDEF " + input.name + "( )\n";
-  text += "; Made by HaptiCell. mm and degrees. Before running: check tool, base and start, run in T1.\n";
+  text +=
+      "; Made by HaptiCell. mm and degrees.\n"
+      "; Tool, base and safety (limits, areas, supervision) are your own: check them and the start, run in T1.\n";
   text += "; The user's own: $TOOL" + (input.options.tool.empty() ? "" : " = " + input.options.tool) + ", $BASE" +
           (input.options.base.empty() ? "" : " = " + input.options.base) + "\n";
   text += "BAS (#INITMOV,0)\n";

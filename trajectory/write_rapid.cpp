@@ -35,7 +35,8 @@ std::vector<ProgramFile> writeRapid(const ProgramInput& input) {
   const std::string ending = "," + tool + frame + ";\n";
   std::string text = "MODULE " + input.name + "\n";
   text +=
-      "  ! Made by HaptiCell. mm, degrees for joints. Before running: check tool, work object and start, run slowly.\n";
+      "  ! Made by HaptiCell. mm, degrees for joints.\n"
+      "  ! Tool, work object (base) and safety (limits, zones) are your own: check them and the start, run slowly.\n";
   text += "  ! The user's own: " + tool + (frame.empty() ? ", wobj0" : ", " + input.options.base) + "\n";
   text += "  CONST speeddata vLine:=[" + numberList({mm_per_s, 500.0, 5000.0, 1000.0}, 3) + "];\n";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {

@@ -12,7 +12,8 @@ std::vector<ProgramFile> writeUrScript(const ProgramInput& input) {
   const std::string acceleration = fixedText(input.options.acceleration, 4);
   const std::string speed = fixedText(input.options.speed, 4);
   std::string text =
-      "# Made by HaptiCell. m and rad. Before running: check the TCP, the payload and the start, run slowly.\n";
+      "# Made by HaptiCell. m and rad.\n"
+      "# Tool (TCP, payload), base and safety (limits, planes) are your own: check them and the start, run slowly.\n";
   text += "def " + input.name + "():\n";
   text += input.options.tool.empty() ? "  # The user's own: set_tcp(...)\n" : "  set_tcp(" + input.options.tool + ")\n";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {

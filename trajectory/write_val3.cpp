@@ -70,7 +70,8 @@ std::vector<ProgramFile> writeVal3(const ProgramInput& input) {
   }
   std::string points;
   std::string code =
-      "  // Made by HaptiCell. mm and degrees. Before running: check tool, frame and start, run slowly.\n"
+      "  // Made by HaptiCell. mm and degrees.\n"
+      "  // Tool, frame (base) and safety (limits, zones) are your own: check them and the start, run slowly.\n"
       "  // The user's own: " +
       tool + ", world\n";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {

@@ -58,12 +58,17 @@ void MotionChart::paintGrid(QPainter& painter, const Scale& scale) const {
   const double pitch = std::clamp(0.4 * scale.plot.height(), 15.0, 34.0);
   const double wanted = pitch / scale.plot.height() * (scale.high - scale.low);
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-  double step = 10.0 * power;
-  for (const double factor : {1.0, 2.0, 5.0})
+  const auto inside = [&scale](double step) {
+    return std::floor(scale.high / step) - std::ceil(scale.low / step) + 1.0;
+  };
+  double step = 10.0 * power, finer = 5.0 * power;
+  for (const double factor : {5.0, 2.0, 1.0})
     if (factor * power >= wanted) {
       step = factor * power;
-      break;
+      finer = factor == 5.0 ? 2.0 * power : 0.5 * step;
     }
+  constexpr double kLeastPitch = 12.0;
+  if (inside(step) < 2.0 && finer / (scale.high - scale.low) * scale.plot.height() >= kLeastPitch) step = finer;
   for (double value = std::ceil(scale.low / step) * step; value <= scale.high; value += step) {
     const double y = std::round(scale.y(value));
     const bool zero = std::abs(value) < 1e-6 * step;

@@ -27,6 +27,7 @@
 #include "app/trajectory/training_report.h"
 #include "app/viewport/viewport_widget.h"
 #include "config/configuration.h"
+#include "manipulation/motion_replay.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
@@ -38,6 +39,27 @@ QLabel* wrapped(const char* name, TextRole role, bool quiet) {
   label->setObjectName(name);
   label->setWordWrap(true);
   return label;
+}
+
+/// The run by the frame that the expert's is of: what is moved without a stylus is recorded by its origin.
+trajectory::Trajectory asTheExpert(const std::vector<std::shared_ptr<const workcell::Entity>>& entities,
+                                   const trajectory::Trajectory& expert, const trajectory::Trajectory& run) {
+  if (run.moved == expert.moved || run.empty()) return run;
+  const auto replay = [&](const trajectory::Trajectory& motion) {
+    return manipulation::MotionReplay::create(entities, expert.entity,
+                                              std::make_shared<const trajectory::Trajectory>(motion));
+  };
+  const auto theirs = replay(expert), mine = replay(run);
+  if (!theirs || !mine) return run;
+  trajectory::Trajectory seen = run.emptyRecording();
+  seen.moved = expert.moved;
+  seen.touches = run.touches;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    trajectory::Trajectory::Frame frame = run[i];
+    frame.X_WT = theirs->movedFrame(mine->at(frame.t));
+    seen.addFrame(frame, run.joints(i), run.channels(i));
+  }
+  return seen;
 }
 
 }  // namespace
@@ -238,7 +260,8 @@ bool TrainingPanel::takeRecorded(const std::vector<trajectory::Trajectory>& reco
   if (!run_) return false;
   trajectory::Trajectory mine = expert_.emptyCopy();
   for (const trajectory::Trajectory& one : recorded)
-    if (one.entity == expert_.entity) mine = one;
+    if (one.entity == expert_.entity)
+      mine = asTheExpert(host_.documentModel().document().state().entities, expert_, one);
   finish(mine);
   return true;
 }

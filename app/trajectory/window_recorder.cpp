@@ -67,10 +67,11 @@ void WindowRecorder::stop() {
 
 void WindowRecorder::mark() {
   if (!recorder_) return;
-  if (const auto* entity = host_.documentModel().document().find(host_.selection().current())) add(*entity, true);
+  if (const auto* entity = host_.documentModel().document().find(host_.selection().current())) add(*entity, seconds(), true);
 }
 
 void WindowRecorder::look() {
+  const double t = seconds();  // One for all that moves: their frames are of the same moment.
   for (const auto& entity : host_.documentModel().document().state().entities) {
     // What hangs on something goes with it and needs no motion of its own.
     if (!entity->attachment.to.empty()) continue;
@@ -87,16 +88,16 @@ void WindowRecorder::look() {
       first.X_WE = before->second.first;
       first.joints = before->second.second;
       moves = true;
-      add(first, false);
+      add(first, t, false);
       continue;
     }
-    add(*entity, false);
+    add(*entity, t, false);
   }
 }
 
-void WindowRecorder::add(const workcell::Entity& entity, bool by_hand) {
+void WindowRecorder::add(const workcell::Entity& entity, double t, bool by_hand) {
   manipulation::TakeRecorder::Sample sample;
-  sample.t = seconds();
+  sample.t = t;
   sample.entity = &entity;
   const manipulation::EntityConfiguration at{entity.X_WE, entity.joints};
   sample.at = &at;

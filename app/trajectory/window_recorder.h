@@ -30,7 +30,7 @@ class WindowRecorder : public QObject {
   void stop();
   void mark();
   void look();
-  void add(const workcell::Entity& entity, bool by_hand);
+  void add(const workcell::Entity& entity, double t, bool by_hand);
   Host& host_;
   std::unique_ptr<manipulation::TakeRecorder> recorder_;
   std::map<workcell::EntityId, std::pair<Pose, std::vector<double>>> start_;  ///< Where all stood.

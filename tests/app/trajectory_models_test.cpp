@@ -65,6 +65,35 @@ TEST(Check, TheStrongestMarkCounts) {
   EXPECT_TRUE(findingText(motion.check->findings[0]).contains("table"));
 }
 
+TEST(MotionFrames, LongMotionsGetFewRowsThatLeaveNothingOut) {
+  const Motion motion = checkedMotion();
+  EXPECT_EQ(motionFrames(motion, 200).size(), 101u) << "all of them";
+  const auto rows = motionFrames(motion, 10);
+  EXPECT_LT(rows.size(), 20u);
+  EXPECT_EQ(rows.front().frame, 0u);
+  EXPECT_EQ(rows.back().frame, 100u);
+  const auto has = [&](std::size_t frame) {
+    return std::any_of(rows.begin(), rows.end(), [frame](const auto& row) { return row.frame == frame; });
+  };
+  EXPECT_TRUE(has(50)) << "set by hand";
+  EXPECT_TRUE(has(30)) << "where a finding begins";
+  for (const auto& row : rows) {
+    EXPECT_TRUE(row.checked);
+    const bool touches = row.frame >= 30 && row.frame <= 40;
+    if (touches) {
+      EXPECT_EQ(row.mark, Mark::kContact) << row.frame;
+      EXPECT_TRUE(row.finding.contains("table"));
+    }
+    if (row.frame > 60) {
+      EXPECT_EQ(row.mark, Mark::kNone) << row.frame;
+    }
+  }
+  Motion unchecked = motion;
+  unchecked.check.reset();
+  EXPECT_FALSE(motionFrames(unchecked, 10).front().checked);
+  EXPECT_TRUE(motionFrames(Motion{}, 10).empty()) << "still being read";
+}
+
 TEST(Trace, IsColouredWhereTheCheckFoundSomething) {
   const auto curves = traceCurves(checkedMotion(), 600, {}, 0.0);
   double contact = 0.0, all = 0.0;

@@ -1,97 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The trajectory docks in the whole window under a virtual display, by real clicks and keys.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
-#include <QFile>
 #include <QListWidget>
-#include <QProcess>
 #include <QStandardPaths>
 
+#include "app/ergonomics/sub_score_table.h"
 #include "app/host/recording_hub.h"
 #include "app/style/proxy_style.h"
 #include "app/trajectory/motion_chart.h"
-#include "app/trajectory/motion_export.h"
-#include "app/trajectory/play_video.h"
-#include "app/trajectory/time_bar.h"
-#include "app/trajectory/track_rows.h"
-#include "app/trajectory/training_panel.h"
-#include "app/trajectory/training_report.h"
-#include "config/configuration.h"
-#include "tests/app/cell_page.h"
-#include "trajectory/trajectory_io.h"
+#include "tests/app/motion_page.h"
 
 namespace hapticell::app {
 namespace {
 
 using trajectory::Trajectory;
-
-/// What a user does with motions.
-class MotionPage : public CellPage {
- public:
-  static constexpr int kPatience = 20000;
-  MotionPage() {
-    window().resize(1300, 860);
-    box_ = addSolid("box", geometry::makeBox(dvec3(0.1)));
-    addSolid("wall", geometry::makeBox({0.02, 0.4, 0.4}), Pose::translation({0.5, 0, 0}));
-    showDock("dockTrajectory");
-    showDock("dockMotion");
-    window().activateWindow();
-    window().viewport().setFocus();
-    settle();
-  }
-  workcell::EntityId box() const { return box_; }
-  TimeBar& bar() { return *find<TimeBar>("timeBar"); }
-  const std::vector<TrackRow>& rows() { return bar().rows(); }
-  /// A motion of the box along x as a file, imported through the panel's own work.
-  bool import(const std::vector<std::pair<double, dvec3>>& points, const QString& name) {
-    Trajectory motion;
-    motion.name = name.toStdString();
-    motion.entity = "box";
-    for (const auto& [t, p] : points) motion.addFrame({t, Pose::translation(p)});
-    const QString path = folder_.filePath(name + ".htraj");
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(QByteArray::fromStdString(trajectory::toJsonText(motion)));
-    file.close();
-    const std::size_t before = motions();
-    window().findChild<MotionExport*>()->importFrom({path}, "box");
-    return until([&] { return motions() == before + 1 && isIdle(); }, kPatience);
-  }
-  std::size_t motions() { return state().trajectories.size(); }
-  bool isIdle() {
-    const auto* cancel = window().findChild<QAbstractButton*>("buttonCancelMotionWork");
-    return cancel && !cancel->isVisibleTo(cancel->parentWidget());
-  }
-  /// Clicks and waits until the new motion is there.
-  bool pressForMotion(const char* button) {
-    const std::size_t before = motions();
-    press(button);
-    return until([&] { return motions() == before + 1 && isIdle(); }, kPatience);
-  }
-  const Trajectory& newest() { return *state().trajectories.back().motion; }
-  Pose shownBox() {
-    const auto& scene = window().viewport().scene();
-    return scene.placement_W(*scene.find(box_));
-  }
-  void scrub(double t) {
-    QTest::mouseClick(&bar(), Qt::LeftButton, Qt::NoModifier,
-                      QPoint(static_cast<int>(bar().axis().x(t)), TimeBar::kRuler / 2));
-    settle();
-  }
-  QString words(const char* label) { return find<QLabel>(label)->text(); }
-  QDir& folder() { return folder_; }
-
- private:
-  struct Folder : QDir {
-    Folder() : QDir(QDir::temp().filePath(QStringLiteral("motions-%1").arg(::getpid()))) { QDir().mkpath(path()); }
-    ~Folder() { removeRecursively(); }
-  } folder_;
-  workcell::EntityId box_ = 0;
-};
 
 TEST(TrajectoryDock, BeginsWithASentenceThatSaysHow) {
   MotionPage page;
@@ -269,6 +193,90 @@ TEST(TrajectoryDock, TwoEntitiesPlayAtTheSameTime) {
   EXPECT_NEAR(scene.placement_W(*wall).p.z, 0.25, 0.01);
 }
 
+TEST(TrajectoryDock, SweptVolumeShowsThePlacesAllAlongTheMotion) {
+  MotionPage page;
+  ASSERT_TRUE(page.import({{0.0, {0, 0, 0}}, {2.0, {0.3, 0, 0.1}}}, "sweep"));
+  const auto ghosts = [&page] {
+    std::vector<dvec3> places;
+    for (const RenderItem& item : page.window().viewport().scene().items({}))
+      if (item.ghost != Ghost::kNone) places.push_back(item.X_WM.p);
+    return places;
+  };
+  // What is drawn is asked for until it is so: nothing is said about when.
+  const auto swept = [&] {
+    const auto places = ghosts();
+    const auto reaches = [&places](double x) {
+      return std::any_of(places.begin(), places.end(), [x](const dvec3& p) { return std::abs(p.x - x) < 0.03; });
+    };
+    return reaches(0.05) && reaches(0.15) && reaches(0.25) && reaches(0.3);
+  };
+  EXPECT_FALSE(swept());
+  page.press("buttonSwept");
+  EXPECT_TRUE(MotionPage::until(swept, MotionPage::kPatience));
+  for (const dvec3& p : ghosts()) EXPECT_NEAR(p.z, p.x / 3.0, 1e-3) << "on the way";
+  page.press("buttonSwept");
+  EXPECT_TRUE(MotionPage::until([&] { return !swept(); }, MotionPage::kPatience));
+}
+
+/// A figure and a box recorded together: one clock, and what scores the figure follows the play.
+TEST(TrajectoryDock, SeveralEntitiesAreRecordedOnOneClockAndPlayedWithLiveScores) {
+  MotionPage page;
+  page.trigger("actionAddMannequin");
+  const auto figure = [&page]() -> const workcell::Entity* {
+    for (const auto& entity : page.state().entities)
+      if (entity->kind == workcell::EntityKind::kMannequin) return entity.get();
+    return nullptr;
+  };
+  ASSERT_TRUE(MotionPage::until([&] { return figure() != nullptr; }, MotionPage::kPatience));
+  page.trigger("actionErgonomics");
+  auto* scores = page.find<SubScoreTable>("subScores");
+  ASSERT_TRUE(MotionPage::until([&] { return !scores->rows().empty(); }, MotionPage::kPatience));
+  const auto score = [scores] {
+    QStringList words;
+    for (const auto& row : scores->rows()) words << row.name << row.number;
+    return words.join(' ');
+  };
+  std::vector<double> joints = figure()->joints;
+  const auto joint = [&](const std::string& name) {
+    const auto& robot = *figure()->robot;
+    for (std::size_t i = 0; i < robot.moving.size(); ++i)
+      if (robot.joints[static_cast<std::size_t>(robot.moving[i])].name == name) return i;
+    return robot.moving.size();
+  };
+  const std::size_t shoulder = joint("r_shoulder_flexion"), fingers = joint("r_fingers_curl");
+  ASSERT_LT(std::max(shoulder, fingers), joints.size());
+  page.key(Qt::Key_R);
+  ASSERT_TRUE(page.window().recording().isRecording());
+  const workcell::EntityId id = figure()->id;
+  for (int i = 1; i <= 10; ++i) {
+    joints[shoulder] = 0.2 * i;
+    joints[fingers] = 0.05 * i;
+    page.window().documentModel().execute(workcell::SetJoints{id, joints});
+    page.window().documentModel().execute(workcell::SetPlacement{page.box(), Pose::translation({0.02 * i, 0, 0})});
+    QTest::qWait(20);  // Only paces what is recorded.
+  }
+  page.key(Qt::Key_R);
+  ASSERT_TRUE(MotionPage::until([&] { return page.motions() == 2 && page.isIdle(); }, MotionPage::kPatience));
+  const Trajectory &one = *page.state().trajectories[0].motion, &other = *page.state().trajectories[1].motion;
+  const Trajectory& body = one.entity == "box" ? other : one;
+  EXPECT_EQ(one.take, other.take);
+  EXPECT_NEAR(one.frames().back().t, other.frames().back().t, 1e-9) << "one clock";
+  EXPECT_EQ(body.joint_names.size(), joints.size()) << "the hands too";
+  EXPECT_NEAR(body.joints(body.size() - 1)[fingers], 0.5, 1e-12);
+  // Both are played; the scores are those of the time that is shown.
+  ASSERT_TRUE(page.rows()[0].played && page.rows()[1].played);
+  page.press("buttonLast");
+  ASSERT_TRUE(
+      MotionPage::until([&] { return score().contains("upper arm", Qt::CaseInsensitive); }, MotionPage::kPatience));
+  const QString raised = score();
+  page.press("buttonFirst");
+  EXPECT_TRUE(MotionPage::until([&] { return score() != raised; }, MotionPage::kPatience));
+  EXPECT_NEAR(page.shownBox().p.x, 0.0, 1e-12);
+  page.press("buttonLast");
+  EXPECT_TRUE(MotionPage::until([&] { return score() == raised; }, MotionPage::kPatience));
+  EXPECT_NEAR(page.shownBox().p.x, 0.2, 1e-12);
+}
+
 TEST(TrajectoryDock, CurvesShowTheChosenQuantity) {
   MotionPage page;
   ASSERT_TRUE(page.import({{0, {0, 0, 0}}, {1, {0.2, 0, 0}}, {2, {0.4, 0, 0}}}, "straight"));
@@ -278,106 +286,15 @@ TEST(TrajectoryDock, CurvesShowTheChosenQuantity) {
   EXPECT_EQ(chart->group(), MotionChart::Group::kPlace);
   EXPECT_EQ(chart->order(), MotionChart::Order::kJerk);
   EXPECT_FALSE(chart->grab().isNull());
-}
-
-TEST(TrajectoryDock, ExportsAndReadsBack) {
-  MotionPage page;
-  ASSERT_TRUE(page.import({{0, {0.1, 0.2, 0.3}}, {1, {0.2, 0.2, 0.3}}, {2.5, {0.4, 0.1, 0.3}}}, "out"));
-  auto* files = page.window().findChild<MotionExport*>();
-  for (const char* format : {"csv", "json", "urscript", "val3"}) {
-    const QString path = page.folder().filePath(QStringLiteral("x.") + (QString(format) == "json" ? "htraj" : format));
-    std::optional<bool> done;
-    const auto connection =
-        QObject::connect(files, &MotionExport::finished, [&](const QString&, bool ok) { done = ok; });
-    files->exportTo(path, format, {});
-    ASSERT_TRUE(MotionPage::until([&] { return done.has_value(); }, MotionPage::kPatience)) << format;
-    QObject::disconnect(connection);
-    EXPECT_TRUE(*done) << format;
-    EXPECT_TRUE(QFile::exists(path)) << format;
-  }
-  const auto again = trajectory::readTrajectory(page.folder().filePath("x.csv").toStdString());
-  ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(trajectory::toCsvText(*again), trajectory::toCsvText(page.newest())) << "bit for bit";
-}
-
-TEST(TrajectoryDock, AVideoOfThePlayIsWritten) {
-  if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) GTEST_SKIP() << "no ffmpeg here";
-  MotionPage page;
-  ASSERT_TRUE(page.import({{0.0, {0, 0, 0}}, {0.4, {0.2, 0, 0.1}}}, "short"));
-  auto* video = page.window().findChild<PlayVideo*>();
-  ASSERT_NE(video, nullptr);
-  const QString file = page.folder().filePath("play.mkv");
-  std::optional<QString> problem;
-  QObject::connect(video, &PlayVideo::ended, &page.window(),
-                   [&problem](const QString&, const QString& what) { problem = what; });
-  const auto begun = video->start(file, {320, 180});
-  ASSERT_TRUE(begun) << begun.error().message();
-  EXPECT_TRUE(video->isBusy());
-  ASSERT_TRUE(MotionPage::until([&] { return problem.has_value(); }, 120000));
-  EXPECT_EQ(*problem, "");
-  // Read back by ffmpeg itself: as many pictures as the motion is long, of that size, and the box moves in them.
-  QProcess reader;
-  reader.start("ffmpeg", {"-v", "error", "-i", file, "-f", "rawvideo", "-pix_fmt", "gray", "-"});
-  ASSERT_TRUE(reader.waitForFinished(120000));
-  const QByteArray pictures = reader.readAllStandardOutput();
-  constexpr qsizetype kPicture = 320 * 180;
-  EXPECT_EQ(pictures.size(), 11 * kPicture) << reader.readAllStandardError().toStdString();
-  ASSERT_GE(pictures.size(), 2 * kPicture);
-  EXPECT_NE(pictures.first(kPicture), pictures.last(kPicture));
-  EXPECT_FALSE(page.shownBox().p.x > 0.3) << "the window's own scene goes on";
-}
-
-TEST(TrainingDock, AMotionIsTaughtRunAndScored) {
-  MotionPage page;
-  std::vector<std::pair<double, dvec3>> way;
-  for (int i = 0; i <= 50; ++i) way.push_back({0.04 * i, {0.004 * i, 0, 0}});
-  ASSERT_TRUE(page.import(way, "lesson"));
-  page.trigger("actionTraining");
-  auto* panel = page.window().findChild<TrainingPanel*>();
-  ASSERT_NE(panel, nullptr);
-  panel->setResults(page.folder().filePath("ana.htrain"));
-  EXPECT_FALSE(page.find<QAbstractButton>("buttonStartRun")->isEnabled());
-  page.press("buttonTeachMotion");
-  EXPECT_TRUE(page.find<QAbstractButton>("buttonStartRun")->isEnabled());
-  page.press("buttonStartRun");
-  ASSERT_TRUE(panel->isRunning());
-  ASSERT_TRUE(page.window().recording().guide().has_value()) << "the guide is handed to who moves";
-  EXPECT_EQ(page.window().recording().guide()->entity, "box");
-  EXPECT_GT(page.window().recording().guide()->help, 0.0);
-  for (int i = 0; i <= 50 && panel->isRunning(); ++i) {
-    page.window().documentModel().execute(workcell::SetPlacement{page.box(), Pose::translation({0.004 * i, 0.001, 0})});
-    QTest::qWait(40);
-  }
-  ASSERT_TRUE(MotionPage::until([&] { return !panel->isRunning(); }, MotionPage::kPatience)) << "the end ends the run";
-  ASSERT_EQ(panel->session().attempts.size(), 1u);
-  const auto& attempt = panel->session().attempts.front();
-  EXPECT_EQ(attempt.score.completed, 1.0);
-  EXPECT_LT(attempt.score.max_deviation, 0.005);
-  EXPECT_FALSE(page.window().recording().guide().has_value());
-  EXPECT_TRUE(QFile::exists(page.folder().filePath("ana.htrain")));
-  if (attempt.success) {
-    EXPECT_NEAR(panel->session().nextHelp(), 0.8, 1e-9);
-  }
-  for (const char* name : {"results.pdf", "results.csv"}) {
-    const QString path = page.folder().filePath(name);
-    ASSERT_TRUE(writeTrainingReport(path, panel->session(), 60.0).has_value());
-    QFile file(path);
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(file.readAll().startsWith(QString(name).endsWith("pdf") ? "%PDF" : "attempt,"));
-  }
-  EXPECT_FALSE(writeTrainingReport("/nowhere/at/all.pdf", panel->session(), 60.0).has_value());
-}
-
-TEST(TrainingDock, AShippedExerciseOpensItsCell) {
-  MotionPage page;
-  page.window().documentModel().clear();
-  auto* panel = page.window().findChild<TrainingPanel*>();
-  const auto folder = config::findShippedFile("exercises");
-  ASSERT_TRUE(folder.has_value());
-  ASSERT_TRUE(panel->openExercise(QString::fromStdString(*folder) + "/door.hexercise"));
-  ASSERT_TRUE(MotionPage::until([&] { return page.document().findByName("door") != nullptr; }, MotionPage::kPatience));
-  EXPECT_TRUE(page.words("labelExercise").contains("handle"));
-  EXPECT_FALSE(panel->openExercise("/nowhere.hexercise"));
+  // 0.2 m/s of the 0.5 m/s that a solid is taken to have.
+  page.find<QComboBox>("comboCurveOrder")->setCurrentIndex(1);
+  EXPECT_NEAR(chart->limitUse(), 0.4, 0.02);
+  // All four one below the other: the dock grows for them.
+  auto* dock = page.find<QDockWidget>("dockTrajectory");
+  const int low = dock->height();
+  page.find<QComboBox>("comboCurveOrder")->setCurrentIndex(4);
+  EXPECT_TRUE(MotionPage::until([&] { return dock->height() > low; }, MotionPage::kPatience));
+  EXPECT_GE(chart->limitUse(), 0.4 - 0.02);
 }
 
 }  // namespace
@@ -385,6 +302,7 @@ TEST(TrainingDock, AShippedExerciseOpensItsCell) {
 
 int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   QApplication::setStyle(new hapticell::app::ProxyStyle);
   testing::InitGoogleTest(&argc, argv);

@@ -234,6 +234,20 @@ TEST(ProgramExport, BlendsNeverReachIntoANeighbours) {
   EXPECT_LT(radii[0] + radii[1], 0.001);
 }
 
+TEST(ProgramExport, TheHeaderSaysWhatIsTheUsersOwn) {
+  for (const auto format : {ProgramFormat::kKrl, ProgramFormat::kRapid, ProgramFormat::kFanuc, ProgramFormat::kUrScript,
+                            ProgramFormat::kVal3}) {
+    const auto files = exportProgram(program(), format, {});
+    ASSERT_TRUE(files.has_value());
+    std::string text;
+    for (const auto& file : *files) text += file.content;
+    for (const char* word : {"tool|Tool", "base", "safety"})
+      EXPECT_TRUE(std::regex_search(text, std::regex(word))) << static_cast<int>(format) << ' ' << word;
+    if (format != ProgramFormat::kFanuc) continue;
+    for (const auto& remark : matches(text, R"(\n\s*\d+:!([^;\n]*);)")) EXPECT_LE(remark[1].size(), 32u) << remark[1];
+  }
+}
+
 TEST(ProgramExport, RefusesWhatMakesNoProgram) {
   EXPECT_FALSE(exportProgram(Trajectory{}, ProgramFormat::kKrl, {}).has_value());
   Trajectory seven;

@@ -63,6 +63,29 @@ TEST(Recorder, ByHandKeepsOnlyWhatIsMarked) {
   EXPECT_EQ(marked, 1);
 }
 
+/// A figure bends an arm while its root stands where it is.
+TEST(Recorder, JointsThatMoveAloneAreAMotion) {
+  for (const auto mode : {RecordingMode::kByTime, RecordingMode::kByDistance, RecordingMode::kEveryStep}) {
+    Trajectory empty;
+    empty.joint_names = {"shoulder", "elbow"};
+    RecordingOptions options;
+    options.mode = mode;
+    Recorder recorder(empty, options);
+    for (int i = 0; i <= 100; ++i) {
+      const double elbow = i < 20 ? 0.0 : 0.01 * (i - 20);
+      recorder.add(0.01 * i, {}, std::vector<double>{0.1, elbow});
+    }
+    const Trajectory recorded = recorder.finish();
+    ASSERT_GE(recorded.size(), 8u) << static_cast<int>(mode);
+    EXPECT_LT(recorded.duration(), 0.83) << "the pause before it is no part of it";
+    EXPECT_NEAR(recorded.joints(0)[1], 0.0, 1e-12);
+    EXPECT_NEAR(recorded.joints(recorded.size() - 1)[1], 0.8, 1e-12);
+    if (mode == RecordingMode::kByDistance) {
+      EXPECT_LT(recorded.size(), 14u) << "every five degrees of a joint";
+    }
+  }
+}
+
 TEST(Recorder, NothingMovedIsNothingRecorded) {
   Recorder recorder(Trajectory{}, {});
   for (int i = 0; i < 100; ++i) recorder.add(0.01 * i, Pose::identity());

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dock Training in the whole window: teaching, and every shipped exercise from its beginning to its end.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QSignalSpy>
+
+#include "app/host/recording_hub.h"
+#include "app/trajectory/progress_plot.h"
+#include "app/trajectory/training_panel.h"
+#include "app/trajectory/training_report.h"
+#include "config/configuration.h"
+#include "manipulation/motion_replay.h"
+#include "tests/app/motion_page.h"
+
+namespace hapticell::app {
+namespace {
+
+TEST(TrainingDock, AMotionIsTaughtRunAndScored) {
+  MotionPage page;
+  std::vector<std::pair<double, dvec3>> way;
+  for (int i = 0; i <= 50; ++i) way.push_back({0.04 * i, {0.004 * i, 0, 0}});
+  ASSERT_TRUE(page.import(way, "lesson"));
+  page.trigger("actionTraining");
+  auto* panel = page.window().findChild<TrainingPanel*>();
+  ASSERT_NE(panel, nullptr);
+  panel->setResults(page.folder().filePath("ana.htrain"));
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonStartRun")->isEnabled());
+  page.press("buttonTeachMotion");
+  EXPECT_TRUE(page.find<QAbstractButton>("buttonStartRun")->isEnabled());
+  page.press("buttonStartRun");
+  ASSERT_TRUE(panel->isRunning());
+  ASSERT_TRUE(page.window().recording().guide().has_value()) << "the guide is handed to who moves";
+  EXPECT_EQ(page.window().recording().guide()->entity, "box");
+  EXPECT_GT(page.window().recording().guide()->help, 0.0);
+  for (int i = 0; i <= 50 && panel->isRunning(); ++i) {
+    page.window().documentModel().execute(workcell::SetPlacement{page.box(), Pose::translation({0.004 * i, 0.001, 0})});
+    QTest::qWait(40);
+  }
+  ASSERT_TRUE(MotionPage::until([&] { return !panel->isRunning(); }, MotionPage::kPatience)) << "the end ends the run";
+  ASSERT_EQ(panel->session().attempts.size(), 1u);
+  const auto& attempt = panel->session().attempts.front();
+  EXPECT_EQ(attempt.score.completed, 1.0);
+  EXPECT_LT(attempt.score.max_deviation, 0.005);
+  EXPECT_FALSE(page.window().recording().guide().has_value());
+  EXPECT_TRUE(QFile::exists(page.folder().filePath("ana.htrain")));
+  if (attempt.success) {
+    EXPECT_NEAR(panel->session().nextHelp(), 0.8, 1e-9);
+  }
+  for (const char* name : {"results.pdf", "results.csv"}) {
+    const QString path = page.folder().filePath(name);
+    ASSERT_TRUE(writeTrainingReport(path, panel->session(), 60.0).has_value());
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().startsWith(QString(name).endsWith("pdf") ? "%PDF" : "attempt,"));
+  }
+  EXPECT_FALSE(writeTrainingReport("/nowhere/at/all.pdf", panel->session(), 60.0).has_value());
+}
+
+TEST(TrainingDock, AnExerciseThatIsNotThereIsRefused) {
+  MotionPage page;
+  auto* panel = page.window().findChild<TrainingPanel*>();
+  ASSERT_NE(panel, nullptr);
+  EXPECT_FALSE(panel->openExercise("/nowhere.hexercise"));
+}
+
+class ShippedExercise : public testing::TestWithParam<const char*> {};
+
+/// Chosen in the list, its cell opened, run, ended by its end, scored, kept, plotted, written as CSV and PDF.
+TEST_P(ShippedExercise, IsPlayedToItsEnd) {
+  MotionPage page;
+  page.window().documentModel().clear();
+  page.trigger("actionTraining");
+  auto* panel = page.window().findChild<TrainingPanel*>();
+  auto* choice = page.find<QComboBox>("comboExercise");
+  const auto folder = config::findShippedFile("exercises");
+  ASSERT_TRUE(folder.has_value());
+  const auto exercise = manipulation::readExercise(std::filesystem::path(*folder) / GetParam());
+  ASSERT_TRUE(exercise.has_value());
+  const int index = choice->findText(QString::fromStdString(exercise->name));
+  ASSERT_GT(index, 0);
+  choice->setCurrentIndex(index);
+  emit choice->activated(index);
+  const auto expert = trajectory::readTrajectory(exercise->recording);
+  ASSERT_TRUE(expert.has_value());
+  ASSERT_TRUE(
+      MotionPage::until([&] { return page.document().findByName(expert->entity) != nullptr; }, MotionPage::kPatience));
+  EXPECT_EQ(page.words("labelExercise"), QString::fromStdString(exercise->text));
+  const QString results = page.folder().filePath("ben.htrain");
+  panel->setResults(results);
+  const auto replay = manipulation::MotionReplay::create(page.state().entities, expert->entity,
+                                                         std::make_shared<const trajectory::Trajectory>(*expert));
+  ASSERT_TRUE(replay.has_value()) << replay.error().message();
+  page.press("buttonStartRun");
+  ASSERT_TRUE(panel->isRunning());
+  // The trainee goes on only when the window has seen where the part is.
+  QSignalSpy looks(panel, &TrainingPanel::guideChanged);
+  double before = -1.0;
+  constexpr int kSteps = 40;
+  for (int i = 1; i <= kSteps && panel->isRunning(); ++i) {
+    const auto at = replay->at((*expert)[0].t + expert->duration() * i / kSteps);
+    page.window().documentModel().execute(workcell::SetConfiguration{replay->entity(), at.X_WE, at.joints});
+    const auto seen = looks.count();
+    ASSERT_TRUE(MotionPage::until([&] { return looks.count() > seen || !panel->isRunning(); }, MotionPage::kPatience));
+    if (!panel->isRunning()) break;
+    EXPECT_GE(panel->expertTime(), before - 1e-9) << i;
+    before = panel->expertTime();
+  }
+  ASSERT_TRUE(MotionPage::until([&] { return !panel->isRunning(); }, MotionPage::kPatience)) << "its end ends the run";
+  ASSERT_EQ(panel->session().attempts.size(), 1u);
+  const auto& attempt = panel->session().attempts.front();
+  EXPECT_EQ(attempt.score.completed, 1.0);
+  EXPECT_LT(attempt.score.mean_deviation, 0.002);
+  EXPECT_EQ(attempt.help, 1.0);
+  const auto kept = trajectory::readTraining(results.toStdString());
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_EQ(kept->exercise, exercise->name);
+  EXPECT_EQ(kept->attempts.size(), 1u);
+  EXPECT_TRUE(page.find<ProgressPlot>("progressPlot")->accessibleDescription().contains('1'));
+  for (const char* name : {"results.csv", "results.pdf"}) {
+    const QString path = page.folder().filePath(name);
+    page.answerFileDialog(path);
+    page.press("buttonExportResults");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << name;
+    EXPECT_TRUE(file.readAll().startsWith(QString(name).endsWith("pdf") ? "%PDF" : "attempt,")) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedExercise,
+                         testing::Values("peg_in_hole.hexercise", "door.hexercise", "screw.hexercise",
+                                         "extraction.hexercise"));
+
+}  // namespace
+}  // namespace hapticell::app
