@@ -69,6 +69,10 @@
         <translation>%1 % à 5–7</translation>
     </message>
     <message>
+        <source>%1 % of the limits</source>
+        <translation>%1 % des limites</translation>
+    </message>
+    <message>
         <source>%1 % of the way</source>
         <translation>%1 % du chemin</translation>
     </message>
@@ -929,6 +933,10 @@
         <translation>Accél.</translation>
     </message>
     <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
         <source>Across %1</source>
         <translation>À travers %1</translation>
     </message>
@@ -1023,6 +1031,10 @@
     <message>
         <source>All faces look outwards already.</source>
         <translation>Toutes les faces regardent déjà vers l'extérieur.</translation>
+    </message>
+    <message>
+        <source>All four</source>
+        <translation>Les quatre</translation>
     </message>
     <message>
         <source>All makers</source>
@@ -2207,6 +2219,10 @@
     <message>
         <source>Frame %1 of %2 at %3 s: %4, %5, %6</source>
         <translation>Image %1 sur %2 à %3 s : %4, %5, %6</translation>
+    </message>
+    <message>
+        <source>Frame %1 · %2 s</source>
+        <translation>Point %1 · %2 s</translation>
     </message>
     <message>
         <source>Frames recorded: %1</source>
@@ -5245,6 +5261,10 @@ Licence Apache 2.0</translation>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
     </message>
     <message>
+        <source>There was not enough memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>They move together, about the one chosen last.</source>
         <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
     </message>
@@ -5671,6 +5691,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>What the tip touches</source>
         <translation>Ce que touche la pointe</translation>
+    </message>
+    <message>
+        <source>What you asked for last was not done, and the workcell is as it was before. Save it, then close other programs, or remove parts that are not needed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wheel</source>

@@ -9,10 +9,9 @@
 #include "geometry/shapes.h"
 #include "tests/support/test_data.h"
 #include "tests/workcell/mesh_text.h"
-#include "workcell/entity_source.h"
+#include "tests/workcell/obj_text.h"
 #include "workcell/mesh_formats.h"
 #include "workcell/mesh_reader.h"
-#include "workcell/obj_materials.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -36,34 +35,6 @@ std::vector<std::string> namesOf(const std::vector<MeshPart>& parts) {
   std::vector<std::string> names;
   for (const MeshPart& part : parts) names.push_back(part.name);
   return names;
-}
-
-testing::AssertionResult isNear(const std::optional<Color>& color, float red, float green, float blue) {
-  if (!color) return testing::AssertionFailure() << "no colour";
-  const Color want{red, green, blue};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (std::abs((*color)[k] - want[k]) > 1e-5f) {
-      return testing::AssertionFailure() << (*color)[0] << ", " << (*color)[1] << ", " << (*color)[2];
-    }
-  }
-  return testing::AssertionSuccess();
-}
-
-/// A tetrahedron as OBJ lines: "v" lines with `tail` behind the coordinates, then faces of the corners counted from
-/// `first`.
-std::string tetrahedron(int first, double x, const std::string& tail = "", const std::string& before_faces = "") {
-  std::string text;
-  const double corners[4][3] = {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}};
-  for (const auto& c : corners) {
-    text += "v " + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]) + tail + "\n";
-  }
-  text += before_faces;
-  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-  for (const auto& f : faces) {
-    text += "f " + std::to_string(first + f[0]) + " " + std::to_string(first + f[1]) + " " +
-            std::to_string(first + f[2]) + "\n";
-  }
-  return text;
 }
 
 TEST(ObjParts, everyObjectIsASolidWithItsNameAndMaterial) {
@@ -281,95 +252,6 @@ TEST(OffParts, readsColoursOfVerticesAndFaces) {
   const auto mapped = partsOfText(readOff, "OFF\n6 2 0\n" + points + "3 0 1 2 7\n3 3 4 5 7\n", notes);
   ASSERT_EQ(mapped.size(), 1u);
   EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("2 faces have a colour by its number in a map")));
-}
-
-TEST(ObjMaterials, readsKdAndSurvivesTheRest) {
-  Diagnostics notes;
-  const auto colors = parseObjMaterials(
-      "# x\nnewmtl a b\nKa 1 1 1\nKd 0.1 0.2 0.3\nnewmtl grey\n\tKd 0.5\nnewmtl broken\nKd nan 1 1\n"
-      "newmtl curve\nKd spectral x.rfl 1\nnewmtl none\nmap_Kd x.png\nnewmtl bright\nKd 7 0 0\nKd 0 0 0\n",
-      notes);
-  ASSERT_EQ(colors.size(), 3u);
-  EXPECT_EQ(colors.at("a b"), (Color{0.1f, 0.2f, 0.3f}));
-  EXPECT_EQ(colors.at("grey"), (Color{0.5f, 0.5f, 0.5f}));
-  EXPECT_EQ(colors.at("bright"), (Color{1.0f, 0.0f, 0.0f}));
-  EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("1 materials have a picture"), HasSubstr("2 materials")));
-}
-
-class ObjFolder : public testing::Test {
- protected:
-  ObjFolder() { std::filesystem::create_directories(folder_.path() / "in/deep"); }
-
-  std::optional<Color> colorOf(const std::string& library, std::vector<std::string>* said = nullptr) {
-    folder_.write("in/part.obj", "mtllib " + library + "\nusemtl red\n" + tetrahedron(1, 0));
-    Diagnostics notes;
-    const auto file = readMeshParts(folder_.path() / "in/part.obj", {}, true, notes);
-    EXPECT_TRUE(file.has_value());
-    if (said) *said = notes.warnings;
-    return file ? file->parts.at(0).color : std::nullopt;
-  }
-
-  test::TemporaryFolder folder_;
-};
-
-constexpr const char* kRed = "newmtl red\nKd 1 0 0\n";
-
-TEST_F(ObjFolder, aMissingLibraryIsAWarning) {
-  std::vector<std::string> said;
-  EXPECT_FALSE(colorOf("gone.mtl", &said).has_value());
-  EXPECT_THAT(said, ElementsAre(HasSubstr("the material file 'gone.mtl' is not beside it")));
-}
-
-TEST_F(ObjFolder, librariesAreFoundBesideAndBelow) {
-  folder_.write("in/my colours.mtl", kRed);
-  folder_.write("in/deep/b.mtl", kRed);
-  folder_.write("in/none.mtl", "newmtl other\n");
-  for (const char* name : {"my colours.mtl", "deep/b.mtl", "deep\\b.mtl", "none.mtl deep/b.mtl",
-                           "C:\\away\\my colours.mtl", "/etc/my colours.mtl", "../my colours.mtl"}) {
-    EXPECT_TRUE(isNear(colorOf(name), 1, 0, 0)) << name;
-  }
-}
-
-TEST_F(ObjFolder, nothingAboveOrElsewhereIsRead) {
-  folder_.write("secret.mtl", kRed);
-  std::filesystem::create_directories(folder_.path() / "in/folder.mtl");
-  std::filesystem::create_symlink(folder_.path() / "secret.mtl", folder_.path() / "in/link.mtl");
-  std::filesystem::create_symlink("loop.mtl", folder_.path() / "in/loop.mtl");
-  for (const std::string& name :
-       {std::string("../secret.mtl"), (folder_.path() / "secret.mtl").string(), std::string("in/../../secret.mtl"),
-        std::string("link.mtl"), std::string("loop.mtl"), std::string("folder.mtl"), std::string(".."),
-        std::string("/dev/zero"), std::string(5000, 'a')}) {
-    std::vector<std::string> said;
-    EXPECT_FALSE(colorOf(name, &said).has_value()) << name;
-    EXPECT_THAT(said, ElementsAre(HasSubstr("is not beside it"))) << name;
-  }
-}
-
-TEST_F(ObjFolder, anImportKeepsTreeNamesAndColoursAndADocumentReadsThemAgain) {
-  folder_.write("red.mtl", kRed);
-  const auto file = folder_.write(
-      "two.obj", "# Units: mm\nmtllib red.mtl\no A\n" + tetrahedron(1, 0) + "o B\nusemtl red\n" + tetrahedron(5, 3));
-  Diagnostics notes;
-  EntityLoader loader(folder_.path());
-  const auto tree = loader.loadTree(file.string(), {}, notes);
-  ASSERT_TRUE(tree.has_value());
-  ASSERT_EQ(tree->entities.size(), 2u);
-  EXPECT_EQ(tree->entities[1].name, "B");
-  EXPECT_EQ(tree->entities[1].color, (Color{1, 0, 0}));
-  EXPECT_EQ(tree->entities[1].source.part, "B");
-  EXPECT_TRUE(tree->report.unit_is_stated);
-  EXPECT_NEAR(tree->entities[1].mesh->bounds().min.x, 0.003, 1e-12);
-  const auto again = loader.loadSource(tree->entities[1].source, notes);
-  ASSERT_TRUE(again.has_value());
-  EXPECT_EQ(again->mesh->triangles, tree->entities[1].mesh->triangles);
-  EXPECT_EQ(again->color, tree->entities[1].color);
-  ImportOptions options;
-  options.merge = true;
-  const auto merged = loader.loadTree(file.string(), options, notes);
-  ASSERT_TRUE(merged.has_value());
-  ASSERT_EQ(merged->entities.size(), 1u);
-  EXPECT_EQ(merged->entities[0].name, "two");
-  EXPECT_EQ(merged->entities[0].mesh->triangles.size(), 8u);
 }
 
 TEST(MeshParts, theSharedGearsAndPegsAreOneSolidEach) {
