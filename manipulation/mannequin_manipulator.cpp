@@ -24,18 +24,10 @@ constexpr double kProgress = 0.05;    ///< Of a probe's step: less is none.
 constexpr double kLeastProbe = 5e-4;  ///< m: where no step so small goes on, the reach ends.
 constexpr double kArrived = 2e-5;     ///< m
 constexpr double kReached = 1e-3;     ///< m short of what is looked for that counts as all of it.
-constexpr double kMostStep = 0.01;    ///< m a proposal that a foot goes.
-constexpr double kComfortableReach = 0.80;  ///< Of the arm, level from over the feet: farther is walked.
-constexpr double kWalkingSpeed = 1.5;       ///< m/s
 
 double errorOf(const mannequin::PostureResult& result) {
   return std::max({result.hand_position_error[0], result.hand_position_error[1], 0.1 * result.hand_orientation_error[0],
                    0.1 * result.hand_orientation_error[1]});
-}
-
-/// The one that is longer over the floor.
-dvec3 longer(const dvec3& a, const dvec3& b) {
-  return std::hypot(a.x, a.y) >= std::hypot(b.x, b.y) ? a : b;
 }
 
 }  // namespace
@@ -62,6 +54,7 @@ MannequinManipulator::MannequinManipulator(std::shared_ptr<const mannequin::Figu
     p_MH_W_[i] = hand[i].p - X_WM.p;
   }
   X_WF_ = feetOf(postureOf(taken));
+  q_WM_ = X_WM.q;
 }
 
 Side MannequinManipulator::driven() const {
@@ -115,46 +108,11 @@ Posture MannequinManipulator::follow(const mannequin::PostureTask& task, Posture
   return posture;
 }
 
-/// What the hand is wanted farther away, level, than an arm likes to reach from over the feet: people step before they
-/// lean as far as they can.
-dvec3 MannequinManipulator::beyondComfort(const Pose& X_WM, const Feet& X_WF) const {
-  const mannequin::PostureTask task = taskFor(X_WM, X_WF);
-  const std::size_t i = static_cast<std::size_t>(driven());
-  const dvec3 wanted = task.held ? (task.held->X_WO * task.held->X_OH[i]).p : task.hands[i]->p;
-  const double out = (driven() == Side::kLeft ? 0.5 : -0.5) * figure().body[mannequin::Dimension::kBiacromialBreadth];
-  dvec3 away = wanted - 0.5 * (X_WF[0].p + X_WF[1].p) - X_WF[i].rotate({0.0, out, 0.0});
-  away.z = 0.0;
-  const double distance = glm::length(away);
-  const double comfortable = kComfortableReach * (figure().upperArmLength() + figure().forearmLength());
-  return distance > comfortable ? (1.0 - comfortable / distance) * away : dvec3(0.0);
-}
-
 EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& from, const Pose& X_WM,
                                                   double duration_s) const {
   const Posture start = postureOf(from);
-  if (!locks_.may_step) return configurationOf(follow(taskFor(X_WM, X_WF_), start, nullptr));
-  const Feet feet = standingFeet(X_WF_, feetOf(start));
-  dvec3 missing(0.0);
-  Posture posture = follow(taskFor(X_WM, feet), start, &missing);
-  missing = longer(missing, beyondComfort(X_WM, feet));
-  if (std::hypot(missing.x, missing.y) < kReached) missing = dvec3(0.0);
-  const double most = std::min(kMostStep, kWalkingSpeed * duration_s);
-  Feet stepped = nextFeet(X_WF_, feet, missing, most);
-  if (stepped[0].p == feet[0].p && stepped[1].p == feet[1].p) return configurationOf(posture);
-  std::optional<Posture> gone = goneWith(figure(), posture, feet, stepped);
-  if (!gone && missing == dvec3(0.0)) {  // Where it stands too far from the other a foot cannot be put down.
-    stepped = homeward(X_WF_, feet, most);
-    gone = goneWith(figure(), posture, feet, stepped);
-  }
-  if (!gone) {  // Legs that can go no farther apart glide along together.
-    const dvec3 level(missing.x, missing.y, 0.0);
-    const dvec3 way = level * std::min(1.0, most / std::max(1e-9, glm::length(level)));
-    stepped = feet;
-    for (Pose& foot : stepped) foot.p += way;
-    gone = posture;
-    gone->X_WR.p += way;
-  }
-  return configurationOf(follow(taskFor(X_WM, stepped), *gone, nullptr));
+  if (locks_.may_step) return proposeStepping(start, X_WM, duration_s);
+  return configurationOf(follow(taskFor(X_WM, X_WF_), start, nullptr));
 }
 
 std::vector<PartDifferential> MannequinManipulator::differentiate(const EntityConfiguration& configuration) const {

@@ -48,16 +48,25 @@ class MannequinManipulator final : public MannequinBody {
   /// or still does when the time for it is over.
   std::optional<double> reachAlong(const dvec3& outward, double ahead, mannequin::Posture posture,
                                    const Pose& X_WM) const;
+  dvec3 wantedHand(const Pose& X_WM) const;
   dvec3 beyondComfort(const Pose& X_WM, const Feet& X_WF) const;
+  double turnToFace(const Pose& X_WM, const Feet& X_WF) const;
+  mannequin::Posture standAgain(const Feet& down, const mannequin::Posture& posture, const Pose& X_WM) const;
+  mannequin::Posture untwisted(const mannequin::Posture& posture, const Feet& feet) const;
+  std::optional<mannequin::Posture> goTo(Feet stepped, const Feet& feet, const mannequin::Posture& posture,
+                                         const Pose& X_WM) const;
+  EntityConfiguration proposeStepping(const mannequin::Posture& from, const Pose& X_WM, double duration_s) const;
+  double wishedTurn(const Pose& X_WM, const mannequin::Posture& posture, const Feet& X_WF) const;
   bool isBoth() const { return hands_ == Hands::kBoth || hands_ == Hands::kBothApart; }
   mannequin::Side driven() const;
 
   mannequin::PostureSolver solver_;
   Hands hands_;
   Locks locks_;
-  std::array<Pose, 2> X_MH_;     ///< Left and right hand in the moved frame.
-  std::array<dvec3, 2> p_MH_W_;  ///< The same places by the axes of the cell: where hands go apart.
-  Feet X_WF_;                    ///< Where the feet stand.
+  std::array<Pose, 2> X_MH_;        ///< Left and right hand in the moved frame.
+  std::array<dvec3, 2> p_MH_W_;     ///< The same places by the axes of the cell: where hands go apart.
+  Feet X_WF_;                       ///< Where the feet stand.
+  dquat q_WM_{1.0, 0.0, 0.0, 0.0};  ///< The moved frame as taken.
 };
 
 }  // namespace hapticell::manipulation

@@ -17,75 +17,175 @@ constexpr double kStride = 0.20;       ///< m
 constexpr double kSideStep = 0.18;     ///< m
 constexpr double kLift = 0.04;         ///< m
 constexpr double kOnFloor = 1e-4;      ///< m
+constexpr double kSameHeading = 1e-6;  ///< rad
 constexpr double kLeastStride = 0.02;  ///< m: a shorter one is not begun.
+constexpr double kTurnFrom = 0.21;     ///< rad (12 deg) that a foot must lag before it steps round.
+constexpr double kTurned = 0.01;       ///< rad that is left when it has come round.
+constexpr double kMostApart = 0.61;    ///< rad (35 deg) between both feet, beyond how they stood.
+constexpr double kAskew = 0.35;        ///< rad (20 deg) between both feet that are left alone.
+constexpr double kLeastApart = 0.12;   ///< m that a foot keeps to its side of the other one.
+constexpr double kTurnLever = 0.15;    ///< m that a rad of a lifted foot counts.
 
 constexpr double kLongestLeg = 0.995;  ///< Of a straight one.
 constexpr int kHeelTries = 5;
 constexpr double kHeelStep = 0.15;  ///< rad
 constexpr int kPelvisPasses = 6;
 
+double headingOf(const dquat& q) {
+  const dvec3 ahead = q * dvec3(1.0, 0.0, 0.0);
+  return std::atan2(ahead.y, ahead.x);
+}
+double wrapped(double angle) {
+  return std::remainder(angle, 2.0 * M_PI);
+}
+dquat upright(double yaw) {
+  return glm::angleAxis(yaw, dvec3(0.0, 0.0, 1.0));
+}
+
 struct Gait {
+  Gait(const FootPlaces& feet_taken, const FootPlaces& feet, const StepWish& wish) : taken(feet_taken), now(feet) {
+    for (std::size_t i = 0; i < 2; ++i) yaw[i] = wrapped(headingOf(now[i].q) - headingOf(taken[i].q));
+    const double mean = turnedFeet(taken, now);
+    // Both on the same side of the turn where angles jump.
+    for (double& angle : yaw) angle = mean + wrapped(angle - mean);
+    heading = mean;
+    // Feet that stand too far askew are brought beside each other.
+    const bool askew = wish.turn == 0.0 && std::abs(yaw[0] - yaw[1]) > kAskew;
+    goal = askew ? (std::abs(yaw[0]) > std::abs(yaw[1]) ? yaw[0] : yaw[1]) : mean + wish.turn;
+    turns = askew || wish.turn != 0.0;
+    const dvec3 level(wish.missing_W.x, wish.missing_W.y, 0.0);
+    const double length = glm::length(level);
+    if (length > kStepsFrom && length > kLevelShare * glm::length(wish.missing_W)) along = level / length;
+  }
+
   const FootPlaces& taken;
   const FootPlaces& now;
+  std::array<double, 2> yaw{};  ///< rad that each foot has turned since it was taken.
+  double heading = 0.0, goal = 0.0;
+  bool turns = false;
   dvec3 along{0.0};  ///< Unit, level; zero where nothing is missing.
 
-  dvec3 stance(std::size_t foot) const { return taken[foot].p - taken[1 - foot].p; }
+  /// How a foot stands beside the other one, where both head like `heading`.
+  dvec3 stance(std::size_t foot) const { return upright(heading) * (taken[foot].p - taken[1 - foot].p); }
   double height(std::size_t foot) const { return now[foot].p.z - taken[foot].p.z; }
   /// m that a foot is ahead of the other one, beyond how both stood.
   double ahead(std::size_t foot) const { return glm::dot(now[foot].p - now[1 - foot].p - stance(foot), along); }
   /// m that it may still go.
   double room(std::size_t foot) const {
-    dvec3 heading = taken[0].rotate({1, 0, 0}) + taken[1].rotate({1, 0, 0});
-    heading.z = 0.0;
-    const double length = glm::length(heading);
-    const double forward = length > 1e-6 ? std::abs(glm::dot(heading, along)) / length : 1.0;
+    if (along == dvec3(0.0)) return 0.0;
+    const dvec3 front = upright(heading) * (taken[0].rotate({1, 0, 0}) + taken[1].rotate({1, 0, 0}));
+    const double length = std::hypot(front.x, front.y);
+    const double forward = length > 1e-6 ? std::abs(front.x * along.x + front.y * along.y) / length : 1.0;
     const double outward = glm::dot(stance(foot), along) > 0.0 ? kSideStep : 0.0;
     return kStride * forward + outward * (1.0 - forward) - ahead(foot);
   }
-  /// The foot that is in the air, else the one that begins: behind the other, or on the side that it goes to.
-  std::size_t next() const {
+  /// rad that it has to turn: as far as the other one allows.
+  double lag(std::size_t foot) const {
+    if (!turns) return 0.0;
+    const double other = yaw[1 - foot];
+    return std::clamp(goal, other - kMostApart, other + kMostApart) - yaw[foot];
+  }
+  /// The foot that is in the air, else the one that begins: to turn, behind the other, or on the side that it goes to.
+  std::optional<std::size_t> next() const {
     if (std::max(height(0), height(1)) > 0.0) return height(0) > height(1) ? 0 : 1;
-    if (std::abs(ahead(0)) > kLeastStride) return ahead(0) < 0.0 ? 0 : 1;
-    return glm::dot(stance(0), along) > 0.0 ? 0 : 1;
+    const std::size_t lags = std::abs(std::abs(lag(0)) - std::abs(lag(1))) > kTurned
+                                 ? (std::abs(lag(0)) > std::abs(lag(1)) ? 0 : 1)
+                                 : (goal > heading ? 0 : 1);
+    if (std::abs(lag(lags)) > kTurnFrom) return lags;
+    if (along == dvec3(0.0)) return std::nullopt;
+    const std::size_t foot = std::abs(ahead(0)) > kLeastStride  ? (ahead(0) < 0.0 ? 0 : 1)
+                             : glm::dot(stance(0), along) > 0.0 ? 0
+                                                                : 1;
+    if (room(foot) > kLeastStride) return foot;
+    return std::nullopt;
   }
 };
 
 }  // namespace
 
+double turnedFeet(const FootPlaces& taken, const FootPlaces& now) {
+  const double left = wrapped(headingOf(now[0].q) - headingOf(taken[0].q));
+  return wrapped(left + 0.5 * wrapped(headingOf(now[1].q) - headingOf(taken[1].q) - left));
+}
+
 FootPlaces standingFeet(const FootPlaces& taken, const FootPlaces& now) {
   FootPlaces feet = now;
   const std::size_t lower = now[0].p.z - taken[0].p.z <= now[1].p.z - taken[1].p.z ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) {
-    feet[i].q = taken[i].q;
+    const double yaw = wrapped(headingOf(now[i].q) - headingOf(taken[i].q));
+    feet[i].q = std::abs(yaw) < kSameHeading ? taken[i].q : glm::normalize(upright(yaw) * taken[i].q);
     feet[i].p.z = std::min(feet[i].p.z, taken[i].p.z + kLift);
     if (i == lower || feet[i].p.z < taken[i].p.z + kOnFloor) feet[i].p.z = taken[i].p.z;
   }
   return feet;
 }
 
-FootPlaces nextFeet(const FootPlaces& taken, const FootPlaces& now, const dvec3& missing_W, double most) {
+FootPlaces levelled(const FootPlaces& taken, const FootPlaces& now, double ball_x) {
+  FootPlaces feet = now;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const dvec3 ball(ball_x, 0.0, 0.0);
+    feet[i].q = glm::normalize(upright(headingOf(now[i].q) - headingOf(taken[i].q)) * taken[i].q);
+    feet[i].p = now[i] * ball - feet[i].q * ball;
+  }
+  return feet;
+}
+
+double headingBeside(const Pose& X_WR, const FootPlaces& feet) {
+  const dvec3 ahead = feet[0].rotate({1.0, 0.0, 0.0}) + feet[1].rotate({1.0, 0.0, 0.0});
+  return wrapped(headingOf(X_WR.q) - std::atan2(ahead.y, ahead.x));
+}
+
+std::optional<std::size_t> footInAir(const FootPlaces& taken, const FootPlaces& now) {
+  const FootPlaces feet = standingFeet(taken, now);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (feet[i].p.z > taken[i].p.z) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> footToLift(const FootPlaces& taken, const FootPlaces& now, const StepWish& wish) {
+  const FootPlaces feet = standingFeet(taken, now);
+  return Gait(taken, feet, wish).next();
+}
+
+FootPlaces nextFeet(const FootPlaces& taken, const FootPlaces& now, const StepWish& wish, double most) {
   FootPlaces feet = standingFeet(taken, now);
-  Gait gait{taken, feet};
-  const dvec3 level(missing_W.x, missing_W.y, 0.0);
-  const double length = glm::length(level);
-  const bool wants = length > kStepsFrom && length > kLevelShare * glm::length(missing_W);
-  if (wants) gait.along = level / length;
-  const std::size_t foot = gait.next();
-  const double height = gait.height(foot), room = wants ? gait.room(foot) : 0.0;
-  const bool goes_on = room > kLeastStride;
-  if (height == 0.0 && !goes_on) return feet;
-  const double step = goes_on ? std::min(room, most) : 0.0;
-  Pose next = feet[foot];
-  next.p += step * gait.along;
-  next.p.z = taken[foot].p.z + (goes_on ? std::min(kLift, height + most) : std::max(0.0, height - most));
-  feet[foot] = next;
+  const Gait gait(taken, feet, wish);
+  const std::optional<std::size_t> next = gait.next();
+  if (!next) return feet;
+  const std::size_t foot = *next;
+  const double height = gait.height(foot), room = gait.room(foot), lag = gait.lag(foot);
+  const bool strides = room > kLeastStride, turns = std::abs(lag) > kTurned;
+  Pose moved = feet[foot];
+  if (turns) {
+    // About the other foot by half: when that has come round as well, both stand beside each other as before.
+    const double turn = std::clamp(lag, -most / kTurnLever, most / kTurnLever);
+    const dvec3& pivot = feet[1 - foot].p;
+    dvec3 way = upright(0.5 * turn) * (moved.p - pivot) + pivot - moved.p;
+    way.z = 0.0;
+    const double length = glm::length(way);
+    moved.p += std::min(1.0, most / std::max(1e-12, length)) * way;
+    moved.q = glm::normalize(upright(turn) * moved.q);
+  }
+  if (strides) moved.p += std::min(room, turns ? 0.5 * most : most) * gait.along;
+  // Never across the other one.
+  const dvec3 outward = upright(gait.heading) * dvec3(0.0, foot == 0 ? 1.0 : -1.0, 0.0);
+  const double apart = glm::dot(moved.p - feet[1 - foot].p, outward);
+  if (apart < kLeastApart) moved.p += std::min(kLeastApart - apart, most) * outward;
+  moved.p.z = taken[foot].p.z + (strides || turns ? std::min(kLift, height + most) : std::max(0.0, height - most));
+  feet[foot] = moved;
+  return feet;
+}
+
+FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now, double most) {
+  FootPlaces feet = standingFeet(taken, now);
+  for (std::size_t i = 0; i < 2; ++i) feet[i].p.z = std::max(taken[i].p.z, feet[i].p.z - most);
   return feet;
 }
 
 FootPlaces homeward(const FootPlaces& taken, const FootPlaces& now, double most) {
   FootPlaces feet = standingFeet(taken, now);
   const std::size_t foot = feet[0].p.z - taken[0].p.z > feet[1].p.z - taken[1].p.z ? 0 : 1;
-  dvec3 way = taken[foot].p - taken[1 - foot].p - (feet[foot].p - feet[1 - foot].p);
+  dvec3 way = Gait(taken, feet, {}).stance(foot) - (feet[foot].p - feet[1 - foot].p);
   way.z = 0.0;
   const double length = glm::length(way);
   if (length > 0.0) feet[foot].p += std::min(1.0, most / length) * way;
@@ -112,10 +212,11 @@ bool setLeg(const mannequin::Figure& figure, mannequin::Side side, const Pose& f
 bool standLeg(const mannequin::Figure& figure, mannequin::Side side, bool lifted, Pose& foot,
               mannequin::Posture& posture) {
   const Pose flat = foot;
+  const dvec3 ball(figure.sole.ball_x, 0.0, 0.0);
   for (int i = 0; i <= (lifted ? kHeelTries : 0); ++i) {
     const double pitch = i * kHeelStep;
     foot.q = flat.q * quaternionFromRotationVector({0.0, pitch, 0.0});
-    foot.p.z = flat.p.z + figure.sole.ball_x * std::sin(pitch);
+    foot.p = flat * ball - foot.q * ball;
     if (setLeg(figure, side, foot, posture)) return true;
   }
   foot = flat;
@@ -125,9 +226,14 @@ bool standLeg(const mannequin::Figure& figure, mannequin::Side side, bool lifted
 }  // namespace
 
 std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mannequin::Posture posture,
-                                           const FootPlaces& from, FootPlaces& to) {
+                                           const FootPlaces& from, FootPlaces& to, double turn) {
   using mannequin::Segment, mannequin::Side;
   const dvec3 way = 0.5 * (to[0].p - from[0].p + to[1].p - from[1].p);
+  if (turn != 0.0) {
+    const dquat round = upright(turn);
+    const dvec3 middle = 0.5 * (from[0].p + from[1].p);
+    posture.X_WR = {middle + round * (posture.X_WR.p - middle), glm::normalize(round * posture.X_WR.q)};
+  }
   posture.X_WR.p += dvec3(way.x, way.y, 0.0);
   const double longest = kLongestLeg * (figure.thighLength() + figure.shankLength());
   for (int i = 0; i < kPelvisPasses; ++i) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mannequin/body_shape.h"
+#include "mannequin/head_flesh.h"
 #include "mannequin/rotations.h"
 
 namespace hapticell::mannequin {
@@ -11,7 +12,7 @@ namespace {
 
 using S = Segment;
 
-constexpr std::array<float, 3> kSkin{0.80f, 0.62f, 0.52f}, kShirt{0.32f, 0.45f, 0.60f}, kTrousers{0.23f, 0.25f, 0.30f},
+constexpr std::array<float, 3> kShirt{0.32f, 0.45f, 0.60f}, kTrousers{0.23f, 0.25f, 0.30f},
     kShoes{0.13f, 0.12f, 0.12f};
 
 /// Builds the flesh from ANSUR breadths and depths; lengths in shares of the stature's scale k, girths of limbs with
@@ -117,43 +118,12 @@ class Sculptor {
     of(S::kLowerNeck) = {{{{0.014 * k_, 0, -0.015 * k_}, {0.010 * k_, 0, 0.055 * k_}, 1.06 * neck, neck, dvec3(1.0)}},
                          0.03 * k_,
                          -1e9,
-                         kSkin};
+                         kSkinColor};
     of(S::kUpperNeck) = {{{{0.006 * k_, 0, -0.010 * k_}, {0.012 * k_, 0, 0.050 * k_}, neck, 0.98 * neck, dvec3(1.0)}},
                          0.03 * k_,
                          -1e9,
-                         kSkin};
-    Flesh& skull = of(S::kHead);
-    skull = {{}, 0.03 * k_, -1e9, kSkin};
-    const double length = figure_.body[Dimension::kHeadLength], breadth = figure_.body[Dimension::kHeadBreadth];
-    const double top = figure_.p_HeadVertex.z, x = figure_.p_HeadVertex.x;
-    const double crown = 0.5 * breadth;
-    skull.blobs.push_back({{x - 0.004, 0, top - crown * 1.10},
-                           {x - 0.004, 0, top - crown * 1.10},
-                           crown,
-                           crown,
-                           {length / breadth, 1.0, 1.10}});
-    skull.blobs.push_back({{x + 0.016 * k_, 0, top - 1.10 * crown},
-                           {x + 0.030 * k_, 0, top - 0.182 * k_},
-                           0.90 * crown,
-                           0.60 * crown,
-                           {1.10, 1.0, 1.0}});
-    // Nose, ears and chin.
-    const dvec3 eyes = figure_.p_HeadEyes;
-    skull.blobs.push_back({{eyes.x + 0.006, 0, eyes.z - 0.010 * k_},
-                           {eyes.x + 0.014, 0, eyes.z - 0.042 * k_},
-                           0.007 * k_,
-                           0.0100 * k_,
-                           dvec3(1.0)});
-    pair(S::kHead, {{x - 0.004, 0.97 * crown, eyes.z - 0.002 * k_},
-                    {x - 0.006, 0.95 * crown, eyes.z - 0.038 * k_},
-                    0.015 * k_,
-                    0.010 * k_,
-                    {1.0, 0.5, 1.0}});
-    skull.blobs.push_back({{x + 0.066 * k_, 0, top - 0.206 * k_},
-                           {x + 0.050 * k_, 0, top - 0.200 * k_},
-                           0.017 * k_,
-                           0.022 * k_,
-                           {0.9, 1.35, 0.9}});
+                         kSkinColor};
+    of(S::kHead) = headFlesh(figure_);
   }
 
   void girdle(Side side) {
@@ -190,14 +160,14 @@ class Sculptor {
               {{0, 0, -0.30 * fore}, {0, 0, -0.50 * fore}, 0.0275 * r, 0.0215 * r, {1.22, 0.94, 1.0}}},
              0.04 * k_,
              -1e9,
-             kSkin};
+             kSkinColor};
   }
 
   void hand(Side side) {
     const double out = outwardSign(side);
     const double length = figure_.body[Dimension::kHandLength], breadth = figure_.body[Dimension::kHandBreadth];
     Flesh& palm = of(armSegment(side, S::kLeftHand));
-    palm = {{}, 0.010 * k_, -1e9, kSkin};
+    palm = {{}, 0.010 * k_, -1e9, kSkinColor};
     const double thick = 0.150 * breadth;
     palm.blobs.push_back({{0, 0, 0.004}, {0, 0, -0.10 * length}, 0.200 * breadth, 0.180 * breadth, {1.30, 0.92, 1.0}});
     const auto bones = phalangesOf(figure_, side);
@@ -223,7 +193,7 @@ class Sculptor {
         const double end = k + 1 < kPhalanges ? bones[d][k + 1].radius : 0.86 * bone.radius;
         const double reach = bone.length - (k + 1 < kPhalanges ? 0.0 : end);
         flesh_[phalanxBody(side, d, k)] = {
-            {{dvec3(0.0), reach * bone.along, bone.radius, end, dvec3(1.0)}}, 0.006 * k_, -1e9, kSkin};
+            {{dvec3(0.0), reach * bone.along, bone.radius, end, dvec3(1.0)}}, 0.006 * k_, -1e9, kSkinColor};
       }
     }
   }

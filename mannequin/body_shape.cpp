@@ -30,13 +30,8 @@ double blended(double a, double b, double k) {
 }
 
 double Flesh::distance(const dvec3& p) const {
-  dvec3 across;
-  double d = 1e9;
-  for (const Blob& blob : blobs) {
-    const double own = distanceTo(blob, p, across);
-    d = d > 1e8 ? own : blended(d, own, blend);
-  }
-  return std::max(d, floor - p.z);
+  dvec3 outward;
+  return distance(p, outward);
 }
 
 double Flesh::distance(const dvec3& p, dvec3& outward) const {
@@ -45,13 +40,14 @@ double Flesh::distance(const dvec3& p, dvec3& outward) const {
   outward = dvec3(0.0);
   for (const Blob& blob : blobs) {
     const double own = distanceTo(blob, p, across);
-    d = d > 1e8 ? own : blended(d, own, blend);
+    d = d > 1e8 ? own : blended(d, own, blob.blend < 0.0 ? blend : blob.blend);
     if (own >= least) continue;
     least = own;
     outward = across / blob.stretch;
   }
   const double length = glm::length(outward);
   outward = length > 1e-9 ? outward / length : dvec3(0.0);
+  for (const Blob& hollow : hollows) d = -blended(-d, distanceTo(hollow, p, across), hollow.blend);
   if (floor - p.z > d) outward = {0.0, 0.0, -1.0};
   return std::max(d, floor - p.z);
 }

@@ -15,6 +15,7 @@ struct Blob {
   dvec3 a{0.0}, b{0.0};
   double ra = 0.0, rb = 0.0;
   dvec3 stretch{1.0};
+  double blend = -1.0;  ///< m over which it flows into the blobs before it; negative: as its flesh says.
 };
 
 /// The flesh of one rigid body of the figure, in its own frame.
@@ -23,6 +24,7 @@ struct Flesh {
   double blend = 0.02;           ///< m over which blobs flow into each other.
   double floor = -1e9;           ///< Cut off below this z (soles).
   std::array<float, 3> color{};  ///< Clothing or skin.
+  std::vector<Blob> hollows{};   ///< Taken away: sockets.
 
   /// About the distance (m) of a point to the surface, negative inside; never larger than the true one.
   double distance(const dvec3& p) const;

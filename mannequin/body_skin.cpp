@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "mannequin/face_shape.h"
 #include "mannequin/hair_shape.h"
 #include "mannequin/rotations.h"
 #include "mannequin/surface_nets.h"
@@ -186,6 +187,8 @@ class PlacedSkin {
   SkinField field_;
 };
 
+constexpr double kOverlap = 0.004;  ///< m that a region reaches under its neighbour.
+
 bool isOfHand(std::size_t body, Side side) {
   if (body < kSegmentCount) return body == indexOf(armSegment(side, S::kLeftHand));
   return (body - kSegmentCount) / (kDigits * kPhalanges) == static_cast<std::size_t>(side);
@@ -194,12 +197,16 @@ bool isOfHand(std::size_t body) {
   return isOfHand(body, Side::kLeft) || isOfHand(body, Side::kRight);
 }
 
-/// Which colour each body has, hands apart where they are left out; the colours
-/// in the order of their first body.
+SkinRegion regionOf(std::size_t body) {
+  if (isOfHand(body)) return SkinRegion::kHands;
+  return body == indexOf(S::kHead) ? SkinRegion::kHead : SkinRegion::kBody;
+}
+
+/// Which colour each body has, those of other regions apart; the colours in the order of their first body.
 struct Wardrobe {
   Wardrobe(const std::vector<Flesh>& flesh, SkinRegion region) {
     for (std::size_t i = 0; i < kBodies; ++i) {
-      if (region != SkinRegion::kWhole && isOfHand(i) != (region == SkinRegion::kHands)) {
+      if (region != SkinRegion::kWhole && regionOf(i) != region) {
         group[i] = kLeftOut;
         continue;
       }
@@ -309,7 +316,9 @@ Skin skinOf(const Figure& figure, const Posture& posture, double cell) {
 std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region) {
   PlacedSkin placed(figure, posture);
   geometry::TriangleMesh whole;
-  if (region == SkinRegion::kHands) {
+  if (region == SkinRegion::kHead) {
+    whole = placed.surface(cell, [](std::size_t body) { return body == indexOf(S::kHead); });
+  } else if (region == SkinRegion::kHands) {
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const auto hand = placed.surface(cell, [side](std::size_t body) { return isOfHand(body, side); });
       geometry::append(whole, hand, Pose::identity());
@@ -324,7 +333,7 @@ std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, do
     const auto& of_bodies = placed.distancesAt(whole.vertices[v], cell);
     for (std::size_t i = 0; i < kBodies; ++i) {
       double& least = distances[v][wardrobe.group[i]];
-      least = std::min(least, of_bodies[i]);
+      least = std::min(least, of_bodies[i] + (wardrobe.group[i] == Wardrobe::kLeftOut ? kOverlap : 0.0));
     }
   }
   std::vector<geometry::TriangleMesh> cut = Cutter(whole, distances).cut();
@@ -334,13 +343,24 @@ std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, do
   return parts;
 }
 
-SkinPart hairPart(const Figure& figure, const Posture& posture) {
+std::vector<SkinPart> faceParts(const Figure& figure, const Posture& posture) {
   constexpr double kCell = 0.006;  // m
-  SkinPart hair{kHairColor, hairMesh(figure, fleshOf(figure)[indexOf(S::kHead)], kCell)};
-  smooth(hair.mesh);
+  std::vector<SkinPart> parts{{kHairColor, hairMesh(figure, kCell)}};
+  smooth(parts.front().mesh);
   const SegmentPlace head = forwardKinematics(figure, posture)[S::kHead];
-  for (dvec3& vertex : hair.mesh.vertices) vertex = head.point(vertex);
-  return hair;
+  for (dvec3& vertex : parts.front().mesh.vertices) vertex = head.point(vertex);
+  const auto add = [&](const FacePiece& piece, const dmat3& R_HeadPiece, const dvec3& p_HeadPiece) {
+    geometry::TriangleMesh mesh = piece.mesh;
+    for (dvec3& vertex : mesh.vertices) vertex = head.point(p_HeadPiece + R_HeadPiece * vertex);
+    for (SkinPart& known : parts) {
+      if (known.color == piece.color) return geometry::append(known.mesh, mesh, Pose::identity());
+    }
+    parts.push_back({piece.color, std::move(mesh)});
+  };
+  for (const FacePiece& piece : facePieces(figure)) add(piece, dmat3(1.0), dvec3(0.0));
+  for (const Side side : {Side::kLeft, Side::kRight})
+    for (const FacePiece& piece : eyePieces(figure)) add(piece, eyeRotation(posture.gaze), eyeCentre(figure, side));
+  return parts;
 }
 
 }  // namespace hapticell::mannequin

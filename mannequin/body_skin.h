@@ -28,10 +28,12 @@ struct SkinPart {
   std::array<float, 3> color{};
   geometry::TriangleMesh mesh;
 };
-/// Which of it: hands and fingers want finer cells than a body.
-enum class SkinRegion { kWhole, kBody, kHands };
+/// Which of it: hands, fingers and the head want finer cells than a body. Regions that are not whole reach some
+/// millimetres under their neighbours, so that no line is seen between them.
+enum class SkinRegion { kWhole, kBody, kHands, kHead };
 std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region);
-/// The hair over it (hair_shape.h).
-SkinPart hairPart(const Figure& figure, const Posture& posture);
+/// What a head has beside its skin: hair, brows, lids and lips (hair_shape.h, face_shape.h), and eyes that look where
+/// the posture's gaze says. One part a colour.
+std::vector<SkinPart> faceParts(const Figure& figure, const Posture& posture);
 
 }  // namespace hapticell::mannequin

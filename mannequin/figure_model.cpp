@@ -7,6 +7,7 @@
 
 #include "geometry/assertion.h"
 #include "mannequin/body_shape.h"
+#include "mannequin/face_shape.h"
 #include "mannequin/hair_shape.h"
 #include "mannequin/joint_limits.h"
 
@@ -18,7 +19,8 @@ using S = Segment;
 using kinematics::Joint;
 using kinematics::JointType;
 
-constexpr double kFineCell = 0.011, kCoarseCell = 0.024, kFineFinger = 0.0042, kCoarseFinger = 0.009;
+constexpr double kFineCell = 0.011, kCoarseCell = 0.024, kFineFinger = 0.0042, kCoarseFinger = 0.009,
+                 kHeadCell = 0.0065;
 
 const char* bodyName(std::size_t body) {
   if (body < kSegmentCount) return segmentInfo(static_cast<Segment>(body)).name;
@@ -32,7 +34,7 @@ class ModelBuilder {
   explicit ModelBuilder(const Figure& figure) : figure_(figure), flesh_(fleshOf(figure)) {
     model_.name = "mannequin";
     model_.links.push_back({"floor", -1, {}, {}});
-    model_.moving.assign(kDofCount, -1);
+    model_.moving.assign(kModelVariables, -1);
   }
 
   std::shared_ptr<const kinematics::RobotModel> make() {
@@ -44,6 +46,7 @@ class ModelBuilder {
       link[i] = addSegment(segment, link[indexOf(*segmentInfo(segment).parent)]);
     }
     for (const Side side : {Side::kLeft, Side::kRight}) addFingers(side, link[indexOf(armSegment(side, S::kLeftHand))]);
+    addEyes(link[indexOf(S::kHead)]);
     return std::make_shared<const kinematics::RobotModel>(std::move(model_));
   }
 
@@ -143,27 +146,67 @@ class ModelBuilder {
     return link;
   }
 
+  /// The left eye turns by the gaze, the right one along with it.
+  void addEyes(int head) {
+    int yaw = -1, pitch = -1;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const std::string name = side == Side::kLeft ? "l_eyeball" : "r_eyeball";
+      const bool leads = side == Side::kLeft;
+      const int turned =
+          addJoint({leads ? "gaze_yaw" : name + "_yaw", head, eyeCentre(figure_, side), name + "_yaw_link"});
+      yaw = turnEye({2, -kGazeYawLimit, kGazeYawLimit}, yaw);
+      const int eye = addJoint({leads ? "gaze_pitch" : name + "_pitch", turned, dvec3(0.0), name});
+      pitch = turnEye({1, -kGazeUpLimit, kGazeDownLimit}, pitch);
+      for (FacePiece& piece : eyePieces(figure_)) wear(eye, piece.color, std::move(piece.mesh));
+    }
+  }
+
+  struct EyeTurn {
+    int axis;
+    double lower, upper;
+  };
+  /// Makes the newest joint a turn of an eye: a variable of its own, or one that goes along with another.
+  int turnEye(const EyeTurn& turn, int followed) {
+    const int index = static_cast<int>(model_.joints.size()) - 1;
+    Joint& joint = model_.joints.back();
+    joint.type = JointType::kRevolute;
+    joint.axis_J = dvec3(0.0);
+    joint.axis_J[turn.axis] = 1.0;
+    joint.lower = turn.lower;
+    joint.upper = turn.upper;
+    if (followed >= 0) {
+      joint.mimic = kinematics::Mimic{followed, 1.0, 0.0};
+      return followed;
+    }
+    joint.variable = static_cast<int>(kDofCount) + (turn.axis == 2 ? 0 : 1);
+    model_.moving[static_cast<std::size_t>(joint.variable)] = index;
+    return index;
+  }
+
+  void wear(int link, const std::array<float, 3>& color, geometry::TriangleMesh mesh) {
+    kinematics::LinkShape shape;
+    shape.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+    shape.color = {color[0], color[1], color[2], 1.0f};
+    shape.source = "body";
+    model_.links[static_cast<std::size_t>(link)].visuals.push_back(std::move(shape));
+  }
+
   void dress(int link, std::size_t body) {
     const bool finger = body >= kSegmentCount;
     const bool hand = body == indexOf(S::kLeftHand) || body == indexOf(S::kRightHand);
     const Flesh& flesh = flesh_[body];
-    const auto shape = [&](double cell) {
-      kinematics::LinkShape result;
-      result.mesh = std::make_shared<const geometry::TriangleMesh>(bodyMesh(flesh, cell));
-      result.color = {flesh.color[0], flesh.color[1], flesh.color[2], 1.0f};
-      result.source = "body";
-      return result;
-    };
-    kinematics::Link& target = model_.links[static_cast<std::size_t>(link)];
-    target.visuals.push_back(shape(finger || hand ? kFineFinger : kFineCell));
-    if (body == indexOf(S::kHead)) {
-      kinematics::LinkShape hair;
-      hair.mesh = std::make_shared<const geometry::TriangleMesh>(hairMesh(figure_, flesh, 0.5 * kFineCell));
-      hair.color = {kHairColor[0], kHairColor[1], kHairColor[2], 1.0f};
-      hair.source = "body";
-      target.visuals.push_back(std::move(hair));
-    }
-    target.collisions.push_back(shape(finger ? kCoarseFinger : hand ? 0.5 * kCoarseCell : kCoarseCell));
+    const bool head = body == indexOf(S::kHead);
+    kinematics::LinkShape checked;
+    checked.mesh = std::make_shared<const geometry::TriangleMesh>(bodyMesh(flesh, finger ? kCoarseFinger
+                                                                                  : hand ? 0.5 * kCoarseCell
+                                                                                         : kCoarseCell));
+    checked.color = {flesh.color[0], flesh.color[1], flesh.color[2], 1.0f};
+    checked.source = "body";
+    model_.links[static_cast<std::size_t>(link)].collisions.push_back(std::move(checked));
+    wear(link, flesh.color, bodyMesh(flesh, finger || hand ? kFineFinger : head ? kHeadCell : kFineCell));
+    if (!head) return;
+    wear(link, kHairColor, hairMesh(figure_, kHeadCell));
+    for (FacePiece& piece : facePieces(figure_)) wear(link, piece.color, std::move(piece.mesh));
   }
 
   const Figure& figure_;
@@ -182,14 +225,18 @@ std::shared_ptr<const kinematics::RobotModel> figureModel(const Figure& figure) 
 }
 
 ModelConfiguration toModel(const Figure& figure, const Posture& posture) {
-  return {posture.X_WR * rootInPelvis(figure), {posture.angles.begin(), posture.angles.end()}};
+  ModelConfiguration configuration{posture.X_WR * rootInPelvis(figure), {posture.angles.begin(), posture.angles.end()}};
+  configuration.joints.push_back(posture.gaze.yaw);
+  configuration.joints.push_back(posture.gaze.pitch);
+  return configuration;
 }
 
 Posture toPosture(const Figure& figure, const ModelConfiguration& configuration) {
-  HAPTICELL_DEMAND(configuration.joints.size() == kDofCount);
+  HAPTICELL_DEMAND(configuration.joints.size() == kModelVariables);
   Posture posture;
   posture.X_WR = configuration.X_WE * rootInPelvis(figure).inverse();
-  std::copy(configuration.joints.begin(), configuration.joints.end(), posture.angles.begin());
+  std::copy_n(configuration.joints.begin(), kDofCount, posture.angles.begin());
+  posture.gaze = {configuration.joints[kDofCount], configuration.joints[kDofCount + 1]};
   return posture;
 }
 

@@ -153,6 +153,12 @@ std::vector<std::string> limitViolations(const Posture& posture, double toleranc
     if (posture[dof] < info.lower - tolerance_rad) found.push_back(sentence(info.name, posture[dof], info.lower));
     if (posture[dof] > info.upper + tolerance_rad) found.push_back(sentence(info.name, posture[dof], info.upper));
   }
+  const auto look = [&](const char* name, double angle, double lower, double upper) {
+    if (angle < lower - tolerance_rad) found.push_back(sentence(name, angle, lower));
+    if (angle > upper + tolerance_rad) found.push_back(sentence(name, angle, upper));
+  };
+  look("gaze_yaw", posture.gaze.yaw, -kGazeYawLimit, kGazeYawLimit);
+  look("gaze_pitch", posture.gaze.pitch, -kGazeUpLimit, kGazeDownLimit);
   for (const Side side : {Side::kLeft, Side::kRight}) {
     addBallViolations(posture, BallJoint::kShoulder, side, tolerance_rad, found);
     addBallViolations(posture, BallJoint::kHip, side, tolerance_rad, found);

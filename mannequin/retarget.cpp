@@ -14,6 +14,8 @@ namespace {
 
 using S = Segment;
 
+constexpr double kHanging = 0.87;  ///< Of an upper arm at rest that points down: within 30 deg.
+
 /// The clip's axes (Y up, facing Z) in the world's (Z up, facing X).
 const dmat3 kTurn(dvec3(0, 1, 0), dvec3(0, 0, 1), dvec3(1, 0, 0));
 
@@ -190,9 +192,10 @@ ClipBody bodyOf(const MotionClip& clip, const ClipMap& map, const ClipFrame& fra
     body.R_thigh[i] = q(map.hip[i]);
     body.R_foot[i] = q(map.ankle[i]);
     body.R_upper_arm[i] = q(map.shoulder[i]);
-    // At rest the hand points sideways with the palm down.
-    const dmat3 R_rest(dvec3(1, 0, 0), dvec3(0, 0, out), dvec3(0, -out, 0));
-    body.R_hand[i] = q(map.hand[i]) * R_rest;
+    // At rest the hand points sideways with the palm down, or hangs with it to the thigh.
+    const dvec3 upper_arm = inWorld(clip.joints[static_cast<std::size_t>(map.elbow[i])].p_Parent);
+    const bool hangs = upper_arm.z < -kHanging * glm::length(upper_arm);
+    body.R_hand[i] = q(map.hand[i]) * (hangs ? dmat3(1.0) : aboutX(out * 0.5 * M_PI));
   }
   return body;
 }

@@ -43,7 +43,7 @@ ClipBody bodyOf(const MotionClip& clip, const ClipMap& map, const ClipFrame& fra
 
 /// Directions are taken over, lengths are the figure's own; the root moves in proportion to the legs, and the whole
 /// motion is lowered or raised so that its lowest sole touches the floor. The clip must face its +Z at rest with Y up,
-/// arms sideways and palms down, as ASF and the usual BVH do.
+/// arms sideways and palms down, as ASF and the usual BVH do, or hanging with the palms to the thighs, as H-Anim does.
 Expected<RetargetedMotion> retarget(const Figure& figure, const MotionClip& clip);
 
 }  // namespace hapticell::mannequin

@@ -31,30 +31,20 @@ namespace {
 
 constexpr int kFrameMilliseconds = 33;
 
-QScrollArea* scrolled(QWidget* content, int width) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(width);
-  scroll->setWidget(content);
-  return scroll;
-}
-
 /// What of the window is the ergonomics'; owned by the window.
 class ErgonomicsDocks : public QObject {
  public:
   explicit ErgonomicsDocks(Host& host) : QObject(&host.window()), host_(host), context_(host), scores_(context_) {
     panel_ = new ErgonomicsPanel(context_, scores_);
-    dock_ = addDock("dockErgonomics", tr("Ergonomics"), scrolled(panel_, 420), Qt::RightDockWidgetArea);
-    task_ =
-        addDock("dockWorkTask", tr("Task data"), scrolled(new WorkTaskPanel(context_), 332), Qt::RightDockWidgetArea);
+    dock_ = addDock("dockErgonomics", tr("Ergonomics"), scrolledPanel(panel_, 420), Qt::RightDockWidgetArea);
+    task_ = addDock("dockWorkTask", tr("Task data"), scrolledPanel(new WorkTaskPanel(context_), 332),
+                    Qt::RightDockWidgetArea);
     report_panel_ = new ReportPanel(context_, scores_, motion_);
     report_ = addDock("dockReport", tr("Report"), report_panel_, Qt::RightDockWidgetArea);
     time_ = addDock("dockErgonomicsTime", tr("Ergonomics over time"), new TimePanel(context_, scores_, motion_),
                     Qt::BottomDockWidgetArea);
-    workplace_ = addDock("dockWorkplace", tr("Workplace search"), scrolled(new WorkplacePanel(context_, scores_), 332),
-                         Qt::RightDockWidgetArea);
+    workplace_ = addDock("dockWorkplace", tr("Workplace search"),
+                         scrolledPanel(new WorkplacePanel(context_, scores_), 332), Qt::RightDockWidgetArea);
     connect(panel_, &ErgonomicsPanel::taskWanted, this, [this] { bringToFront(task_); });
     connect(panel_, &ErgonomicsPanel::reportWanted, this, [this] { bringToFront(report_); });
     connect(panel_, &ErgonomicsPanel::searchWanted, this, [this] { bringToFront(workplace_); });
@@ -95,6 +85,14 @@ class ErgonomicsDocks : public QObject {
       connect(action, &QAction::triggered, this, [this, dock] { bringToFront(dock); });
     };
     entry("actionErgonomics", tr("Ergonomics, live"), dock_);
+    QAction* open =
+        makeAction(&host_.window(), {"actionOpenMotion", tr("Open a recorded motion (BVH, AMC)…"), {}, {}, {}});
+    host_.window().addAction(open);
+    menu->addAction(open);
+    connect(open, &QAction::triggered, this, [this] {
+      bringToFront(time_);
+      if (auto* panel = time_->findChild<TimePanel*>()) panel->choose();
+    });
     entry("actionErgonomicsTime", tr("Ergonomics over time"), time_);
     entry("actionWorkTask", tr("Task data…"), task_);
     entry("actionErgonomicsReport", tr("Ergonomics report…"), report_);
@@ -134,29 +132,34 @@ class ErgonomicsDocks : public QObject {
     host_.viewport().refresh();
   }
 
-  /// The chosen body of another size as a ghost at the same task.
+  /// The chosen bodies of other sizes as ghosts at the same task.
   void showBodies() {
     std::vector<RenderItem> items;
-    const int body = panel_->chosenBody();
-    if (coloured_ && body >= 0 && static_cast<std::size_t>(body) < scores_.bodies().size()) {
-      const auto& at = scores_.bodies()[static_cast<std::size_t>(body)];
-      auto& model = models_[body];
-      if (!model) model = mannequin::figureModel(at.figure);
-      const auto stands = mannequin::toModel(at.figure, at.posture);
-      std::vector<Pose> X_EL;
-      kinematics::forwardKinematics(*model, stands.joints, X_EL);
-      for (std::size_t i = 0; i < model->links.size(); ++i) {
-        for (const auto& shape : model->links[i].visuals) {
-          RenderItem item;
-          item.mesh = shape.mesh;
-          item.X_WM = stands.X_WE * X_EL[i] * shape.X_LS;
-          item.ghost = at.is_reached ? Ghost::kFree : Ghost::kTouches;
-          items.push_back(std::move(item));
-        }
-      }
+    const int chosen = panel_->chosenBody();
+    for (int body = 0; coloured_ && body < static_cast<int>(scores_.bodies().size()); ++body) {
+      const bool other = panel_->showsAllBodies() && body != scores_.ownBody();
+      if (body == chosen || other) addGhost(body, items);
     }
     host_.viewport().scene().setExtras("bodies", std::move(items));
     host_.viewport().refresh();
+  }
+
+  void addGhost(int body, std::vector<RenderItem>& items) {
+    const auto& at = scores_.bodies()[static_cast<std::size_t>(body)];
+    auto& model = models_[body];
+    if (!model) model = mannequin::figureModel(at.figure);
+    const auto stands = mannequin::toModel(at.figure, at.posture);
+    std::vector<Pose> X_EL;
+    kinematics::forwardKinematics(*model, stands.joints, X_EL);
+    for (std::size_t i = 0; i < model->links.size(); ++i) {
+      for (const auto& shape : model->links[i].visuals) {
+        RenderItem item;
+        item.mesh = shape.mesh;
+        item.X_WM = stands.X_WE * X_EL[i] * shape.X_LS;
+        item.ghost = at.is_reached ? Ghost::kFree : Ghost::kTouches;
+        items.push_back(std::move(item));
+      }
+    }
   }
 
   void bringToFront(QDockWidget* dock) {

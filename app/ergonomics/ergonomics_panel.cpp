@@ -2,6 +2,7 @@
 #include "app/ergonomics/ergonomics_panel.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
@@ -67,6 +68,12 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   rows->addWidget(live_);
   columns_ = new ScoreColumns(scores_);
   rows->addWidget(columns_);
+  all_bodies_ = new QCheckBox(tr("Show all four in the scene"));
+  all_bodies_->setObjectName("checkAllBodies");
+  all_bodies_->setProperty("switch", true);
+  all_bodies_->setToolTip(tr("As ghosts at the same task; a column shows its body alone"));
+  rows->addWidget(all_bodies_);
+  connect(all_bodies_, &QCheckBox::toggled, this, [this] { emit bodyChosen(chosenBody()); });
   auto* box = new QFrame;
   box->setFrameShape(QFrame::StyledPanel);
   auto* inside = new QVBoxLayout(box);
@@ -128,6 +135,10 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showScores);
   connect(&scores_, &LiveScores::adviceChanged, this, &ErgonomicsPanel::showAdvice);
   showScores();
+}
+
+bool ErgonomicsPanel::showsAllBodies() const {
+  return all_bodies_->isChecked();
 }
 
 int ErgonomicsPanel::chosenBody() const {

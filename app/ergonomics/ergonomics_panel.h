@@ -5,6 +5,7 @@
 
 #include "mannequin/ergonomics/posture_scores.h"
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
 
@@ -23,7 +24,10 @@ class ErgonomicsPanel : public QWidget {
  public:
   ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent = nullptr);
   ergonomics::ColourMethod method() const { return method_; }
+  /// The column that is chosen; -1: none.
   int chosenBody() const;
+  /// Whether all four bodies are to be seen in the scene.
+  bool showsAllBodies() const;
 
  signals:
   void methodChanged();
@@ -48,6 +52,7 @@ class ErgonomicsPanel : public QWidget {
   ScoreColumns* columns_;
   SubScoreTable* sub_scores_;
   HeightStrips* heights_;
+  QCheckBox* all_bodies_;
   QPushButton *show_posture_, *task_, *limits_;
 };
 

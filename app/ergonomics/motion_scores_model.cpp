@@ -36,6 +36,7 @@ Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::re
   motion->worst = static_cast<int>(std::max_element(motion->own.begin(), motion->own.end()) - motion->own.begin());
   motion->seconds = own->frame_time * static_cast<double>(own->postures.size());
   motion->postures = std::move(own->postures);
+  motion->beyond = std::move(own->frames_beyond_limit);
   const auto bodies = mannequin::boundaryFigures();
   for (std::size_t i = 0; i < motion->bands.size(); ++i) {
     const auto same = mannequin::retarget(bodies[i].figure, *clip);
@@ -63,6 +64,14 @@ void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequi
         }
         emit changed();
       });
+}
+
+QString MotionScoresModel::beyondLimits() const {
+  QStringList said;
+  if (motion_)
+    for (const auto& [limit, frames] : motion_->beyond)
+      said << tr("%1 in %n frames", nullptr, frames).arg(QString::fromStdString(limit));
+  return said.join(", ");
 }
 
 double MotionScoresModel::shareAbove(std::size_t body) const {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,10 @@ class MotionScoresModel : public QObject {
   const mannequin::Posture& posture(int frame) const { return motion_->postures[static_cast<std::size_t>(frame)]; }
   /// RULA bands of body 0 to 3 (P5F to P95M), one a frame.
   const std::vector<int>& bands(std::size_t body) const { return motion_->bands[body]; }
+  const std::vector<mannequin::Posture>& postures() const { return motion_->postures; }
+  /// "l_shoulder, internal rotation in 12 frames": limits that the recording goes beyond on this figure; nothing is
+  /// clamped. Empty: none.
+  QString beyondLimits() const;
   /// Share of the time in the two higher bands.
   double shareAbove(std::size_t body) const;
   /// The first frame of the highest RULA of the own body.
@@ -44,6 +49,7 @@ class MotionScoresModel : public QObject {
     std::vector<mannequin::Posture> postures;
     std::array<std::vector<int>, 4> bands;
     std::vector<int> own;
+    std::map<std::string, int> beyond;  ///< Frames by limit.
     double seconds = 0.0;
     int worst = 0;
   };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/motion_scores_model.h"
@@ -23,6 +24,7 @@
 #include "app/panels/form.h"
 #include "app/viewport/viewport_widget.h"
 #include "mannequin/figure_model.h"
+#include "mannequin/motion_writer.h"
 
 namespace hapticell::app {
 namespace {
@@ -48,6 +50,9 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   worst_->setObjectName("buttonWorstFrame");
   take_ = new QPushButton(tr("Take this posture"));
   take_->setObjectName("buttonTakeFrame");
+  save_ = new QPushButton(tr("Save as BVH…"));
+  save_->setObjectName("buttonSaveMotion");
+  save_->setToolTip(tr("The motion as it is on this mannequin"));
   name_ = makeLabel({}, TextRole::kSection);
   name_->setObjectName("labelMotion");
   at_ = makeLabel({}, TextRole::kSecond, true);
@@ -56,16 +61,22 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   line->addWidget(play_);
   line->addWidget(worst_);
   line->addWidget(take_);
+  line->addWidget(save_);
   line->addWidget(name_);
   line->addWidget(at_, 1);
   column->addLayout(line);
+  beyond_ = makeLabel({}, TextRole::kSecond);
+  beyond_->setObjectName("labelBeyondLimits");
+  beyond_->setWordWrap(true);
+  column->addWidget(beyond_);
   history_ = new ScoreHistory(motion_);
   column->addWidget(history_, 1);
   clock_.setInterval(kPlayMilliseconds);
-  connect(open_button, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a recorded motion"), {},
-                                                      tr("Motions (*.bvh *.amc);;All files (*)"));
-    if (!path.isEmpty()) open(path);
+  connect(open_button, &QPushButton::clicked, this, &TimePanel::choose);
+  connect(save_, &QPushButton::clicked, this, [this] {
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the motion"), motion_.name() + ".bvh",
+                                                      tr("Motions (*.bvh);;All files (*)"));
+    if (!path.isEmpty()) saveMotion(path);
   });
   connect(play_, &QPushButton::clicked, this, &TimePanel::play);
   connect(worst_, &QPushButton::clicked, this, [this] { setFrame(motion_.worstFrame()); });
@@ -89,9 +100,32 @@ void TimePanel::open(const QString& path) {
   motion_.open(path, scores_.figure(), scores_.task());
 }
 
+void TimePanel::choose() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open a recorded motion"), {}, tr("Motions (*.bvh *.amc);;All files (*)"));
+  if (!path.isEmpty()) open(path);
+}
+
+bool TimePanel::saveMotion(const QString& path) {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || motion_.isEmpty()) return false;
+  std::ofstream file(path.toStdString(), std::ios::binary);
+  file << mannequin::bvhText(*entity->figure, motion_.postures(), motion_.seconds() / motion_.frames());
+  file.close();
+  if (file.good())
+    context_.host().messages().tell(Severity::kInformation, tr("The motion is saved"), path);
+  else
+    context_.host().messages().tell(Severity::kProblem, tr("The motion was not saved"),
+                                    tr("%1 cannot be written. Choose another place.").arg(path));
+  return file.good();
+}
+
 void TimePanel::showMotion() {
   const bool any = !motion_.isEmpty();
-  for (QPushButton* button : {play_, worst_, take_}) button->setEnabled(any);
+  for (QPushButton* button : {play_, worst_, take_, save_}) button->setEnabled(any);
+  const QString beyond = motion_.beyondLimits();
+  beyond_->setText(tr("Beyond a limit of the figure, not clamped: %1.").arg(beyond));
+  beyond_->setVisible(!beyond.isEmpty());
   name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
   at_->setText(any ? QString() : tr("Open a recording (BVH, AMC) to score each of its frames."));
   frame_ = std::min(frame_, std::max(0, motion_.frames() - 1));

@@ -21,6 +21,10 @@ class TimePanel : public QWidget {
  public:
   TimePanel(MannequinContext& context, const LiveScores& scores, MotionScoresModel& motion, QWidget* parent = nullptr);
   void open(const QString& path);
+  /// Asks for a recording and opens it.
+  void choose();
+  /// The motion on this mannequin as BVH; what is wrong stands in the messages.
+  bool saveMotion(const QString& path);
   int frame() const { return frame_; }
   void setFrame(int frame);
 
@@ -36,8 +40,8 @@ class TimePanel : public QWidget {
   const LiveScores& scores_;
   MotionScoresModel& motion_;
   ScoreHistory* history_;
-  QPushButton *play_, *worst_, *take_;
-  QLabel *name_, *at_;
+  QPushButton *play_, *worst_, *take_, *save_;
+  QLabel *name_, *at_, *beyond_;
   QTimer clock_;
   int frame_ = 0;
 };

@@ -31,6 +31,39 @@ struct Boundary {
 };
 constexpr std::array<Boundary, 4> kBoundaries{
     {{Sex::kFemale, 5}, {Sex::kFemale, 50}, {Sex::kMale, 50}, {Sex::kMale, 95}}};
+/// Words of the dimensions, in their order; ANSUR II's own names stand in the tool tip.
+constexpr std::array<const char*, mannequin::kDimensionCount> kDimensions{
+    QT_TRANSLATE_NOOP("BodySize", "Stature"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the neck"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the shoulder"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the breastbone"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the tenth rib"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the hip's crest"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the hip joint"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the crotch"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the knee"),
+    QT_TRANSLATE_NOOP("BodySize", "Height of the ankle"),
+    QT_TRANSLATE_NOOP("BodySize", "Sitting height"),
+    QT_TRANSLATE_NOOP("BodySize", "Eye height, sitting"),
+    QT_TRANSLATE_NOOP("BodySize", "Upper arm"),
+    QT_TRANSLATE_NOOP("BodySize", "Forearm"),
+    QT_TRANSLATE_NOOP("BodySize", "Hand length"),
+    QT_TRANSLATE_NOOP("BodySize", "Palm length"),
+    QT_TRANSLATE_NOOP("BodySize", "Hand breadth"),
+    QT_TRANSLATE_NOOP("BodySize", "Shoulder joints apart"),
+    QT_TRANSLATE_NOOP("BodySize", "Shoulder breadth"),
+    QT_TRANSLATE_NOOP("BodySize", "Breadth of the pelvis"),
+    QT_TRANSLATE_NOOP("BodySize", "Hip breadth"),
+    QT_TRANSLATE_NOOP("BodySize", "Chest depth"),
+    QT_TRANSLATE_NOOP("BodySize", "Belly depth, sitting"),
+    QT_TRANSLATE_NOOP("BodySize", "Thigh clearance"),
+    QT_TRANSLATE_NOOP("BodySize", "Foot length"),
+    QT_TRANSLATE_NOOP("BodySize", "Heel to ball"),
+    QT_TRANSLATE_NOOP("BodySize", "Foot breadth"),
+    QT_TRANSLATE_NOOP("BodySize", "Head length"),
+    QT_TRANSLATE_NOOP("BodySize", "Head breadth"),
+    QT_TRANSLATE_NOOP("BodySize", "Ear to top of head"),
+    QT_TRANSLATE_NOOP("BodySize", "Mass")};
 constexpr int kDebounceMilliseconds = 180;
 constexpr double kSameStature = 0.0006;  // m
 
@@ -109,14 +142,17 @@ void BodySize::addMeasures() {
     const auto dimension = static_cast<Dimension>(i);
     if (dimension == Dimension::kStature || dimension == Dimension::kMass) continue;
     const auto name = mannequin::nameOf(dimension);
-    dimension_->addItem(QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())), static_cast<int>(i));
+    dimension_->addItem(tr(kDimensions[i]), static_cast<int>(i));
+    dimension_->setItemData(dimension_->count() - 1,
+                            QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())), Qt::ToolTipRole);
   }
   dimension_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  dimension_->setMinimumContentsLength(12);
+  dimension_->setMinimumContentsLength(8);
   measure_ = new ValueField({tr("mm"), 0, 10.0, 2300.0, 1.0});
   measure_->setObjectName("fieldMeasure");
   measure_->setToolTip(tr("A person's own measure goes before the most likely one of the survey (ANSUR II)"));
   auto* pair = sideBySide({dimension_, measure_});
+  if (auto* line = qobject_cast<QHBoxLayout*>(pair->layout())) line->setStretch(0, 2);
   addRow(*qobject_cast<QVBoxLayout*>(layout()), tr("Own measure"), pair, 92);
   connect(dimension_, &QComboBox::activated, this, &BodySize::showMeasure);
   connect(measure_, &ValueField::edited, this, [this](double millimetres) {

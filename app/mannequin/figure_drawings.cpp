@@ -11,6 +11,7 @@
 #include "app/host/selection.h"
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/mannequin/mannequin_edits.h"
 #include "app/panels/form.h"
 #include "app/style/units.h"
 #include "app/viewport/viewport_widget.h"
@@ -36,6 +37,16 @@ RenderItem volume(Mesh mesh, const std::array<float, 3>& color) {
   return item;
 }
 
+/// Which feet stand: one that is clearly higher than the other bears nothing.
+std::array<bool, 2> standing(const mannequin::Figure& figure, const mannequin::FigurePose& pose) {
+  constexpr double kLifted = 0.01;  // m
+  std::array<double, 2> height{};
+  for (const Side side : {Side::kLeft, Side::kRight})
+    height[static_cast<std::size_t>(side)] = (mannequin::footPose(pose, side) * dvec3(0.0, 0.0, figure.sole.z)).z;
+  const double floor = std::min(height[0], height[1]);
+  return {height[0] < floor + kLifted, height[1] < floor + kLifted};
+}
+
 std::array<float, 3> rgb(const QColor& color) {
   return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
 }
@@ -55,7 +66,11 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
   sight_ = new QPushButton(tr("What it sees of it"));
   sight_->setObjectName("buttonSees");
   sight_->setToolTip(tr("Casts rays from its eyes to the part that was chosen last"));
-  column->addWidget(sideBySide({eyes_, sight_}));
+  gaze_ = new QPushButton(tr("Look at it"));
+  gaze_->setObjectName("buttonLookAt");
+  gaze_->setToolTip(tr("Turns its eyes, as far as they go, to the part that was chosen last"));
+  column->addWidget(sideBySide({eyes_, gaze_}));
+  column->addWidget(sight_);
   seen_ = makeLabel({}, TextRole::kSecond);
   seen_->setObjectName("labelSees");
   seen_->setWordWrap(true);
@@ -64,6 +79,7 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
   rests_.setInterval(kRestMilliseconds);
   connect(&rests_, &QTimer::timeout, this, &FigureDrawings::askReach);
   connect(eyes_, &QPushButton::clicked, this, &FigureDrawings::lookThroughEyes);
+  connect(gaze_, &QPushButton::clicked, this, &FigureDrawings::lookAtTarget);
   connect(sight_, &QPushButton::clicked, this, &FigureDrawings::askSight);
 }
 
@@ -98,6 +114,7 @@ void FigureDrawings::showNow() {
   }
   const mannequin::Posture posture = context_.posture();
   const bool same = figure_ == entity->figure && posture.angles == posture_.angles &&
+                    posture.gaze.yaw == posture_.gaze.yaw && posture.gaze.pitch == posture_.gaze.pitch &&
                     posture.X_WR.p == posture_.X_WR.p && posture.X_WR.q == posture_.X_WR.q;
   if (same) return;
   figure_ = entity->figure;
@@ -141,8 +158,8 @@ void FigureDrawings::drawVolumes() {
 void FigureDrawings::drawBalance() {
   const auto pose = mannequin::forwardKinematics(*figure_, posture_);
   const dvec3 com = mannequin::centerOfMass(*figure_, pose);
-  const auto support =
-      mannequin::supportPolygon(*figure_, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
+  const auto support = mannequin::supportPolygon(
+      *figure_, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]}, standing(*figure_, pose));
   const double margin = support.margin(glm::dvec2(com));
   balance_->setText(margin >= 0.0 ? tr("Balance: %1 inside the soles").arg(lengthText(margin, 0))
                                   : tr("Out of balance by %1").arg(lengthText(-margin, 0)));
@@ -204,6 +221,20 @@ void FigureDrawings::lookThroughEyes() {
   Camera camera = viewport.camera().looking(eyes.p + kBefore * forward, eyes.p + kAhead * forward);
   camera.perspective = true;
   viewport.setCamera(camera);
+}
+
+void FigureDrawings::lookAtTarget() {
+  const workcell::Entity* entity = context_.entity();
+  const workcell::Entity* target = context_.target();
+  if (!entity || !context_.isFree()) return;
+  if (!target) return seen_->setText(tr("Click a part first, then ask."));
+  mannequin::Posture posture = postureOf(*entity);
+  const geometry::Bounds bounds = context_.host().viewport().scene().boundsOf_W(target->id);
+  const dvec3 where = bounds.isEmpty() ? target->X_WE.p : bounds.center();
+  const auto pose = mannequin::forwardKinematics(*entity->figure, posture);
+  posture.gaze = mannequin::gazeAt(*entity->figure, pose, where);
+  context_.host().documentModel().executeAll(tr("Gaze of %1").arg(QString::fromStdString(entity->name)),
+                                             {postureCommand(*entity, posture)});
 }
 
 void FigureDrawings::askSight() {

@@ -37,10 +37,11 @@ class FigureDrawings : public QWidget {
   void askReach();
   void askSight();
   void lookThroughEyes();
+  void lookAtTarget();
   bool isOn(Kind kind) const;
   MannequinContext& context_;
   std::array<QCheckBox*, kKinds> switches_{};
-  QPushButton *eyes_, *sight_;
+  QPushButton *eyes_, *sight_, *gaze_;
   QLabel *balance_, *seen_;
   mannequin::Posture posture_;
   std::shared_ptr<const mannequin::Figure> figure_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mannequin/figure_skins.h"
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "app/host/host.h"
 #include "app/mannequin/beside.h"
@@ -12,9 +14,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kRestMilliseconds = 500;              // Then it is dressed.
-constexpr int kShownMilliseconds = 1000;            // That its meshes may take to the graphics card.
-constexpr double kCell = 0.010, kHandCell = 0.004;  // m
+constexpr int kRestMilliseconds = 500;                                  // Then it is dressed.
+constexpr double kCell = 0.010, kHandCell = 0.004, kHeadCell = 0.0045;  // m
 
 }  // namespace
 
@@ -23,19 +24,29 @@ SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<doub
   skin.robot = entity.robot;
   skin.joints = joints;
   const mannequin::Posture posture = mannequin::toPosture(*entity.figure, {Pose::identity(), joints});
-  const auto show = [&](mannequin::SkinPart part) {
+  // What has one colour is one part: between two of them a line would be seen.
+  std::vector<mannequin::SkinPart> parts;
+  const auto add = [&](std::vector<mannequin::SkinPart> more) {
+    for (mannequin::SkinPart& part : more) {
+      const auto known = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.color == part.color; });
+      if (known == parts.end())
+        parts.push_back(std::move(part));
+      else
+        geometry::append(known->mesh, part.mesh, Pose::identity());
+    }
+  };
+  using Region = mannequin::SkinRegion;
+  for (const auto& [cell, region] :
+       {std::pair{kCell, Region::kBody}, {kHandCell, Region::kHands}, {kHeadCell, Region::kHead}})
+    add(mannequin::skinParts(*entity.figure, posture, cell, region));
+  add(mannequin::faceParts(*entity.figure, posture));
+  for (mannequin::SkinPart& part : parts) {
     RenderItem item;
     item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
     item.color = part.color;
     item.smooth = true;
     skin.parts.push_back(std::move(item));
-  };
-  const auto add = [&](double cell, mannequin::SkinRegion region) {
-    for (mannequin::SkinPart& part : mannequin::skinParts(*entity.figure, posture, cell, region)) show(std::move(part));
-  };
-  show(mannequin::hairPart(*entity.figure, posture));
-  add(kCell, mannequin::SkinRegion::kBody);
-  add(kHandCell, mannequin::SkinRegion::kHands);
+  }
   return skin;
 }
 
@@ -55,7 +66,7 @@ void FigureSkins::look() {
       dressed.since.start();
     } else if (dressed.state == Dressed::State::kMoves && dressed.since.elapsed() > kRestMilliseconds) {
       ask(entity, dressed);
-    } else if (dressed.state == Dressed::State::kReady && dressed.since.elapsed() > kShownMilliseconds) {
+    } else if (dressed.state == Dressed::State::kReady && host_.viewport().isFinished()) {
       dressed.state = Dressed::State::kAlone;
       scene.showSkinAlone(entity.id);
       host_.viewport().refresh();
@@ -74,7 +85,6 @@ void FigureSkins::ask(const workcell::Entity& entity, Dressed& dressed) {
         const auto found = dressed_.find(id);
         if (found == dressed_.end() || found->second.joints != skin.joints || found->second.figure != figure) return;
         found->second.state = Dressed::State::kReady;
-        found->second.since.start();
         host_.viewport().scene().setSkin(id, std::move(skin));
         host_.viewport().refresh();
       });

@@ -33,6 +33,8 @@ constexpr std::array<Part, 6> kParts{{{QT_TR_NOOP("Trunk"), Dof::kVl5Flexion, 9}
                                       {QT_TR_NOOP("Left leg"), Dof::kLeftHipFlexion, 7},
                                       {QT_TR_NOOP("Right leg"), Dof::kRightHipFlexion, 7}}};
 
+constexpr Dof kNeck = Dof::kVc7Flexion;
+
 QString shownName(Dof dof) {
   QString name = QString::fromLatin1(mannequin::dofInfo(dof).name);
   if (name.startsWith("l_") || name.startsWith("r_")) name.remove(0, 2);
@@ -53,7 +55,7 @@ JointList::JointList(MannequinContext& context, QWidget* parent) : QWidget(paren
   for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {
     const Dof dof = static_cast<Dof>(i);
     const auto& info = mannequin::dofInfo(dof);
-    auto* row = new JointRow({shownName(dof), tr("°"), kDegrees * info.lower, kDegrees * info.upper});
+    JointRow* row = addRow(shownName(dof), kDegrees * info.lower, kDegrees * info.upper);
     row->setObjectName(QStringLiteral("joint_") + QString::fromLatin1(info.name));
     row->setToolTip(tr("%1: %2° to %3°, comfortable %4° to %5°")
                         .arg(QString::fromLatin1(info.name))
@@ -61,22 +63,43 @@ JointList::JointList(MannequinContext& context, QWidget* parent) : QWidget(paren
                         .arg(kDegrees * info.upper, 0, 'f', 0)
                         .arg(kDegrees * info.comfort_lower, 0, 'f', 0)
                         .arg(kDegrees * info.comfort_upper, 0, 'f', 0));
-    connect(row, &JointRow::began, this, [this] {
-      if (context_.entity())
-        context_.host().documentModel().beginStep(
-            tr("Move joints of %1").arg(QString::fromStdString(context_.entity()->name)));
-    });
     connect(row, &JointRow::moved, this, [this, dof](double value) { moveTo(dof, value / kDegrees); });
-    connect(row, &JointRow::ended, this, [this](bool keep) {
-      DocumentModel& document = context_.host().documentModel();
-      keep ? document.endStep() : document.cancelStep();
-    });
-    rows->addWidget(row);
     rows_.push_back({dof, row});
   }
+  const double aside = kDegrees * mannequin::kGazeYawLimit;
+  gaze_ = {addRow(tr("gaze to the left"), -aside, aside),
+           addRow(tr("gaze down"), -kDegrees * mannequin::kGazeUpLimit, kDegrees * mannequin::kGazeDownLimit)};
+  gaze_[0]->setObjectName("joint_gaze_yaw");
+  gaze_[1]->setObjectName("joint_gaze_pitch");
+  for (const bool to_side : {true, false})
+    connect(gaze_[to_side ? 0 : 1], &JointRow::moved, this,
+            [this, to_side](double value) { look(value / kDegrees, to_side); });
   connect(part_, &QComboBox::activated, this, &JointList::showPart);
   part_->setCurrentIndex(3);
   showPart(3);
+}
+
+JointRow* JointList::addRow(const QString& name, double lower, double upper) {
+  auto* row = new JointRow({name, tr("°"), lower, upper});
+  connect(row, &JointRow::began, this, [this] {
+    if (context_.entity())
+      context_.host().documentModel().beginStep(
+          tr("Move joints of %1").arg(QString::fromStdString(context_.entity()->name)));
+  });
+  connect(row, &JointRow::ended, this, [this](bool keep) {
+    DocumentModel& document = context_.host().documentModel();
+    keep ? document.endStep() : document.cancelStep();
+  });
+  layout()->addWidget(row);
+  return row;
+}
+
+void JointList::look(double radians, bool aside) {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || !context_.isFree()) return;
+  mannequin::Posture posture = postureOf(*entity);
+  (aside ? posture.gaze.yaw : posture.gaze.pitch) = radians;
+  context_.host().documentModel().execute(postureCommand(*entity, posture));
 }
 
 void JointList::showPart(int part) {
@@ -85,6 +108,7 @@ void JointList::showPart(int part) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i].row->setVisible(i >= first && i < first + static_cast<std::size_t>(chosen.count));
   }
+  for (JointRow* row : gaze_) row->setVisible(chosen.first == kNeck);
 }
 
 void JointList::moveTo(Dof dof, double radians) {
@@ -117,6 +141,9 @@ void JointList::showNow() {
   for (const Row& row : rows_) {
     if (!row.row->isDragged()) row.row->setValue(kDegrees * posture[row.dof]);
   }
+  const std::array<double, 2> gaze{posture.gaze.yaw, posture.gaze.pitch};
+  for (std::size_t i = 0; i < gaze_.size(); ++i)
+    if (!gaze_[i]->isDragged()) gaze_[i]->setValue(kDegrees * gaze[i]);
 }
 
 }  // namespace hapticell::app

@@ -14,8 +14,8 @@ namespace hapticell::app {
 class JointRow;
 class MannequinContext;
 
-/// All 56 joints of the mannequin with their limits, by part of the body: a drag of a row is one step of undo. What
-/// limits of shoulders and hips hold together (the coupled ones) stops a row too.
+/// All 56 joints of the mannequin and its gaze with their limits, by part of the body: a drag of a row is one step of
+/// undo. What limits of shoulders and hips hold together (the coupled ones) stops a row too.
 class JointList : public QWidget {
   Q_OBJECT
  public:
@@ -24,7 +24,9 @@ class JointList : public QWidget {
 
  private:
   void showPart(int part);
+  JointRow* addRow(const QString& name, double lower, double upper);
   void moveTo(mannequin::Dof dof, double radians);
+  void look(double radians, bool aside);
   MannequinContext& context_;
   QComboBox* part_;
   struct Row {
@@ -32,6 +34,7 @@ class JointList : public QWidget {
     JointRow* row;
   };
   std::vector<Row> rows_;
+  std::array<JointRow*, 2> gaze_{};  ///< To the side, down.
 };
 
 }  // namespace hapticell::app

@@ -25,6 +25,7 @@
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
+#include "app/panels/form.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
 
@@ -32,18 +33,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRefreshMilliseconds = 100;
-constexpr int kDockWidth = 332;
-
-QScrollArea* scrolled(QWidget* content) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(kDockWidth);
-  scroll->setWidget(content);
-  return scroll;
-}
-
 /// What of the window is the mannequin's; owned by the window.
 class MannequinDocks : public QObject {
  public:
@@ -52,7 +41,7 @@ class MannequinDocks : public QObject {
     panel_ = new MannequinPanel(context_, drag_);
     drawings_ = new FigureDrawings(context_);
     panel_->drawings().addWidget(drawings_);
-    dock_ = makeDock("dockMannequin", tr("Mannequin"), scrolled(panel_));
+    dock_ = makeDock("dockMannequin", tr("Mannequin"), scrolledPanel(panel_));
     host_.addDock(dock_, Qt::RightDockWidgetArea);
     dock_->hide();
     markers_ = makeDock("dockMarkers", tr("Recorded markers"), new MarkerPanel(context_));
@@ -113,6 +102,8 @@ class MannequinDocks : public QObject {
       sizes->addAction(tr(name), this, [this, request = request] { add(request); });
     menu->addSeparator();
     entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] { bringToFront(); });
+    entry("actionOpenPosture", tr("Open a posture…"), {}, [this] { panel_->openPosture(); });
+    entry("actionSavePosture", tr("Save this posture (JSON, H-Anim X3D, BVH)…"), {}, [this] { panel_->savePosture(); });
     entry("actionMarkers", tr("Recorded markers (C3D)…"), {}, [this] {
       markers_->show();
       markers_->raise();

@@ -219,7 +219,10 @@ void MannequinPanel::addPostures(QVBoxLayout& column) {
   mirror_->setObjectName("buttonMirror");
   swap_ = new QPushButton(tr("Swap hands"));
   swap_->setObjectName("buttonSwapHands");
-  section->addWidget(sideBySide({postures_, mirror_, swap_}));
+  auto* line = new QHBoxLayout;  // Each as wide as its words: three of the widest are wider than the dock.
+  line->setSpacing(6);
+  for (QPushButton* button : {postures_, mirror_, swap_}) line->addWidget(button, 1);
+  section->addLayout(line);
   connect(postures_, &QPushButton::clicked, this, [this] { openPostureMenu(); });
   const auto change = [this](const QString& text, auto&& edit) {
     const workcell::Entity* entity = context_.entity();

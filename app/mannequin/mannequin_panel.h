@@ -33,8 +33,13 @@ class MannequinPanel : public QWidget {
   void showNow();
   /// The section that the drawings put their switches into.
   QVBoxLayout& drawings() { return *drawings_; }
+  /// Asks for a file, beginning with the user's own postures.
+  void openPosture();
+  void savePosture();
   /// Takes a posture of a file; what is wrong with it stands in the messages.
   bool openPostureFile(const QString& path);
+  /// Where the user's own postures are: those there stand in the menu.
+  static QString postureFolder();
   /// By its ending: .json, .x3d (H-Anim) or .bvh (one frame).
   bool savePostureFile(const QString& path);
 
@@ -58,8 +63,6 @@ class MannequinPanel : public QWidget {
   void setLock(int which, bool on);
   void takePosture(const QString& name);
   void openPostureMenu();
-  void openPosture();
-  void savePosture();
   void setGrasp(int index);
   void setCurl(int degrees);
   void carry();

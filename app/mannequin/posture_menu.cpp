@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's menu of postures: the library, and files.
+#include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QMenu>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <fstream>
+#include <map>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -16,19 +20,55 @@
 
 namespace hapticell::app {
 
+namespace {
+
+/// The words of the built-in postures.
+const std::map<std::string, const char*> kNames{
+    {"zero", QT_TRANSLATE_NOOP("PostureNames", "Zero")},
+    {"standing", QT_TRANSLATE_NOOP("PostureNames", "Standing")},
+    {"t_pose", QT_TRANSLATE_NOOP("PostureNames", "Arms to the sides")},
+    {"seated", QT_TRANSLATE_NOOP("PostureNames", "Seated")},
+    {"typing", QT_TRANSLATE_NOOP("PostureNames", "Typing")},
+    {"overhead", QT_TRANSLATE_NOOP("PostureNames", "Overhead")},
+    {"reaching", QT_TRANSLATE_NOOP("PostureNames", "Reaching")},
+    {"both_hands_forward", QT_TRANSLATE_NOOP("PostureNames", "Both hands forward")},
+    {"pushing", QT_TRANSLATE_NOOP("PostureNames", "Pushing")},
+    {"stooping", QT_TRANSLATE_NOOP("PostureNames", "Stooping")},
+    {"squatting", QT_TRANSLATE_NOOP("PostureNames", "Squatting")},
+    {"kneeling", QT_TRANSLATE_NOOP("PostureNames", "Kneeling")},
+    {"kneeling_one", QT_TRANSLATE_NOOP("PostureNames", "Kneeling on one knee")},
+    {"lying", QT_TRANSLATE_NOOP("PostureNames", "Lying")}};
+
+QString shownName(const std::string& posture) {
+  const auto known = kNames.find(posture);
+  return known == kNames.end() ? QString::fromStdString(posture)
+                               : QCoreApplication::translate("PostureNames", known->second);
+}
+
+}  // namespace
+
+QString MannequinPanel::postureFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/postures");
+}
+
 void MannequinPanel::openPostureMenu() {
   auto* menu = new QMenu(postures_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const mannequin::LibraryPosture& posture : mannequin::postureLibrary()) {
-    QString name = QString::fromStdString(posture.name);
-    QString shown = QString(name).replace('_', ' ');
-    shown[0] = shown[0].toUpper();
-    QAction* action = menu->addAction(shown, this, [this, name] { takePosture(name); });
+    const QString name = QString::fromStdString(posture.name);
+    QAction* action = menu->addAction(shownName(posture.name), this, [this, name] { takePosture(name); });
     action->setObjectName("posture_" + name);
   }
+  const QFileInfoList own = QDir(postureFolder()).entryInfoList({"*.json"}, QDir::Files, QDir::Name);
+  if (!own.isEmpty()) menu->addSection(tr("Own postures"));
+  for (const QFileInfo& file : own) {
+    const QString path = file.absoluteFilePath();
+    QAction* action = menu->addAction(file.completeBaseName(), this, [this, path] { openPostureFile(path); });
+    action->setObjectName("own_posture_" + file.completeBaseName());
+  }
   menu->addSeparator();
-  menu->addAction(tr("Open a posture…"), this, [this] { openPosture(); });
-  menu->addAction(tr("Save this posture…"), this, [this] { savePosture(); });
+  menu->addAction(tr("Open a posture…"), this, &MannequinPanel::openPosture);
+  menu->addAction(tr("Save this posture…"), this, &MannequinPanel::savePosture)->setObjectName("savePosture");
   menu->popup(postures_->mapToGlobal(QPoint(0, postures_->height())));
 }
 
@@ -36,13 +76,13 @@ void MannequinPanel::takePosture(const QString& name) {
   const workcell::Entity* entity = context_.entity();
   if (!entity || !context_.isFree()) return;
   if (const auto posture = libraryPostureAt(*entity, name.toStdString()))
-    context_.host().documentModel().executeAll(tr("Posture %1").arg(QString(name).replace('_', ' ')),
+    context_.host().documentModel().executeAll(tr("Posture %1").arg(shownName(name.toStdString())),
                                                {postureCommand(*entity, *posture)});
 }
 
 void MannequinPanel::openPosture() {
   const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open a posture"), {}, tr("Postures (*.json);;All files (*)"));
+      QFileDialog::getOpenFileName(this, tr("Open a posture"), postureFolder(), tr("Postures (*.json);;All files (*)"));
   if (!path.isEmpty()) openPostureFile(path);
 }
 
@@ -63,8 +103,9 @@ bool MannequinPanel::openPostureFile(const QString& path) {
 
 void MannequinPanel::savePosture() {
   if (!context_.entity()) return;
+  QDir().mkpath(postureFolder());  // What is saved there stands in the menu.
   const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save this posture"), "posture.json",
+      QFileDialog::getSaveFileName(this, tr("Save this posture"), postureFolder() + "/posture.json",
                                    tr("Postures (*.json);;H-Anim figures (*.x3d);;Motions of one frame (*.bvh)"));
   if (!path.isEmpty()) savePostureFile(path);
 }

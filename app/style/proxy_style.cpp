@@ -8,9 +8,10 @@
 #include <QListView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
-#include <QLineEdit>
+#include <QEvent>
 #include <QMenu>
 #include <QScrollBar>
+#include <QSlider>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QTabBar>
@@ -44,8 +45,16 @@ void ProxyStyle::polish(QWidget* widget) {
   if (qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) || qobject_cast<QScrollBar*>(widget) ||
       qobject_cast<QTabBar*>(widget))
     widget->setAttribute(Qt::WA_Hover);
+  if (qobject_cast<QSlider*>(widget) || qobject_cast<QComboBox*>(widget)) widget->installEventFilter(this);
   // Above the words of its column, where the model does not say otherwise.
   if (auto* header = qobject_cast<QHeaderView*>(widget)) header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+bool ProxyStyle::eventFilter(QObject* watched, QEvent* event) {
+  const auto* widget = qobject_cast<const QWidget*>(watched);
+  if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QProxyStyle::eventFilter(watched, event);
+  event->ignore();  // What holds it gets it.
+  return true;
 }
 
 int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {

@@ -14,6 +14,8 @@ class ProxyStyle : public QProxyStyle {
 
   void polish(QWidget* widget) override;
   using QProxyStyle::polish;
+  /// The wheel scrolls the panel that a slider or a choice is in: it sets them only where they have the focus.
+  bool eventFilter(QObject* watched, QEvent* event) override;
   int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override;

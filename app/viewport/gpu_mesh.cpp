@@ -164,7 +164,17 @@ void GpuMeshCache::collect() {
   spending_.invalidate();
   all_now_ = false;
   if (std::exchange(left_over_, false)) on_ready_();
-  std::erase_if(entries_, [](const auto& entry) { return !entry.second.used || entry.second.source.expired(); });
+  std::erase_if(entries_, [](const auto& known) {
+    const Entry& entry = known.second;
+    return entry.source.expired() || (!entry.used && entry.prepared);
+  });
+  // What was not drawn may be again with the next motion, as links behind a skin; large things are not kept for it.
+  std::size_t spare = 0;
+  for (const auto& [address, entry] : entries_) {
+    const auto source = entry.source.lock();
+    if (source && !entry.used) spare += source->triangles.size();
+  }
+  if (spare > kMostSpareTriangles) std::erase_if(entries_, [](const auto& entry) { return !entry.second.used; });
   for (auto& entry : entries_) entry.second.used = false;
 }
 

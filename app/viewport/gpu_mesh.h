@@ -76,7 +76,7 @@ class GpuMeshCache {
   GpuMesh* of(const RenderItem& item);
   /// From -0.5 to 0.5 on each axis.
   GpuMesh& unitBox();
-  /// Frees what was not asked for since the last call.
+  /// Frees what is no more, and what was not asked for since the last call where that is much.
   void collect();
   /// How many are being made ready.
   std::size_t pending() const;
@@ -94,6 +94,7 @@ class GpuMeshCache {
     std::shared_ptr<PreparedMesh> prepared;
     bool used = true;
   };
+  static constexpr std::size_t kMostSpareTriangles = 200'000;
   bool hasTime();
   std::unique_ptr<GpuMesh> wholeMesh(const DisplayMesh& mesh);
   Gl& gl_;

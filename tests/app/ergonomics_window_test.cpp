@@ -13,6 +13,7 @@
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "geometry/shapes.h"
+#include "mannequin/motion_clip.h"
 #include "mannequin/motion_writer.h"
 #include "tests/app/mannequin_page.h"
 #include "tests/support/test_data.h"
@@ -137,6 +138,33 @@ TEST(TimeDock, ScoresAMotionAndTakesAFrame) {
     EXPECT_TRUE(page.clickForStep("buttonTakeFrame"));
   }
   std::filesystem::remove(file);
+}
+
+TEST(TimeDock, SaysWhatIsBeyondALimitAndSavesTheMotionAsItIsOnTheFigure) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.bringDock("actionErgonomicsTime");
+  const auto figure = *mannequin::makeFigure({});
+  auto posture = *mannequin::libraryPosture(figure, "standing");
+  posture[mannequin::Dof::kLeftElbowFlexion] = 0.2;
+  auto beyond = posture;
+  beyond[mannequin::Dof::kLeftWristFlexion] = 2.0;
+  const auto folder = std::filesystem::temp_directory_path() / "hapticell_motion_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "in.bvh") << mannequin::bvhText(figure, std::vector{posture, beyond, beyond}, 0.1);
+  auto* panel = page.window().findChild<TimePanel*>();
+  panel->open(QString::fromStdString((folder / "in.bvh").string()));
+  ASSERT_TRUE(
+      page.until([&] { return page.find<QPushButton>("buttonSaveMotion")->isEnabled(); }, ErgonomicsPage::kPatience));
+  EXPECT_TRUE(page.words("labelBeyondLimits").contains("l_wrist_flexion in 2 frames")) << page.words("labelBeyondLimits").toStdString();
+  const auto out = folder / "out.bvh";
+  ASSERT_TRUE(panel->saveMotion(QString::fromStdString(out.string())));
+  const auto clip = mannequin::readMotionFile(out);
+  ASSERT_TRUE(clip);
+  EXPECT_EQ(clip->frames.size(), 3u);
+  EXPECT_NEAR(clip->frame_time, 0.1, 1e-6);
+  EXPECT_FALSE(panel->saveMotion("/nowhere/out.bvh"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {

@@ -2,10 +2,16 @@
 // The mannequin's dock in the whole window under a virtual display: real clicks, through MannequinPage.
 #include <gtest/gtest.h>
 
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QWheelEvent>
 #include <cmath>
 #include <filesystem>
 
 #include "app/host/hold_choice.h"
+#include "app/host/selection.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
@@ -79,6 +85,25 @@ TEST(MannequinDock, SizeIsChosenTypedAndUndone) {
   EXPECT_NEAR(page.stature(), before, 1e-9);
 }
 
+TEST(MannequinDock, TheWheelScrollsThePanelAndSetsNothing) {
+  MannequinPage page;
+  ASSERT_TRUE(page.addMannequin());
+  const auto turn = [&](QWidget* widget) {
+    const QPointF middle = widget->rect().center();
+    QWheelEvent event(middle, widget->mapToGlobal(middle), {}, QPoint(0, -120), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+    MannequinPage::settle();
+  };
+  auto* percentile = page.find<QSlider>("sliderPercentile");
+  auto* measure = page.find<QComboBox>("comboMeasure");
+  const int before = percentile->value(), chosen = measure->currentIndex();
+  turn(percentile);
+  turn(measure);
+  EXPECT_EQ(percentile->value(), before);
+  EXPECT_EQ(measure->currentIndex(), chosen);
+}
+
 TEST(MannequinDock, PosturesOfTheLibraryMirrorAndSwap) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
@@ -88,6 +113,64 @@ TEST(MannequinDock, PosturesOfTheLibraryMirrorAndSwap) {
   EXPECT_NEAR(page.posture()[Dof::kLeftElbowFlexion], reaching[Dof::kRightElbowFlexion], 1e-9);
   ASSERT_TRUE(page.clickForStep("buttonMirror"));
   EXPECT_NEAR(page.posture()[Dof::kRightElbowFlexion], reaching[Dof::kRightElbowFlexion], 1e-9);
+}
+
+TEST(MannequinDock, NothingOfItIsCutOffBesideAScrollBar) {
+  MannequinPage page;
+  ASSERT_TRUE(page.addMannequin());
+  const auto* panel = page.window().findChild<MannequinPanel*>();
+  ASSERT_NE(panel, nullptr);
+  constexpr int kDock = 344, kScrollBar = 12;
+  std::string widest;
+  for (const QWidget* child : panel->findChildren<QWidget*>())
+    if (child->minimumSizeHint().width() > 250)
+      widest += child->objectName().toStdString() + ' ' + std::to_string(child->minimumSizeHint().width()) + ", ";
+  EXPECT_LE(panel->minimumSizeHint().width(), kDock - kScrollBar) << widest;
+}
+
+TEST(MannequinDock, TheUsersOwnPosturesStandInTheMenu) {
+  QStandardPaths::setTestModeEnabled(true);
+  MannequinPage page;
+  ASSERT_TRUE(page.addMannequin());
+  auto* panel = page.window().findChild<MannequinPanel*>();
+  ASSERT_NE(panel, nullptr);
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_overhead"));
+  const mannequin::Posture overhead = page.posture();
+  ASSERT_TRUE(QDir().mkpath(MannequinPanel::postureFolder()));
+  const QString file = MannequinPanel::postureFolder() + "/above_the_shelf.json";
+  ASSERT_TRUE(panel->savePostureFile(file));
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_standing"));
+  ASSERT_TRUE(page.choose("buttonPostures", "own_posture_above_the_shelf"));
+  for (std::size_t i = 0; i < mannequin::kDofCount; ++i)
+    EXPECT_NEAR(page.posture().angles[i], overhead.angles[i], 1e-9) << i;
+  QFile::remove(file);
+  QStandardPaths::setTestModeEnabled(false);
+}
+
+TEST(MannequinDock, TheEyesLookWhereTheyAreTurned) {
+  MannequinPage page;
+  const auto bench = page.add(table());
+  ASSERT_TRUE(page.addMannequin());
+  const auto mannequin = page.window().selection().current();
+  auto* row = page.find<JointRow>("joint_gaze_yaw");
+  auto* part = page.find<QComboBox>("comboBodyPart");
+  part->setCurrentIndex(1);
+  emit part->activated(1);
+  MannequinPage::settle();
+  ASSERT_TRUE(row->isVisible());
+  const std::size_t before = page.steps();
+  QTest::mousePress(row, Qt::LeftButton, Qt::NoModifier, QPoint(row->pixelOf(0), row->height() / 2));
+  QTest::mouseMove(row, QPoint(row->pixelOf(20), row->height() / 2));
+  QTest::mouseRelease(row, Qt::LeftButton, Qt::NoModifier, QPoint(row->pixelOf(20), row->height() / 2));
+  EXPECT_EQ(page.steps(), before + 1);
+  EXPECT_NEAR(page.posture().gaze.yaw, 20.0 * M_PI / 180.0, 0.02);
+  page.window().selection().set(bench);  // What it is to look at.
+  MannequinPage::settle();
+  page.window().selection().set(mannequin);
+  ASSERT_TRUE(page.clickForStep("buttonLookAt"));
+  EXPECT_GT(page.posture().gaze.pitch, 0.3) << "down to the bench";
+  page.trigger("actionUndo");
+  EXPECT_NEAR(page.posture().gaze.yaw, 20.0 * M_PI / 180.0, 0.02);
 }
 
 TEST(MannequinDock, PostureFilesComeBackAndBadOnesChangeNothing) {
@@ -206,10 +289,10 @@ TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
   const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
-  ASSERT_TRUE(page.until([&] { return drawn() == 6; }, 3 * MannequinPage::kPatience))
-      << "trousers, shirt, skin, shoes, hair and hands: " << drawn();
+  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 6 * MannequinPage::kPatience))
+      << "trousers, shirt, skin, shoes, hair, lips, whites, irises and pupils: " << drawn();
   ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
-  ASSERT_TRUE(page.until([&] { return drawn() == 6; }, 3 * MannequinPage::kPatience))
+  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 6 * MannequinPage::kPatience))
       << "and again in the next posture";
 }
 

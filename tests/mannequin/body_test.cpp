@@ -7,8 +7,11 @@
 #include <random>
 
 #include "geometry/mass_properties.h"
+#include "mannequin/face_shape.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/hand_differential.h"
+#include "mannequin/head_flesh.h"
+#include "mannequin/vision.h"
 #include "random_postures.h"
 
 namespace hapticell::mannequin {
@@ -116,10 +119,11 @@ TEST(Body, AStraightLegDoesNotSwellAtTheKnee) {
 TEST(FigureModel, StandsAsTheFigureDoes) {
   const Figure figure = *makeFigure({Sex::kMale, 1.755});
   const auto model = figureModel(figure);
-  EXPECT_EQ(model->dof(), 56u);
+  EXPECT_EQ(model->dof(), kModelVariables) << "56 and the gaze";
   std::mt19937_64 random(13);
   for (int n = 0; n < 20; ++n) {
-    const Posture posture = randomPosture(random);
+    Posture posture = randomPosture(random);
+    posture.gaze = {0.01 * n, -0.005 * n};
     const ModelConfiguration configuration = toModel(figure, posture);
     std::vector<Pose> X_EL;
     kinematics::forwardKinematics(*model, configuration.joints, X_EL);
@@ -141,8 +145,50 @@ TEST(FigureModel, StandsAsTheFigureDoes) {
     }
     const Posture again = toPosture(figure, configuration);
     EXPECT_EQ(again.angles, posture.angles);
+    EXPECT_EQ(again.gaze.yaw, posture.gaze.yaw);
+    EXPECT_EQ(again.gaze.pitch, posture.gaze.pitch);
+    for (const char* name : {"l_eyeball", "r_eyeball"}) {
+      const Pose eye = configuration.X_WE * X_EL[static_cast<std::size_t>(model->findLink(name))];
+      const dvec3 looks = eyePose(figure, pose, posture.gaze).rotate({0.0, 0.0, -1.0});
+      EXPECT_LT(glm::length(eye.rotate({1.0, 0.0, 0.0}) - looks), 1e-9) << name;
+    }
     EXPECT_LT(glm::length(again.X_WR.p - posture.X_WR.p), 1e-12);
   }
+}
+
+TEST(Face, EyesSitInTheirSocketsAndAreSeenFromAhead) {
+  for (const Sex sex : {Sex::kMale, Sex::kFemale}) {
+    for (const double stature : {1.45, 1.7, 1.95}) {
+      const Figure figure = *makeFigure({sex, stature});
+      const Flesh head = headFlesh(figure);
+      double radius = 0.0;
+      for (const dvec3& v : eyePieces(figure)[0].mesh.vertices) radius = std::max(radius, glm::length(v));
+      EXPECT_NEAR(radius, 0.012, 0.002) << "an eye is 24 mm wide";
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const dvec3 eye = eyeCentre(figure, side);
+        EXPECT_LT(head.distance(eye), 0.5 * radius) << "in the head";
+        EXPECT_GT(head.distance(eye + radius * dvec3(1.0, 0.0, 0.0)), 0.0) << "its front is free";
+        EXPECT_LT(head.distance(eye - radius * dvec3(1.0, 0.0, 0.0)), 0.0) << "its back is not";
+      }
+      const dvec3 between = 0.5 * (eyeCentre(figure, Side::kLeft) + eyeCentre(figure, Side::kRight));
+      EXPECT_NEAR(between.z, figure.p_HeadEyes.z, 1e-9) << "at the height that is measured";
+    }
+  }
+}
+
+TEST(Face, IrisesAreSeenWhereTheGazeGoes) {
+  const Figure figure = *makeFigure({Sex::kMale, 1.755});
+  Posture posture = *libraryPosture(figure, "standing");
+  const auto irises = [&] {
+    const auto parts = faceParts(figure, posture);
+    EXPECT_EQ(parts.size(), 6u) << "hair, lids, lips, whites, irises, pupils";
+    return parts.back().mesh.bounds().center();
+  };
+  const dvec3 ahead = irises();
+  posture.gaze = {0.3, 0.2};
+  const dvec3 aside = irises();
+  EXPECT_GT(aside.y, ahead.y + 0.002) << "to the left";
+  EXPECT_LT(aside.z, ahead.z - 0.001) << "and down";
 }
 
 TEST(Hands, GraspsKeepTheLimitsAndCloseTheFingers) {

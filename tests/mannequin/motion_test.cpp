@@ -191,6 +191,24 @@ TEST(MotionWriter, WhatIsWrittenAsBvhIsReadBackWithEveryJointInPlace) {
   }
 }
 
+TEST(MotionWriter, WhatIsWrittenComesBackWithItsHands) {
+  const Figure figure = *makeFigure({Sex::kMale, 1.755});
+  for (const char* name : {"standing", "both_hands_forward", "stooping"}) {
+    const Posture posture = *libraryPosture(figure, name);
+    const auto clip = readBvh(bvhText(figure, std::vector{posture}, 0.1), "written");
+    ASSERT_TRUE(clip);
+    const auto motion = retarget(figure, *clip);
+    ASSERT_TRUE(motion);
+    EXPECT_TRUE(motion->frames_beyond_limit.empty()) << name << ", " << motion->frames_beyond_limit.begin()->first;
+    const FigurePose before = forwardKinematics(figure, posture), after = forwardKinematics(figure, motion->postures[0]);
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      const dmat3 off = glm::transpose(before[armSegment(side, Segment::kLeftHand)].R_WS) *
+                        after[armSegment(side, Segment::kLeftHand)].R_WS;
+      EXPECT_LT(glm::length(rotationVector(glm::quat_cast(off))), 0.02) << name;
+    }
+  }
+}
+
 TEST(MotionWriter, HAnimHasEveryJointOnceWithItsCentre) {
   const Figure figure = *makeFigure({Sex::kFemale, 1.6});
   const std::string text = hanimText(figure, *libraryPosture(figure, "seated"), "worker");

@@ -70,6 +70,10 @@ TEST(Posture, ViolatedLimitsAreNamed) {
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NE(found[0].find("l_elbow_flexion is -5.7 deg, limit 0.0 deg"), std::string::npos) << found[0];
   EXPECT_NE(found[1].find("r_shoulder"), std::string::npos);
+  posture = {};
+  posture.gaze = {0.7, -0.4};
+  EXPECT_EQ(limitViolations(posture), (std::vector<std::string>{"gaze_yaw is 40.1 deg, limit 35.0 deg",
+                                                                "gaze_pitch is -22.9 deg, limit -20.0 deg"}));
 }
 
 TEST(PostureFile, KeepsEveryBit) {
