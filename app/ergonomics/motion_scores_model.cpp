@@ -66,6 +66,13 @@ void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequi
       });
 }
 
+QString MotionScoresModel::mostBeyond() const {
+  if (!motion_ || motion_->beyond.empty()) return {};
+  const auto most = std::max_element(motion_->beyond.begin(), motion_->beyond.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return tr("%1 in %n frames", nullptr, most->second).arg(QString::fromStdString(most->first));
+}
+
 QString MotionScoresModel::beyondLimits() const {
   QStringList said;
   if (motion_)

@@ -33,6 +33,8 @@ class MotionScoresModel : public QObject {
   /// "l_shoulder, internal rotation in 12 frames": limits that the recording goes beyond on this figure; nothing is
   /// clamped. Empty: none.
   QString beyondLimits() const;
+  /// The one of these that lasts longest.
+  QString mostBeyond() const;
   /// Share of the time in the two higher bands.
   double shareAbove(std::size_t body) const;
   /// The first frame of the highest RULA of the own body.

@@ -124,7 +124,8 @@ void TimePanel::showMotion() {
   const bool any = !motion_.isEmpty();
   for (QPushButton* button : {play_, worst_, take_, save_}) button->setEnabled(any);
   const QString beyond = motion_.beyondLimits();
-  beyond_->setText(tr("Beyond a limit of the figure, not clamped: %1.").arg(beyond));
+  beyond_->setText(tr("Beyond limits of the figure, not clamped; longest: %1.").arg(motion_.mostBeyond()));
+  beyond_->setToolTip(beyond);
   beyond_->setVisible(!beyond.isEmpty());
   name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
   at_->setText(any ? QString() : tr("Open a recording (BVH, AMC) to score each of its frames."));

@@ -111,7 +111,7 @@ void Layouts::arrange(const QString& name) {
   if (QDockWidget* beside = find(want.beside)) {
     QDockWidget* first = find(want.right.front());
     const bool is_wide = first && window_.width() >= kWideWindow;
-    if (is_wide) window_.splitDockWidget(first, beside, Qt::Horizontal);
+    if (is_wide) window_.addDockWidget(Qt::RightDockWidgetArea, beside, Qt::Horizontal);
     if (!is_wide && first) window_.tabifyDockWidget(first, beside);
     if (is_wide) window_.resizeDocks({first, beside}, {want.right_width, want.beside_width}, Qt::Horizontal);
   }

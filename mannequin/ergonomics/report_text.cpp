@@ -53,7 +53,7 @@ std::string hex(int band) {
 
 std::string fillOf(int band) {
   if (band < 0) return "#C8CDD3";
-  return "url(#band" + std::to_string(band) + ")";
+  return "url(#band" + std::to_string(band) + ") " + hex(band);  // Plain where patterns are not known.
 }
 
 /// Colour and pattern of the four bands: hatched from 5 on, cross-hatched at 7.
@@ -146,10 +146,22 @@ std::string stripHtml(const ReportBlock::Strip& strip) {
   return text + "</svg></td></tr>";
 }
 
+/// Rows as running text, "name value", what is 0 left out: as on the pages.
+std::string flowHtml(const ReportBlock& block) {
+  std::string text;
+  for (const auto& row : block.rows) {
+    if (row.size() < 2 || row[1].text == "0.0") continue;
+    text += (text.empty() ? "" : ", ") + escaped(row[0].text) + "&nbsp;" + escaped(row[1].text);
+  }
+  return "<p>" + text + "</p>";
+}
+
 std::string blockHtml(const ReportBlock& block) {
   std::string text = "<section><h2>" + escaped(block.heading) + "</h2>";
   for (const std::string& line : block.lines) text += "<p>" + escaped(line) + "</p>";
-  if (!block.rows.empty()) {
+  if (block.flows) {
+    text += flowHtml(block);
+  } else if (!block.rows.empty()) {
     text += "<table>";
     if (!block.columns.empty()) {
       text += "<tr>";
@@ -182,7 +194,10 @@ constexpr const char* kStyle =
     "table{border-collapse:collapse;width:100%}td,th{text-align:left;padding:.8mm 2mm .8mm 0;border-bottom:.5pt solid "
     "#BCC5CE;vertical-align:top}.strips td{border:0;padding:.6mm 2mm .6mm 0}.strip{width:100%;height:5mm}"
     ".scale{display:flex;justify-content:space-between;color:#45515D}footer{display:flex;gap:12mm;margin-top:16mm}"
-    "footer div{flex:1;border-top:.8pt solid #1A2027;padding-top:1mm}@page{size:A4;margin:14mm}";
+    "footer div{flex:1;border-top:.8pt solid #1A2027;padding-top:1mm}@page{size:A4;margin:12mm}"
+    "@media print{body{font-size:7.5pt;margin:0 auto}h2{font-size:8.5pt;margin:2mm 0 .5mm}td,th{padding:.3mm 2mm .3mm "
+    "0}"
+    ".top{margin-top:2mm}.figure,.scene{width:48mm;max-height:58mm}footer{margin-top:8mm}section{break-inside:avoid}}";
 
 nlohmann::ordered_json jsonOf(const ReportBlock& block) {
   nlohmann::ordered_json json{{"heading", block.heading}};

@@ -45,6 +45,10 @@ TEST(Report, SaysBodyTaskScoresDriversAssumptionsStandardsAndSignature) {
     EXPECT_NE(html.find(word), std::string::npos) << word;
   }
   EXPECT_NE(html.find("&quot;OP30&quot; &lt;cover&gt;"), std::string::npos) << "text is escaped";
+  EXPECT_NE(html.find("url(#band0) #8FB4D6"), std::string::npos) << "a colour where patterns are not known";
+  EXPECT_NE(html.find("@media print"), std::string::npos);
+  EXPECT_EQ(html.find("<td>vl5_flexion"), std::string::npos)
+      << "joint angles are running text, or it takes three pages";
 }
 
 TEST(Report, FrenchHasNoEnglishHeadings) {
