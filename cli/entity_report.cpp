@@ -9,6 +9,7 @@
 #include "cli/result_writer.h"
 #include "geometry/mass_properties.h"
 #include "kinematics/inverse_factory.h"
+#include "mannequin/skeleton.h"
 
 namespace hapticell::cli {
 
@@ -111,7 +112,7 @@ ordered_json robotReport(const workcell::Entity& entity) {
   const bool mannequin = entity.kind == workcell::EntityKind::kMannequin;
   const char* kind = mannequin ? "mannequin" : entity.mechanism ? "mechanism" : "robot";
   ordered_json report = groupReport(entity.name, kind, std::move(links));
-  report["dof"] = robot.dof();
+  report["dof"] = mannequin ? mannequin::kDofCount : robot.dof();  // The gaze is not counted.
   report["joints"] = jointsReport(robot);
   report["inverse_model"] = mannequin ? ordered_json("mannequin") : inverseModelReport(robot, entity.tip_link);
   report["tip_link"] = entity.tip_link;

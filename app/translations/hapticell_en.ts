@@ -9,6 +9,10 @@
         <translation><numerusform>  ·  %n part is made ready</numerusform><numerusform>  ·  %n parts are made ready</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%1 in %n frames</source>
+        <translation><numerusform>%1 in %n frame</numerusform><numerusform>%1 in %n frames</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n are hidden.</source>
         <translation><numerusform>%n is hidden.</numerusform><numerusform>%n are hidden.</numerusform></translation>
     </message>

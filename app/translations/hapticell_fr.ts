@@ -196,6 +196,10 @@
         <source>%1 has changes that are not saved.</source>
         <translation>%1 a des changements non enregistrés.</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 in %n frames</source>
+        <translation><numerusform>%1 sur %n image</numerusform><numerusform>%1 sur %n images</numerusform></translation>
+    </message>
     <message>
         <source>%1 in all</source>
         <translation>%1 au total</translation>
@@ -1105,12 +1109,20 @@
         <translation>Bras</translation>
     </message>
     <message>
+        <source>Arms to the sides</source>
+        <translation>Bras écartés</translation>
+    </message>
+    <message>
         <source>As</source>
         <translation>Comme</translation>
     </message>
     <message>
         <source>As a partner on the other side would do it</source>
         <translation>Comme le ferait un partenaire de l'autre côté</translation>
+    </message>
+    <message>
+        <source>As ghosts at the same task; a column shows its body alone</source>
+        <translation>En fantômes à la même tâche ; une colonne montre son corps seul</translation>
     </message>
     <message>
         <source>As in</source>
@@ -1233,6 +1245,10 @@
         <translation>Commencer par une cellule vide</translation>
     </message>
     <message>
+        <source>Belly depth, sitting</source>
+        <translation>Profondeur du ventre, assis</translation>
+    </message>
+    <message>
         <source>Beside the middle</source>
         <translation>À côté du milieu</translation>
     </message>
@@ -1249,6 +1265,10 @@
         <translation>Entre les endroits désignés</translation>
     </message>
     <message>
+        <source>Beyond limits of the figure, not clamped; longest: %1.</source>
+        <translation>Au-delà de limites de la silhouette, non ramené ; le plus long : %1.</translation>
+    </message>
+    <message>
         <source>Bore</source>
         <translation>Alésage</translation>
     </message>
@@ -1261,12 +1281,20 @@
         <translation>Deux mains</translation>
     </message>
     <message>
+        <source>Both hands forward</source>
+        <translation>Deux mains en avant</translation>
+    </message>
+    <message>
         <source>Bottom</source>
         <translation>Dessous</translation>
     </message>
     <message>
         <source>Brackets in the time bar: what Trim keeps and Delete takes out</source>
         <translation>Crochets dans la barre de temps : ce que Rogner garde et Supprimer retire</translation>
+    </message>
+    <message>
+        <source>Breadth of the pelvis</source>
+        <translation>Largeur du bassin</translation>
     </message>
     <message>
         <source>Bring in as</source>
@@ -1403,6 +1431,10 @@
     <message>
         <source>Checked for contact by</source>
         <translation>Forme de contact</translation>
+    </message>
+    <message>
+        <source>Chest depth</source>
+        <translation>Profondeur du thorax</translation>
     </message>
     <message>
         <source>Choose a kind below, then pick its geometry in the scene</source>
@@ -1841,6 +1873,10 @@
         <translation>Chacune la sienne</translation>
     </message>
     <message>
+        <source>Ear to top of head</source>
+        <translation>Oreille au sommet du crâne</translation>
+    </message>
+    <message>
         <source>Edge</source>
         <translation>Arête</translation>
     </message>
@@ -1985,6 +2021,10 @@
         <translation>Les axes externes suivent</translation>
     </message>
     <message>
+        <source>Eye height, sitting</source>
+        <translation>Hauteur des yeux, assis</translation>
+    </message>
+    <message>
         <source>FANUC (.ls)</source>
         <translation>FANUC (.ls)</translation>
     </message>
@@ -2121,6 +2161,14 @@
         <translation>Suit</translation>
     </message>
     <message>
+        <source>Foot breadth</source>
+        <translation>Largeur du pied</translation>
+    </message>
+    <message>
+        <source>Foot length</source>
+        <translation>Longueur du pied</translation>
+    </message>
+    <message>
         <source>For print, 6000 × 4000…</source>
         <translation>Pour impression, 6000 × 4000…</translation>
     </message>
@@ -2191,6 +2239,10 @@
     <message>
         <source>Forces, N</source>
         <translation>Efforts, N</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Avant-bras</translation>
     </message>
     <message>
         <source>Forget</source>
@@ -2289,6 +2341,10 @@
         <translation>Distance, paire la plus proche</translation>
     </message>
     <message>
+        <source>Gaze of %1</source>
+        <translation>Regard de %1</translation>
+    </message>
+    <message>
         <source>Geometric centre, %1 from own origin</source>
         <translation>Centre géométrique, à %1 de l'origine propre</translation>
     </message>
@@ -2341,8 +2397,16 @@
         <translation>Guides</translation>
     </message>
     <message>
+        <source>Hand breadth</source>
+        <translation>Largeur de la main</translation>
+    </message>
+    <message>
         <source>Hand in the device's workspace</source>
         <translation>Main dans l'espace du périphérique</translation>
+    </message>
+    <message>
+        <source>Hand length</source>
+        <translation>Longueur de la main</translation>
     </message>
     <message>
         <source>Handle at</source>
@@ -2393,12 +2457,60 @@ Licence Apache 2.0</translation>
         <translation>Tête</translation>
     </message>
     <message>
+        <source>Head breadth</source>
+        <translation>Largeur de la tête</translation>
+    </message>
+    <message>
+        <source>Head length</source>
+        <translation>Longueur de la tête</translation>
+    </message>
+    <message>
         <source>Head, gaze</source>
         <translation>Tête, regard</translation>
     </message>
     <message>
+        <source>Heel to ball</source>
+        <translation>Talon à l'avant-pied</translation>
+    </message>
+    <message>
         <source>Height</source>
         <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Height of the ankle</source>
+        <translation>Hauteur de la cheville</translation>
+    </message>
+    <message>
+        <source>Height of the breastbone</source>
+        <translation>Hauteur du sternum</translation>
+    </message>
+    <message>
+        <source>Height of the crotch</source>
+        <translation>Hauteur de l'entrejambe</translation>
+    </message>
+    <message>
+        <source>Height of the hip joint</source>
+        <translation>Hauteur de la hanche</translation>
+    </message>
+    <message>
+        <source>Height of the hip's crest</source>
+        <translation>Hauteur de la crête iliaque</translation>
+    </message>
+    <message>
+        <source>Height of the knee</source>
+        <translation>Hauteur du genou</translation>
+    </message>
+    <message>
+        <source>Height of the neck</source>
+        <translation>Hauteur du cou</translation>
+    </message>
+    <message>
+        <source>Height of the shoulder</source>
+        <translation>Hauteur de l'épaule</translation>
+    </message>
+    <message>
+        <source>Height of the tenth rib</source>
+        <translation>Hauteur de la dixième côte</translation>
     </message>
     <message>
         <source>Height of the work and RULA, four bodies</source>
@@ -2451,6 +2563,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Hinge</source>
         <translation>Charnière</translation>
+    </message>
+    <message>
+        <source>Hip breadth</source>
+        <translation>Largeur des hanches</translation>
     </message>
     <message>
         <source>History</source>
@@ -2697,6 +2813,14 @@ Licence Apache 2.0</translation>
         <translation>Genre</translation>
     </message>
     <message>
+        <source>Kneeling</source>
+        <translation>À genoux</translation>
+    </message>
+    <message>
+        <source>Kneeling on one knee</source>
+        <translation>Sur un genou</translation>
+    </message>
+    <message>
         <source>Known; type another to change it</source>
         <translation>Connu ; tapez-en un autre pour le changer</translation>
     </message>
@@ -2869,6 +2993,10 @@ Licence Apache 2.0</translation>
         <translation>Regarder de nouveau</translation>
     </message>
     <message>
+        <source>Look at it</source>
+        <translation>La regarder</translation>
+    </message>
+    <message>
         <source>Looking at the mesh</source>
         <translation>Examen du maillage</translation>
     </message>
@@ -2895,6 +3023,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Lowering the work by %1</source>
         <translation>En abaissant le travail de %1</translation>
+    </message>
+    <message>
+        <source>Lying</source>
+        <translation>Allongé</translation>
     </message>
     <message>
         <source>Make a fist, every finger joint bent by a right angle.</source>
@@ -2999,6 +3131,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Motions (*.bvh *.amc);;All files (*)</source>
         <translation>Mouvements (*.bvh *.amc);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Motions (*.bvh);;All files (*)</source>
+        <translation>Mouvements (*.bvh);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Motions imported: %1</source>
@@ -3541,6 +3677,10 @@ Licence Apache 2.0</translation>
         <translation>Ouvrir un mouvement enregistré</translation>
     </message>
     <message>
+        <source>Open a recorded motion (BVH, AMC)…</source>
+        <translation>Ouvrir un mouvement enregistré (BVH, AMC)…</translation>
+    </message>
+    <message>
         <source>Open a recording (BVH, AMC) to score each of its frames.</source>
         <translation>Ouvrez un enregistrement (BVH, AMC) pour noter chacune de ses images.</translation>
     </message>
@@ -3629,6 +3769,10 @@ Licence Apache 2.0</translation>
         <translation>Hors d'équilibre de %1</translation>
     </message>
     <message>
+        <source>Overhead</source>
+        <translation>Au-dessus de la tête</translation>
+    </message>
+    <message>
         <source>Own</source>
         <translation>Propre</translation>
     </message>
@@ -3671,6 +3815,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Own origin, as the file has it</source>
         <translation>Origine propre, comme dans le fichier</translation>
+    </message>
+    <message>
+        <source>Own postures</source>
+        <translation>Postures personnelles</translation>
     </message>
     <message>
         <source>P</source>
@@ -3759,6 +3907,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Pairs</source>
         <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Palm length</source>
+        <translation>Longueur de la paume</translation>
     </message>
     <message>
         <source>Panel before</source>
@@ -4049,6 +4201,10 @@ Licence Apache 2.0</translation>
         <translation>Propriétés</translation>
     </message>
     <message>
+        <source>Pushing</source>
+        <translation>En poussant</translation>
+    </message>
+    <message>
         <source>Pushing down, %1 %</source>
         <translation>Poussée vers le bas, %1 %</translation>
     </message>
@@ -4179,6 +4335,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Reached: width %1 %, depth %2 %, height %3 %</source>
         <translation>Atteint : largeur %1 %, profondeur %2 %, hauteur %3 %</translation>
+    </message>
+    <message>
+        <source>Reaching</source>
+        <translation>En atteignant</translation>
     </message>
     <message>
         <source>Read %1 again</source>
@@ -4409,6 +4569,10 @@ Licence Apache 2.0</translation>
         <translation>Enregistrer</translation>
     </message>
     <message>
+        <source>Save as BVH…</source>
+        <translation>Enregistrer en BVH…</translation>
+    </message>
+    <message>
         <source>Save as…</source>
         <translation>Enregistrer sous…</translation>
     </message>
@@ -4421,6 +4585,10 @@ Licence Apache 2.0</translation>
         <translation>Enregistrer le journal…</translation>
     </message>
     <message>
+        <source>Save the motion</source>
+        <translation>Enregistrer le mouvement</translation>
+    </message>
+    <message>
         <source>Save the workcell</source>
         <translation>Enregistrer la cellule</translation>
     </message>
@@ -4431,6 +4599,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Save this posture</source>
         <translation>Enregistrer cette posture</translation>
+    </message>
+    <message>
+        <source>Save this posture (JSON, H-Anim X3D, BVH)…</source>
+        <translation>Enregistrer cette posture (JSON, H-Anim X3D, BVH)…</translation>
     </message>
     <message>
         <source>Save this posture…</source>
@@ -4475,6 +4647,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Search the workplace…</source>
         <translation>Chercher le poste de travail…</translation>
+    </message>
+    <message>
+        <source>Seated</source>
+        <translation>Assis</translation>
     </message>
     <message>
         <source>Second column</source>
@@ -4565,6 +4741,14 @@ Licence Apache 2.0</translation>
         <translation>Maj</translation>
     </message>
     <message>
+        <source>Shoulder breadth</source>
+        <translation>Largeur des épaules</translation>
+    </message>
+    <message>
+        <source>Shoulder joints apart</source>
+        <translation>Écart des épaules</translation>
+    </message>
+    <message>
         <source>Show</source>
         <translation>Montrer</translation>
     </message>
@@ -4575,6 +4759,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Show all</source>
         <translation>Tout montrer</translation>
+    </message>
+    <message>
+        <source>Show all four in the scene</source>
+        <translation>Montrer les quatre dans la scène</translation>
     </message>
     <message>
         <source>Show folder</source>
@@ -4635,6 +4823,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Singularity</source>
         <translation>Singularité</translation>
+    </message>
+    <message>
+        <source>Sitting height</source>
+        <translation>Taille assise</translation>
     </message>
     <message>
         <source>Size of %1</source>
@@ -4713,6 +4905,14 @@ Licence Apache 2.0</translation>
         <translation>Couper</translation>
     </message>
     <message>
+        <source>Squatting</source>
+        <translation>Accroupi</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Debout</translation>
+    </message>
+    <message>
         <source>Stands in world</source>
         <translation>Place dans le monde</translation>
     </message>
@@ -4759,6 +4959,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Stooping</source>
+        <translation>Penché</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -5121,6 +5325,10 @@ Licence Apache 2.0</translation>
         <translation>Le module %1 a été laissé de côté. %2</translation>
     </message>
     <message>
+        <source>The motion as it is on this mannequin</source>
+        <translation>Le mouvement tel qu'il est sur ce mannequin</translation>
+    </message>
+    <message>
         <source>The motion cannot be shown</source>
         <translation>Le mouvement ne peut pas être montré</translation>
     </message>
@@ -5131,6 +5339,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>The motion is not imported</source>
         <translation>Le mouvement n'est pas importé</translation>
+    </message>
+    <message>
+        <source>The motion is saved</source>
+        <translation>Le mouvement est enregistré</translation>
+    </message>
+    <message>
+        <source>The motion was not saved</source>
+        <translation>Le mouvement n'a pas été enregistré</translation>
     </message>
     <message>
         <source>The parts become solids again, where they stand now</source>
@@ -5267,6 +5483,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>They move together, about the one chosen last.</source>
         <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
+    </message>
+    <message>
+        <source>Thigh clearance</source>
+        <translation>Épaisseur de la cuisse</translation>
     </message>
     <message>
         <source>This device exerts no force.</source>
@@ -5489,6 +5709,10 @@ Licence Apache 2.0</translation>
         <translation>Tourne autour de</translation>
     </message>
     <message>
+        <source>Turns its eyes, as far as they go, to the part that was chosen last</source>
+        <translation>Tourne ses yeux, autant qu'ils le peuvent, vers la dernière pièce choisie</translation>
+    </message>
+    <message>
         <source>Turns the view; with Shift it shifts it</source>
         <translation>Tourne la vue ; avec Maj la décale</translation>
     </message>
@@ -5499,6 +5723,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Two hands</source>
         <translation>Deux mains</translation>
+    </message>
+    <message>
+        <source>Typing</source>
+        <translation>À la frappe</translation>
     </message>
     <message>
         <source>URDF (*.urdf)</source>
@@ -5555,6 +5783,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Up, down ±</source>
         <translation>Haut, bas ±</translation>
+    </message>
+    <message>
+        <source>Upper arm</source>
+        <translation>Bras</translation>
     </message>
     <message>
         <source>Upper stop</source>
@@ -5857,6 +6089,10 @@ Licence Apache 2.0</translation>
         <translation>Z, hauteur</translation>
     </message>
     <message>
+        <source>Zero</source>
+        <translation>Zéro</translation>
+    </message>
+    <message>
         <source>Zoom</source>
         <translation>Zoom</translation>
     </message>
@@ -5995,6 +6231,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>further away</source>
         <translation>plus loin</translation>
+    </message>
+    <message>
+        <source>gaze down</source>
+        <translation>regard vers le bas</translation>
+    </message>
+    <message>
+        <source>gaze to the left</source>
+        <translation>regard vers la gauche</translation>
     </message>
     <message>
         <source>glTF (*.glb)</source>
