@@ -70,6 +70,11 @@ class Gallery : public MannequinPage {
     rests.start();
     until([&] { return rests.elapsed() > 3000; }, 4000);
     until([this] { return window().viewport().isFinished(); }, 4 * kPatience);
+    for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+      if (!dock->isVisible()) continue;
+      const QRect at = dock->geometry();
+      std::printf("%s: %d, %d, %d x %d\n", qPrintable(dock->objectName()), at.x(), at.y(), at.width(), at.height());
+    }
     const QString file = qEnvironmentVariable("HAPTICELL_LOOK_FOLDER") + '/' + name + ".png";
     (whole_window ? window().grab().toImage() : window().viewport().finishedPicture()).save(file);
   }
