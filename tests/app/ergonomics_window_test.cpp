@@ -185,7 +185,7 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   page.type("fieldStep", "100");
   page.click("buttonStartSearch");
   auto* panel = page.window().findChild<WorkplacePanel*>();
-  ASSERT_TRUE(page.until([&] { return panel->map().has_value(); }, ErgonomicsPage::kPatience));
+  ASSERT_TRUE(page.until([&] { return panel->map().has_value(); }, 15 * ErgonomicsPage::kPatience));
   EXPECT_EQ(panel->map()->cells.size(), 9u);
   if (panel->map()->best >= 0) {
     const dvec3 before = page.document().document().find(bench)->X_WE.p;

@@ -289,10 +289,10 @@ TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
   const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
-  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 6 * MannequinPage::kPatience))
+  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 12 * MannequinPage::kPatience))
       << "trousers, shirt, skin, shoes, hair, lips, whites, irises and pupils: " << drawn();
   ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
-  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 6 * MannequinPage::kPatience))
+  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 12 * MannequinPage::kPatience))
       << "and again in the next posture";
 }
 
