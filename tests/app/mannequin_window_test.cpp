@@ -287,6 +287,7 @@ TEST(MannequinGizmo, EndsWhereTheMouseLetGoHoweverLittleOfTheWayWasHeard) {
 
 TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
   MannequinPage page;
+  page.window().resize(700, 500);  // The picture at rest has to be whole, twice.
   ASSERT_TRUE(page.addMannequin());
   const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
   ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 12 * MannequinPage::kPatience))
