@@ -47,4 +47,8 @@ std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const g
   return prepared;
 }
 
+void DisplayMeshWorker::letGo(std::shared_ptr<PreparedMesh> prepared) {
+  pool_.start([prepared = std::move(prepared)]() mutable { prepared.reset(); });
+}
+
 }  // namespace hapticell::app

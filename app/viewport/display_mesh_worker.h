@@ -30,6 +30,8 @@ class DisplayMeshWorker {
   /// any more is skipped.
   std::shared_ptr<PreparedMesh> prepare(std::shared_ptr<const geometry::TriangleMesh> mesh,
                                         double crease_angle = kPartCrease);
+  /// Frees what is not needed any more; that of a large mesh takes longer than a frame may.
+  void letGo(std::shared_ptr<PreparedMesh> prepared);
   /// Waits until all are ready.
   void wait() { pool_.waitForDone(); }
 

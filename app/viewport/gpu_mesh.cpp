@@ -2,6 +2,7 @@
 #include "app/viewport/gpu_mesh.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "app/viewport/instance_buffer.h"
@@ -12,11 +13,7 @@ namespace {
 
 constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over.
 constexpr std::size_t kRunBytes = std::size_t{4} << 20;
-
-template <typename T>
-GLsizeiptr sizeOf(const std::vector<T>& values) {
-  return static_cast<GLsizeiptr>(values.size() * sizeof(T));
-}
+constexpr std::size_t kEdgesABuffer = (std::size_t{16} << 20) / sizeof(DisplayEdge);
 
 const void* offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
@@ -28,45 +25,41 @@ GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
     : gl_(gl), counted_(counted), steps_(mesh.steps), center_(mesh.center), bounds_(mesh.bounds), closed_(mesh.closed) {
   edge_count_ = mesh.edges.size();
   crease_count_ = mesh.creases;
-  gl_.glGenBuffers(3, buffers_);
+  buffers_.resize(2 + (edge_count_ + kEdgesABuffer - 1) / kEdgesABuffer);
+  gl_.glGenBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
   gl_.glGenVertexArrays(1, &face_array_);
   gl_.glBindVertexArray(face_array_);
   gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
-  gl_.glBufferData(GL_ARRAY_BUFFER, sizeOf(mesh.vertices), nullptr, GL_STATIC_DRAW);
   gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
-  gl_.glBufferData(GL_ELEMENT_ARRAY_BUFFER, sizeOf(mesh.indices), nullptr, GL_STATIC_DRAW);
   for (GLuint i = 0; i < 2; ++i) {
     gl_.glEnableVertexAttribArray(i);
     gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), offset(i * sizeof(fvec3)));
   }
   gl_.glGenVertexArrays(1, &edge_array_);
-  gl_.glBindVertexArray(edge_array_);
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
-  gl_.glBufferData(GL_ARRAY_BUFFER, sizeOf(mesh.edges), nullptr, GL_STATIC_DRAW);
   gl_.glBindVertexArray(0);
 }
 
 bool GpuMesh::fill(const DisplayMesh& mesh, const std::function<bool()>& has_time) {
-  struct Source {
-    GLuint buffer;
-    const void* data;
-    GLsizeiptr size;
+  const auto bytes_of = [&mesh](std::size_t buffer) -> std::span<const std::byte> {
+    if (buffer == 0) return std::as_bytes(std::span(mesh.vertices));
+    if (buffer == 1) return std::as_bytes(std::span(mesh.indices));
+    const std::size_t first = (buffer - 2) * kEdgesABuffer;
+    return std::as_bytes(std::span(mesh.edges).subspan(first, std::min(kEdgesABuffer, mesh.edges.size() - first)));
   };
-  const Source sources[]{{buffers_[0], mesh.vertices.data(), sizeOf(mesh.vertices)},
-                         {buffers_[1], mesh.indices.data(), sizeOf(mesh.indices)},
-                         {buffers_[2], mesh.edges.data(), sizeOf(mesh.edges)}};
-  std::size_t before = 0;
-  for (const Source& source : sources) {
-    const auto size = static_cast<std::size_t>(source.size);
-    while (filled_ < before + size) {
+  for (; filled_buffers_ < buffers_.size(); ++filled_buffers_, filled_ = 0) {
+    const std::span<const std::byte> source = bytes_of(filled_buffers_);
+    // Room alone takes long where a renderer clears it, so it is taken by one buffer at a time.
+    if (filled_ == 0 && !has_time()) return false;
+    gl_.glBindBuffer(GL_COPY_WRITE_BUFFER, buffers_[filled_buffers_]);
+    if (filled_ == 0)
+      gl_.glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(source.size()), nullptr, GL_STATIC_DRAW);
+    while (filled_ < source.size()) {
       if (!has_time()) return false;
-      const std::size_t from = filled_ - before, count = std::min(kRunBytes, size - from);
-      gl_.glBindBuffer(GL_COPY_WRITE_BUFFER, source.buffer);
-      gl_.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(from), static_cast<GLsizeiptr>(count),
-                          static_cast<const char*>(source.data) + from);
+      const std::size_t count = std::min(kRunBytes, source.size() - filled_);
+      gl_.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(filled_), static_cast<GLsizeiptr>(count),
+                          source.data() + filled_);
       filled_ += count;
     }
-    before += size;
   }
   return true;
 }
@@ -74,7 +67,7 @@ bool GpuMesh::fill(const DisplayMesh& mesh, const std::function<bool()>& has_tim
 GpuMesh::~GpuMesh() {
   gl_.glDeleteVertexArrays(1, &face_array_);
   gl_.glDeleteVertexArrays(1, &edge_array_);
-  gl_.glDeleteBuffers(3, buffers_);
+  gl_.glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
 }
 
 void GpuMesh::drawFaces() {
@@ -99,17 +92,21 @@ void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t
 }
 
 void GpuMesh::drawEdges(std::size_t first, std::size_t count) {
-  if (count == 0) return;
   gl_.glBindVertexArray(edge_array_);
-  gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
-  for (GLuint i = 0; i < 4; ++i) {
-    gl_.glEnableVertexAttribArray(i);
-    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayEdge),
-                              offset(first * sizeof(DisplayEdge) + i * sizeof(fvec3)));
-    gl_.glVertexAttribDivisor(i, 1);
+  for (const std::size_t end = first + count; first < end;) {
+    const std::size_t buffer = first / kEdgesABuffer, in_buffer = first % kEdgesABuffer;
+    const std::size_t run = std::min(end - first, kEdgesABuffer - in_buffer);
+    gl_.glBindBuffer(GL_ARRAY_BUFFER, buffers_[2 + buffer]);
+    for (GLuint i = 0; i < 4; ++i) {
+      gl_.glEnableVertexAttribArray(i);
+      gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayEdge),
+                                offset(in_buffer * sizeof(DisplayEdge) + i * sizeof(fvec3)));
+      gl_.glVertexAttribDivisor(i, 1);
+    }
+    gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(run));
+    ++counted_.calls;
+    first += run;
   }
-  gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
-  ++counted_.calls;
 }
 
 GpuMesh* GpuMeshCache::of(const RenderItem& item) {
@@ -132,7 +129,7 @@ GpuMesh* GpuMeshCache::of(const RenderItem& item) {
       left_over_ = true;
       return nullptr;
     }
-    entry.prepared.reset();
+    worker_.letGo(std::move(entry.prepared));
   }
   return entry.prepared ? nullptr : entry.mesh.get();
 }

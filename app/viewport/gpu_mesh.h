@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "app/viewport/display_mesh_worker.h"
 #include "app/viewport/draw_share.h"
@@ -24,7 +25,7 @@ class InstanceBuffer;
 /// A mesh in the graphics card's memory: faces, and edges as instances of a quad.
 class GpuMesh {
  public:
-  /// Takes the room for it; fill() brings what is in it.
+  /// Empty; fill() takes the room and brings what is in it.
   GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted);
   ~GpuMesh();
   GpuMesh(const GpuMesh&) = delete;
@@ -58,8 +59,9 @@ class GpuMesh {
   geometry::Bounds bounds_;
   bool closed_ = true;
   GLuint face_array_ = 0, edge_array_ = 0;
-  GLuint buffers_[3]{};
-  std::size_t filled_ = 0;  ///< Bytes.
+  std::vector<GLuint> buffers_;  ///< Vertices, indices, then runs of edges.
+  std::size_t filled_buffers_ = 0;
+  std::size_t filled_ = 0;  ///< Bytes of the next one.
   std::size_t edge_count_ = 0, crease_count_ = 0;
 };
 
