@@ -18,6 +18,7 @@
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "app/host/actions.h"
+#include "app/host/top_menus.h"
 #include "app/host/host.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/panels/form.h"
@@ -73,10 +74,7 @@ class ErgonomicsDocks : public QObject {
   }
 
   void addMenu() {
-    QMenu* menu = nullptr;
-    for (QAction* action : host_.window().menuBar()->actions())
-      if (action->text() == QObject::tr("Mannequin")) menu = action->menu();
-    if (!menu) return;
+    QMenu* menu = topMenu(host_.window(), "menuMannequin", QObject::tr("Mannequin"));
     menu->addSeparator();
     const auto entry = [&](const char* name, const QString& text, QDockWidget* dock) {
       QAction* action = makeAction(&host_.window(), {name, text, {}, {}, {}});

@@ -5,9 +5,9 @@
 #include <QActionGroup>
 #include <QMainWindow>
 #include <QMenu>
-#include <QMenuBar>
 #include <QToolBar>
 
+#include "app/host/top_menus.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 
@@ -64,6 +64,8 @@ Actions::Actions(QMainWindow& window) {
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
+  go_back =
+      make({"actionGoBack", tr("Go back ten seconds of motion"), "history", QKeySequence(Qt::Key_G), tr("Go back")});
   remove = make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
   select = make({"actionSelect", tr("Select"), "select", QKeySequence(Qt::Key_Q), {}});
   move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
@@ -99,8 +101,7 @@ Actions::Actions(QMainWindow& window) {
   themes->addAction(dark);
   themes->addAction(light);
 
-  QMenuBar* bar = window.menuBar();
-  QMenu* file = bar->addMenu(tr("File"));
+  QMenu* file = topMenu(window, "menuFile", tr("File"));
   file->addActions({new_cell, open});
   recent = file->addMenu(tr("Open recent"));
   recent->setObjectName("menuRecent");
@@ -112,15 +113,15 @@ Actions::Actions(QMainWindow& window) {
   file->addMenu(tr("Report changes"))->addActions({report_saved, report_import, report_other});
   file->addSeparator();
   file->addAction(quit);
-  QMenu* edit = bar->addMenu(tr("Edit"));
-  edit->addActions({undo, redo});
+  QMenu* edit = topMenu(window, "menuEdit", tr("Edit"));
+  edit->addActions({undo, redo, go_back});
   edit->addSeparator();
   edit->addActions({select, move, rotate, snap, move_by, measure});
   edit->addSeparator();
   edit->addActions({select_all, duplicate, isolate, show_all, mesh_care, remove});
   edit->addSeparator();
   edit->addAction(settings);
-  view = bar->addMenu(tr("View"));
+  view = topMenu(window, "menuView", tr("View"));
   view->addActions({fit_selection, fit_all});
   view->addSeparator();
   view->addActions({front, right, top, isometric});
@@ -128,12 +129,16 @@ Actions::Actions(QMainWindow& window) {
   view->addActions({perspective, edges, section});
   view->addSeparator();
   view->addActions({dark, light});
-  applications = bar->addMenu(tr("Applications"));
+  insert = topMenu(window, "menuInsert", tr("Insert"));
+  insert->addActions({import_mesh, add_robot, add_robot_file});
+  collision = topMenu(window, "menuCollision", tr("Collision"));
+  collision->addAction(mesh_care);
+  applications = topMenu(window, "menuApplications", tr("Applications"));
   applications->setToolTipsVisible(true);
-  windows = bar->addMenu(tr("Window"));
+  windows = topMenu(window, "menuWindow", tr("Window"));
   windows->addActions({side_docks, reset_layout});
   windows->addSeparator();
-  help_menu = bar->addMenu(tr("Help"));
+  help_menu = topMenu(window, "menuHelp", tr("Help"));
   help_menu->addActions({help, scene_text, first_page});
   help_menu->addSeparator();
   help_menu->addAction(about);
@@ -153,6 +158,7 @@ Actions::Actions(QMainWindow& window) {
   tool_bar->addSeparator();
   tool_bar->addActions({measure, section, fit_selection});
   tool_bar->addSeparator();
+  tool_bar->addAction(go_back);
 }
 
 }  // namespace hapticell::app

@@ -68,8 +68,12 @@ class HoldChoice : public QObject {
     return moved_by;
   }
 
+  /// Whoever holds something lets it go; it stays where it is.
+  void letGo() { emit letGoWanted(); }
+
  signals:
   void changed();
+  void letGoWanted();
 
  private:
   Kind kind_ = Kind::kDefault;

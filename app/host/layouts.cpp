@@ -3,10 +3,14 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMainWindow>
 #include <QTimer>
 
 #include "app/host/user_settings.h"
+#include "app/style/fonts.h"
+#include "app/style/theme.h"
 
 namespace hapticell::app {
 namespace {
@@ -140,8 +144,19 @@ void Layouts::store() {
   settings_.flush();
 }
 
-QComboBox* Layouts::makeChoice(QWidget* parent) {
-  auto* choice = new QComboBox(parent);
+QWidget* Layouts::makeChoice(QWidget* parent) {
+  auto* holder = new QWidget(parent);
+  auto* row = new QHBoxLayout(holder);
+  row->setContentsMargins(0, 0, 8, 0);
+  row->setSpacing(8);
+  auto* word = new QLabel(tr("Layout"));
+  word->setFont(textFont(TextRole::kSecond));
+  word->setForegroundRole(kQuietText);
+  auto* choice = new QComboBox;
+  choice->setFont(textFont(TextRole::kText));
+  word->setBuddy(choice);
+  row->addWidget(word);
+  row->addWidget(choice);
   choice->setObjectName("comboLayout");
   choice->setAccessibleName(tr("Layout"));
   choice->setFixedWidth(128);
@@ -151,7 +166,7 @@ QComboBox* Layouts::makeChoice(QWidget* parent) {
           [this, choice](int index) { choose(choice->itemData(index).toString()); });
   connect(this, &Layouts::chosen, choice,
           [choice](const QString& name) { choice->setCurrentIndex(choice->findData(name)); });
-  return choice;
+  return holder;
 }
 
 }  // namespace hapticell::app

@@ -5,8 +5,8 @@
 #include <QString>
 #include <QStringList>
 
-class QComboBox;
 class QMainWindow;
+class QWidget;
 
 namespace hapticell::app {
 
@@ -32,7 +32,7 @@ class Layouts : public QObject {
   /// At the end.
   void store();
   /// The choice for the tool bar.
-  QComboBox* makeChoice(QWidget* parent);
+  QWidget* makeChoice(QWidget* parent);
 
  signals:
   void chosen(const QString& name);

@@ -6,6 +6,7 @@
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -14,6 +15,7 @@
 #include <algorithm>
 
 #include "app/help/help_dock.h"
+#include "app/host/command_box.h"
 #include "app/host/window_keys.h"
 #include "app/import/file_work.h"
 #include "app/measure/measure_dock.h"
@@ -39,7 +41,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
       right_docks_(new TabbedDocks(*this)),
       recent_(new RecentFiles(settings_, this)),
       start_(new StartPage(*viewport_, settings_, *recent_)),
-      layouts_(*this, settings_) {
+      layouts_(*this, settings_),
+      memory_(document_, [this] { return placesNow(); }) {
   setObjectName("mainWindow");
   setWindowIcon(icon("cell"));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -54,10 +57,6 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   spacer->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   actions_->tool_bar->addWidget(spacer);
   actions_->tool_bar->addWidget(layouts_.makeChoice(this));
-  file_label_ = new QLabel(this);
-  file_label_->setContentsMargins(0, 0, 14, 0);
-  file_label_->setMinimumHeight(28);
-  menuBar()->setCornerWidget(file_label_, Qt::TopRightCorner);
   viewport_->setMotion(configuration_.gui.motion);
   viewport_->setEmptyState(EmptyState{
       tr("The cell is empty"), tr("Ctrl+I imports a solid, Ctrl+Shift+I adds a robot, Ctrl+O opens a workcell.")});
@@ -73,6 +72,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   connectStart();
   addHelp(*this);
   addWindowKeys(*this, *viewport_);
+  addCorner();
+  fillMenus();
   setTheme(configuration_.gui.theme != "light");
   addSettings(*this);
   connect(actions_->dark, &QAction::triggered, this, [this] { settings_.setValue("theme", "dark"); });
@@ -87,8 +88,67 @@ MainWindow::~MainWindow() {
   files_.reset();
 }
 
+/// What is open, and the command finder, at the right end of the menu bar.
+void MainWindow::addCorner() {
+  auto* corner = new QWidget(this);
+  auto* row = new QHBoxLayout(corner);
+  row->setContentsMargins(0, 0, 8, 0);
+  row->setSpacing(14);
+  file_label_ = new QLabel;
+  file_label_->setForegroundRole(kQuietText);
+  row->addWidget(file_label_);
+  row->addWidget(new CommandBox(*findChild<QAction*>("actionFindCommand")));
+  corner->setMinimumHeight(28);
+  menuBar()->setCornerWidget(corner, Qt::TopRightCorner);
+}
+
+/// Menus whose actions belong to several panels.
+void MainWindow::fillMenus() {
+  const auto add = [this](QMenu& menu, std::initializer_list<const char*> names) {
+    for (const char* name : names)
+      if (auto* action = findChild<QAction*>(name)) menu.addAction(action);
+  };
+  add(*actions_->insert, {"actionAddMannequin"});
+  actions_->insert->addSeparator();
+  add(*actions_->insert, {"actionMechanism", "actionImportMotion"});
+  const auto opens = [this](const char* dock_name, const ActionFace& face) {
+    QAction* action = makeAction(this, face);
+    addAction(action);
+    connect(action, &QAction::triggered, this, [this, dock_name] {
+      if (auto* dock = findChild<QDockWidget*>(dock_name)) {
+        dock->show();
+        dock->raise();
+      }
+    });
+    return action;
+  };
+  actions_->insert->addAction(opens("dockGuides", {"actionGuides", tr("Guide…"), "guide_line", {}, {}}));
+  actions_->collision->insertAction(
+      actions_->mesh_care, opens("dockCollisions", {"actionCollisions", tr("Pairs, sets and log"), "contact", {}, {}}));
+}
+
+MotionMemory::Places MainWindow::placesNow() const {
+  MotionMemory::Places places;
+  const SceneModel& scene = viewport_->scene();
+  for (const auto& entity : document_.document().state().entities)
+    places[entity->id] = {scene.placement_W(*entity), scene.joints(*entity)};
+  return places;
+}
+
+/// Ten seconds of motion; what is held is let go first.
+void MainWindow::goBack() {
+  constexpr double kSeconds = 10.0;
+  if (snapshot() && snapshot()->held != 0) {
+    going_back_ = true;
+    return hold_choice_.letGo();
+  }
+  going_back_ = false;
+  if (!memory_.goBack(kSeconds)) messages_.tell(Severity::kInformation, tr("Nothing has moved since."));
+}
+
 void MainWindow::connectViewActions() {
   const auto on = [this](QAction* action, auto&& slot) { connect(action, &QAction::triggered, this, slot); };
+  on(actions_->go_back, [this] { goBack(); });
   on(actions_->fit_all, [this] { viewport_->fitAll(); });
   on(actions_->fit_selection, [this] {
     geometry::Bounds bounds;
@@ -120,7 +180,10 @@ void MainWindow::connectScene() {
   connect(&document_, &DocumentModel::changed, this, &MainWindow::documentChanged);
   connect(&document_, &DocumentModel::refused, this,
           [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
-  connect(&document_, &DocumentModel::opened, this, [this] { selection_.set(0); });
+  connect(&document_, &DocumentModel::opened, this, [this] {
+    selection_.set(0);
+    memory_.forget();
+  });
   connect(&messages_, &MessageLog::told, status_, &StatusLine::show);
   connectSelection();
 }
@@ -162,6 +225,7 @@ void MainWindow::documentChanged() {
   viewport_->scene().setEntities(document_.document().snapshotEntities());
   viewport_->scene().setPairSets(document_.document().state().pair_sets);
   viewport_->refresh();
+  memory_.look();
   std::vector<workcell::EntityId> left;
   for (const auto id : selection_.all())
     if (document_.document().find(id)) left.push_back(id);
@@ -182,8 +246,9 @@ void MainWindow::updateTitle() {
   const bool dirty = document_.document().isDirty();
   setWindowTitle(document_.title() + (dirty ? " *" : "") + " – HaptiCell");
   file_label_->setText(document_.title() + QStringLiteral(".hcell  ·  ") + (dirty ? tr("changed") : tr("saved")));
-  file_label_->adjustSize();
-  menuBar()->setCornerWidget(file_label_, Qt::TopRightCorner);
+  menuBar()->cornerWidget(Qt::TopRightCorner)->adjustSize();
+  // Told anew, the menu bar lays its corner out again.
+  menuBar()->setCornerWidget(menuBar()->cornerWidget(Qt::TopRightCorner), Qt::TopRightCorner);
 }
 
 void MainWindow::updateStatus() {
@@ -244,7 +309,9 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
   if (numbers) {
     since_numbers_.start();
     updateStatus();
+    if (snapshot && snapshot->held != 0) memory_.look();
   }
+  if (going_back_ && (!snapshot || snapshot->held == 0)) goBack();
   if (viewport_->scene().revision() != before)
     viewport_->refresh();
   else if (numbers)
@@ -292,9 +359,6 @@ void MainWindow::setTheme(bool dark) {
   const Theme& theme = dark ? darkTheme() : lightTheme();
   (dark ? actions_->dark : actions_->light)->setChecked(true);
   QApplication::setPalette(paletteOf(theme));
-  QPalette label = file_label_->palette();
-  label.setColor(QPalette::WindowText, theme.text2);
-  file_label_->setPalette(label);
   update();
 }
 

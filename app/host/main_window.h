@@ -14,6 +14,7 @@
 #include "app/host/layouts.h"
 #include "app/host/message_log.h"
 #include "app/host/module_loader.h"
+#include "app/host/motion_memory.h"
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/host/status_line.h"
@@ -89,6 +90,10 @@ class MainWindow : public QMainWindow, public Host {
 
  private:
   void connectFileActions();
+  void addCorner();
+  void fillMenus();
+  MotionMemory::Places placesNow() const;
+  void goBack();
   void connectViewActions();
   void connectScene();
   void openFromDialog();
@@ -124,6 +129,8 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;
   std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
+  MotionMemory memory_;
+  bool going_back_ = false;  ///< Once what is held is let go.
   double gui_rate_ = 0.0;
   QElapsedTimer since_numbers_;
 };

@@ -37,11 +37,11 @@ void ViewMenus::addSection() {
   section_.setObjectName("menuSection");
   for (int axis = 0; axis < 3; ++axis)
     section_.addAction(tr("Across %1").arg(QChar('X' + axis)), this, [this, axis] { chooseAxis(axis); });
-  section_.addAction(tr("Other side"), this, [this] {
+  only_cut_ = {section_.addAction(tr("Other side"), this, [this] {
     if (viewport_.section()) viewport_.setSection(flipped(*viewport_.section()));
-  });
+  })};
   section_.addSeparator();
-  section_.addAction(tr("Close the section"), this, [this] { actions_.section->setChecked(false); });
+  only_cut_ << section_.addAction(tr("Close the section"), this, [this] { actions_.section->setChecked(false); });
   connect(actions_.section, &QAction::toggled, this, &ViewMenus::setSection);
 }
 
@@ -54,6 +54,7 @@ void ViewMenus::setSection(bool on) {
 }
 
 void ViewMenus::chooseAxis(int axis) {
+  if (!actions_.section->isChecked()) actions_.section->setChecked(true);
   viewport_.setSection(sectionAcross(axis, viewport_.camera(), viewport_.scene().bounds_W()));
   show();
 }
@@ -62,8 +63,9 @@ void ViewMenus::show() {
   std::vector<ViewStripCell> cells{
       {actions_.perspective->isChecked() ? tr("Perspective") : tr("Orthographic"), &projection_},
       {actions_.edges->isChecked() ? tr("Shaded, edges") : tr("Shaded"), &faces_}};
-  if (const auto& plane = viewport_.section())
-    cells.push_back({tr("Section %1").arg(QChar('X' + axisOf(*plane))), &section_});
+  const auto& plane = viewport_.section();
+  cells.push_back({plane ? tr("Section %1").arg(QChar('X' + axisOf(*plane))) : tr("Section off"), &section_});
+  for (QAction* action : only_cut_) action->setEnabled(plane.has_value());
   viewport_.setViewStrip(std::move(cells));
 }
 

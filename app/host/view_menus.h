@@ -24,6 +24,7 @@ class ViewMenus : public QObject {
   const Actions& actions_;
   ViewportWidget& viewport_;
   QMenu projection_, faces_, section_;
+  QList<QAction*> only_cut_;  ///< Of the section's menu: what needs one.
 };
 
 }  // namespace hapticell::app

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/host/actions.h"
+#include "app/host/top_menus.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
@@ -76,12 +77,7 @@ class MannequinDocks : public QObject {
 
  private:
   void addMenu() {
-    QMenuBar* bar = host_.window().menuBar();
-    auto* menu = new QMenu(tr("Mannequin"), bar);
-    QAction* before = nullptr;
-    for (QAction* action : bar->actions())
-      if (action->text() == QObject::tr("Applications")) before = action;
-    bar->insertMenu(before, menu);
+    QMenu* menu = topMenu(host_.window(), "menuMannequin", tr("Mannequin"));
     const auto entry = [&](const char* name, const QString& text, const QKeySequence& key, auto&& slot) {
       QAction* action = makeAction(&host_.window(), {name, text, {}, key, {}});
       host_.window().addAction(action);

@@ -170,7 +170,7 @@ void MannequinPanel::addHands(QVBoxLayout& column) {
   addRow(*section, tr("Two hands"), two_hands_);
   part_ = new QComboBox;
   part_->setObjectName("comboCarried");
-  part_->setMinimumWidth(80);
+  part_->setMinimumWidth(60);
   part_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   carry_ = new QPushButton;
   carry_->setObjectName("buttonCarry");

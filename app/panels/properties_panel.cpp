@@ -15,17 +15,20 @@
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
 #include "app/panels/swatch_row.h"
+#include "app/robot/configuration_model.h"
 #include "app/style/eliding_label.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
 #include "kinematics/inverse_factory.h"
+#include "kinematics/solution_list.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kNarrowLabel = 72;  // The dock is narrow.
+constexpr int kNarrowLabel = 72;       // The dock is narrow.
+constexpr std::size_t kFewJoints = 6;  // Of more there are infinitely many ways.
 
 QColor colorOf(const workcell::Entity& entity) {
   return QColor::fromRgbF(entity.color[0], entity.color[1], entity.color[2]);
@@ -62,6 +65,8 @@ PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent),
   connect(&host_.documentModel(), &DocumentModel::changed, this, &PropertiesPanel::rebuild);
   rebuild();
 }
+
+PropertiesPanel::~PropertiesPanel() = default;
 
 PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const char* name) {
   PoseBlock block;
@@ -177,23 +182,41 @@ void PropertiesPanel::rebuild() {
   place_.heading->setText(figure ? tr("Stands in world") : robot ? tr("Base in world") : tr("Origin in world"));
   joints_holder_->setVisible(robot && !figure);  // A posture is led by hands and feet: dock Mannequin.
   const void* model = now->robot.get();
-  if (model != shown_model_) rebuildJoints();
+  if (model != shown_model_ || now->tip_link != shown_tip_) rebuildJoints();
   showChoices();
   showNow();
 }
 
 void PropertiesPanel::rebuildJoints() {
   while (QLayoutItem* item = joints_column_->takeAt(0)) {
-    if (item->widget()) item->widget()->deleteLater();
+    if (QWidget* gone = item->widget()) {
+      gone->hide();
+      gone->deleteLater();
+    }
     delete item;
   }
   rows_.clear();
+  inverse_.reset();
+  configuration_ = nullptr;
   const workcell::Entity* now = entity();
   shown_model_ = now->robot.get();
+  shown_tip_ = now->tip_link;
+  shown_joints_.clear();
   if (!now->robot) return;
-  auto* heading = makeLabel(tr("Joints"), TextRole::kSection);
-  heading->setFixedHeight(24);
-  joints_column_->addWidget(heading);
+  auto* top = new QWidget;
+  auto* top_row = new QHBoxLayout(top);
+  top_row->setContentsMargins(0, 0, 0, 0);
+  top_row->addWidget(makeLabel(tr("Joints"), TextRole::kSection));
+  configuration_ = new ElidingLabel;
+  configuration_->setObjectName("labelConfiguration");
+  configuration_->setFont(textFont(TextRole::kSecond));
+  configuration_->setForegroundRole(kQuietText);
+  configuration_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  top_row->addWidget(configuration_, 1);
+  top->setFixedHeight(24);
+  joints_column_->addWidget(top);
+  if (const int tip = now->robot->findLink(now->tip_link); tip >= 0 && now->robot->dof() <= kFewJoints)
+    if (auto made = kinematics::createInverse(*now->robot, tip)) inverse_ = std::move(*made);
   for (std::size_t i = 0; i < now->robot->dof(); ++i) {
     const auto& joint = now->robot->joints[static_cast<std::size_t>(now->robot->moving[i])];
     auto* row = new JointRow(scaleOf(joint, i));
@@ -256,11 +279,23 @@ void PropertiesPanel::showNow() {
   if (!now->robot) return;
   const std::vector<double> q = joints();
   show(tool_, tcpPose_W(*now, X_WE, q));
+  showConfiguration(*now, X_WE, q);
   for (std::size_t i = 0; i < rows_.size() && i < q.size(); ++i) {
     rows_[i]->setEnabled(!now->locked && !isHeld());
     if (!rows_[i]->isDragged())
       rows_[i]->setValue(q[i] / unitOf(now->robot->joints[static_cast<std::size_t>(now->robot->moving[i])]));
   }
+}
+
+/// Which of its ways the arm stands in, in words.
+void PropertiesPanel::showConfiguration(const workcell::Entity& robot, const Pose& X_WE, const std::vector<double>& q) {
+  if (!configuration_ || !inverse_ || q == shown_joints_) return;
+  shown_joints_ = q;
+  QString words;
+  const Pose X_BT = X_WE.inverse() * tcpPose_W(robot, X_WE, q) * robot.X_LT.inverse();
+  for (const kinematics::ListedSolution& solution : kinematics::listSolutions(*robot.robot, *inverse_, X_BT, q))
+    if (solution.is_now) words = shortConfiguration(solution.configuration);
+  configuration_->setText(words);
 }
 
 void PropertiesPanel::placeEntity(const Pose& X_WE) {

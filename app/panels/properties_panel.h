@@ -3,6 +3,8 @@
 
 #include <QWidget>
 #include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "app/panels/joint_row.h"
@@ -12,6 +14,10 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QVBoxLayout;
+
+namespace hapticell::kinematics {
+class InverseModel;
+}
 
 namespace hapticell::app {
 
@@ -26,6 +32,7 @@ class PropertiesPanel : public QWidget {
   Q_OBJECT
  public:
   explicit PropertiesPanel(Host& host, QWidget* parent = nullptr);
+  ~PropertiesPanel() override;
   /// Takes the newest numbers; called a few times a second.
   void showNow();
 
@@ -40,6 +47,7 @@ class PropertiesPanel : public QWidget {
   void addChoices(QVBoxLayout& column);
   void rebuild();
   void rebuildJoints();
+  void showConfiguration(const workcell::Entity& robot, const Pose& X_WE, const std::vector<double>& q);
   void showChoices();
   void show(const PoseBlock& block, const Pose& X);
   Pose typed(const PoseBlock& block) const;
@@ -57,6 +65,10 @@ class PropertiesPanel : public QWidget {
   QWidget *joints_holder_, *mass_row_;
   QVBoxLayout* joints_column_;
   std::vector<JointRow*> rows_;
+  QLabel* configuration_ = nullptr;                    ///< "front · up · no flip"; of the rows.
+  std::unique_ptr<kinematics::InverseModel> inverse_;  ///< Of the tip link; null for long chains.
+  std::string shown_tip_;
+  std::vector<double> shown_joints_;  ///< Whose configuration is shown.
   const void* shown_model_ = nullptr;
   Segmented *on_contact_, *force_class_;
   QComboBox* material_;

@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include "app/host/actions.h"
+#include "app/host/top_menus.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
@@ -70,14 +71,8 @@ class RobotDocks : public QObject {
   }
 
  private:
-  /// The Robot menu, before that of the applications.
   void addMenu() {
-    QMenuBar* bar = host_.window().menuBar();
-    auto* menu = new QMenu(tr("Robot"), bar);
-    QAction* before = nullptr;
-    for (QAction* action : bar->actions())
-      if (action->text() == QObject::tr("Applications")) before = action;
-    bar->insertMenu(before, menu);
+    QMenu* menu = topMenu(host_.window(), "menuRobot", tr("Robot"));
     if (auto* add = host_.window().findChild<QAction*>("actionAddRobot")) menu->addAction(add);
     const auto entry = [&](const char* name, const QString& text, auto&& slot) {
       QAction* action = makeAction(&host_.window(), {name, text, {}, {}, {}});

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
+#include <algorithm>
 
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
@@ -19,15 +20,19 @@ class Segment final : public QAbstractButton {
   explicit Segment(const QString& text, QWidget* parent) : QAbstractButton(parent) {
     setText(text);
     setCheckable(true);
-    setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);
     setAttribute(Qt::WA_Hover);
     setAccessibleName(text);
   }
-  QSize sizeHint() const override { return {fontMetrics().horizontalAdvance(text()) + 14, kFieldHeight}; }
-  QSize minimumSizeHint() const override { return {fontMetrics().horizontalAdvance(text()) + 6, kFieldHeight}; }
+  QSize sizeHint() const override { return {wide(TextRole::kSection) + 14, kFieldHeight}; }
+  QSize minimumSizeHint() const override { return {std::min(wide(TextRole::kSection), kLeast) + 4, kFieldHeight}; }
 
  protected:
+  /// Where the dock is narrow the words become smaller before any is cut.
+  void resizeEvent(QResizeEvent*) override {
+    const QFont wanted = textFont(wide(TextRole::kSection) + 4 > width() ? TextRole::kKeyCap : TextRole::kText);
+    if (wanted != font()) setFont(wanted);
+  }
   void paintEvent(QPaintEvent*) override {
     const Theme& theme = themeOf(palette());
     QPainter painter(this);
@@ -39,18 +44,24 @@ class Segment final : public QAbstractButton {
     QFont text_font = font();
     if (isChecked()) text_font.setWeight(QFont::Medium);
     painter.setFont(text_font);
-    painter.drawText(rect(), Qt::AlignCenter, text());
+    painter.drawText(rect(), Qt::AlignCenter, painter.fontMetrics().elidedText(text(), Qt::ElideRight, width()));
     if (hasFocus()) {
       painter.setRenderHint(QPainter::Antialiasing);
       painter.setPen(QPen(theme.selection, 2.0));
       painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), kRadius, kRadius);
     }
   }
+
+ private:
+  static constexpr int kLeast = 44;  ///< Pixels that words need at the most, however long they are.
+  int wide(TextRole role) const { return QFontMetrics(textFont(role)).horizontalAdvance(text()); }
 };
 
 }  // namespace
 
-Segmented::Segmented(const QStringList& choices, QWidget* parent) : QWidget(parent), group_(new QButtonGroup(this)) {
+Segmented::Segmented(const QStringList& choices, QWidget* parent, Kind kind)
+    : QWidget(parent), group_(new QButtonGroup(this)) {
+  group_->setExclusive(kind == Kind::kOne);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -103,7 +114,7 @@ void Segmented::paintEvent(QPaintEvent*) {
   const QAbstractButton* left = nullptr;
   for (const QAbstractButton* segment : group_->buttons()) {
     if (segment->isHidden()) continue;
-    if (left && !left->isChecked() && !segment->isChecked())
+    if (left && left->isChecked() == segment->isChecked())
       painter.drawLine(segment->geometry().left(), 1, segment->geometry().left(), height() - 2);
     left = segment;
   }
@@ -117,10 +128,13 @@ void Segmented::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
     return;
   }
-  for (int i = current() + step; i >= 0 && i < group_->buttons().size(); i += step) {
+  int from = current();
+  for (int i = 0; i < group_->buttons().size(); ++i)
+    if (button(i)->hasFocus()) from = i;
+  for (int i = from + step; i >= 0 && i < group_->buttons().size(); i += step) {
     if (!button(i)->isEnabled()) continue;
     button(i)->setFocus();
-    button(i)->click();
+    if (group_->exclusive()) button(i)->click();
     return;
   }
 }

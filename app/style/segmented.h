@@ -10,11 +10,13 @@ class QButtonGroup;
 
 namespace hapticell::app {
 
-/// A few exclusive choices side by side in one frame. The arrow keys move within it; Tab enters and leaves it.
+/// A few choices side by side in one frame: one of them, or any number. The arrow keys move within it; Tab enters and
+/// leaves it.
 class Segmented : public QWidget {
   Q_OBJECT
  public:
-  explicit Segmented(const QStringList& choices, QWidget* parent = nullptr);
+  enum class Kind { kOne, kMany };  ///< kMany: each is switched by itself; chosen() tells which was.
+  explicit Segmented(const QStringList& choices, QWidget* parent = nullptr, Kind kind = Kind::kOne);
 
   int current() const;                       ///< Index, or -1 while nothing is chosen.
   void setCurrent(int index);                ///< Does not emit chosen(). Out of range: nothing is chosen.

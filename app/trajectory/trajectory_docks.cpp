@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "app/host/actions.h"
+#include "app/host/top_menus.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
@@ -183,13 +184,7 @@ class TrajectoryDocks : public QObject {
   }
 
   void addActions() {
-    QMenuBar* bar = host_.window().menuBar();
-    auto* menu = new QMenu(tr("Trajectory"), bar);
-    menu->setObjectName("menuTrajectory");
-    QAction* before = nullptr;
-    for (QAction* action : bar->actions())
-      if (action->text() == QObject::tr("Applications")) before = action;
-    bar->insertMenu(before, menu);
+    QMenu* menu = topMenu(host_.window(), "menuTrajectory", tr("Trajectory"));
     const auto entry = [&](const ActionFace& face, auto&& slot) {
       QAction* action = makeAction(&host_.window(), face);
       host_.window().addAction(action);

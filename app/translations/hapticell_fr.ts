@@ -797,14 +797,6 @@
         <translation>&lt; P 1</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Ctrl+Space&lt;/b&gt;&amp;nbsp; turn on</source>
-        <translation>&lt;b&gt;Ctrl+Espace&lt;/b&gt;&amp;nbsp; mettre en marche</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Esc&lt;/b&gt;&amp;nbsp; forces off</source>
-        <translation>&lt;b&gt;Échap&lt;/b&gt;&amp;nbsp; couper les efforts</translation>
-    </message>
-    <message>
         <source>&gt; P 99</source>
         <translation>&gt; P 99</translation>
     </message>
@@ -863,6 +855,10 @@
     <message>
         <source>A guide holds what you move on a line, a plane, a hinge … Select an entity, choose a kind, then pick an edge or a face.</source>
         <translation>Un guide tient ce que vous déplacez sur une ligne, un plan, une charnière… Choisissez une entité, un genre, puis désignez une arête ou une face.</translation>
+    </message>
+    <message>
+        <source>A hand by itself, each finger as the glove has it; the stylus carries it</source>
+        <translation>Une main seule, chaque doigt comme dans le gant ; le stylet la porte</translation>
     </message>
     <message>
         <source>A joint lets one part move on another. Begin with New joint, or take a sample below.</source>
@@ -951,6 +947,10 @@
     <message>
         <source>Add a frame</source>
         <translation>Ajouter une image</translation>
+    </message>
+    <message>
+        <source>Add a free hand</source>
+        <translation>Ajouter une main libre</translation>
     </message>
     <message>
         <source>Add a person of any size with Ctrl+Shift+M: it stands on the floor, and its hands follow the stylus or the mouse.</source>
@@ -1333,6 +1333,18 @@
         <translation>Étalonné pour vous.</translation>
     </message>
     <message>
+        <source>Calibrated.</source>
+        <translation>Étalonné.</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Étalonner…</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
@@ -1593,6 +1605,10 @@
         <translation>Colonnes</translation>
     </message>
     <message>
+        <source>Comes with the first one</source>
+        <translation>Vient avec le premier</translation>
+    </message>
+    <message>
         <source>Compare with</source>
         <translation>Comparer avec</translation>
     </message>
@@ -1623,6 +1639,14 @@
     <message>
         <source>Connected, simulated</source>
         <translation>Connecté, simulé</translation>
+    </message>
+    <message>
+        <source>Connected; it holds the other hand, the trunk stands still</source>
+        <translation>Connecté ; il tient l'autre main, le tronc ne bouge pas</translation>
+    </message>
+    <message>
+        <source>Connected; it holds what its tip touches</source>
+        <translation>Connecté ; il prend ce que touche sa pointe</translation>
     </message>
     <message>
         <source>Connecting</source>
@@ -1701,6 +1725,10 @@
         <translation>Ctrl+I importe un solide, Ctrl+Maj+I ajoute un robot, Ctrl+O ouvre une cellule.</translation>
     </message>
     <message>
+        <source>Ctrl+Space</source>
+        <translation>Ctrl+Espace</translation>
+    </message>
+    <message>
         <source>Ctrl+Space turns them on</source>
         <translation>Ctrl+Espace les met en marche</translation>
     </message>
@@ -1774,6 +1802,10 @@
     </message>
     <message>
         <source>Does</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Done</source>
         <translation>Fait</translation>
     </message>
     <message>
@@ -1939,6 +1971,10 @@
     <message>
         <source>Ergonomics, live</source>
         <translation>Ergonomie, en direct</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
     </message>
     <message>
         <source>Esc closes it · F1 helps · ? shows the keys</source>
@@ -2173,6 +2209,10 @@
         <translation>Pour impression, 6000 × 4000…</translation>
     </message>
     <message>
+        <source>For the mannequin's other hand, or whatever its tip touches</source>
+        <translation>Pour l'autre main du mannequin, ou ce que touche sa pointe</translation>
+    </message>
+    <message>
         <source>Force</source>
         <translation>Effort</translation>
     </message>
@@ -2207,6 +2247,10 @@
     <message>
         <source>Forces are off. Connect again to start it anew.</source>
         <translation>Les efforts sont coupés. Connectez de nouveau pour repartir.</translation>
+    </message>
+    <message>
+        <source>Forces are off: a second stylus has come</source>
+        <translation>Les forces sont coupées : un second stylet est arrivé</translation>
     </message>
     <message>
         <source>Forces are on, %1 now.</source>
@@ -2365,6 +2409,18 @@
         <translation>Gant</translation>
     </message>
     <message>
+        <source>Go back</source>
+        <translation>Revenir</translation>
+    </message>
+    <message>
+        <source>Go back %1 s</source>
+        <translation>Revenir de %1 s</translation>
+    </message>
+    <message>
+        <source>Go back ten seconds of motion</source>
+        <translation>Revenir de dix secondes de mouvement</translation>
+    </message>
+    <message>
         <source>Go home</source>
         <translation>Aller à l'origine</translation>
     </message>
@@ -2395,6 +2451,10 @@
     <message>
         <source>Guides</source>
         <translation>Guides</translation>
+    </message>
+    <message>
+        <source>Guide…</source>
+        <translation>Guide…</translation>
     </message>
     <message>
         <source>Hand breadth</source>
@@ -2693,6 +2753,10 @@ Licence Apache 2.0</translation>
         <translation>Isométrique</translation>
     </message>
     <message>
+        <source>It does not answer: its force is zero</source>
+        <translation>Il ne répond pas : sa force est nulle</translation>
+    </message>
+    <message>
         <source>It goes with the hand and is checked with it</source>
         <translation>Elle suit la main et est vérifiée avec elle</translation>
     </message>
@@ -2711,6 +2775,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>It moves</source>
         <translation>Il bouge</translation>
+    </message>
+    <message>
+        <source>It needs nothing of you.</source>
+        <translation>Il n'attend rien de vous.</translation>
     </message>
     <message>
         <source>It stands below nothing</source>
@@ -3389,6 +3457,10 @@ Licence Apache 2.0</translation>
         <translation>Pas encore de guide</translation>
     </message>
     <message>
+        <source>No hand was added</source>
+        <translation>Aucune main n'a été ajoutée</translation>
+    </message>
+    <message>
         <source>No haptic server answers at %1</source>
         <translation>Aucun serveur haptique ne répond à %1</translation>
     </message>
@@ -3399,6 +3471,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>No haptic server answers at %1:%2.</source>
         <translation>Aucun serveur haptique ne répond à %1:%2.</translation>
+    </message>
+    <message>
+        <source>No haptic server answers.</source>
+        <translation>Aucun serveur haptique ne répond.</translation>
     </message>
     <message>
         <source>No inverse model: jog the joints.</source>
@@ -3497,6 +3573,10 @@ Licence Apache 2.0</translation>
         <translation>Aucune encore : Garder cette vue en ajoute une</translation>
     </message>
     <message>
+        <source>Not calibrated: it exerts no force until it is.</source>
+        <translation>Non étalonné : il n'exerce aucune force d'ici là.</translation>
+    </message>
+    <message>
         <source>Not checked yet</source>
         <translation>Pas encore vérifié</translation>
     </message>
@@ -3527,6 +3607,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Nothing but the simulated stylus, and nothing is in the way.</source>
         <translation>Rien que le stylet simulé, et rien ne gêne.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved since.</source>
+        <translation>Rien n'a bougé depuis.</translation>
     </message>
     <message>
         <source>Nothing is checked against this entity. Choose sets at the left.</source>
@@ -3907,6 +3991,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Pairs</source>
         <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Pairs, sets and log</source>
+        <translation>Paires, jeux et journal</translation>
     </message>
     <message>
         <source>Palm length</source>
@@ -4653,6 +4741,10 @@ Licence Apache 2.0</translation>
         <translation>Assis</translation>
     </message>
     <message>
+        <source>Second</source>
+        <translation>Second</translation>
+    </message>
+    <message>
         <source>Second column</source>
         <translation>Seconde colonne</translation>
     </message>
@@ -4671,6 +4763,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Section %1 %2</source>
         <translation>Coupe %1 %2</translation>
+    </message>
+    <message>
+        <source>Section off</source>
+        <translation>Coupe inactive</translation>
     </message>
     <message>
         <source>Section plane</source>
@@ -4941,6 +5037,10 @@ Licence Apache 2.0</translation>
         <translation>Pas</translation>
     </message>
     <message>
+        <source>Step %1 of %2: %3</source>
+        <translation>Étape %1 sur %2 : %3</translation>
+    </message>
+    <message>
         <source>Step of angle</source>
         <translation>Pas d'angle</translation>
     </message>
@@ -5189,6 +5289,10 @@ Licence Apache 2.0</translation>
         <translation>Le mouvement choisi devient celui de l'expert, dans la cellule telle qu'elle est</translation>
     </message>
     <message>
+        <source>The device does not answer.</source>
+        <translation>L'appareil ne répond pas.</translation>
+    </message>
+    <message>
         <source>The device does not answer: check its cable and power</source>
         <translation>Le périphérique ne répond pas : vérifiez son câble et son alimentation</translation>
     </message>
@@ -5433,6 +5537,14 @@ Licence Apache 2.0</translation>
         <translation>Les notes sont partielles : %1 non saisi. Données de la tâche… les complète.</translation>
     </message>
     <message>
+        <source>The second stylus is gone. Choose it again to start it.</source>
+        <translation>Le second stylet n'est plus là. Choisissez-le de nouveau pour le démarrer.</translation>
+    </message>
+    <message>
+        <source>The simulated stylus needs none.</source>
+        <translation>Le stylet simulé n'en a pas besoin.</translation>
+    </message>
+    <message>
         <source>The stylus button: grabs and releases</source>
         <translation>Le bouton du stylet : saisit et lâche</translation>
     </message>
@@ -5443,6 +5555,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The stylus is as it was</source>
         <translation>Le stylet est comme avant</translation>
+    </message>
+    <message>
+        <source>The stylus is in its inkwell.</source>
+        <translation>Le stylet est dans son encrier.</translation>
     </message>
     <message>
         <source>The stylus will be pulled down, slowly up to %1 N, for four seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is let go first.</source>
@@ -5478,7 +5594,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>There was not enough memory</source>
-        <translation type="unfinished"></translation>
+        <translation>La mémoire n'a pas suffi</translation>
     </message>
     <message>
         <source>They move together, about the one chosen last.</source>
@@ -5926,7 +6042,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>What you asked for last was not done, and the workcell is as it was before. Save it, then close other programs, or remove parts that are not needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que vous avez demandé en dernier n'a pas été fait, et la cellule est comme avant. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -6203,6 +6319,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>force</source>
         <translation>effort</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>coupe les efforts</translation>
     </message>
     <message>
         <source>frame %1 ms</source>
@@ -6559,6 +6679,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>trimmed</source>
         <translation>rogné</translation>
+    </message>
+    <message>
+        <source>turn on</source>
+        <translation>mettre en marche</translation>
     </message>
     <message>
         <source>turns about %1</source>

@@ -43,6 +43,8 @@ class GpuMesh {
   const dvec3& center() const { return center_; }
   const geometry::Bounds& bounds() const { return bounds_; }
   bool closed() const { return closed_; }
+  /// How far apart its creases lie on its surface, about, metres: its area by their length; infinite without any.
+  double creaseSpacing() const { return crease_spacing_; }
   const std::vector<DetailStep>& steps() const { return steps_; }
   std::size_t triangles() const { return steps_.empty() ? 0 : steps_[0].count / 3; }
   std::size_t trianglesOf(std::size_t step) const {
@@ -63,6 +65,7 @@ class GpuMesh {
   std::size_t filled_buffers_ = 0;
   std::size_t filled_ = 0;  ///< Bytes of the next one.
   std::size_t edge_count_ = 0, crease_count_ = 0;
+  double crease_spacing_ = 0.0;
 };
 
 /// Meshes by their address: shared ones are uploaded once; those that no longer occur are let go. Large meshes are made

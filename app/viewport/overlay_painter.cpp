@@ -288,6 +288,24 @@ void paintEmpty(QPainter& painter, const Overlay& overlay) {
                    Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, overlay.empty->how);
 }
 
+/// Beside the pointer, on the side where there is room.
+QRectF hoverBox(const Overlay& overlay) {
+  constexpr double kBeside = 16.0, kHeight = 24.0;
+  const double width = std::ceil(textWidth(textFont(TextRole::kSecond), overlay.hover_name)) + 20.0;
+  const QPointF place = overlay.hover_place;
+  const bool left = place.x() + kBeside + width > overlay.size.width - 4.0;
+  const bool above = place.y() + kBeside + kHeight > overlay.size.height - 4.0;
+  return {std::round(left ? std::max(4.0, place.x() - kBeside - width) : place.x() + kBeside),
+          std::round(above ? place.y() - kBeside - kHeight : place.y() + kBeside), width, kHeight};
+}
+
+void paintHoverName(QPainter& painter, const Overlay& overlay) {
+  paintBox(painter, hoverBox(overlay), *overlay.theme);
+  painter.setFont(textFont(TextRole::kSecond));
+  painter.setPen(overlay.theme->text1);
+  painter.drawText(hoverBox(overlay), Qt::AlignCenter, overlay.hover_name);
+}
+
 void paintBox(QPainter& painter, const Overlay& overlay) {
   QColor fill = overlay.theme->selection;
   fill.setAlpha(28);
@@ -354,6 +372,7 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   pieces.emplace_back(0, overlay.size.height - 100, overlay.size.width, 100);
   if (overlay.view_strip) pieces.push_back(overlay.view_strip->box().adjusted(-2, -2, 2, 2));
   if (overlay.box) pieces.push_back(overlay.box->adjusted(-2, -2, 2, 2));
+  if (!overlay.hover_name.isEmpty()) pieces.push_back(hoverBox(overlay).adjusted(-2, -2, 2, 2));
   if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
   QRectF curves;
   for (const SceneCurve& curve : overlay.curves) curves = curves.united(curveBox(curve, overlay.camera, overlay.size));
@@ -395,6 +414,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   if (overlay.box) paintBox(painter, overlay);
   if (overlay.view_strip) overlay.view_strip->paint(painter, *overlay.theme, overlay.view_strip_hover);
   paintQuietText(painter, overlay);
+  if (!overlay.hover_name.isEmpty()) paintHoverName(painter, overlay);
 }
 
 }  // namespace hapticell::app

@@ -37,6 +37,9 @@ struct Overlay {
   int view_strip_hover = -1;      ///< Index of its cell, or -1.
   std::optional<QRectF> box;      ///< Drawn by the mouse to choose what lies in it,
   bool box_touching = false;      ///< or what it touches: dashed.
+  /// What the pointer is over, and where it came there.
+  QString hover_name;
+  QPointF hover_place;
   std::size_t missing_parts = 0;  ///< Still being made ready for drawing.
 };
 

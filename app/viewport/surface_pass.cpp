@@ -25,6 +25,16 @@ bool showsEdges(const Frame& frame, const FrameView& view, const RenderItem& ite
   return radius >= kFewPixels * frame.pixel_ratio * frame.camera.metresPerPixel(p_WC, size);
 }
 
+/// Where lines would lie so close that they only darken the part (a fence, far away), they are fainter.
+double lineStrength(const Frame& frame, const RenderItem& item, const GpuMesh& mesh) {
+  constexpr double kClose = 1.0, kApart = 6.0, kLeast = 0.15;  // Pixels between lines; of the full strength.
+  const ViewSize size{static_cast<double>(frame.width), static_cast<double>(frame.height)};
+  const dvec3 p_WC = item.X_WM * (item.scale * mesh.bounds().center());
+  const double pixel = frame.pixel_ratio * frame.camera.metresPerPixel(p_WC, size);
+  const double apart = std::clamp((item.scale * mesh.creaseSpacing() / pixel - kClose) / (kApart - kClose), 0.0, 1.0);
+  return kLeast + (1.0 - kLeast) * apart * apart * (3.0 - 2.0 * apart);
+}
+
 glm::dmat4 bandFromClip(const Frame& frame) {
   if (frame.bands <= 1) return glm::dmat4(1.0);
   const double low = std::max(0, frame.height * frame.band / frame.bands - kBandRoom);
@@ -170,8 +180,10 @@ void EdgePass::prepareItem(const DrawContext& context, const RenderItem& item, c
   const fvec3& ghostly = item.ghost == Ghost::kOwn       ? own
                          : item.ghost == Ghost::kTouches ? frame.colors.contact
                                                          : frame.colors.selected;
-  program_->setUniformValue("line_color", ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)
-                                                : QVector4D(color.x, color.y, color.z, color.w));
+  program_->setUniformValue(
+      "line_color",
+      ghost ? QVector4D(ghostly.x, ghostly.y, ghostly.z, 1.0f)
+            : QVector4D(color.x, color.y, color.z, color.w * static_cast<float>(lineStrength(frame, item, mesh))));
   program_->setUniformValue("dash", static_cast<float>(ghost ? 9.0 * frame.pixel_ratio : 0.0));
   program_->setUniformValue("width", static_cast<float>((ghost ? 1.6 : 1.1) * frame.pixel_ratio));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The pointer over the viewport: turning, shifting, zooming, picking, the view cube.
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QWheelEvent>
@@ -29,6 +30,16 @@ bool passesNear(const RenderItem& item, const Ray& ray_W, double room) {
   const dvec3 to_center = item.X_WM * item.bounds_M.center() - ray_W.origin_W;
   const dvec3 beside = to_center - glm::dot(to_center, ray_W.direction_W) * ray_W.direction_W;
   return glm::length(beside) <= item.bounds_M.radius() + room;
+}
+
+/// "robot · link_3"; a mannequin is one person to those who point at it.
+QString nameOf(const workcell::Entity* entity, int link) {
+  if (!entity) return {};
+  const QString name = QString::fromStdString(entity->name);
+  if (!entity->robot || entity->figure || link < 0 || static_cast<std::size_t>(link) >= entity->robot->links.size())
+    return name;
+  return name + QStringLiteral(" · ") +
+         QString::fromStdString(entity->robot->links[static_cast<std::size_t>(link)].name);
 }
 
 }  // namespace
@@ -271,7 +282,15 @@ void ViewportWidget::hover(const QPointF& position) {
     pick_hover_ = spot || cell >= 0 ? std::nullopt : featureAt(position, pick_->filter);
     update();
   }
-  const workcell::EntityId entity = spot || cell >= 0 ? 0 : entityAt(position);
+  const auto seen = spot || cell >= 0 ? std::nullopt : pickAt(position);
+  const workcell::EntityId entity = seen ? seen->entity : 0;
+  const QString name = seen ? nameOf(scene_.find(entity), seen->link) : QString();
+  constexpr double kFar = 60.0;  // Pixels: a name that is left behind comes after.
+  if (name != hover_name_ || (!name.isEmpty() && QLineF(position, hover_place_).length() > kFar)) {
+    hover_name_ = name;
+    hover_place_ = position;
+    update();
+  }
   scene_.setHovered(entity);
   if (scene_.revision() != drawn_revision_) {
     emit hovered(entity);
@@ -345,6 +364,7 @@ void ViewportWidget::leaveEvent(QEvent* event) {
   cube_hover_.reset();
   pick_hover_.reset();
   view_strip_hover_ = -1;
+  hover_name_.clear();
   scene_.setHovered(0);
   emit hovered(0);
   update();

@@ -82,6 +82,10 @@ Overlay ViewportWidget::makeOverlay() {
     overlay.box = QRectF(press_place_, last_place_).normalized();
     overlay.box_touching = last_place_.x() < press_place_.x();
   }
+  if (drag_ == Drag::kNone && !pick_) {
+    overlay.hover_name = hover_name_;
+    overlay.hover_place = hover_place_;
+  }
   overlay.view_strip = &view_strip_;
   overlay.view_strip_hover = view_strip_hover_;
   overlay.missing_parts = renderer_ ? renderer_->missingParts() : 0;

@@ -66,6 +66,8 @@ class ViewportWidget : public QOpenGLWidget {
   void setStrip(const StripContext& context) { strip_ = context; }
   void setViewStrip(std::vector<ViewStripCell> cells);
   const ViewStrip& viewStrip() const { return view_strip_; }
+  /// What the pointer is over, as it is written beside it: "robot · link_3". Empty: nothing.
+  const QString& hoverName() const { return hover_name_; }
   void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
   /// The scene changed: draws when Qt finds time.
   void refresh();
@@ -173,6 +175,8 @@ class ViewportWidget : public QOpenGLWidget {
   std::optional<ViewCubeSpot> cube_hover_;
   ViewStrip view_strip_;
   int view_strip_hover_ = -1;
+  QString hover_name_;
+  QPointF hover_place_;
   QPointF press_place_, last_place_;
   dvec3 pivot_W_{0.0};
   enum class Drag { kNone, kOrbit, kPan, kZoom, kClick, kBox, kMenu, kCube, kPick, kSection } drag_ = Drag::kNone;

@@ -286,6 +286,11 @@ void VirtualDesktopController::setClutch(bool on) {
   if (loop_) loop_->post(command::SetClutch{on});
 }
 
+void VirtualDesktopController::letGo() {
+  mouse_.setButton(false);
+  if (loop_) loop_->post(command::Release{});
+}
+
 void VirtualDesktopController::handleMoved(const manipulation::result::Moved& moved) {
   DocumentModel& document = host_.documentModel();
   const workcell::SetConfiguration own{moved.entity, moved.X_WE, moved.joints};

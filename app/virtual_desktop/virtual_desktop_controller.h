@@ -61,6 +61,8 @@ class VirtualDesktopController : public QObject {
   /// What the user asked for; whether they act is in the snapshot.
   bool forcesWanted() const { return forces_wanted_; }
   void setClutch(bool on);
+  /// What is held stays where it is.
+  void letGo();
   MouseStylus& mouse() { return mouse_; }
   const manipulation::SceneSnapshot& snapshot() const { return snapshot_; }
   double guiRate() const;

@@ -12,18 +12,21 @@
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
-#include <QMenuBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
 
 #include "app/host/actions.h"
 #include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/host/top_menus.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
+#include "app/style/key_cap.h"
+#include "app/style/theme.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/device_check_panel.h"
 #include "app/virtual_desktop/device_listing.h"
@@ -84,6 +87,7 @@ void VirtualDesktopModule::start(Host& host) {
   QObject::connect(&host.documentModel(), &DocumentModel::opened, controller_.get(), [this] { chooseFirstRobot(); });
   QObject::connect(&host.selection(), &Selection::changed, controller_.get(),
                    [this](workcell::EntityId entity) { followSelection(entity); });
+  QObject::connect(&host.holdChoice(), &HoldChoice::letGoWanted, controller_.get(), &VirtualDesktopController::letGo);
   controller_->connectDevice();
   qApp->installEventFilter(this);
 }
@@ -166,7 +170,6 @@ void VirtualDesktopModule::addPill() {
   pill_ = new QWidget;
   auto* row = new QHBoxLayout(pill_);
   row->setContentsMargins(8, 0, 12, 0);
-  row->setSpacing(10);
   pill_button_ = new QPushButton(icon("forces"), {});
   pill_button_->setObjectName("pillForces");
   pill_button_->setCheckable(true);
@@ -174,9 +177,13 @@ void VirtualDesktopModule::addPill() {
   pill_button_->setFont(textFont(TextRole::kSection));
   pill_button_->setFixedSize(118, 32);
   pill_button_->setIconSize(QSize(18, 18));
+  pill_key_ = new KeyCap;
   pill_words_ = new QLabel;
   pill_words_->setFont(textFont(TextRole::kSecond));
+  pill_words_->setForegroundRole(kQuietText);
   row->addWidget(pill_button_);
+  row->addWidget(pill_key_);
+  row->setSpacing(6);
   row->addWidget(pill_words_);
   host_->addToToolBar(pill_);
   // It only turns forces off: on is the switch of the panel or Ctrl+Space, never a click that was meant for something
@@ -196,7 +203,9 @@ void VirtualDesktopModule::showPill() {
   pill_button_->setChecked(on);
   pill_button_->setEnabled(controller_->isConnected());
   pill_button_->setText(on ? tr("Forces on") : tr("Forces off"));
-  pill_words_->setText(on ? tr("<b>Esc</b>&nbsp; forces off") : tr("<b>Ctrl+Space</b>&nbsp; turn on"));
+  pill_key_->setText(on ? tr("Esc") : tr("Ctrl+Space"));
+  pill_key_->updateGeometry();
+  pill_words_->setText(on ? tr("forces off") : tr("turn on"));
 }
 
 void VirtualDesktopModule::addKeys() {
@@ -233,13 +242,13 @@ void VirtualDesktopModule::addKeys() {
     });
 }
 
-/// The keys as a menu too, in front of Window and Help.
+/// The keys as a menu too.
 void VirtualDesktopModule::addMenu() {
-  QMenuBar* bar = host_->window().menuBar();
-  menu_ = new QMenu(tr("Haptics"), bar);
+  menu_ = topMenu(host_->window(), "menuHaptics", tr("Haptics"));
   menu_->addActions({actions_.begin(), actions_.end()});
-  const QList<QAction*> there = bar->actions();
-  bar->insertMenu(there.size() >= 2 ? there[there.size() - 2] : nullptr, menu_);
+  QMenu* collision = topMenu(host_->window(), "menuCollision", QObject::tr("Collision"));
+  for (QAction* action : actions_)
+    if (action->objectName() == "actionOnContact" || action->objectName() == "actionMute") collision->addAction(action);
 }
 
 bool VirtualDesktopModule::handleKey(int key, bool pressed, bool repeated) {

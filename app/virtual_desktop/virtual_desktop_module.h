@@ -53,6 +53,7 @@ class VirtualDesktopModule : public QObject, public Module {
   QPointer<QDockWidget> dock_, check_dock_;
   QPointer<QWidget> pill_;
   QPushButton* pill_button_ = nullptr;
+  QLabel* pill_key_ = nullptr;
   QLabel* pill_words_ = nullptr;
   std::vector<QAction*> actions_;
   QPointer<QMenu> menu_;

@@ -32,15 +32,6 @@ namespace {
 
 constexpr const char* kProfiles[]{"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"};
 
-/// Two or more toggles that look like segments.
-QPushButton* makeToggle(const QString& text, const QString& tip) {
-  auto* button = new QPushButton(text);
-  button->setCheckable(true);
-  button->setToolTip(tip);
-  button->setAccessibleName(tip);
-  return button;
-}
-
 }  // namespace
 
 VirtualDesktopPanel::VirtualDesktopPanel(Host& host, VirtualDesktopController& controller, QWidget* parent)
@@ -240,15 +231,18 @@ void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
   axes_frame_->setObjectName("comboAxesFrame");
   axes_frame_row_ = addRow(*section, {}, axes_frame_);
   const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
+  Segmented* const groups[]{new Segmented({"X", "Y", "Z"}, nullptr, Segmented::Kind::kMany),
+                            new Segmented({"A", "B", "C"}, nullptr, Segmented::Kind::kMany)};
   for (std::size_t i = 0; i < 6; ++i) {
     const QString axis = QString::fromLatin1(names[i % 3]);
-    free_[i] = makeToggle(QString::fromLatin1(names[i]),
-                          i < 3 ? tr("The hand moves it along %1 (%1: only that)").arg(axis)
-                                : tr("The hand turns it about %1 (%1 twice: only that)").arg(axis));
+    free_[i] = groups[i / 3]->button(static_cast<int>(i % 3));
+    const QString tip = i < 3 ? tr("The hand moves it along %1 (%1: only that)").arg(axis)
+                              : tr("The hand turns it about %1 (%1 twice: only that)").arg(axis);
+    free_[i]->setToolTip(tip);
+    free_[i]->setAccessibleName(tip);
     free_[i]->setObjectName(QStringLiteral("free") + QString::fromLatin1(names[i]));
-    free_[i]->setMinimumWidth(24);
   }
-  addRow(*section, tr("Free to move"), sideBySide({free_[0], free_[1], free_[2], free_[3], free_[4], free_[5]}));
+  addRow(*section, tr("Free to move"), sideBySide({groups[0], groups[1]}));
   scale_ = new Segmented({tr("Rough"), tr("Medium"), tr("Fine"), tr("Screen")});
   scale_->setObjectName("segmentsScale");
   addRow(*section, tr("Scale"), scale_);
@@ -267,8 +261,8 @@ void VirtualDesktopPanel::addAxes(QVBoxLayout& column) {
   connect(scale_, &Segmented::chosen, this, [this](int index) {
     change([&](auto& settings) { settings.scale = static_cast<manipulation::ScaleLevel>(index); });
   });
-  for (QPushButton* toggle : free_)
-    connect(toggle, &QPushButton::clicked, this, [this] {
+  for (Segmented* group : groups)
+    connect(group, &Segmented::chosen, this, [this] {
       change([&](auto& settings) {
         for (std::size_t i = 0; i < 3; ++i) {
           settings.free.moves[i] = free_[i]->isChecked();

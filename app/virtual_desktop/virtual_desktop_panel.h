@@ -8,6 +8,7 @@
 #include "app/style/steady_number.h"
 #include "app/virtual_desktop/virtual_desktop_settings.h"
 
+class QAbstractButton;
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
@@ -81,7 +82,7 @@ class VirtualDesktopPanel : public QWidget {
   DeviceLister* lister_;
   WorkspaceView* workspace_;
   QPushButton *mend_, *connect_, *check_;
-  std::array<QPushButton*, 6> free_{};
+  std::array<QAbstractButton*, 6> free_{};
   QComboBox *stylus_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
   QWidget *moved_frame_row_, *axes_frame_row_;
   Segmented *moved_by_, *on_contact_, *axes_, *scale_, *force_class_;

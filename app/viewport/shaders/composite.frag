@@ -37,7 +37,20 @@ void main() {
     uint right = itemOf(texelFetch(id_map, min(here + ivec2(1, 0), last), 0).r);
     uint above = itemOf(texelFetch(id_map, min(here + ivec2(0, 1), last), 0).r);
     uint item = itemOf(own);
-    if (item != right || item != above) shown = mix(shown, silhouette_color, 0.72);
+    // What is thinner than a few pixels (a fence, a cable) would be all line: its own colour shows through.
+    int t = int(4.0 * pixel_ratio + 0.5);
+    float strength = 0.0;
+    if (item != right) {
+      uint beyond = itemOf(texelFetch(id_map, min(here + ivec2(t, 0), last), 0).r);
+      uint before = itemOf(texelFetch(id_map, max(here - ivec2(t - 1, 0), ivec2(0)), 0).r);
+      strength = beyond == item || before == right ? 0.22 : 0.72;
+    }
+    if (item != above) {
+      uint beyond = itemOf(texelFetch(id_map, min(here + ivec2(0, t), last), 0).r);
+      uint before = itemOf(texelFetch(id_map, max(here - ivec2(0, t - 1), ivec2(0)), 0).r);
+      strength = max(strength, beyond == item || before == above ? 0.22 : 0.72);
+    }
+    shown = mix(shown, silhouette_color, strength);
   }
 #endif
 #ifdef STATES
