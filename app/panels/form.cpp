@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/form.h"
 
+#include <QComboBox>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/style/theme.h"
 
@@ -41,6 +43,13 @@ QWidget* addRow(QVBoxLayout& section, const QString& name, QWidget* field, int l
   label->setFixedWidth(label_width);
   label->setBuddy(field);
   field->setAccessibleName(name);
+  // A long choice must not make the panel wider than its dock.
+  QList<QComboBox*> choices = field->findChildren<QComboBox*>();
+  if (auto* self = qobject_cast<QComboBox*>(field)) choices << self;
+  for (QComboBox* choice : choices) {
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->setMinimumContentsLength(std::max(choice->minimumContentsLength(), 4));
+  }
   row->addWidget(label);
   row->addWidget(field, 1);
   section.addWidget(holder);

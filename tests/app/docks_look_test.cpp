@@ -78,10 +78,10 @@ class Look {
     const int room = scroll.viewport()->width(), needed = scroll.widget()->width();
     if (needed <= room) return;
     const QWidget* widest = nullptr;
+    int furthest = room;
     for (const QWidget* child : scroll.widget()->findChildren<QWidget*>()) {
       const int right = child->mapTo(scroll.widget(), QPoint(child->minimumSizeHint().width(), 0)).x();
-      if (child->isVisibleTo(&dock_) && right > room && !child->layout() && (!widest || right > widest->width()))
-        widest = child;
+      if (child->isVisibleTo(&dock_) && right > furthest && !child->layout()) widest = child, furthest = right;
     }
     tell(scroll, QStringLiteral("needs %1 px of %2, by %3").arg(needed).arg(room).arg(widest ? placeOf(*widest) : "?"));
   }
