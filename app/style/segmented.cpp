@@ -21,6 +21,7 @@ class Segment final : public QAbstractButton {
     setText(text);
     setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // It may be narrower than it likes.
     setAttribute(Qt::WA_Hover);
     setAccessibleName(text);
   }

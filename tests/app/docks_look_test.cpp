@@ -30,6 +30,14 @@ QString placeOf(const QWidget& widget) {
   return place;
 }
 
+/// A row by what stands in it.
+QString wordsOf(const QWidget& row) {
+  QStringList words{placeOf(row)};
+  for (const QLabel* label : row.findChildren<QLabel*>()) words << label->text();
+  for (const QAbstractButton* button : row.findChildren<QAbstractButton*>()) words << button->text();
+  return words.join(' ').left(120);
+}
+
 /// What a demanding eye finds in a dock, as sentences.
 class Look {
  public:
@@ -77,13 +85,16 @@ class Look {
     if (!scroll.widget() || scroll.horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) return;
     const int room = scroll.viewport()->width(), needed = scroll.widget()->width();
     if (needed <= room) return;
+    // The innermost row that cannot be narrower.
     const QWidget* widest = nullptr;
-    int furthest = room;
-    for (const QWidget* child : scroll.widget()->findChildren<QWidget*>()) {
-      const int right = child->mapTo(scroll.widget(), QPoint(child->minimumSizeHint().width(), 0)).x();
-      if (child->isVisibleTo(&dock_) && right > furthest && !child->layout()) widest = child, furthest = right;
+    int furthest = room - 60;
+    for (const QWidget* row : scroll.widget()->findChildren<QWidget*>()) {
+      if (!row->isVisibleTo(&dock_) || !row->layout()) continue;
+      const int least = row->layout()->totalMinimumSize().width();
+      if (least > furthest || (widest && widest->isAncestorOf(row) && least == furthest))
+        widest = row, furthest = least;
     }
-    tell(scroll, QStringLiteral("needs %1 px of %2, by %3").arg(needed).arg(room).arg(widest ? placeOf(*widest) : "?"));
+    tell(scroll, QStringLiteral("needs %1 px of %2, by %3").arg(needed).arg(room).arg(widest ? wordsOf(*widest) : "?"));
   }
   void lookForOverlap(const QWidget& holder) {
     QList<const QWidget*> laid;
