@@ -127,6 +127,7 @@ class ManipulationEngine {
   std::unique_ptr<HeldEntity> held_;
   std::unique_ptr<HeldEntity> posed_;  // What a glove poses, unless it is what is held.
   std::optional<command::PoseJoints> wanted_pose_;
+  std::int64_t posed_ns_ = -1'000'000'000;
   bool joints_move_ = false;  // Of what is held, by somebody else.
 
   std::optional<haptic::HapticState> state_;

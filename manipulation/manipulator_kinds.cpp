@@ -11,6 +11,7 @@
 #include "manipulation/robot_base_manipulator.h"
 #include "manipulation/robot_manipulator.h"
 #include "manipulation/solid_manipulator.h"
+#include "mannequin/free_hand.h"
 
 namespace hapticell::manipulation {
 namespace {
@@ -204,7 +205,10 @@ std::span<const ManipulatorKind> manipulatorKinds() {
 MovedBy resolved(const MovedBy& moved_by, const Entity& entity) {
   MovedBy result = moved_by;
   if (result.kind == Kind::kWhole) result.kind = Kind::kSelfOrigin;
-  if (result.kind == Kind::kDefault) result.kind = isRobot(entity) ? Kind::kTcp : Kind::kSelfOrigin;
+  const bool whole = isRobot(entity) && mannequin::isFreeHand(*entity.robot);  // Its fingers are the glove's.
+  if (result.kind == Kind::kDefault) {
+    result.kind = !isRobot(entity) ? Kind::kSelfOrigin : whole ? Kind::kBase : Kind::kTcp;
+  }
   return result;
 }
 

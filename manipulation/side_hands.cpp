@@ -10,6 +10,7 @@ namespace hapticell::manipulation {
 namespace {
 
 constexpr std::int64_t kNewsPeriod = 20'000'000;  ///< ns between two sets that are made because others moved.
+constexpr std::int64_t kPosePeriod = 8'000'000;   ///< ns between two attempts: gloves tell a hundred poses a second.
 constexpr double kTouches = 2e-4;                 ///< m: nearer than this a posed part touches.
 constexpr double kPosedShown = 0.05;              ///< m: pairs of a posed hand are told from here on.
 
@@ -94,7 +95,8 @@ HeldEntity* ManipulationEngine::poser(workcell::EntityId entity) {
 }
 
 void ManipulationEngine::followPose() {
-  if (!wanted_pose_ || !scene_) return;
+  if (!wanted_pose_ || !scene_ || now_ns_ - posed_ns_ < kPosePeriod) return;
+  posed_ns_ = now_ns_;
   HeldEntity* const hand = poser(wanted_pose_->entity);
   if (hand == nullptr) return;
   if (hand == posed_.get() && held_) hand->placeOther(held_->id(), held_->standing());

@@ -8,6 +8,7 @@
 #include "geometry/shapes.h"
 #include "mannequin/body_request_text.h"
 #include "mannequin/figure_model.h"
+#include "mannequin/free_hand.h"
 #include "workcell/mesh_care.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/robot_library.h"
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string schemeOf(const std::string& what) {
-  for (const char* scheme : {"library", "box", "cylinder", "sphere", "mannequin"}) {
+  for (const char* scheme : {"library", "box", "cylinder", "sphere", "mannequin", "hand"}) {
     if (what.starts_with(std::string(scheme) + ":")) return scheme;
   }
   return {};
@@ -46,6 +47,35 @@ void turnUp(geometry::TriangleMesh& mesh, const std::optional<UpAxis>& up) {
   if (!up || *up == UpAxis::kZ) return;
   const Pose X_WF = turnedUp(*up);
   for (dvec3& vertex : mesh.vertices) vertex = X_WF * vertex;
+}
+
+/// A hand by itself, for a glove: "hand:left" or "hand:right", with ":SEX:PERCENTILE" another body's.
+Expected<Entity> loadFreeHand(const std::string& what) {
+  const std::string words = what.substr(what.find(':') + 1);
+  const std::string side = words.substr(0, words.find(':'));
+  const std::string body = "mannequin:" + (words == side ? "male:50" : words.substr(side.size() + 1));
+  if (side != "left" && side != "right") {
+    return makeError({what, "", "the hand '" + side + "'", "hand:left or hand:right, and :SEX:PERCENTILE", ""});
+  }
+  const Expected<mannequin::BodyRequest> request = mannequin::parseBodyRequest(body);
+  const Expected<mannequin::Figure> figure =
+      request ? mannequin::makeFigure(*request) : Expected<mannequin::Figure>(makeError(request.error()));
+  if (!figure) {
+    Error error = figure.error();
+    error.file = what;
+    return makeError(std::move(error));
+  }
+  const auto model =
+      mannequin::freeHandModel(*figure, side == "left" ? mannequin::Side::kLeft : mannequin::Side::kRight);
+  Entity entity;
+  entity.kind = EntityKind::kRobot;
+  entity.robot = model;
+  entity.joints.assign(model->dof(), 0.0);
+  entity.name = side + " hand";
+  entity.source = {what, 1.0};
+  entity.tip_link = model->links.front().name;
+  entity.mass = 0.4;
+  return entity;
 }
 
 }  // namespace
@@ -83,6 +113,7 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
   const std::string scheme = schemeOf(what);
   const bool said = source.scale != 0.0 && source.scale != 1.0;
   if (scheme == "mannequin") return loadMannequin(what);
+  if (scheme == "hand") return loadFreeHand(what);
   if (scheme == "library") return loadLibraryRobot(what, diagnostics);
   if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();

@@ -31,7 +31,11 @@ bool sameScene(const manipulation::SceneSnapshot& a, const manipulation::SceneSn
              std::any_of(y.pairs.begin(), y.pairs.end(), [&](const auto& q) { return samePair(p, q); });
     });
   };
-  return samePose(a.X_WStylus, b.X_WStylus) && a.held == b.held && a.connected == b.connected &&
+  const auto secondPen = [](const manipulation::SceneSnapshot& s) {
+    return s.second && s.second->connected ? s.second->X_WStylus : Pose::identity();
+  };
+  return samePose(a.X_WStylus, b.X_WStylus) && samePose(secondPen(a), secondPen(b)) && a.held == b.held &&
+         a.connected == b.connected &&
          std::equal(a.entities.begin(), a.entities.end(), b.entities.begin(), b.entities.end(), sameEntity) &&
          sameMarks(a, b) && sameMarks(b, a);
 }
@@ -290,18 +294,25 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   for (const GhostPose& ghost : ghosts_) appendGhost(ghost, result);
   for (const auto& [owner, extras] : extras_) result.insert(result.end(), extras.begin(), extras.end());
   if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
+  appendStylus(stylus, snapshot_->X_WStylus, result);
+  if (snapshot_->second && snapshot_->second->connected) {
+    appendStylus(stylus, snapshot_->second->X_WStylus, result);
+  }
+  return result;
+}
+
+void SceneModel::appendStylus(const StylusLook& look, const Pose& X_WS, std::vector<RenderItem>& items) const {
   for (const bool band : {false, true}) {
     RenderItem item;
     item.mesh = band ? stylus_.band : stylus_.body;
     item.bounds_M = item.mesh->bounds();
-    item.X_WM = snapshot_->X_WStylus;
-    item.scale = stylus.length;
-    item.color = band ? stylus.band : stylus.body;
+    item.X_WM = X_WS;
+    item.scale = look.length;
+    item.color = band ? look.band : look.body;
     item.casts_shadow = false;
     item.over_scene = true;
-    result.push_back(std::move(item));
+    items.push_back(std::move(item));
   }
-  return result;
 }
 
 geometry::Bounds SceneModel::bounds_W() const {

@@ -94,6 +94,7 @@ class SceneModel {
   void appendShapes(const workcell::Entity& entity, const Pose& X_WE, std::vector<double> joints,
                     std::vector<RenderItem>& items) const;
   void appendGhost(const GhostPose& ghost, std::vector<RenderItem>& items) const;
+  void appendStylus(const StylusLook& look, const Pose& X_WS, std::vector<RenderItem>& items) const;
   std::vector<workcell::Entity> entities_;
   std::vector<workcell::PairSet> pair_sets_, coloured_sets_;
   std::optional<manipulation::SceneSnapshot> snapshot_, shown_;

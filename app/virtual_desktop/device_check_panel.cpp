@@ -15,6 +15,7 @@
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
+#include "app/virtual_desktop/calibration_section.h"
 #include "app/virtual_desktop/device_listing.h"
 #include "app/virtual_desktop/device_watch.h"
 #include "app/virtual_desktop/rate_graph.h"
@@ -107,6 +108,7 @@ DeviceCheckPanel::DeviceCheckPanel(QWidget* parent) : QWidget(parent) {
   addRates(*column);
   addRange(*column);
   addForceTest(*column);
+  addCalibration(*column);
   addPlugged(*column);
   column->addStretch(1);
   connect(watch_, &DeviceWatch::changed, this, &DeviceCheckPanel::showWatch);
@@ -206,6 +208,13 @@ void DeviceCheckPanel::addForceTest(QVBoxLayout& column) {
   });
 }
 
+void DeviceCheckPanel::addCalibration(QVBoxLayout& column) {
+  QVBoxLayout* section = addSection(column, tr("Calibration"));
+  calibration_ = new CalibrationSection;
+  section->addWidget(calibration_);
+  connect(calibration_, &CalibrationSection::stepDone, this, [this](unsigned step) { watch_->calibrate(step); });
+}
+
 void DeviceCheckPanel::showForceTest() {
   const bool runs = watch_->forceTestRuns();
   const bool forceless = watch_->device() && watch_->device()->driven_axes == 0;
@@ -232,6 +241,7 @@ void DeviceCheckPanel::showForceTest() {
 void DeviceCheckPanel::showWatch() {
   graph_->setSamples(watch_->history());
   range_->setTest(watch_->range(), watch_->device());
+  calibration_->setCondition(watch_->condition(), watch_->isConnected());
   showForceTest();
 }
 

@@ -14,6 +14,7 @@ class QVBoxLayout;
 
 namespace hapticell::app {
 
+class CalibrationSection;
 class DeviceLister;
 class DeviceWatch;
 class RangeView;
@@ -60,6 +61,7 @@ class DeviceCheckPanel : public QWidget {
   void addRates(QVBoxLayout& column);
   void addRange(QVBoxLayout& column);
   void addForceTest(QVBoxLayout& column);
+  void addCalibration(QVBoxLayout& column);
   void addPlugged(QVBoxLayout& column);
   void showWatch();
   void showForceTest();
@@ -71,6 +73,7 @@ class DeviceCheckPanel : public QWidget {
   CheckRows* rows_ = nullptr;
   RateGraph* graph_ = nullptr;
   RangeView* range_ = nullptr;
+  CalibrationSection* calibration_ = nullptr;
   QLabel *force_words_ = nullptr, *versions_ = nullptr, *looking_ = nullptr;
   QPushButton *force_ask_ = nullptr, *force_go_ = nullptr, *force_stop_ = nullptr;
   QVBoxLayout* plugged_ = nullptr;

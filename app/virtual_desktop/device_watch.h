@@ -50,6 +50,11 @@ class DeviceWatch : public QObject {
   const haptic::HapticState& state() const { return state_; }
   const haptic::ServerStatistics& statistics() const { return statistics_; }
   RangeTest& range() { return range_; }
+  /// How the device is and what its calibration asks of the user; nothing for a simulated one.
+  std::optional<haptic::DeviceCondition> condition() const { return link_ ? link_->condition() : std::nullopt; }
+  void calibrate(unsigned step) {
+    if (link_) link_->calibrate(step);
+  }
 
   /// Ten a second, newest last, at most a minute of them.
   struct RateSample {

@@ -2,23 +2,13 @@
 #include "app/virtual_desktop/finger_contact.h"
 
 #include <algorithm>
-#include <string>
+
+#include "manipulation/grasp_keeper.h"
 
 namespace hapticell::app {
 namespace {
 
 constexpr double kTouch = 0.35;  ///< Of the full strength: felt through the glove's fabric.
-constexpr const char* kFingers[]{"thumb", "index", "middle", "ring", "pinky"};
-
-/// Which vibrator a link of the figure belongs to; -1: none of this hand's.
-int vibratorOf(const std::string& link, mannequin::Side side) {
-  const char* const prefix = side == mannequin::Side::kLeft ? "l_" : "r_";
-  if (link.rfind(prefix, 0) != 0) return -1;
-  for (int i = 0; i < 5; ++i) {
-    if (link.compare(2, std::string(kFingers[i]).size(), kFingers[i]) == 0) return i;
-  }
-  return link == std::string(prefix) + "wrist" || link == std::string(prefix) + "hand" ? 5 : -1;
-}
 
 }  // namespace
 
@@ -30,7 +20,7 @@ FingerVibration fingerVibration(const manipulation::SceneSnapshot& snapshot, wor
     if (!pair.contact) continue;
     const bool moved = pair.moved == figure;
     if (!moved && pair.other != figure) continue;
-    const int vibrator = vibratorOf(moved ? pair.moved_part : pair.other_part, side);
+    const int vibrator = manipulation::fingerOfLink(moved ? pair.moved_part : pair.other_part, side);
     if (vibrator >= 0) strength[static_cast<std::size_t>(vibrator)] = kTouch + (1.0 - kTouch) * pressed;
   }
   return strength;

@@ -79,6 +79,11 @@ void InputPanel::addCalibration() {
   next_->setObjectName("buttonCalibrateNext");
   next_->setProperty("main", true);
   column->addWidget(sideBySide({calibrate_, next_, cancel_}));
+  free_hand_ = new QPushButton(tr("Add a free hand"));
+  free_hand_->setObjectName("buttonAddFreeHand");
+  free_hand_->setToolTip(tr("A hand by itself, each finger as the glove has it; the stylus carries it"));
+  column->addWidget(sideBySide({free_hand_}));
+  connect(free_hand_, &QPushButton::clicked, this, &InputPanel::freeHandWanted);
   connect(calibrate_, &QPushButton::clicked, this, [this] {
     calibrator_.emplace();
     showCalibration();
@@ -122,6 +127,11 @@ void InputPanel::showCalibration() {
                           : QString());
 }
 
+void InputPanel::setFreeHandMissing(bool missing) {
+  free_hand_missing_ = missing;
+  free_hand_->parentWidget()->setVisible(missing && !inputs_.glove().isEmpty());
+}
+
 void InputPanel::setListing(const DeviceListing& listing) {
   fill(*glove_, listing, QStringLiteral("glove"), inputs_.glove());
   fill(*mouse_, listing, QStringLiteral("space_mouse"), inputs_.mouse());
@@ -130,6 +140,7 @@ void InputPanel::setListing(const DeviceListing& listing) {
 void InputPanel::refresh() {
   say(*glove_line_, inputs_.gloveLine());
   say(*mouse_line_, inputs_.mouseLine());
+  setFreeHandMissing(free_hand_missing_);
   moves_row_->setVisible(!inputs_.mouse().isEmpty());
   moves_->setCurrent(inputs_.mouseMoves() == InputDevices::MouseMoves::kView ? 0 : 1);
   if (!calibrator_) {

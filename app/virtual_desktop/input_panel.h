@@ -21,8 +21,13 @@ class InputPanel : public QWidget {
   explicit InputPanel(InputDevices& inputs, QWidget* parent = nullptr);
   /// What is plugged in now.
   void setListing(const DeviceListing& listing);
+  /// A free hand for the glove may be added, since the cell has none of its side.
+  void setFreeHandMissing(bool missing);
   /// Shows what the devices say.
   void refresh();
+
+ signals:
+  void freeHandWanted();
 
  private:
   void addCalibration();
@@ -34,7 +39,8 @@ class InputPanel : public QWidget {
   QLabel *glove_line_, *mouse_line_, *instruction_;
   QWidget* moves_row_;
   Segmented* moves_;
-  QPushButton *calibrate_, *next_, *cancel_;
+  QPushButton *calibrate_, *next_, *cancel_, *free_hand_;
+  bool free_hand_missing_ = true;
   std::optional<GloveCalibrator> calibrator_;
 };
 

@@ -48,7 +48,10 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
       sound_(host.configuration().gui.sound),
       mouse_([this](const haptic::HandTarget& target) { postHand(target); }),
       preparation_(new PreparationBar(&host.viewport())),
-      inputs_(host_.configuration()) {
+      inputs_(host_.configuration()),
+      second_mouse_([this](const haptic::HandTarget& target) {
+        if (loop_) loop_->postSecond(command::SetHandTarget{target});
+      }) {
   clock_.start();
   connect(preparation_, &PreparationBar::cancelled, this, [this] {
     if (loop_) loop_->cancelPreparation();
@@ -75,7 +78,8 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   });
   connect(&host_.holdChoice(), &HoldChoice::changed, this, [this] {
     const HoldChoice& choice = host_.holdChoice();
-    if (loop_) loop_->post(command::SetMovedBy{choice.movedBy()});
+    if (loop_) loop_->post(command::SetMovedBy{movedBy()});
+    postSecondSettings();
     if (choice.kind() == settings_.moved_by && choice.frame() == settings_.moved_frame) return;
     VirtualDesktopSettings settings = settings_;
     settings.moved_by = choice.kind();
@@ -92,6 +96,14 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &VirtualDesktopController::postCamera);
   connect(&server_, &ServerProcess::warned, this,
           [this](const QString& sentence) { host_.messages().tell(Severity::kWarning, sentence); });
+  connect(&second_server_, &ServerProcess::warned, this,
+          [this](const QString& sentence) { host_.messages().tell(Severity::kWarning, sentence); });
+  connect(&second_server_, &ServerProcess::ended, this, [this](const QString& sentence) {
+    host_.messages().tell(Severity::kProblem, sentence, tr("The second stylus is gone. Choose it again to start it."));
+    second_profile_.clear();
+    dropSecond();
+    emit connectionChanged();
+  });
   connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
     host_.messages().tell(Severity::kProblem, sentence, tr("Forces are off. Connect again to start it anew."));
   });
@@ -124,7 +136,8 @@ void VirtualDesktopController::connectDevice() {
   postCamera();
   postSettings();
   mouse_.hold(true);
-  host_.viewport().setPointerTool(&mouse_);
+  host_.viewport().setPointerTool(&pens_);
+  startSecond();
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.start(static_cast<int>(std::lround(1000.0 / host_.configuration().gui.rate_hz)));
   emit connectionChanged();
@@ -137,8 +150,9 @@ void VirtualDesktopController::disconnectDevice() {
   host_.recording().setLive(false);
   // A recording that was going on, and where the entity was let go.
   take(loop_->finish());
-  link_ = nullptr;
+  link_ = second_link_ = nullptr;
   loop_.reset();
+  dropSecond();
   snapshot_ = {};
   device_.reset();
   forces_wanted_ = was_connected_ = false;
@@ -211,18 +225,22 @@ void VirtualDesktopController::postCamera() {
   seen.visible_width = size.width * camera.metresPerPixel(camera.target_W, size);
   seen.p_WFocus = camera.target_W;
   loop_->post(seen);
+  // Beside the first one's tip, that both pens can be taken.
+  seen.p_WFocus += 0.12 * seen.visible_width * camera.right_W();
+  loop_->postSecond(seen);
 }
 
 void VirtualDesktopController::postSettings() {
   if (!loop_) return;
   loop_->post(command::ChooseEntity{settings_.entity});
-  loop_->post(command::SetMovedBy{host_.holdChoice().movedBy()});
+  loop_->post(command::SetMovedBy{movedBy()});
   loop_->post(command::SetAxes{{settings_.axes, settings_.axes_frame}});
   loop_->post(command::SetScale{{settings_.scale, 1.0}});
   loop_->post(command::SetOnContact{settings_.on_contact});
   loop_->post(command::SetForceClass{settings_.force_class});
   const FreeAxes& free = settings_.free;
   loop_->post(command::SetFilter{free.translates(), free.rotates(), free.moves, free.turns});
+  postSecondSettings();
   updateStrip();
 }
 
@@ -278,7 +296,10 @@ void VirtualDesktopController::updateStrip() {
 void VirtualDesktopController::setForces(bool on) {
   if (on && !isConnected()) return;
   forces_wanted_ = on;
-  if (loop_) loop_->post(command::SetForces{on});
+  if (loop_) {
+    loop_->post(command::SetForces{on});
+    loop_->postSecond(command::SetForces{on});
+  }
   emit settingsChanged();
 }
 
@@ -338,10 +359,13 @@ void VirtualDesktopController::tick() {
     device_ = connected ? link_->device() : std::nullopt;
     forces_wanted_ = false;  // Never on by a reconnection.
     loop_->post(command::SetForces{false});
+    loop_->postSecond(command::SetForces{false});
     loop_->post(command::SetHandTarget{mouse_.target()});
     if (!connected) connecting_.restart(), server_tried_ = server_.isRunning();
     emit connectionChanged();
   }
+  followSecond();
+  tellOfDevice();
   take(loop_->takeResults());
   host_.setPreparedScene(loop_->scene());
   preparation_->setShare(loop_->preparation());
@@ -356,8 +380,9 @@ void VirtualDesktopController::tick() {
     const dquat q_WD = axes_W();
     snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
     updateMouse();
+    updateSecondMouse();
     host_.setGuiRate(guiRate());
-    if (gloved_ && snapshot_.held != gloved_) snapshot_.entities.push_back(glovedState());
+    if (gloved_ && !isPosedByLoop()) snapshot_.entities.push_back(glovedState());
     host_.setSnapshot(snapshot_);
     if (device_)
       host_.setDeviceText(QString::fromStdString(device_->name) +

@@ -12,14 +12,17 @@
 #include "app/virtual_desktop/mouse_stylus.h"
 #include "app/virtual_desktop/server_process.h"
 #include "app/virtual_desktop/sound_player.h"
+#include "app/virtual_desktop/two_pens.h"
 #include "app/virtual_desktop/virtual_desktop_settings.h"
 #include "haptic/client/tcp_link.h"
+#include "manipulation/grasp_keeper.h"
 #include "manipulation/manipulation_loop.h"
 
 namespace hapticell::app {
 
 class Host;
 class PreparationBar;
+struct GlovedHand;
 
 /// Ties the window to the manipulation loop: starts loop and, where none answers, the haptic server; hands the document
 /// and the user's choices over as commands; takes the newest snapshot at the window's rate. GUI thread; never waits.
@@ -45,6 +48,15 @@ class VirtualDesktopController : public QObject {
   /// Another stylus, simulated or a driver's: ends the own server and starts it anew with that device.
   void chooseDevice(const QString& profile);
   const QString& deviceProfile() const { return profile_; }
+  /// A second stylus beside the first, at a server of its own; empty: none. Where the first holds a mannequin's hand
+  /// it holds the other one, else what its tip touches.
+  void chooseSecond(const QString& device);
+  const QString& secondProfile() const { return second_profile_; }
+  /// How it is, one line; empty where none is chosen.
+  QString secondLine() const;
+  /// A hand by itself for the glove, in the middle of the view.
+  void addFreeHand();
+  bool hasFreeHand() const;
   /// Starts the server now instead of waiting for one.
   void startServer();
   QString serverAddress() const;
@@ -86,8 +98,22 @@ class VirtualDesktopController : public QObject {
   void takeInputs();
   void driveByMouse(double seconds);
   void poseByGlove();
-  void vibrate(const workcell::Entity* figure, mannequin::Side side);
+  void poseInLoop(const GlovedHand& hand);
+  void keepGloved(std::vector<double> joints);
+  void grasp(const GlovedHand& hand);
+  bool mayGrasp(workcell::EntityId entity, workcell::EntityId hand) const;
+  void vibrate(const GlovedHand& hand);
   manipulation::EntityState glovedState() const;
+  /// The snapshot tells where the gloved hand's fingers are; else the glove alone says it.
+  bool isPosedByLoop() const;
+  std::optional<std::vector<double>> posedJoints() const;
+  void startSecond();
+  void dropSecond();
+  void followSecond();
+  void postSecondSettings();
+  void updateSecondMouse();
+  manipulation::MovedBy movedBy() const;
+  void tellOfDevice();
   void updateStrip();
   void takeEntityChoices();
   template <typename Set>
@@ -110,6 +136,14 @@ class VirtualDesktopController : public QObject {
   std::uint32_t input_buttons_ = 0;
   std::vector<double> gloved_joints_;  // Of the mannequin whose hand the glove poses, not yet in the document.
   workcell::EntityId gloved_ = 0;
+  manipulation::GraspKeeper grasp_;
+  QString second_profile_;
+  ServerProcess second_server_;
+  haptic::TcpLink* second_link_ = nullptr;  // Owned by the loop, as link_ is.
+  std::optional<haptic::DeviceDescription> second_device_;
+  MouseStylus second_mouse_;
+  TwoPens pens_{mouse_, second_mouse_};
+  std::string told_sentence_;  // The device's, when it was told last.
   QElapsedTimer input_clock_, glove_rests_;
   VirtualDesktopSettings settings_;
   manipulation::SceneSnapshot snapshot_;
@@ -117,6 +151,7 @@ class VirtualDesktopController : public QObject {
   QTimer timer_;
   QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
   FrameMeter ticks_;
+  bool glove_kept_ = true;  // The gloved joints are in the document.
   bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
 };
 

@@ -6,10 +6,15 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/host/selection.h"
+#include "app/mannequin/beside.h"
+#include "app/style/library_text.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/finger_contact.h"
+#include "app/virtual_desktop/gloved_hand.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
-#include "mannequin/figure_model.h"
+#include "mannequin/free_hand.h"
+#include "workcell/entity_source.h"
 
 namespace hapticell::app {
 namespace {
@@ -39,6 +44,8 @@ void VirtualDesktopController::driveByMouse(double seconds) {
     const bool view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
     inputs_.setMouseMoves(view ? InputDevices::MouseMoves::kEntity : InputDevices::MouseMoves::kView);
     emit connectionChanged();
+    // A real hand holds the first stylus: the mouse drives what it takes as a stylus of its own.
+    if (view && device_ && !device_->simulated && second_profile_.isEmpty()) chooseSecond(inputs_.mouse());
   }
   const bool moves_view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
   if (!moves_view && ((pressed | released) & 1u)) mouse_.setButton((pressed & 1u) != 0);
@@ -53,48 +60,116 @@ void VirtualDesktopController::driveByMouse(double seconds) {
 }
 
 /// The fingers that touch; while the stylus holds something else the whole hand feels how hard that is pressed.
-void VirtualDesktopController::vibrate(const workcell::Entity* figure, mannequin::Side side) {
+void VirtualDesktopController::vibrate(const GlovedHand& hand) {
   const double peak = device_ ? device_->peak_force : 0.0;
-  FingerVibration strength{};
-  if (figure && (snapshot_.held == 0 || snapshot_.held == figure->id)) {
-    strength = fingerVibration(snapshot_, figure->id, side, peak);
-  } else if (snapshot_.forces_on && peak > 0.0) {
-    strength.fill(snapshot_.force_n / peak);
-  }
+  FingerVibration strength = fingerVibration(snapshot_, hand.entity, hand.side, peak);
+  const bool touches = std::any_of(strength.begin(), strength.end(), [](double each) { return each > 0.0; });
+  const bool other_held = snapshot_.held != 0 && snapshot_.held != hand.entity;
+  if (!touches && other_held && snapshot_.forces_on && peak > 0.0) strength.fill(snapshot_.force_n / peak);
   inputs_.vibrateGlove(strength);
+}
+
+bool VirtualDesktopController::mayGrasp(workcell::EntityId entity, workcell::EntityId hand) const {
+  const workcell::Entity* part = host_.documentModel().document().find(entity);
+  return part && part->kind == workcell::EntityKind::kSolid && !part->locked && part->attachment.to.empty() &&
+         entity != hand && entity != snapshot_.held;
+}
+
+/// What thumb and fingers close on goes with the hand; opened, they let it go where it is.
+void VirtualDesktopController::grasp(const GlovedHand& hand) {
+  const auto change = grasp_.look({snapshot_.pairs, hand.entity, hand.side, hand.bend},
+                                  [&](workcell::EntityId entity) { return mayGrasp(entity, hand.entity); });
+  const std::string link = hand.side == mannequin::Side::kLeft ? "l_hand" : "r_hand";
+  if (change.taken != 0) {
+    // As it closed, so it stays: what hangs on the hand is not in its way any more.
+    const std::vector<double> closed = posedJoints().value_or(hand.joints);
+    keepGloved(closed);
+    gloved_joints_ = closed;
+    if (loop_) loop_->post(manipulation::command::PoseJoints{hand.entity, closed, hand.fingers});
+    if (!host_.documentModel().execute(workcell::Attach{change.taken, hand.entity, link})) grasp_.forget();
+  }
+  if (change.let_go != 0) host_.documentModel().execute(workcell::Detach{change.let_go});
+}
+
+/// Where the loop has brought the gloved joints; nothing before it has.
+std::optional<std::vector<double>> VirtualDesktopController::posedJoints() const {
+  for (const manipulation::EntityState& entity : snapshot_.entities) {
+    if (entity.id == gloved_) return entity.joints;
+  }
+  return std::nullopt;
+}
+
+bool VirtualDesktopController::isPosedByLoop() const {
+  return isConnected() && posedJoints().has_value();
+}
+
+/// One step of undo for a grasp, not one for each twitch.
+void VirtualDesktopController::keepGloved(std::vector<double> joints) {
+  const workcell::Entity* entity = host_.documentModel().document().find(gloved_);
+  if (!entity || joints.size() != entity->joints.size() || joints == entity->joints) return;
+  host_.documentModel().execute(workcell::SetConfiguration{gloved_, entity->X_WE, std::move(joints)});
+}
+
+void VirtualDesktopController::poseInLoop(const GlovedHand& hand) {
+  loop_->post(manipulation::command::PoseJoints{hand.entity, hand.joints, hand.fingers});
 }
 
 void VirtualDesktopController::poseByGlove() {
   const auto angles = inputs_.gloveAngles();
   if (!angles) return;
   const workcell::Document& document = host_.documentModel().document();
-  const workcell::Entity* entity = document.find(settings_.entity);
-  if (!entity || !entity->figure) {
-    entity = nullptr;
-    for (const auto& other : document.state().entities) {
-      if (other->figure && !entity) entity = other.get();
-    }
-  }
   const mannequin::Side side = inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft;
-  vibrate(entity, side);
-  if (!entity || entity->locked) return;
-  const mannequin::ModelConfiguration stands{entity->X_WE, entity->joints};
-  mannequin::Posture posture = mannequin::toPosture(*entity->figure, stands);
-  mannequin::setHandFromGlove(*angles, side, posture);
-  std::vector<double> joints = mannequin::toModel(*entity->figure, posture).joints;
-  const std::vector<double>& before = gloved_ == entity->id ? gloved_joints_ : entity->joints;
+  GlovedHand hand = glovedHand(document, settings_.entity, side, *angles);
+  const workcell::Entity* held = document.find(grasp_.held());
+  if (grasp_.held() != 0 && (!held || held->attachment.to.empty())) grasp_.forget();
+  vibrate(hand);
+  if (hand.entity == 0) return;
+  grasp(hand);
+  if (grasp_.held() != 0) return;  // The hand holds on as it closed.
+  const std::vector<double>& before = gloved_ == hand.entity ? gloved_joints_ : document.find(hand.entity)->joints;
   double moved = 0.0;
-  for (std::size_t i = 0; i < joints.size() && i < before.size(); ++i)
-    moved = std::max(moved, std::abs(joints[i] - before[i]));
+  for (std::size_t i = 0; i < hand.joints.size() && i < before.size(); ++i)
+    moved = std::max(moved, std::abs(hand.joints[i] - before[i]));
+  const bool loop_poses = loop_ && isConnected();
   if (moved > kGloveStep) {
-    gloved_ = entity->id;
-    gloved_joints_ = std::move(joints);
+    gloved_ = hand.entity;
+    gloved_joints_ = hand.joints;
     glove_rests_.start();
-  } else if (gloved_ == entity->id && glove_rests_.elapsed() > kGloveRest) {
-    // One step of undo for a grasp, not one for each twitch.
-    host_.documentModel().execute(workcell::SetConfiguration{gloved_, entity->X_WE, gloved_joints_});
-    gloved_ = 0;
+    glove_kept_ = false;
+    if (loop_poses) poseInLoop(hand);
+  } else if (gloved_ == hand.entity && !glove_kept_ && glove_rests_.elapsed() > kGloveRest) {
+    glove_kept_ = true;
+    keepGloved(loop_poses ? posedJoints().value_or(gloved_joints_) : gloved_joints_);
+    if (!loop_poses) gloved_ = 0;
   }
+}
+
+bool VirtualDesktopController::hasFreeHand() const {
+  const auto& entities = host_.documentModel().document().state().entities;
+  return std::any_of(entities.begin(), entities.end(), [](const auto& entity) {
+    return entity->robot && !entity->figure && mannequin::isFreeHand(*entity->robot);
+  });
+}
+
+void VirtualDesktopController::addFreeHand() {
+  const std::string what = inputs_.isRightGlove() ? "hand:right" : "hand:left";
+  runBeside(
+      this,
+      [what] {
+        Diagnostics diagnostics;
+        return workcell::EntityLoader(".").load(what, 1.0, diagnostics);
+      },
+      [this](Expected<workcell::Entity> made) {
+        if (!made)
+          return host_.messages().tell(Severity::kProblem, tr("No hand was added"),
+                                       QString::fromStdString(made.error().message()));
+        const workcell::Document& document = host_.documentModel().document();
+        made->name = document.uniqueName(made->name);
+        made->X_WE.p = host_.viewport().camera().target_W;
+        const std::string name = made->name;
+        if (!host_.documentModel().execute(workcell::AddEntity{std::move(*made)})) return;
+        if (const auto* entity = document.findByName(name)) host_.selection().set(entity->id);
+      });
 }
 
 manipulation::EntityState VirtualDesktopController::glovedState() const {
@@ -103,6 +178,15 @@ manipulation::EntityState VirtualDesktopController::glovedState() const {
   if (const workcell::Entity* entity = host_.documentModel().document().find(gloved_)) state.X_WE = entity->X_WE;
   state.joints = gloved_joints_;
   return state;
+}
+
+/// What the server says of the device; where it is our own its warnings come by another way.
+void VirtualDesktopController::tellOfDevice() {
+  const auto condition = link_ ? link_->condition() : std::nullopt;
+  if (!condition || condition->sentence == told_sentence_) return;
+  told_sentence_ = condition->sentence;
+  if (!told_sentence_.empty() && !server_.isRunning())
+    host_.messages().tell(Severity::kWarning, shownText(told_sentence_));
 }
 
 }  // namespace hapticell::app

@@ -54,6 +54,7 @@ VirtualDesktopPanel::VirtualDesktopPanel(Host& host, VirtualDesktopController& c
   connect(&host_.documentModel(), &DocumentModel::changed, this, [this] {
     listEntities();
     showSettings();
+    inputs_->setFreeHandMissing(!controller_.hasFreeHand());
   });
   listEntities();
   showConnection();
@@ -144,8 +145,10 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   row->addWidget(device_icon_);
   row->addWidget(device_state_, 1);
   addRow(*section, tr("State"), state);
+  addSecond(*section);
   inputs_ = new InputPanel(controller_.inputs());
   section->addWidget(inputs_);
+  connect(inputs_, &InputPanel::freeHandWanted, &controller_, &VirtualDesktopController::addFreeHand);
   lister_ = new DeviceLister(this);
   connect(lister_, &DeviceLister::listed, this, &VirtualDesktopPanel::listDevices);
   lister_->look();
@@ -165,6 +168,23 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   });
 }
 
+void VirtualDesktopPanel::addSecond(QVBoxLayout& section) {
+  second_ = new QComboBox;
+  second_->setObjectName("comboSecondStylus");
+  second_->setToolTip(tr("For the mannequin's other hand, or whatever its tip touches"));
+  second_->addItem(tr("None"), QString());
+  for (int i = 0; i < stylus_->count(); ++i) second_->addItem(stylus_->itemText(i), stylus_->itemData(i));
+  addRow(section, tr("Second"), second_);
+  second_state_ = makeLabel({}, TextRole::kSecond, true);
+  second_state_->setObjectName("labelSecondStylus");
+  second_state_->setWordWrap(true);
+  second_state_->setContentsMargins(kLabelColumn, 0, 0, 2);
+  second_state_->hide();
+  section.addWidget(second_state_);
+  connect(second_, &QComboBox::activated, this,
+          [this](int index) { controller_.chooseSecond(second_->itemData(index).toString()); });
+}
+
 void VirtualDesktopPanel::listDevices() {
   inputs_->setListing(lister_->listing());
   for (const ListedDevice& device : lister_->listing().devices) {
@@ -172,6 +192,8 @@ void VirtualDesktopPanel::listDevices() {
     const QString name = device.usable ? device.name : tr("%1 (not usable)").arg(device.name);
     stylus_->addItem(name, device.device);
     stylus_->setItemData(stylus_->count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
+    second_->addItem(name, device.device);
+    second_->setItemData(second_->count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
   }
   stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
 }

@@ -54,6 +54,7 @@ class VirtualDesktopPanel : public QWidget {
   void listFrames(const workcell::Entity* entity);
   void addForces(QVBoxLayout& column);
   void addDevice(QVBoxLayout& column);
+  void addSecond(QVBoxLayout& section);
   void listDevices();
   void addHeld(QVBoxLayout& column);
   void addAxes(QVBoxLayout& column);
@@ -70,7 +71,8 @@ class VirtualDesktopPanel : public QWidget {
   Host& host_;
   VirtualDesktopController& controller_;
   QCheckBox* forces_;
-  QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *device_icon_, *scale_note_, *workspace_text_;
+  QLabel *forces_state_, *forces_why_, *force_now_, *device_state_, *second_state_, *device_icon_, *scale_note_,
+      *workspace_text_;
   QLabel* rates_[3][2];
   /// Rates, and milliseconds beside them.
   SteadyNumber steady_rates_[3]{SteadyNumber(0.05), SteadyNumber(0.05), SteadyNumber(0.05)};
@@ -83,7 +85,7 @@ class VirtualDesktopPanel : public QWidget {
   WorkspaceView* workspace_;
   QPushButton *mend_, *connect_, *check_;
   std::array<QAbstractButton*, 6> free_{};
-  QComboBox *stylus_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
+  QComboBox *stylus_, *second_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
   QWidget *moved_frame_row_, *axes_frame_row_;
   Segmented *moved_by_, *on_contact_, *axes_, *scale_, *force_class_;
   ValueField *stiffness_, *damping_;

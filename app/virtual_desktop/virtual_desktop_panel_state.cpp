@@ -230,6 +230,10 @@ void VirtualDesktopPanel::showConnection() {
   device_state_->setText(controller_.deviceLine());
   const auto& device = controller_.device();
   stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
+  second_->setCurrentIndex(std::max(0, second_->findData(controller_.secondProfile())));
+  second_state_->setText(controller_.secondLine());
+  second_state_->setVisible(!second_state_->text().isEmpty());
+  inputs_->setFreeHandMissing(!controller_.hasFreeHand());
   inputs_->refresh();
   meter_->setDevice(device ? device->continuous_force : 0.0, device ? device->peak_force : 0.0);
   connect_->setText(controller_.isStarted() ? tr("Disconnect") : tr("Connect"));

@@ -2,12 +2,16 @@
 // What the device check and the input devices compute, without a window.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/virtual_desktop/device_listing.h"
 #include "app/virtual_desktop/device_watch.h"
 #include "app/virtual_desktop/force_reason.h"
+#include "app/virtual_desktop/gloved_hand.h"
 #include "app/virtual_desktop/input_devices.h"
+#include "mannequin/free_hand.h"
+#include "workcell/entity_source.h"
 
 namespace hapticell::app {
 namespace {
@@ -104,6 +108,44 @@ TEST(SpaceMouse, MovesTheHandGentlyAboutTheMiddle) {
   EXPECT_NEAR(little.linear.x, 0.25 * much.linear.x, 1e-12);
   EXPECT_NEAR(much.linear.x, 0.0012, 1e-12);
   EXPECT_NEAR(much.angular.z, -0.012, 1e-12);
+}
+
+workcell::Entity load(const char* what, const char* name) {
+  Diagnostics diagnostics;
+  workcell::Entity entity = *workcell::EntityLoader(".").load(what, 1.0, diagnostics);
+  entity.name = name;
+  return entity;
+}
+
+TEST(GlovedHand, IsTheChosenOnesElseAFreeHandElseTheFirstMannequins) {
+  mannequin::GloveReadings angles;
+  angles.fill(0.5);
+  workcell::Document document;
+  EXPECT_EQ(glovedHand(document, 0, mannequin::Side::kRight, angles).entity, 0u);
+  const auto figure = document.execute(workcell::AddEntity{load("mannequin:male:50", "worker")}).value();
+  const GlovedHand of_figure = glovedHand(document, 0, mannequin::Side::kLeft, angles);
+  EXPECT_EQ(of_figure.entity, figure);
+  EXPECT_EQ(of_figure.side, mannequin::Side::kLeft);
+  EXPECT_EQ(of_figure.fingers.size(), 3u);
+  const std::size_t curl = mannequin::indexOf(mannequin::Dof::kLeftFingersCurl);
+  EXPECT_NEAR(of_figure.joints[curl], 0.5, 1e-9);
+  const auto& stands = document.find(figure)->joints;
+  for (std::size_t i = 0; i < stands.size(); ++i) {
+    const bool finger = std::any_of(of_figure.fingers.begin(), of_figure.fingers.end(),
+                                    [i](const auto& one) { return one.front() == i; });
+    if (!finger) {
+      EXPECT_EQ(of_figure.joints[i], stands[i]) << i;
+    }
+  }
+  const auto hand = document.execute(workcell::AddEntity{load("hand:right", "hand")}).value();
+  EXPECT_EQ(glovedHand(document, 0, mannequin::Side::kLeft, angles).entity, figure) << "a right hand for a left glove";
+  const GlovedHand free = glovedHand(document, 0, mannequin::Side::kRight, angles);
+  EXPECT_EQ(free.entity, hand);
+  EXPECT_EQ(free.fingers.size(), mannequin::kFreeHandJoints);
+  EXPECT_NEAR(free.bend[1], 0.5, 1e-12);
+  EXPECT_EQ(glovedHand(document, figure, mannequin::Side::kRight, angles).entity, figure);
+  document.execute(workcell::SetProperties{.id = hand, .locked = true});
+  EXPECT_EQ(glovedHand(document, hand, mannequin::Side::kRight, angles).entity, figure) << "locked";
 }
 
 TEST(GloveCalibrator, TakesFourPosesOneAfterAnother) {

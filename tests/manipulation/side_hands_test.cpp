@@ -7,9 +7,11 @@
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/configured_loop.h"
 #include "haptic/server/in_memory_link.h"
+#include "manipulation/grasp_keeper.h"
 #include "manipulation/second_stylus.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/forward_kinematics.h"
+#include "mannequin/free_hand.h"
 #include "tests/manipulation/hand_link.h"
 #include "tests/manipulation/test_cells.h"
 #include "workcell/entity_source.h"
@@ -327,6 +329,77 @@ TEST(PoseJoints, NonsenseIsNoPose) {
   gloved.engine.apply(far);
   gloved.step(3);
   EXPECT_EQ(gloved.curl(), before);
+}
+
+/// A hand by itself: each joint of a finger goes on until it touches, the stylus carries the whole.
+TEST(PoseJoints, AFreeHandClosesRoundWhatIsInItAndIsCarriedByTheStylus) {
+  workcell::EntityLoader loader(".");
+  Diagnostics diagnostics;
+  workcell::Entity hand = *loader.load("hand:right", 1.0, diagnostics);
+  hand.id = kWorker;
+  const auto figure = worker("standing").figure;
+  workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox(dvec3(0.04)), {});
+  bar.X_WE.p = figure->p_HandGrip[1];
+  GlovedWorker gloved({hand, bar});
+  mannequin::GloveReadings fist;
+  fist.fill(1.57);
+  fist[3] = fist[10] = fist[14] = fist[18] = 0.0;
+  command::PoseJoints wanted{kWorker, mannequin::freeHandFromGlove(fist, *hand.robot), {}};
+  for (std::size_t i = 0; i < wanted.joints.size(); ++i) wanted.fingers.push_back({i});
+  gloved.engine.apply(wanted);
+  gloved.step(60);
+  SceneSnapshot picture;
+  gloved.engine.fillSnapshot(picture);
+  GraspKeeper keeper;
+  const GraspKeeper::Look look{picture.pairs, kWorker, mannequin::Side::kRight, {0.5, 1.0, 1.0, 1.0, 1.0}};
+  EXPECT_EQ(keeper.look(look, [](workcell::EntityId) { return true; }).taken, kBox);
+  const std::vector<double> closed = gloved.engine.placement(kWorker).joints;
+  EXPECT_GT(closed[9], 0.2);
+  EXPECT_LT(closed[9] + closed[10] + closed[11], 4.2) << "the middle finger went through the bar";
+
+  // The stylus takes it as a whole.
+  gloved.engine.apply(command::PoseJoints{});
+  gloved.engine.apply(command::Grab{kWorker});
+  ASSERT_NE(gloved.engine.held(), nullptr);
+  gloved.link.state.X_DP.p = gloved.link.state.X_DS.p = {0.0, -0.02, 0.0};
+  gloved.step(30);
+  EXPECT_GT(glm::length(gloved.engine.placement(kWorker).X_WE.p), 0.003);
+  EXPECT_EQ(gloved.engine.placement(kWorker).joints, closed);
+}
+
+PairState touch(const char* link, workcell::EntityId other, bool hand_moves = true) {
+  PairState pair;
+  pair.moved = hand_moves ? kWorker : other;
+  pair.other = hand_moves ? other : kWorker;
+  (hand_moves ? pair.moved_part : pair.other_part) = link;
+  pair.contact = true;
+  return pair;
+}
+
+TEST(GraspKeeper, TakesWhatThumbAndFingerTouchAndLetsItGoWhenTheyOpen) {
+  const auto any = [](workcell::EntityId) { return true; };
+  const auto none = [](workcell::EntityId) { return false; };
+  const GraspKeeper::Bend bent{0.4, 0.8, 0.8, 0.8, 0.8}, flat{};
+  std::vector<PairState> pairs{touch("r_index2", kBox), touch("r_middle2", kBox)};
+  GraspKeeper keeper;
+  const auto look = [&](const GraspKeeper::Bend& bend, const auto& may) {
+    return keeper.look({pairs, kWorker, mannequin::Side::kRight, bend}, may);
+  };
+  EXPECT_EQ(look(bent, any).taken, 0u) << "fingers alone";
+  pairs.push_back(touch("l_thumb3", kBox));
+  EXPECT_EQ(look(bent, any).taken, 0u) << "the other hand's thumb";
+  pairs.push_back(touch("r_thumb3", kShelf));
+  EXPECT_EQ(look(bent, any).taken, 0u) << "the thumb on something else";
+  pairs.push_back(touch("r_thumb3", kBox, false));
+  EXPECT_EQ(look(bent, none).taken, 0u) << "it may not be carried off";
+  EXPECT_EQ(look(flat, any).taken, 0u) << "a flat hand rests on it";
+  EXPECT_EQ(look(bent, any).taken, kBox);
+  EXPECT_EQ(keeper.held(), kBox);
+  pairs.clear();  // What hangs on the hand is not told as touching any more.
+  EXPECT_EQ(look(bent, any).let_go, 0u);
+  EXPECT_EQ(look({0.4, 0.7, 0.7, 0.7, 0.7}, any).let_go, 0u) << "a little is a tremble";
+  EXPECT_EQ(look({0.4, 0.4, 0.4, 0.4, 0.4}, any).let_go, kBox);
+  EXPECT_EQ(keeper.held(), 0u);
 }
 
 }  // namespace

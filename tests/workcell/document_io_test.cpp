@@ -88,6 +88,22 @@ class DocumentFile : public ::testing::Test {
   fs::path path;
 };
 
+TEST_F(DocumentFile, AFreeHandIsSavedWithItsFingersAndIsOneAgain) {
+  Document cell;
+  Diagnostics notes;
+  auto hand = EntityLoader(".").load("hand:left:female:5", 1.0, notes);
+  ASSERT_TRUE(hand.has_value());
+  hand->joints[6] = 0.75;
+  ASSERT_TRUE(cell.execute(AddEntity{*hand}).has_value());
+  ASSERT_TRUE(saveDocument(cell, path).has_value());
+  const auto again = loadDocument(path, notes);
+  ASSERT_TRUE(again.has_value());
+  const Entity& read = *again->state().entities.at(0);
+  EXPECT_EQ(read.kind, EntityKind::kRobot);
+  EXPECT_EQ(read.joints, hand->joints);
+  EXPECT_EQ(read.robot->findLink("l_index3"), hand->robot->findLink("l_index3"));
+}
+
 TEST_F(DocumentFile, loadThenSaveChangesNoByte) {
   Document first = made();
   ASSERT_TRUE(saveDocument(first, path).has_value());
@@ -206,6 +222,8 @@ TEST(DocumentText, namesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "box:1,2"}})")), HasSubstr("sizes that are none"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "library:../x"}})")), HasSubstr("library:../x"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "mannequin:male:0"}})")), HasSubstr("0.1 to 99.9"));
+  EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "hand:middle"}})")), HasSubstr("hand:left"));
+  EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "hand:left:male:0"}})")), HasSubstr("0.1 to 99.9"));
   const std::string two =
       R"({"name": "a", "source": {"file": "sphere:1"}}, {"name": "a", "source": {"file": "sphere:1"}})";
   EXPECT_THAT(refused(document(two)), HasSubstr("taken"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "haptic/devices/driver_session.h"
 #include "haptic/devices/driver_support.h"
@@ -165,6 +167,65 @@ TEST(CyberGlove, UnpluggedWhileInUse) {
   glove.unplug();
   EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.status == Status::kVanished; }));
   EXPECT_THAT(told, HasSubstr("serial port has gone"));
+}
+
+TEST(CyberGlove, PluggedInAgainItIsReadAgain) {
+  auto glove = std::make_unique<FakeGlove>();
+  const std::string link = ::testing::TempDir() + "hapticell-glove-" + std::to_string(getpid());
+  unlink(link.c_str());
+  ASSERT_EQ(symlink(glove->path().c_str(), link.c_str()), 0);
+  CyberGloveDriver driver;
+  std::vector<std::string> told;
+  haptic::DriverSession session(driver, link,
+                                {.reopen_turns = 5, .report = [&](const std::string& text) { told.push_back(text); }});
+  ASSERT_EQ(session.open().status, Status::kOk);
+  glove->unplug();
+  EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.status == Status::kVanished; }));
+  unlink(link.c_str());
+  for (int i = 0; i < 50; ++i) session.turn({});
+  EXPECT_FALSE(session.isOpen());
+  glove = std::make_unique<FakeGlove>();
+  glove->first = 77;
+  ASSERT_EQ(symlink(glove->path().c_str(), link.c_str()), 0);  // As udev names it again.
+  EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) { return answer.state.sensors[0] == 77.0; }));
+  EXPECT_THAT(told.back(), HasSubstr("answers again"));
+  unlink(link.c_str());
+}
+
+TEST(CyberGlove, GarbageIsBorneAndTheNextFrameIsRead) {
+  FakeGlove glove;
+  CyberGloveDriver driver;
+  driver.configure("mode", "poll");
+  haptic::DriverSession session(driver, glove.path());
+  ASSERT_EQ(session.open().status, Status::kOk);
+  glove.send({0xFF, 0x00, 'G', 1, 2, 0, 0x47, 0x80, 0x00});
+  glove.first = 99;
+  EXPECT_TRUE(turnUntil(session, {}, [](const auto& answer) {
+    return answer.status == Status::kOk && answer.state.sensors[0] == 99.0 && answer.state.sensors[21] == 120.0;
+  }));
+}
+
+TEST(CyberGlove, APortThatThisUserMayNotOpenIsSaidWithItsFix) {
+  FakeGlove glove;
+  ASSERT_EQ(chmod(glove.path().c_str(), 0), 0);
+  const uid_t own = geteuid();
+  if (own == 0) {
+    ASSERT_EQ(seteuid(65534), 0);  // Root may open everything.
+  }
+  CyberGloveDriver driver;
+  driver.configure("port", glove.path().c_str());
+  Found found[4];
+  Problem problem;
+  const std::uint32_t count = driver.find(found, 4, problem);
+  haptic::DriverSession session(driver, "");
+  const Problem refused = session.open();
+  if (own == 0) {
+    ASSERT_EQ(seteuid(0), 0);
+  }
+  ASSERT_EQ(count, 1u);
+  EXPECT_EQ(found[0].problem.status, Status::kNoPermission) << found[0].problem.found;
+  EXPECT_THAT(found[0].problem.fix, HasSubstr("sudo"));
+  EXPECT_EQ(refused.status, Status::kNoPermission);
 }
 
 TEST(CyberGlove, ASilentGloveIsAskedAgainAndThenGivenUp) {

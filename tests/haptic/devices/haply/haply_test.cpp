@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "haptic/devices/driver_device.h"
 #include "haptic/devices/driver_session.h"
 #include "haptic/devices/drivers/haply/haply_driver.h"
+#include "tests/haptic/devices/contact_rig.h"
 #include "tests/haptic/devices/haply/fake_haply_service.h"
 
 namespace hapticell::driver {
@@ -86,6 +88,39 @@ TEST(Haply, MeasuresAndPushes) {
   session.close();  // A last word of zero.
   for (int i = 0; i < 30000 && force() != 0.0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(force(), 0.0);
+}
+
+/// A whole force loop on it, in the service's own time: contact, the service ends, nothing is left; it comes back, and
+/// no force by itself.
+TEST(Haply, GoneInContactAndBack) {
+  auto service = std::make_unique<FakeHaplyService>();
+  const unsigned short port = service->port();
+  service->z = 0.205;
+  HaplyDriver driver;
+  driver.configure("middle", "0,-0.2,0.2");
+  haptic::DriverDeviceOptions options{.calls = haptic::DriverCalls::kInline};
+  options.session.reopen_turns = 5;
+  haptic::DriverDevice device(driver, service->address(), options);
+  ASSERT_TRUE(device.open());
+  haptic::ContactRig rig(device);
+  const auto runUntil = [&](auto&& good) {
+    for (int i = 0; i < 30000 && !good(); ++i) rig.run(1);
+    return good();
+  };
+  ASSERT_TRUE(runUntil([&] { return rig.loop.current().X_DS.p.z > 0.004; }));
+  rig.engage(0.0);
+  EXPECT_TRUE(runUntil([&] {
+    service->z = std::max(0.196, service->z - 2e-5);
+    return rig.force() > 0.5;
+  }));
+  service.reset();
+  EXPECT_TRUE(runUntil([&] { return rig.loop.current().device_fault; }));
+  EXPECT_EQ(rig.force(), 0.0);
+  service = std::make_unique<FakeHaplyService>(port);
+  service->z = 0.196;
+  EXPECT_TRUE(runUntil([&] { return !rig.loop.current().device_fault; }));
+  rig.run(100);
+  EXPECT_EQ(rig.force(), 0.0) << "a force came back by itself";
 }
 
 TEST(Haply, NobodyThere) {

@@ -5,9 +5,11 @@
 
 #include <deque>
 
+#include "haptic/devices/driver_device.h"
 #include "haptic/devices/driver_session.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/omni_firewire/omni_driver.h"
+#include "tests/haptic/devices/contact_rig.h"
 
 namespace hapticell::driver {
 namespace {
@@ -235,6 +237,43 @@ TEST_F(Omni, UnpluggedGarbledSilentAndBack) {
   ASSERT_EQ(silent.open().status, Status::kOk);
   for (int i = 0; i < OmniDevice::kPatience - 1; ++i) EXPECT_EQ(silent.turn({}).status, Status::kOk);
   EXPECT_EQ(silent.turn({}).status, Status::kVanished);
+}
+
+/// A whole force loop on it: contact, the cable is pulled out, nothing is left; plugged in again nothing comes back by
+/// itself.
+TEST_F(Omni, UnpluggedInContactAndPluggedInAgain) {
+  driver.configure("newtons_per_unit", "3.0");
+  bus.packets = {packet({0, 0, 0}, kDockedBits), packet({50, 0, 200}, kFree)};
+  haptic::DriverDeviceOptions options{.calls = haptic::DriverCalls::kInline};
+  options.session.reopen_turns = 50;
+  haptic::DriverDevice device(driver, "", options);
+  ASSERT_TRUE(device.open());
+  haptic::ContactRig rig(device);
+  rig.run(3);
+  const dvec3 p_DS = rig.loop.current().X_DS.p;
+  rig.link.sendControl({.forces_enabled = true});
+  rig.link.sendSet(haptic::floorSet(1, p_DS.z - 0.002, p_DS));
+  rig.run(1500);
+  rig.link.sendSet(haptic::floorSet(2, p_DS.z + 0.002, p_DS));  // The floor rises under the stylus.
+  rig.run(1500);
+  EXPECT_GT(rig.force(), 0.3);
+  EXPECT_TRUE(motors());
+  EXPECT_NE(command(1), 0x7FF);
+
+  bus.gone = true;
+  refuse(bus.refuses, Status::kNotFound, "it is not there");
+  rig.run(1);
+  EXPECT_EQ(rig.force(), 0.0);
+  EXPECT_FALSE(motors());
+  EXPECT_TRUE(rig.loop.current().device_fault);
+  rig.run(200);
+  bus.gone = false;
+  bus.refuses = {};
+  bus.packets = {packet({0, 0, 0}, kDockedBits), packet({50, 0, 200}, kFree)};
+  rig.run(200);
+  EXPECT_FALSE(rig.loop.current().device_fault);
+  EXPECT_EQ(rig.force(), 0.0) << "a force came back by itself";
+  EXPECT_FALSE(motors());
 }
 
 TEST_F(Omni, WhatCannotBeOpened) {

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+// Glove, 3-D mouse, a second stylus and the device check in the window: real clicks, the real drivers, a haptic server
+// of its own, fake devices (a pseudo-terminal, hidraw on a mocked system). Run under umockdev-wrapper.
+//
+// HAPTICELL_LOOK_FOLDER=folder saves pictures.
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <QAbstractItemView>
+#include <QFile>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTemporaryDir>
+
+#include "app/style/proxy_style.h"
+#include "app/style/theme.h"
+#include "mannequin/body_request_text.h"
+#include "mannequin/free_hand.h"
+#include "tests/app/cell_page.h"
+#include "tests/haptic/devices/cyberglove/fake_glove.h"
+#include "tests/haptic/devices/spacemouse/mock_hidraw.h"
+#include "workcell/entity_source.h"
+
+namespace hapticell::app {
+namespace {
+
+constexpr int kPatience = 120000;  // ms: states are waited for, no time is asserted.
+
+int freePort() {
+  const int probe = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  auto* const any = reinterpret_cast<sockaddr*>(&address);
+  const bool bound = bind(probe, any, length) == 0 && getsockname(probe, any, &length) == 0;
+  close(probe);
+  return bound ? ntohs(address.sin_port) : 0;
+}
+
+config::Configuration configured(const std::string& glove_port) {
+  config::Configuration configuration;
+  configuration.server.port = freePort();
+  configuration.manipulation.rate_hz = 60.0;
+  if (!glove_port.empty()) configuration.drivers["cyberglove"] = {{"port", glove_port}, {"mode", "poll"}};
+  return configuration;
+}
+
+class DevicePage : public CellPage {
+ public:
+  explicit DevicePage(const std::string& glove_port = {}) : CellPage(configured(glove_port)) {
+    window().resize(1360, 900);
+    settle();
+  }
+  void start() {
+    ASSERT_TRUE(window().startModule("Virtual Desktop"));
+    settle();
+  }
+  QString text(const char* label) {
+    auto* found = window().findChild<QLabel*>(label);
+    return found ? found->text() : QString();
+  }
+  bool says(const char* label, const QString& part) {
+    return until([&] { return text(label).contains(part); }, kPatience);
+  }
+  bool lists(const char* name, const QString& part) {
+    auto* combo = find<QComboBox>(name);
+    return combo && until([&] { return combo->findText(part, Qt::MatchContains) >= 0; }, kPatience);
+  }
+  /// Opens the list and clicks the entry.
+  void choose(const char* name, const QString& part) {
+    ASSERT_TRUE(lists(name, part)) << name << ' ' << part.toStdString();
+    auto* combo = find<QComboBox>(name);
+    reveal(combo);
+    click(combo, combo->rect().center());
+    const QModelIndex entry = combo->model()->index(combo->findText(part, Qt::MatchContains), 0);
+    ASSERT_TRUE(until([&] { return combo->view()->isVisible(); }, kPatience));
+    combo->view()->scrollTo(entry);
+    click(combo->view()->viewport(), combo->view()->visualRect(entry).center());
+    ASSERT_TRUE(combo->currentText().contains(part)) << combo->currentText().toStdString();
+  }
+  void pressSeen(const char* name) {
+    auto* button = find<QAbstractButton>(name);
+    ASSERT_NE(button, nullptr);
+    ASSERT_TRUE(until([&] { return button->isVisible() && button->isEnabled(); }, kPatience)) << name;
+    reveal(button);
+    click(button, button->rect().center());
+  }
+  void reveal(QWidget* widget) {
+    for (QWidget* parent = widget->parentWidget(); parent; parent = parent->parentWidget()) {
+      if (auto* scroll = qobject_cast<QScrollArea*>(parent)) scroll->ensureWidgetVisible(widget);
+    }
+    settle();
+  }
+  void picture(const char* name) {
+    const QString folder = qEnvironmentVariable("HAPTICELL_LOOK_FOLDER");
+    if (folder.isEmpty()) return;
+    settle();
+    window().viewport().finishedPicture();
+    settle();
+    window().screen()->grabWindow(0).save(folder + '/' + name + ".png");
+  }
+};
+
+/// Sets what the glove tells and waits until the driver has asked for it a few times.
+void holdHand(driver::FakeGlove& glove, int first) {
+  glove.first = first;
+  const int asked = glove.polls;
+  EXPECT_TRUE(WindowPage::until([&] { return glove.polls > asked + 5; }, kPatience));
+}
+
+workcell::Entity load(const char* what) {
+  workcell::EntityLoader loader(".");
+  Diagnostics diagnostics;
+  return *loader.load(what, 1.0, diagnostics);
+}
+
+constexpr int kFlat = 60, kFist = 190, kSpread = 130, kThumbUnder = 160;
+
+bool connected(DevicePage& page) {
+  const auto& snapshot = page.window().viewport().scene().snapshot();
+  return snapshot && snapshot->connected;
+}
+
+void calibrate(DevicePage& page, driver::FakeGlove& glove) {
+  ASSERT_TRUE(page.says("labelGlove", "not calibrated for you"));
+  holdHand(glove, kFlat);
+  page.pressSeen("buttonCalibrateGlove");
+  for (const int pose : {kFlat, kFist, kSpread, kThumbUnder}) {
+    holdHand(glove, pose);
+    page.pressSeen("buttonCalibrateNext");
+  }
+  EXPECT_TRUE(page.says("labelCalibration", "Calibrated for you"));
+}
+
+TEST(GloveInTheWindow, IsCalibratedGraspsAndLetsGo) {
+  QTemporaryDir own;
+  qputenv("XDG_CONFIG_HOME", own.path().toLocal8Bit());
+  driver::FakeGlove glove;
+  DevicePage page(glove.path());
+  workcell::Entity hand = load("hand:right");
+  const auto figure = mannequin::makeFigure(*mannequin::parseBodyRequest("mannequin:male:50"));
+  page.window().documentModel().execute(workcell::AddEntity{hand});
+  const auto grip = figure->p_HandGrip[1];
+  const workcell::EntityId bar = page.addSolid("bar", geometry::makeBox(dvec3(0.04)), Pose::translation(grip));
+  page.lookAt({0.0, 0.0, -0.06}, 0.14);
+  page.start();
+  page.choose("comboGlove", "CyberGlove");
+  calibrate(page, glove);
+  EXPECT_TRUE(QFile::exists(own.path() + "/hapticell/devices/glove.json")) << "kept for this user";
+
+  // Closed on a bar that may not be moved: fingers stop at it, and those that touch are shaken.
+  page.window().documentModel().execute(workcell::SetProperties{.id = bar, .locked = true});
+  const auto held = [&] { return !page.document().find(bar)->attachment.to.empty(); };
+  ASSERT_TRUE(WindowPage::until([&] { return connected(page); }, kPatience));
+  holdHand(glove, kFist);
+  const auto shaken = [&] {
+    for (const auto& all : glove.vibrations()) {
+      if (std::any_of(all.begin(), all.end() - 1, [](std::uint8_t each) { return each > 0; })) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(WindowPage::until(shaken, kPatience)) << "no finger was shaken";
+  EXPECT_FALSE(held());
+  // As soon as it may be moved it goes with the hand that is closed on it.
+  page.window().documentModel().execute(workcell::SetProperties{.id = bar, .locked = false});
+  EXPECT_TRUE(WindowPage::until(held, kPatience)) << "the bar was not taken";
+  page.picture("glove-grasp");
+  const auto bend = [&] { return page.document().findByName("right hand")->joints[5]; };
+  EXPECT_GT(bend(), 0.2) << "the index finger did not close";
+  EXPECT_LT(bend(), 1.55) << "it went through the bar";
+  holdHand(glove, kFlat);
+  EXPECT_TRUE(WindowPage::until([&] { return !held(); }, kPatience)) << "the bar was not let go";
+  EXPECT_TRUE(WindowPage::until([&] { return bend() < 0.1; }, kPatience));
+  EXPECT_EQ(page.document().find(bar)->X_WE.p, grip) << "nothing moved it";
+
+  // Pulled out and plugged in again.
+  glove.unplug();
+  EXPECT_TRUE(WindowPage::until([&] { return !page.text("labelGlove").contains("CyberGlove I"); }, kPatience));
+}
+
+TEST(SpaceMouseInTheWindow, MovesTheViewAndDrivesEntities) {
+  driver::MockHidraw mouse;
+  ASSERT_TRUE(mouse.isThere());
+  DevicePage page;
+  const workcell::EntityId box = page.addSolid("box", geometry::makeBox(dvec3(0.06)));
+  page.select(box);
+  page.lookAt({0.0, 0.0, 0.0}, 0.3);
+  page.start();
+  page.choose("comboSpaceMouse", "SpaceMouse Compact");
+  ASSERT_TRUE(page.says("labelSpaceMouse", "SpaceMouse Compact"));
+  const auto deflect = [&](int right) {
+    const auto low = static_cast<std::uint8_t>(right & 0xFF), high = static_cast<std::uint8_t>(right >> 8 & 0xFF);
+    mouse.send({1, low, high, 0, 0, 0, 0});
+  };
+  const auto target = [&] { return page.window().viewport().camera().target_W; };
+  const dvec3 before = target();
+  EXPECT_TRUE(WindowPage::until([&] { return deflect(350), glm::length(target() - before) > 0.02; }, kPatience));
+  deflect(0);
+  // Its second button: from now on it drives what is held; its first takes and lets go.
+  mouse.send({3, 2, 0});
+  mouse.send({3, 0, 0});
+  auto* moves = page.find<Segmented>("segmentsMouseMoves");
+  EXPECT_TRUE(WindowPage::until([&] { return moves->button(1)->isChecked(); }, kPatience));
+  ASSERT_TRUE(WindowPage::until([&] { return connected(page); }, kPatience));
+  const auto heldNow = [&] { return page.window().viewport().scene().snapshot()->held; };
+  mouse.send({3, 1, 0});
+  EXPECT_TRUE(WindowPage::until([&] { return heldNow() == box; }, kPatience)) << "it was not taken";
+  mouse.send({3, 0, 0});
+  const auto shownX = [&] {
+    for (const auto& entity : page.window().viewport().scene().snapshot()->entities) {
+      if (entity.id == box) return entity.X_WE.p.x;
+    }
+    return page.document().find(box)->X_WE.p.x;
+  };
+  EXPECT_TRUE(WindowPage::until([&] { return deflect(350), shownX() > 0.02; }, kPatience)) << "it was not moved";
+  deflect(0);
+  page.picture("space-mouse");
+  mouse.send({3, 1, 0});
+  EXPECT_TRUE(
+      WindowPage::until([&] { return heldNow() == 0 && page.document().find(box)->X_WE.p.x > 0.02; }, kPatience));
+  mouse.send({3, 0, 0});
+  EXPECT_LT(std::abs(page.document().find(box)->X_WE.p.z), 0.005);
+}
+
+TEST(SecondStylusInTheWindow, IsChosenDrawnAndTakenByTheMouse) {
+  DevicePage page;
+  page.addSolid("left", geometry::makeBox(dvec3(0.06)), Pose::translation({-0.15, 0, 0}));
+  page.lookAt({0.0, 0.0, 0.0}, 0.3);
+  page.start();
+  page.choose("comboSecondStylus", "Touch");
+  EXPECT_TRUE(page.says("labelSecondStylus", "Connected"));
+  const auto second = [&]() -> std::optional<manipulation::SecondStylusState> {
+    const auto& snapshot = page.window().viewport().scene().snapshot();
+    return snapshot ? snapshot->second : std::nullopt;
+  };
+  ASSERT_TRUE(WindowPage::until([&] { return second() && second()->connected; }, kPatience));
+  const dvec3 first_at = page.window().viewport().scene().snapshot()->X_WStylus.p;
+  ASSERT_TRUE(WindowPage::until([&] { return glm::length(second()->X_WStylus.p - first_at) > 0.01; }, kPatience));
+  page.picture("second-stylus");
+  // The mouse drags the second pen; the first stays.
+  ViewportWidget& viewport = page.window().viewport();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  const dvec3 start = second()->X_WStylus.p;
+  const auto tip = viewport.camera().project(start, size);
+  ASSERT_TRUE(tip);
+  const auto send = [&](QEvent::Type type, const QPointF& place, Qt::MouseButtons held) {
+    QMouseEvent event(type, place, viewport.mapToGlobal(place),
+                      type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
+    QApplication::sendEvent(&viewport, &event);
+    WindowPage::settle();
+  };
+  send(QEvent::MouseButtonPress, {tip->x + 2, tip->y - 2}, Qt::LeftButton);
+  for (int i = 1; i <= 5; ++i) send(QEvent::MouseMove, {tip->x + 2 + 8.0 * i, tip->y - 2}, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, {tip->x + 42, tip->y - 2}, Qt::NoButton);
+  EXPECT_TRUE(WindowPage::until([&] { return second()->X_WStylus.p.x > start.x + 0.01; }, kPatience));
+  EXPECT_LT(glm::length(page.window().viewport().scene().snapshot()->X_WStylus.p - first_at), 0.005);
+  page.choose("comboSecondStylus", "None");
+  EXPECT_TRUE(WindowPage::until([&] { return !second(); }, kPatience));
+}
+
+TEST(DeviceCheckInTheWindow, TellsTestsAndCalibrates) {
+  driver::MockHidraw mouse;
+  mouse.forbid();
+  DevicePage page;
+  page.start();
+  page.pressSeen("buttonCheckDevice");
+  ASSERT_TRUE(WindowPage::until([&] { return page.hasDock("dockDeviceCheck"); }, kPatience));
+  EXPECT_TRUE(page.says("labelCalibrated", "simulated stylus needs none"));
+  EXPECT_FALSE(page.text("labelWhyNoForce").isEmpty());
+
+  // The force test asks first, and what it did is told.
+  page.pressSeen("buttonForceAsk");
+  page.picture("device-check-asks");
+  page.pressSeen("buttonForceGo");
+  auto* ask = page.find<QPushButton>("buttonForceAsk");
+  EXPECT_TRUE(WindowPage::until([&] { return ask->isVisible() && ask->isEnabled(); }, kPatience));
+  const auto toldPush = [&] {
+    for (const auto* label : page.window().findChildren<QLabel*>())
+      if (label->text().contains("N were commanded")) return label->text();
+    return QString();
+  };
+  EXPECT_TRUE(WindowPage::until([&] { return !toldPush().isEmpty(); }, kPatience));
+
+  // What is plugged in and may not be opened is told with the command that mends it.
+  page.pressSeen("buttonLookAgain");
+  const auto mends = [&] {
+    for (const auto* label : page.window().findChildren<QLabel*>())
+      if (label->text().contains("70-hapticell.rules") && label->isVisible()) return true;
+    return false;
+  };
+  EXPECT_TRUE(WindowPage::until(mends, kPatience));
+  page.picture("device-check");
+
+  // A stylus that wants calibration: chosen, told so, calibrated step by step.
+  page.window().findChild<QDockWidget*>("dockVirtualDesktop")->raise();
+  page.choose("comboStylus", "Needy stylus");
+  page.pressSeen("buttonCheckDevice");
+  ASSERT_TRUE(page.says("labelCalibrated", "Not calibrated"));
+  page.pressSeen("buttonCalibrateStylus");
+  EXPECT_TRUE(page.text("labelCalibrationStep").contains("inkwell"));
+  page.picture("device-check-calibration");
+  page.pressSeen("buttonCalibrationDone");
+  EXPECT_TRUE(page.text("labelCalibrationStep").contains("Pull it out"));
+  EXPECT_TRUE(page.says("labelCalibrated", "in its inkwell"));
+  page.pressSeen("buttonCalibrationDone");
+  EXPECT_TRUE(page.says("labelCalibrated", "Calibrated."));
+  EXPECT_TRUE(page.says("labelCalibrationSaid", "it is calibrated"));
+}
+
+}  // namespace
+}  // namespace hapticell::app
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QApplication::setStyle(new hapticell::app::ProxyStyle);
+  QApplication::setPalette(hapticell::app::paletteOf(hapticell::app::darkTheme()));
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
