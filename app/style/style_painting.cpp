@@ -12,7 +12,9 @@
 namespace hapticell::app {
 namespace {
 
-bool has(const QStyleOption* option, QStyle::StateFlag flag) { return option->state.testFlag(flag); }
+bool has(const QStyleOption* option, QStyle::StateFlag flag) {
+  return option->state.testFlag(flag);
+}
 
 QColor blended(const QColor& a, const QColor& b, double share) {
   return QColor::fromRgbF(static_cast<float>(a.redF() + (b.redF() - a.redF()) * share),
@@ -40,6 +42,7 @@ void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidge
   const bool down = has(option, QStyle::State_Sunken);
   const bool on = has(option, QStyle::State_On);
   const bool hover = has(option, QStyle::State_MouseOver) && enabled;
+  if (widget && widget->property("recording").toBool()) drawBox(painter, option->rect, QColor(), theme.contact);
   if (quiet && !down && !on && !hover) return;
   QColor fill = theme.button;
   QColor frame = theme.line;
@@ -116,8 +119,11 @@ void drawTabShape(QPainter* painter, const QStyleOptionTab* option) {
   const Theme& theme = themeOf(option->palette);
   const bool selected = has(option, QStyle::State_Selected);
   const bool hover = has(option, QStyle::State_MouseOver);
-  painter->fillRect(option->rect, selected ? theme.dock : hover ? blended(theme.header, theme.text1, 0.05) : theme.header);
-  if (selected) painter->fillRect(QRect(option->rect.left(), option->rect.top(), option->rect.width(), 2), theme.selection);
+  painter->fillRect(option->rect, selected ? theme.dock
+                                  : hover  ? blended(theme.header, theme.text1, 0.05)
+                                           : theme.header);
+  if (selected)
+    painter->fillRect(QRect(option->rect.left(), option->rect.top(), option->rect.width(), 2), theme.selection);
 }
 
 QString plainTabText(const QString& text) {

@@ -16,13 +16,15 @@
 #include <cmath>
 
 #include "app/host/actions.h"
-#include "app/host/top_menus.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
+#include "app/host/top_menus.h"
 #include "app/panels/workcell_panel.h"
 #include "app/style/dock_title_bar.h"
+#include "app/style/icon.h"
+#include "app/style/theme.h"
 #include "app/trajectory/frame_gizmo.h"
 #include "app/trajectory/motion_export.h"
 #include "app/trajectory/motion_list.h"
@@ -288,6 +290,17 @@ class TrajectoryDocks : public QObject {
     panel_->showLine(tr("Frames recorded: %1").arg(frames), false);
   }
 
+  /// Recording is told where it was begun too: framed and coloured like its mark.
+  void showInToolBar(bool recording) {
+    auto* tools = host_.window().findChild<QToolBar*>("toolMain");
+    QWidget* button = tools ? tools->widgetForAction(record_) : nullptr;
+    if (!button || button->property("recording").toBool() == recording) return;
+    button->setProperty("recording", recording);
+    const Theme& theme = themeOf(host_.window().palette());
+    record_->setIcon(recording ? icon("record", theme.contact) : icon("record"));
+    button->update();
+  }
+
   void showRecording() {
     const RecordingHub& hub = host_.recording();
     std::optional<TrajectoryPanel::Recording> shown;
@@ -303,6 +316,7 @@ class TrajectoryDocks : public QObject {
                                      .arg(std::fmod(shown->seconds, 60.0), 4, 'f', 1, QChar('0'))
                                : tr("Record");
     if (record_->iconText() != word) record_->setIconText(word);
+    showInToolBar(shown.has_value());
   }
 
   Host& host_;

@@ -69,12 +69,13 @@ struct Seen {
   GpuMesh* mesh = nullptr;
   std::size_t step = 0;
   double nearness = 0.0, pixels = 0.0;  ///< `pixels`: its radius.
-  bool box = false, kept = false;  ///< `kept`: the drawn stylus stays as it is.
+  bool box = false, kept = false;       ///< `kept`: the drawn stylus stays as it is.
   std::size_t triangles() const { return box ? 12 : mesh->trianglesOf(step); }
 };
 
-/// Coarsens the smallest until all have at most so many triangles, or are boxes.
-void keepWithin(std::size_t most, std::vector<Seen>& seen) {
+/// Coarsens the smallest until all have at most so many triangles, or are boxes. Those of more than `largest` pixels
+/// are never boxes: that of a fence would hide all that stands behind it, or the whole view of an eye within it.
+void keepWithin(std::size_t most, double largest, std::vector<Seen>& seen) {
   std::size_t total = 0;
   for (const Seen& one : seen) total += one.triangles();
   if (total <= most) return;
@@ -91,7 +92,7 @@ void keepWithin(std::size_t most, std::vector<Seen>& seen) {
     }
   };
   coarsen([](Seen& one) { one.step = one.mesh->steps().empty() ? 0 : one.mesh->steps().size() - 1; });
-  coarsen([](Seen& one) { one.box = one.triangles() > 12; });
+  coarsen([largest](Seen& one) { one.box = one.triangles() > 12 && one.pixels < largest; });
 }
 
 }  // namespace
@@ -153,7 +154,7 @@ std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_worl
 std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
                                  GpuMeshCache& meshes) {
   std::vector<Seen> seen = seenItems(frame, clip_from_world, kind, meshes);
-  keepWithin(frame.most_triangles, seen);
+  keepWithin(frame.most_triangles, 0.2 * frame.height, seen);
   Gathering gathering;
   for (const Seen& one : seen) {
     const RenderItem& item = frame.items[one.item];

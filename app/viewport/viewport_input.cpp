@@ -147,6 +147,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF step = event->position() - last_place_;
   last_place_ = event->position();
   if (!pick_ && (tool_active_ || event->buttons() == Qt::NoButton) && tools_.move(eventFrom(*event))) {
+    hover_name_.clear();
     update();
     return;
   }
