@@ -3,12 +3,15 @@
 // of its own, fake devices (a pseudo-terminal, hidraw on a mocked system). Run under umockdev-wrapper.
 //
 // HAPTICELL_LOOK_FOLDER=folder saves pictures.
+#include "tests/haptic/devices/spacemouse/mock_hidraw.h"  // First: what it includes has members called `signals`.
+
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <QAbstractItemView>
 #include <QFile>
+#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QTemporaryDir>
@@ -19,7 +22,6 @@
 #include "mannequin/free_hand.h"
 #include "tests/app/cell_page.h"
 #include "tests/haptic/devices/cyberglove/fake_glove.h"
-#include "tests/haptic/devices/spacemouse/mock_hidraw.h"
 #include "workcell/entity_source.h"
 
 namespace hapticell::app {
