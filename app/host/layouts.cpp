@@ -16,15 +16,12 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kVersion = 1;  // Of the blobs: a new one where docks were renamed.
-constexpr int kWideWindow = 1500;
 
 /// How a layout stands until it was touched. Docks that are not there are passed over.
 struct Drawn {
   QString name;
   QStringList left, bottom, right;  // Shown; the first of bottom and right lies in front.
   int left_width, bottom_height, right_width;
-  QString beside{};  ///< Stands to the right of the others, where the window is wide enough.
-  int beside_width = 0;
 };
 
 const std::vector<Drawn>& drawn() {
@@ -49,9 +46,7 @@ const std::vector<Drawn>& drawn() {
        {"dockErgonomics", "dockMannequin", "dockReport"},
        0,
        262,
-       480,
-       "dockReport",
-       400},
+       480},
       {"device",
        {"dockWorkcell"},
        {"dockCurves", "dockMessages"},
@@ -112,13 +107,6 @@ void Layouts::arrange(const QString& name) {
     for (const QString& id : docks)
       if (QDockWidget* dock = find(id)) return window_.resizeDocks({dock}, {pixels}, way);
   };
-  if (QDockWidget* beside = find(want.beside)) {
-    QDockWidget* first = find(want.right.front());
-    const bool is_wide = first && window_.width() >= kWideWindow;
-    if (is_wide) window_.splitDockWidget(first, beside, Qt::Horizontal);
-    if (!is_wide && first) window_.tabifyDockWidget(first, beside);
-    if (is_wide) window_.resizeDocks({first, beside}, {want.right_width, want.beside_width}, Qt::Horizontal);
-  }
   size(want.left, want.left_width, Qt::Horizontal);
   size(want.right, want.right_width, Qt::Horizontal);
   size(want.bottom, want.bottom_height, Qt::Vertical);
