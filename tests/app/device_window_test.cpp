@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QTemporaryDir>
 
+#include "app/host/module_loader.h"
 #include "app/style/proxy_style.h"
 #include "app/style/theme.h"
 #include "mannequin/body_request_text.h"
@@ -56,6 +57,7 @@ class DevicePage : public CellPage {
     settle();
   }
   void start() {
+    window().loadModules(ModuleLoader::defaultFolders());
     ASSERT_TRUE(window().startModule("Virtual Desktop"));
     settle();
   }
@@ -145,7 +147,7 @@ TEST(GloveInTheWindow, IsCalibratedGraspsAndLetsGo) {
   const auto figure = mannequin::makeFigure(*mannequin::parseBodyRequest("mannequin:male:50"));
   page.window().documentModel().execute(workcell::AddEntity{hand});
   const auto grip = figure->p_HandGrip[1];
-  const workcell::EntityId bar = page.addSolid("bar", geometry::makeBox(dvec3(0.04)), Pose::translation(grip));
+  const workcell::EntityId bar = page.addSolid("bar", geometry::makeBox(dvec3(0.041)), Pose::translation(grip));
   page.lookAt({0.0, 0.0, -0.06}, 0.14);
   page.start();
   page.choose("comboGlove", "CyberGlove");

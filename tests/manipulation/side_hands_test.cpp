@@ -338,7 +338,7 @@ TEST(PoseJoints, AFreeHandClosesRoundWhatIsInItAndIsCarriedByTheStylus) {
   workcell::Entity hand = *loader.load("hand:right", 1.0, diagnostics);
   hand.id = kWorker;
   const auto figure = worker("standing").figure;
-  workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox(dvec3(0.04)), {});
+  workcell::Entity bar = test::solid(kBox, "bar", geometry::makeBox(dvec3(0.041)), {});
   bar.X_WE.p = figure->p_HandGrip[1];
   GlovedWorker gloved({hand, bar});
   mannequin::GloveReadings fist;
