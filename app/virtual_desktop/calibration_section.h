@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "haptic/devices/device_condition.h"
+#include "haptic/protocol/device_condition.h"
 
 class QLabel;
 class QPushButton;

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "haptic/devices/device_condition.h"
+#include "haptic/protocol/device_condition.h"
 
 namespace hapticell::haptic {
 

@@ -19,7 +19,7 @@ ALLOWED = {
     "trajectory": {"geometry", "kinematics"},
     "haptic/rendering": {"geometry"},
     "haptic/protocol": {"geometry", "haptic/rendering"},
-    "haptic/devices": {"geometry", "config", "haptic/rendering"},
+    "haptic/devices": {"geometry", "config", "haptic/rendering", "haptic/protocol"},
     "haptic/client": {"geometry", "config", "haptic/rendering", "haptic/protocol"},
     "haptic/server": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/devices",
                       "haptic/client"},
