@@ -186,6 +186,7 @@ void measureStart(MainWindow& window, const QElapsedTimer& clock, int delay_ms) 
   beat->start(1);
   whenRead(window, 0, [&window, tell, last, longest, delay_ms] {
     tell("cell is read");
+    std::printf("%-16s %6lld ms while it was read\n", "longest wait", static_cast<long long>(*longest));
     *longest = 0;
     QTimer::singleShot(delay_ms, &window, [longest] {
       std::printf("%-16s %6lld ms\n", "longest wait", static_cast<long long>(*longest));
