@@ -197,7 +197,8 @@ constexpr const char* kStyle =
     "footer div{flex:1;border-top:.8pt solid #1A2027;padding-top:1mm}@page{size:A4;margin:12mm}"
     "@media print{body{font-size:7.5pt;margin:0 auto}h2{font-size:8.5pt;margin:2mm 0 .5mm}td,th{padding:.3mm 2mm .3mm "
     "0}"
-    ".top{margin-top:2mm}.figure,.scene{width:48mm;max-height:58mm}footer{margin-top:8mm}section{break-inside:avoid}}";
+    ".top{margin-top:2mm}.top>div:first-child{flex:none;width:48mm}.figure,.scene{width:48mm;max-height:50mm}p{margin:"
+    "0 0 .4mm}footer{margin-top:8mm}section{break-inside:avoid}}";
 
 nlohmann::ordered_json jsonOf(const ReportBlock& block) {
   nlohmann::ordered_json json{{"heading", block.heading}};
