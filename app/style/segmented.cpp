@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QPainter>
-#include <algorithm>
 
 #include "app/style/fonts.h"
 #include "app/style/style_painting.h"
@@ -26,7 +25,7 @@ class Segment final : public QAbstractButton {
     setAccessibleName(text);
   }
   QSize sizeHint() const override { return {wide(TextRole::kSection) + 14, kFieldHeight}; }
-  QSize minimumSizeHint() const override { return {std::min(wide(TextRole::kSection), kLeast) + 4, kFieldHeight}; }
+  QSize minimumSizeHint() const override { return {wide(TextRole::kKeyCap) + 2, kFieldHeight}; }
 
  protected:
   /// Where the dock is narrow the words become smaller before any is cut.
@@ -54,7 +53,6 @@ class Segment final : public QAbstractButton {
   }
 
  private:
-  static constexpr int kLeast = 44;  ///< Pixels that words need at the most, however long they are.
   int wide(TextRole role) const { return QFontMetrics(textFont(role)).horizontalAdvance(text()); }
 };
 

@@ -49,6 +49,7 @@ ValueField::ValueField(const Format& format, QWidget* parent)
                 : unit_ == QStringLiteral("°") ? Quantity::kAngle
                                                : Quantity::kPlain;
   setButtonSymbols(NoButtons);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // It may be narrower than it likes.
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setDecimals(quantity_ == Quantity::kPlain ? format.decimals : kKeptDecimals);
   setRange(format.minimum, format.maximum);
