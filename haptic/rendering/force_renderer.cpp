@@ -26,6 +26,7 @@ constexpr double kDampingLimit = 8.0;                        // N s/m an entry c
 constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
 constexpr double kDamperFade = 0.01;                         // s.
 constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
+constexpr double kMostMade = 0.36e-3;                        // J within a second: then a spring of kSoft gains no more.
 
 /// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
 /// quicker.
@@ -287,6 +288,9 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const MetricVector relative_step = stylus_step - MetricVector{dt * solved.v_DO, dvec3(0.0)};
   passivity_.add(relative_step, last_.applied, last_.stiffness);
   passivity_.step(solved.contact, dt);
+  // A stiffer one trembles, and what that makes is its own.
+  const double room = kMostMade - passivity_.recentLoss();
+  ration_.limit(options_.stiffness > kSoft ? kMostMade : std::max(0.0, room));
   updateSpring(solved, stretch_D, relative_step, dt);
   proxy_ = solved.X_DP;
   stylus_ = X_DS;

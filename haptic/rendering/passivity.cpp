@@ -11,14 +11,18 @@ constexpr double kMillisecond = 0.001;
 constexpr double kAllowance = 0.2e-3;     // J made before the controller acts.
 constexpr double kControllerStep = 0.1;   // N s/m per millisecond.
 constexpr double kControllerLimit = 5.0;  // N s/m.
-constexpr double kUnpaidPower = 2.5e-4;     // W that the spring may gain without the hand's work,
-constexpr double kUnpaidBudget = 1.5e-4;    // J at once.
+constexpr double kSlice = 0.05;           // s.
+constexpr double kUnpaidPower = 2.5e-4;   // W that the spring may gain without the hand's work,
+constexpr double kUnpaidBudget = 1.5e-4;  // J at once.
 
 }  // namespace
 
 void PassivityController::reset() {
   account_ = EnergyAccount(delay_);
   damping_ = 0.0;
+  highest_.fill(0.0);
+  slice_ = 0;
+  slice_age_ = 0.0;
 }
 
 void PassivityController::add(const MetricVector& step, const MetricVector& commanded, double stiffness) {
@@ -26,7 +30,22 @@ void PassivityController::add(const MetricVector& step, const MetricVector& comm
   account_.forgetGains();
 }
 
+void PassivityController::noteHighest(double dt) {
+  slice_age_ += dt;
+  if (slice_age_ >= kSlice) {
+    slice_ = (slice_ + 1) % kSlices;
+    slice_age_ = 0.0;
+    highest_[slice_] = balance();
+  }
+  highest_[slice_] = std::max(highest_[slice_], balance());
+}
+
+double PassivityController::recentLoss() const {
+  return std::max(0.0, *std::max_element(highest_.begin(), highest_.end()) - balance());
+}
+
 void PassivityController::step(bool contact, double dt) {
+  noteHighest(dt);
   const double change = kControllerStep * dt / kMillisecond;
   const bool act = contact && balance() < -kAllowance;
   damping_ = std::clamp(damping_ + (act ? change : -change), 0.0, kControllerLimit);
@@ -45,6 +64,7 @@ MetricVector SpringRation::apply(const MetricVector& stretch, double stiffness, 
   const double damped = -dot(last.wanted - last.spring, step);
   const double paid = held - dot(last.applied, step) - std::min(0.0, damped);
   const double unpaid = storedEnergy(pull, stiffness, last.limit) - paid;
+  budget_ = std::min(budget_, room_);
   if (unpaid <= budget_) {
     budget_ -= std::max(0.0, unpaid);
     return stretch;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "haptic/rendering/energy_account.h"
 
 namespace hapticell::haptic {
@@ -21,12 +24,19 @@ class PassivityController {
   void step(bool contact, double dt);
 
   double balance() const { return account_.balance(); }  ///< J, 0 or negative.
+  double recentLoss() const;                             ///< J that the balance has fallen within the last second.
   double damping() const { return damping_; }            ///< N s/m.
 
  private:
   int delay_ = 0;
+  static constexpr std::size_t kSlices = 20;
+  void noteHighest(double dt);
+
   EnergyAccount account_;
   double damping_ = 0.0;
+  std::array<double, kSlices> highest_{};  ///< Of the balance, in each slice of the last second; a ring.
+  std::size_t slice_ = 0;
+  double slice_age_ = 0.0;  ///< s
 };
 
 /// What the coupling's last tick was, for the ration.
@@ -44,12 +54,15 @@ struct HeldSpring {
 class SpringRation {
  public:
   void reset();
+  /// From now on no more than this (J, 0 or more) until it is told anew.
+  void limit(double room) { room_ = room; }
   /// `stretch` (m) shortened as far as needed; the stylus has gone `step` since `last`.
   MetricVector apply(const MetricVector& stretch, double stiffness, const HeldSpring& last, const MetricVector& step,
                      double dt);
 
  private:
-  double budget_ = 0.0;  ///< J that the spring may still gain without the hand's work.
+  double budget_ = 0.0;  ///< J that the spring may still gain without the hand's work,
+  double room_ = 1.0;    ///< and J that anything may.
 };
 
 }  // namespace hapticell::haptic

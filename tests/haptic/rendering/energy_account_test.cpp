@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "haptic/rendering/passivity.h"
 #include "tests/haptic/rendering/rendered_floor.h"
 
 namespace hapticell::haptic {
@@ -297,6 +299,37 @@ TEST(ForceRendererEnergy, yieldsRoundACurveWithoutDrivingTheHand) {
   }
   path.emplace_back(0.055 * std::cos(0.6), 0.055 * std::sin(0.6), 0.0);
   EXPECT_GE(leastEnergyAlong(renderer, path, 0.1), -1e-3 - motorLeak(0.1));
+}
+
+TEST(PassivityController, tellsWhatWasLostWithinTheLastSecond) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> step(0.0, 1e-4);
+  PassivityController controller;
+  std::vector<double> balance{0.0};
+  for (int i = 1; i <= 4000; ++i) {
+    controller.add({dvec3(step(random), 0, 0), dvec3(0.0)}, {dvec3(1.0, 0, 0), dvec3(0.0)}, 1e12);
+    controller.step(true, 1e-3);
+    balance.push_back(controller.balance());
+    const auto fallOver = [&](int ticks) {
+      return *std::max_element(balance.begin() + std::max(0, i - ticks), balance.end()) - balance.back();
+    };
+    // To a slice of 50 ms.
+    EXPECT_GE(controller.recentLoss(), fallOver(940) - 1e-12) << i;
+    EXPECT_LE(controller.recentLoss(), fallOver(1010) + 1e-12) << i;
+  }
+}
+
+TEST(SpringRation, givesNoMoreThanIsLeft) {
+  for (const double room : {0.0, 0.05e-3, 1.0}) {
+    SpringRation ration;
+    ration.reset();
+    ration.limit(room);
+    HeldSpring nothing;
+    nothing.limit = 6.4;
+    const MetricVector stretch = ration.apply({dvec3(0, 0, 0.002), dvec3(0.0)}, 1000.0, nothing, {}, 1e-3);
+    const double gained = 0.5 * 1000.0 * dot(stretch, stretch);
+    EXPECT_NEAR(gained, std::min(room, 0.15e-3), 1e-6) << room;
+  }
 }
 
 }  // namespace
