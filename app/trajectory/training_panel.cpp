@@ -15,9 +15,11 @@
 #include <QVBoxLayout>
 
 #include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
+#include "app/host/selection.h"
 #include "app/panels/form.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
@@ -230,10 +232,14 @@ void TrainingPanel::loadResults() {
 
 void TrainingPanel::start() {
   if (!exercise_) return;
-  if (!host_.documentModel().document().findByName(expert_.entity)) {
+  const workcell::Entity* entity = host_.documentModel().document().findByName(expert_.entity);
+  if (!entity) {
     emit told(tr("There is no %1 in this cell.").arg(QString::fromStdString(expert_.entity)), true);
     return;
   }
+  // What the stylus's button takes, by the frame that the guide leads.
+  host_.selection().set(entity->id);
+  if (const auto by = manipulation::parseMovedBy(expert_.moved)) host_.holdChoice().set(by->kind, by->frame);
   run_ = std::make_unique<manipulation::TrainingRun>(*exercise_, expert_, 0.01 * help_->value());
   manipulation::command::StartRecording wanted;
   wanted.take = tr("Run %1").arg(session_.attempts.size() + 1).toStdString();

@@ -11,6 +11,7 @@
 #include "app/trajectory/training_report.h"
 #include "config/configuration.h"
 #include "manipulation/motion_replay.h"
+#include "manipulation/take_recorder.h"
 #include "tests/app/motion_page.h"
 
 namespace hapticell::app {
@@ -93,6 +94,8 @@ TEST_P(ShippedExercise, IsPlayedToItsEnd) {
   ASSERT_TRUE(replay.has_value()) << replay.error().message();
   page.press("buttonStartRun");
   ASSERT_TRUE(panel->isRunning());
+  EXPECT_EQ(page.window().selection().current(), replay->entity()) << "the stylus takes it";
+  EXPECT_EQ(manipulation::wordOf(page.window().holdChoice().movedBy(), false), expert->moved);
   // The trainee goes on only when the window has seen where the part is.
   QSignalSpy looks(panel, &TrainingPanel::guideChanged);
   double before = -1.0;
