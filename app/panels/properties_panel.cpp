@@ -173,8 +173,10 @@ void PropertiesPanel::rebuild() {
   nothing_->setVisible(!now);
   content_->setVisible(now);
   if (!now) return;
-  for (QLabel* units : findChildren<QLabel*>("labelPoseUnits"))
+  for (QLabel* units : findChildren<QLabel*>("labelPoseUnits")) {
+    units->setProperty("short", QStringLiteral("%1 · %2").arg(unitsNow().lengthUnit(), unitsNow().angleUnit()));
     units->setText(tr("X Y Z in %1 · A B C in %2").arg(unitsNow().lengthUnit(), unitsNow().angleUnit()));
+  }
   const bool robot = now->robot != nullptr;
   const bool figure = now->figure != nullptr;
   tool_.holder->setVisible(robot && !figure && !now->tip_link.empty());

@@ -6,8 +6,8 @@
 
 namespace hapticell::app {
 
-/// One line of plain text that ends with "…" where it has no room, and says all of it as its tip; it never makes its
-/// panel wider.
+/// One line of plain text that gives way to its property "short" (where it has one) or ends with "…" where it has no
+/// room, and says all of it as its tip; it never makes its panel wider.
 class ElidingLabel : public QLabel {
  public:
   using QLabel::QLabel;
@@ -15,7 +15,10 @@ class ElidingLabel : public QLabel {
 
  protected:
   void paintEvent(QPaintEvent*) override {
-    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
+    const QString brief = property("short").toString();
+    const bool fits = fontMetrics().horizontalAdvance(text()) <= contentsRect().width();
+    const QString shown =
+        fontMetrics().elidedText(fits || brief.isEmpty() ? text() : brief, Qt::ElideRight, contentsRect().width());
     setToolTip(shown == text() ? QString() : text());
     QPainter painter(this);
     painter.setPen(palette().color(foregroundRole()));

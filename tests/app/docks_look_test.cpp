@@ -64,7 +64,9 @@ class Look {
   }
   void look(const QLabel& label) {
     if (label.wordWrap() || Qt::mightBeRichText(label.text()) || label.text().isEmpty()) return;
-    for (const QString& line : label.text().split('\n')) need(label, line, label.contentsRect().width());
+    const QString brief = label.property("short").toString();
+    for (const QString& line : (brief.isEmpty() ? label.text() : brief).split('\n'))
+      need(label, line, label.contentsRect().width());
   }
   void look(const QAbstractButton& button) {
     QString text = button.text();
