@@ -250,6 +250,7 @@ void VirtualDesktopController::change(const VirtualDesktopSettings& settings) {
   host_.holdChoice().set(settings.moved_by, settings.moved_frame);
   if (other_sets) postDocument();
   postSettings();
+  updateMouse();  // The next motion of the mouse goes along the axes chosen now, not from the next snapshot on.
   emit settingsChanged();
 }
 

@@ -90,12 +90,19 @@ TEST(Haply, MeasuresAndPushes) {
   EXPECT_EQ(force(), 0.0);
 }
 
-/// A whole force loop on it, in the service's own time: contact, the service ends, nothing is left; it comes back, and
-/// no force by itself.
+/// A service whose stylus stands 5 mm over the middle, upright: where the rig's set tells the contacts.
+std::unique_ptr<FakeHaplyService> serviceAbove(unsigned short port = 0) {
+  auto service = std::make_unique<FakeHaplyService>(port);
+  service->x = 0.0, service->y = -0.2, service->z = 0.205;
+  service->grip = false;
+  return service;
+}
+
+/// A whole force loop on it, in the service's own time: contact, the service ends, nothing is left; it comes back, no
+/// force by itself, and whoever switches it on again feels the floor again.
 TEST(Haply, GoneInContactAndBack) {
-  auto service = std::make_unique<FakeHaplyService>();
+  auto service = serviceAbove();
   const unsigned short port = service->port();
-  service->z = 0.205;
   HaplyDriver driver;
   driver.configure("middle", "0,-0.2,0.2");
   haptic::DriverDeviceOptions options{.calls = haptic::DriverCalls::kInline};
@@ -108,19 +115,26 @@ TEST(Haply, GoneInContactAndBack) {
     return good();
   };
   ASSERT_TRUE(runUntil([&] { return rig.loop.current().X_DS.p.z > 0.004; }));
+  const auto pressUntilFelt = [&] {
+    return runUntil([&] {
+      service->z = std::max(0.196, service->z - 2e-5);
+      return rig.force() > 0.5;
+    });
+  };
   rig.engage(0.0);
-  EXPECT_TRUE(runUntil([&] {
-    service->z = std::max(0.196, service->z - 2e-5);
-    return rig.force() > 0.5;
-  }));
+  EXPECT_TRUE(pressUntilFelt());
   service.reset();
   EXPECT_TRUE(runUntil([&] { return rig.loop.current().device_fault; }));
   EXPECT_EQ(rig.force(), 0.0);
-  service = std::make_unique<FakeHaplyService>(port);
+  service = serviceAbove(port);
   service->z = 0.196;
   EXPECT_TRUE(runUntil([&] { return !rig.loop.current().device_fault; }));
   rig.run(100);
   EXPECT_EQ(rig.force(), 0.0) << "a force came back by itself";
+  service->z = 0.205;
+  ASSERT_TRUE(runUntil([&] { return rig.loop.current().X_DS.p.z > 0.004; }));
+  rig.switchOnAgain(0.0);
+  EXPECT_TRUE(pressUntilFelt());
 }
 
 TEST(Haply, NobodyThere) {
