@@ -57,6 +57,7 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   name_->setObjectName("labelMotion");
   at_ = makeLabel({}, TextRole::kSecond, true);
   at_->setObjectName("labelScoredFrame");
+  at_->setWordWrap(true);  // The window fits a small screen.
   line->addWidget(open_button);
   line->addWidget(play_);
   line->addWidget(worst_);

@@ -7,8 +7,11 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QTimer>
+#include <algorithm>
+#include <vector>
 
 #include "app/host/user_settings.h"
+#include "app/panels/dock_front.h"
 #include "app/style/fonts.h"
 #include "app/style/theme.h"
 
@@ -22,7 +25,11 @@ struct Drawn {
   QString name;
   QStringList left, bottom, right;  // Shown; the first of bottom and right lies in front.
   int left_width, bottom_height, right_width;
+  QString beside = {};  // One of the right ones that has a column of its own where the window is wide enough.
+  int beside_width = 0;
 };
+
+constexpr int kWideWindow = 1500;  // px; below, all docks of the right share one place.
 
 const std::vector<Drawn>& drawn() {
   static const std::vector<Drawn> all{
@@ -46,7 +53,9 @@ const std::vector<Drawn>& drawn() {
        {"dockErgonomics", "dockMannequin", "dockReport"},
        0,
        262,
-       480},
+       540,
+       "dockReport",
+       360},
       {"device",
        {"dockWorkcell"},
        {"dockCurves", "dockMessages"},
@@ -83,15 +92,43 @@ QString Layouts::title(const QString& name) {
 
 void Layouts::choose(const QString& name) {
   if (name == current_ || !names().contains(name)) return;
-  settings_.setValue("layout/" + current_, window_.saveState(kVersion));
+  keep();
   current_ = name;
+  sides_.clear();
   emit chosen(name);  // Docks that are made when they are first wanted are made now.
-  const QByteArray state = settings_.value("layout/" + name).toByteArray();
-  if (state.isEmpty() || !window_.restoreState(state, kVersion)) arrange(name);
+  if (!bringBack()) arrange(name);
+}
+
+void Layouts::keep() {
+  settings_.setValue("layout/" + current_, window_.saveState(kVersion));
+  const QStringList front = inFront();
+  if (!front.isEmpty()) settings_.setValue("layout_front/" + current_, front);
+}
+
+bool Layouts::bringBack() {
+  const QByteArray state = settings_.value("layout/" + current_).toByteArray();
+  if (state.isEmpty() || !window_.restoreState(state, kVersion)) return false;
+  raiseLater(settings_.value("layout_front/" + current_).toStringList());
+  return true;
+}
+
+QStringList Layouts::inFront() const {
+  QStringList front;
+  for (const QDockWidget* dock : window_.findChildren<QDockWidget*>())
+    if (isInFront(*dock)) front << dock->objectName();
+  return front;
+}
+
+void Layouts::raiseLater(const QStringList& docks) {
+  // Queued: Qt forgets a tab that is raised before its docks were laid out.
+  QTimer::singleShot(0, this, [this, docks] {
+    for (const QString& id : docks) raiseFirst({id});
+  });
 }
 
 void Layouts::reset() {
   settings_.remove("layout/" + current_);
+  settings_.remove("layout_front/" + current_);
   arrange(current_);
 }
 
@@ -103,21 +140,75 @@ void Layouts::arrange(const QString& name) {
     if (dock->isFloating()) continue;
     dock->setVisible(want.left.contains(id) || want.bottom.contains(id) || want.right.contains(id));
   }
+  QDockWidget* beside = placeRight(want.right, want.beside);
   const auto size = [&](const QStringList& docks, int pixels, Qt::Orientation way) {
     for (const QString& id : docks)
       if (QDockWidget* dock = find(id)) return window_.resizeDocks({dock}, {pixels}, way);
   };
   size(want.left, want.left_width, Qt::Horizontal);
-  size(want.right, want.right_width, Qt::Horizontal);
+  QDockWidget* first = want.right.isEmpty() ? nullptr : find(want.right.front());
+  if (beside && first)
+    window_.resizeDocks({first, beside}, {want.right_width, want.beside_width}, Qt::Horizontal);
+  else
+    size(want.right, want.right_width, Qt::Horizontal);
   size(want.bottom, want.bottom_height, Qt::Vertical);
   // Queued: Qt forgets a tab that is raised before its docks were laid out.
   QTimer::singleShot(0, this, [this, want] {
-    raiseAll(want.right);
-    raiseAll(want.bottom);
+    raiseFirst(want.right);
+    raiseFirst(want.bottom);
   });
 }
 
-void Layouts::raiseAll(const QStringList& docks) {
+QDockWidget* Layouts::placeRight(const QStringList& docks, const QString& beside) {
+  std::vector<QDockWidget*> all;
+  const auto take = [&](QDockWidget* dock) {
+    const bool is_right = dock && !dock->isFloating() && window_.dockWidgetArea(dock) == Qt::RightDockWidgetArea;
+    if (is_right && std::find(all.begin(), all.end(), dock) == all.end()) all.push_back(dock);
+  };
+  for (const QString& id : docks) take(window_.findChild<QDockWidget*>(id));
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) take(dock);
+  if (all.empty()) return nullptr;
+  // All are taken out first: Qt would keep one that is moved in both places.
+  std::vector<bool> shown;
+  for (QDockWidget* dock : all) {
+    shown.push_back(!dock->isHidden());
+    window_.removeDockWidget(dock);
+  }
+  QDockWidget* aside = nullptr;
+  window_.addDockWidget(Qt::RightDockWidgetArea, all.front());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0 && all[i]->objectName() == beside && window_.width() >= kWideWindow)
+      aside = all[i];
+    else if (i > 0)
+      window_.tabifyDockWidget(all.front(), all[i]);
+  }
+  if (aside) window_.addDockWidget(Qt::RightDockWidgetArea, aside, Qt::Horizontal);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i]->setVisible(shown[i]);
+  return aside;
+}
+
+void Layouts::showSides(bool shown) {
+  if (!shown) {
+    sides_.clear();
+    sides_front_ = inFront();
+  }
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+    const auto area = window_.dockWidgetArea(dock);
+    const bool aside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+    if (!aside || dock->isFloating()) continue;
+    if (!shown && !dock->isHidden()) {
+      sides_ << dock->objectName();
+      dock->hide();
+    } else if (shown && sides_.contains(dock->objectName())) {
+      dock->show();
+    }
+  }
+  if (!shown) return;
+  if (sides_.isEmpty()) return arrange(current_);
+  raiseLater(sides_front_);
+}
+
+void Layouts::raiseFirst(const QStringList& docks) {
   for (const QString& id : docks) {
     auto* dock = window_.findChild<QDockWidget*>(id);
     if (!dock || dock->isHidden()) continue;
@@ -133,14 +224,13 @@ bool Layouts::restore() {
   if (!names().contains(name)) return false;
   current_ = name;
   emit chosen(name);
-  const QByteArray state = settings_.value("layout/" + name).toByteArray();
-  return !state.isEmpty() && window_.restoreState(state, kVersion);
+  return bringBack();
 }
 
 void Layouts::store() {
   settings_.setValue("window/geometry", window_.saveGeometry());
   settings_.setValue("window/layout", current_);
-  settings_.setValue("layout/" + current_, window_.saveState(kVersion));
+  keep();
   settings_.flush();
 }
 

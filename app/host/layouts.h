@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 
+class QDockWidget;
 class QMainWindow;
 class QWidget;
 
@@ -27,6 +28,8 @@ class Layouts : public QObject {
   void choose(const QString& name);
   /// The current one as it is drawn, whatever was done to it.
   void reset();
+  /// The docks of both sides away, and back those that were there, the same ones in front.
+  void showSides(bool shown);
   /// At start, once all docks are there: window and layout of the last time. False where nothing is remembered.
   bool restore();
   /// At the end.
@@ -39,10 +42,20 @@ class Layouts : public QObject {
 
  private:
   void arrange(const QString& name);
-  void raiseAll(const QStringList& docks);
+  /// Gathers the right area's docks in one place; the one beside it gets a column of its own and is given back where
+  /// the window is wide enough.
+  QDockWidget* placeRight(const QStringList& docks, const QString& beside);
+  /// The first of these that is shown.
+  void raiseFirst(const QStringList& docks);
+  /// The current arrangement, with what lies in front, into the settings; and out of them: false where none is kept.
+  void keep();
+  bool bringBack();
+  QStringList inFront() const;
+  void raiseLater(const QStringList& docks);
   QMainWindow& window_;
   UserSettings& settings_;
   QString current_ = QStringLiteral("move");
+  QStringList sides_, sides_front_;  // What showSides() took away.
 };
 
 }  // namespace hapticell::app

@@ -161,13 +161,8 @@ void MainWindow::connectViewActions() {
   on(actions_->isometric, [this] { viewport_->setStandardView(StandardView::kIsometric); });
   on(actions_->perspective, [this](bool checked) { viewport_->setPerspective(checked); });
   on(actions_->edges, [this](bool checked) { viewport_->setEdges(checked); });
-  on(actions_->side_docks, [this](bool checked) {
-    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-      const auto area = dockWidgetArea(dock);
-      const bool aside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
-      if (aside && !dock->isFloating()) dock->setVisible(checked);
-    }
-  });
+  on(actions_->side_docks, [this](bool checked) { layouts_.showSides(checked); });
+  connect(&layouts_, &Layouts::chosen, actions_->side_docks, [this] { actions_->side_docks->setChecked(true); });
   on(actions_->about, [this] {
     QMessageBox::about(
         this, tr("About HaptiCell"),

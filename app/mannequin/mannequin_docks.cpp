@@ -12,11 +12,11 @@
 #include <QVBoxLayout>
 
 #include "app/host/actions.h"
-#include "app/host/top_menus.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/host/top_menus.h"
 #include "app/mannequin/beside.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/figure_drawings.h"
@@ -26,6 +26,7 @@
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
 #include "app/mannequin/marker_panel.h"
+#include "app/panels/dock_front.h"
 #include "app/panels/form.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
@@ -51,7 +52,7 @@ class MannequinDocks : public QObject {
     connect(panel_, &MannequinPanel::addWanted, this, [this] { add({}); });
     connect(&host.selection(), &Selection::changed, this, [this](workcell::EntityId entity) {
       const bool ours = context_.entity() && context_.entity()->id == entity;
-      if (ours) bringToFront();
+      if (ours && !showsOfIt()) bringToFront();
       gizmo_.setOn(ours);
     });
     addMenu();
@@ -119,7 +120,7 @@ class MannequinDocks : public QObject {
           if (!host_.documentModel().execute(workcell::AddEntity{std::move(*made)})) return;
           if (const auto* entity = host_.documentModel().document().findByName(name)) {
             host_.selection().set(entity->id);
-            bringToFront();
+            if (!showsOfIt()) bringToFront();
           }
         });
   }
@@ -133,6 +134,13 @@ class MannequinDocks : public QObject {
     place.p = {0.5 * (bounds.min.x + bounds.max.x), bounds.min.y - kAway, 0.0};
     place.q = dquat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5));  // Faces +Y.
     return place;
+  }
+
+  /// Whether another panel about the figure lies in front: then that is what the user works with.
+  bool showsOfIt() const {
+    for (const char* name : {"dockErgonomics", "dockWorkTask", "dockReport", "dockWorkplace"})
+      if (const auto* dock = host_.window().findChild<QDockWidget*>(name); dock && isInFront(*dock)) return true;
+    return false;
   }
 
   void bringToFront() {

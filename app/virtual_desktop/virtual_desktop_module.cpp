@@ -22,6 +22,7 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/host/top_menus.h"
+#include "app/panels/dock_front.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
@@ -146,8 +147,10 @@ void VirtualDesktopModule::chooseFirstRobot() {
   }
   settings.moved_by = manipulation::MovedBy::Kind::kDefault;
   controller_->change(settings);
+  const bool in_front = dock_ && isInFront(*dock_);
   host_->selection().set(settings.entity);
-  // Nobody chose it, so this panel stays in front.
+  // Nobody chose it, so this panel stays in front where it was.
+  if (!in_front) return;
   QTimer::singleShot(0, dock_, [this] {
     if (dock_) dock_->raise();
   });

@@ -33,6 +33,24 @@ dvec3 feetMiddle(const FigurePose& pose) {
   return 0.5 * (mannequin::footPose(pose, Side::kLeft).p + mannequin::footPose(pose, Side::kRight).p);
 }
 
+/// Whether it is the very body: then it needs not be put where it stands.
+bool isSameBody(const Figure& a, const Figure& b) {
+  constexpr double kSameStature = 0.0006;  // m
+  using mannequin::Dimension;
+  return a.sex == b.sex && std::abs(a.body[Dimension::kStature] - b.body[Dimension::kStature]) < kSameStature;
+}
+
+BodyAtTask asItStands(const Figure& figure, const Posture& posture, const WorkTask& task) {
+  BodyAtTask body;
+  body.figure = figure;
+  body.posture = posture;
+  body.is_reached = true;
+  const FigurePose pose = mannequin::forwardKinematics(figure, posture);
+  body.reach_left_m = reachLeft(figure, pose, activeHands(pose, posture));
+  body.scores = scorePosture(figure, posture, pose, task);
+  return body;
+}
+
 BodyAtTask solveFor(const Figure& from, const Posture& posture, const Figure& figure, const WorkTask& task) {
   BodyAtTask body;
   body.figure = figure;
@@ -96,7 +114,8 @@ std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bo
                                    const Posture& posture, const WorkTask& task) {
   std::vector<BodyAtTask> result;
   for (const mannequin::NamedFigure& body : bodies) {
-    result.push_back(solveFor(figure, posture, body.figure, task));
+    result.push_back(isSameBody(figure, body.figure) ? asItStands(figure, posture, task)
+                                                     : solveFor(figure, posture, body.figure, task));
     result.back().name = body.name;
   }
   return result;

@@ -24,7 +24,8 @@ struct BodyAtTask {
 std::array<bool, 2> activeHands(const mannequin::FigurePose& pose, const mannequin::Posture& posture);
 
 /// The same work done by other bodies: their feet where `posture`'s stand, their grips where its active hands' grips
-/// are (turned alike), all limits and balance kept. Well under a millisecond a body; any thread.
+/// are (turned alike), all limits and balance kept; the body that is of the figure's own sex and stature as it stands.
+/// Well under a millisecond a body; any thread.
 std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bodies, const mannequin::Figure& figure,
                                    const mannequin::Posture& posture, const WorkTask& task);
 

@@ -12,6 +12,9 @@
 #include "app/ergonomics/sub_score_table.h"
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/workplace_panel.h"
+#include "app/host/layouts.h"
+#include "app/host/selection.h"
+#include "app/panels/dock_front.h"
 #include "geometry/shapes.h"
 #include "mannequin/motion_clip.h"
 #include "mannequin/motion_writer.h"
@@ -64,6 +67,25 @@ TEST(ErgonomicsDock, TheBetterPostureIsTakenAsOneStep) {
   auto* button = page.find<QPushButton>("buttonShowPosture");
   ASSERT_TRUE(page.until([&] { return button->isEnabled(); }, ErgonomicsPage::kPatience));
   EXPECT_TRUE(page.clickForStep("buttonShowPosture"));
+}
+
+TEST(ErgonomicsDock, StaysInFrontWhereTheFigureIsChosen) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  for (const char* layout : {"move", "ergonomics"}) {
+    page.window().layouts().choose(layout);
+    for (const char* action : {"actionErgonomics", "actionErgonomicsReport"}) {
+      page.bringDock(action);
+      const auto* dock = page.window().findChild<QDockWidget*>(
+          std::string(action) == "actionErgonomics" ? "dockErgonomics" : "dockReport");
+      ASSERT_TRUE(page.until([&] { return isInFront(*dock); }, ErgonomicsPage::kPatience)) << layout;
+      const auto operator_id = page.document().document().findByName("Operator")->id;
+      page.window().selection().set(0);
+      page.window().selection().set(operator_id);
+      page.settle();
+      EXPECT_TRUE(isInFront(*dock)) << layout << ", " << action;
+    }
+  }
 }
 
 TEST(TaskData, IsEnteredKeptWithTheCellAndUndone) {
@@ -156,7 +178,8 @@ TEST(TimeDock, SaysWhatIsBeyondALimitAndSavesTheMotionAsItIsOnTheFigure) {
   panel->open(QString::fromStdString((folder / "in.bvh").string()));
   ASSERT_TRUE(
       page.until([&] { return page.find<QPushButton>("buttonSaveMotion")->isEnabled(); }, ErgonomicsPage::kPatience));
-  EXPECT_TRUE(page.words("labelBeyondLimits").contains("l_wrist_flexion in 2 frames")) << page.words("labelBeyondLimits").toStdString();
+  EXPECT_TRUE(page.words("labelBeyondLimits").contains("l_wrist_flexion in 2 frames"))
+      << page.words("labelBeyondLimits").toStdString();
   const auto out = folder / "out.bvh";
   ASSERT_TRUE(panel->saveMotion(QString::fromStdString(out.string())));
   const auto clip = mannequin::readMotionFile(out);

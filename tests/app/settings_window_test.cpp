@@ -12,11 +12,13 @@
 #include <QTextBrowser>
 
 #include "app/host/user_settings.h"
+#include "app/panels/dock_front.h"
 #include "app/settings/gesture_field.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 #include "app/style/units.h"
 #include "tests/app/cell_page.h"
+#include "tests/support/test_data.h"
 
 namespace hapticell::app {
 namespace {
@@ -141,6 +143,82 @@ TEST(LayoutsInTheWindow, EachIsAsItWasLeft) {
   EXPECT_FALSE(page.find<QDockWidget>("dockMove")->isHidden()) << "as it was left";
   page.trigger("actionResetLayout");
   EXPECT_TRUE(page.find<QDockWidget>("dockMove")->isHidden()) << "as it is drawn";
+}
+
+bool comesToFront(MainWindow& window, const char* name) {
+  const auto* dock = window.findChild<QDockWidget*>(name);
+  return dock && CellPage::until([dock] { return isInFront(*dock); }, 30000);
+}
+
+QStringList shownDocks(MainWindow& window) {
+  QStringList shown;
+  for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+    if (!dock->isHidden()) shown << dock->objectName();
+  shown.sort();
+  return shown;
+}
+
+TEST(LayoutsInTheWindow, ErgonomicsShowsTheScoresAndThePageBesideThemWhereThereIsRoom) {
+  CellPage page;
+  for (const bool wide : {false, true}) {
+    page.window().resize(wide ? 1560 : 1000, 800);
+    CellPage::settle();
+    page.window().layouts().choose("move");
+    page.window().layouts().choose("ergonomics");
+    page.window().layouts().reset();
+    EXPECT_TRUE(comesToFront(page.window(), "dockErgonomics"));
+    EXPECT_TRUE(comesToFront(page.window(), "dockErgonomicsTime"));
+    const auto* report = page.find<QDockWidget>("dockReport");
+    EXPECT_FALSE(report->isHidden());
+    if (wide) {
+      EXPECT_TRUE(comesToFront(page.window(), "dockReport"));
+      EXPECT_FALSE(report->geometry().intersects(page.find<QDockWidget>("dockErgonomics")->geometry()));
+    }
+    const auto beside = page.window().tabifiedDockWidgets(page.find<QDockWidget>("dockErgonomics"));
+    EXPECT_EQ(beside.contains(report), !wide);
+  }
+  page.window().layouts().choose("teach");
+  page.showDock("dockReport");
+  EXPECT_TRUE(page.window()
+                  .tabifiedDockWidgets(page.find<QDockWidget>("dockReport"))
+                  .contains(page.find<QDockWidget>("dockRobot")))
+      << "other layouts have it among the tabs";
+}
+
+TEST(LayoutsInTheWindow, WhatLayInFrontLiesThereAtTheNextStart) {
+  const hapticell::test::TemporaryFolder place;
+  const QString file = QString::fromStdString((place.path() / "window.ini").string());
+  const char* const fronts[] = {"dockErgonomics", "dockMannequin", "dockReport"};
+  for (int start = 0; start <= 3; ++start) {
+    MainWindow window({}, file);
+    window.resize(1000, 800);
+    window.show();
+    window.restoreLayout();
+    if (start == 0)
+      window.layouts().choose("ergonomics");
+    else
+      EXPECT_TRUE(comesToFront(window, fronts[start - 1])) << fronts[start - 1];
+    EXPECT_EQ(window.layouts().current(), "ergonomics");
+    if (start == 3) break;
+    CellPage::settle();
+    window.findChild<QDockWidget*>(fronts[start])->raise();
+    EXPECT_TRUE(comesToFront(window, fronts[start]));
+    window.layouts().store();
+  }
+}
+
+TEST(LayoutsInTheWindow, TheSideDocksGoAndComeBackAsTheyWere) {
+  CellPage page;
+  page.window().layouts().choose("ergonomics");
+  EXPECT_TRUE(comesToFront(page.window(), "dockErgonomics"));
+  page.find<QDockWidget>("dockReport")->raise();
+  EXPECT_TRUE(comesToFront(page.window(), "dockReport"));
+  const QStringList before = shownDocks(page.window());
+  page.trigger("actionSideDocks");
+  EXPECT_TRUE(page.find<QDockWidget>("dockReport")->isHidden());
+  page.trigger("actionSideDocks");
+  EXPECT_EQ(shownDocks(page.window()), before);
+  EXPECT_TRUE(comesToFront(page.window(), "dockReport"));
 }
 
 TEST(FirstPage, AClickOnASampleOpensItAndEscapeClosesThePage) {
