@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hapticell::ergonomics {
 namespace {
@@ -124,17 +125,28 @@ std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bo
 std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedFigure>& bodies, const Figure& figure,
                                              const Posture& posture, const WorkTask& task,
                                              const std::vector<double>& rises) {
+  // From where the work is now outwards, each height from its neighbour: so the middle is what atSameTask() tells.
+  std::vector<std::size_t> outwards(rises.size());
+  std::iota(outwards.begin(), outwards.end(), std::size_t{0});
+  std::stable_sort(outwards.begin(), outwards.end(),
+                   [&](std::size_t a, std::size_t b) { return std::abs(rises[a]) < std::abs(rises[b]); });
+  constexpr double kHere = 1e-9;  // m
   std::vector<std::vector<int>> scores;
   for (const mannequin::NamedFigure& body : bodies) {
     const mannequin::PostureSolver solver(body.figure);
-    Posture last = standingAt(figure, posture, body.figure);
-    scores.emplace_back();
-    for (const double rise : rises) {
-      const auto found = solver.solve(taskAt(figure, posture, body.figure, dvec3(0.0, 0.0, rise)), last);
-      const bool reached = found.status == mannequin::PostureStatus::kSolved;
-      if (reached) last = found.posture;
-      const FigurePose pose = mannequin::forwardKinematics(body.figure, found.posture);
-      scores.back().push_back(reached ? scorePosture(body.figure, found.posture, pose, task).rula() : 0);
+    const bool is_same = isSameBody(figure, body.figure);
+    Posture up = is_same ? posture : standingAt(figure, posture, body.figure), down = up;
+    scores.emplace_back(rises.size(), 0);
+    for (const std::size_t i : outwards) {
+      const bool is_here = std::abs(rises[i]) < kHere;
+      Posture& last = rises[i] < 0.0 ? down : up;
+      if (!is_here || !is_same) {
+        const auto found = solver.solve(taskAt(figure, posture, body.figure, dvec3(0.0, 0.0, rises[i])), last);
+        if (found.status != mannequin::PostureStatus::kSolved) continue;
+        last = found.posture;
+      }
+      if (is_here) down = up;
+      scores.back()[i] = scorePosture(body.figure, last, mannequin::forwardKinematics(body.figure, last), task).rula();
     }
   }
   return scores;
