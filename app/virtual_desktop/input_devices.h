@@ -61,11 +61,16 @@ class InputDevices : public QObject {
 
   /// The mouse's newest state, where it answers.
   std::optional<driver::State> mouseState();
+  /// The mouse's buttons that went down since the last call, also those that are up again.
+  std::uint32_t takeMousePresses() { return mouse_ ? mouse_->takePressed() : 0u; }
   /// The glove's readings of all 22 sensors, where it answers.
   std::optional<mannequin::GloveReadings> gloveReadings() const;
   /// Joint angles of the hand, rad, by the user's calibration (a rough one where there is none).
   std::optional<mannequin::GloveReadings> gloveAngles() const;
   bool isRightGlove() const;
+  /// While the user shows the poses of a calibration the glove poses nothing.
+  void setCalibrating(bool calibrating) { calibrating_ = calibrating; }
+  bool isCalibrating() const { return calibrating_; }
   /// Thumb to little finger and palm, 0 .. 1 each.
   void vibrateGlove(const std::array<double, 6>& strength);
   /// One line about the glove or the mouse.
@@ -91,7 +96,7 @@ class InputDevices : public QObject {
   QString glove_name_, mouse_name_;
   MouseMoves moves_ = MouseMoves::kView;
   mannequin::GloveCalibration calibration_;
-  bool calibrated_ = false;
+  bool calibrated_ = false, calibrating_ = false;
   std::vector<std::string> news_;
 };
 

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/panels/form.h"
@@ -65,6 +66,13 @@ InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent),
     inputs_.setMouseMoves(index == 0 ? InputDevices::MouseMoves::kView : InputDevices::MouseMoves::kEntity);
   });
   connect(&inputs_, &InputDevices::changed, this, &InputPanel::refresh);
+  // They come and go by themselves.
+  constexpr int kLook = 250;  // Milliseconds.
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, [this] {
+    if (!inputs_.glove().isEmpty() || !inputs_.mouse().isEmpty()) refresh();
+  });
+  timer->start(kLook);
   refresh();
 }
 
@@ -114,6 +122,7 @@ void InputPanel::stepCalibration() {
 
 void InputPanel::showCalibration() {
   const bool runs = calibrator_.has_value();
+  inputs_.setCalibrating(runs);
   const bool any = !inputs_.glove().isEmpty();
   calibrate_->parentWidget()->setVisible(any);
   calibrate_->setVisible(!runs);

@@ -151,7 +151,6 @@ class VirtualDesktopController : public QObject {
   QTimer timer_;
   QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
   FrameMeter ticks_;
-  bool glove_kept_ = true;  // The gloved joints are in the document.
   bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
 };
 

@@ -38,7 +38,8 @@ void VirtualDesktopController::takeInputs() {
 void VirtualDesktopController::driveByMouse(double seconds) {
   const auto state = inputs_.mouseState();
   if (!state) return;
-  const std::uint32_t pressed = state->buttons & ~input_buttons_, released = input_buttons_ & ~state->buttons;
+  const std::uint32_t pressed = inputs_.takeMousePresses();
+  const std::uint32_t released = (input_buttons_ | pressed) & ~state->buttons;
   input_buttons_ = state->buttons;
   if (pressed & 2u) {  // The second button changes between the view and what is held.
     const bool view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
@@ -48,7 +49,8 @@ void VirtualDesktopController::driveByMouse(double seconds) {
     if (view && device_ && !device_->simulated && second_profile_.isEmpty()) chooseSecond(inputs_.mouse());
   }
   const bool moves_view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
-  if (!moves_view && ((pressed | released) & 1u)) mouse_.setButton((pressed & 1u) != 0);
+  if (!moves_view && (pressed & 1u)) mouse_.setButton(true);
+  if (!moves_view && (released & 1u)) mouse_.setButton(false);
   if (std::all_of(state->motion, state->motion + 6, [](double m) { return m == 0.0; })) return;
   ViewportWidget& viewport = host_.viewport();
   const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
@@ -91,16 +93,18 @@ void VirtualDesktopController::grasp(const GlovedHand& hand) {
   if (change.let_go != 0) host_.documentModel().execute(workcell::Detach{change.let_go});
 }
 
-/// Where the loop has brought the gloved joints; nothing before it has.
+/// Where the loop has brought the gloved joints: as the document has them where it tells of no others.
 std::optional<std::vector<double>> VirtualDesktopController::posedJoints() const {
-  for (const manipulation::EntityState& entity : snapshot_.entities) {
-    if (entity.id == gloved_) return entity.joints;
+  const workcell::Entity* entity = host_.documentModel().document().find(gloved_);
+  if (!loop_ || !isConnected() || !entity) return std::nullopt;
+  for (const manipulation::EntityState& state : snapshot_.entities) {
+    if (state.id == gloved_) return state.joints;
   }
-  return std::nullopt;
+  return entity->joints;
 }
 
 bool VirtualDesktopController::isPosedByLoop() const {
-  return isConnected() && posedJoints().has_value();
+  return posedJoints().has_value();
 }
 
 /// One step of undo for a grasp, not one for each twitch.
@@ -116,7 +120,7 @@ void VirtualDesktopController::poseInLoop(const GlovedHand& hand) {
 
 void VirtualDesktopController::poseByGlove() {
   const auto angles = inputs_.gloveAngles();
-  if (!angles) return;
+  if (!angles || inputs_.isCalibrating()) return;
   const workcell::Document& document = host_.documentModel().document();
   const mannequin::Side side = inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft;
   GlovedHand hand = glovedHand(document, settings_.entity, side, *angles);
@@ -135,10 +139,9 @@ void VirtualDesktopController::poseByGlove() {
     gloved_ = hand.entity;
     gloved_joints_ = hand.joints;
     glove_rests_.start();
-    glove_kept_ = false;
     if (loop_poses) poseInLoop(hand);
-  } else if (gloved_ == hand.entity && !glove_kept_ && glove_rests_.elapsed() > kGloveRest) {
-    glove_kept_ = true;
+  } else if (gloved_ == hand.entity && glove_rests_.elapsed() > kGloveRest) {
+    glove_rests_.start();  // The loop may still be on its way there.
     keepGloved(loop_poses ? posedJoints().value_or(gloved_joints_) : gloved_joints_);
     if (!loop_poses) gloved_ = 0;
   }

@@ -68,6 +68,7 @@ void VirtualDesktopController::startSecond() {
   auto link = std::make_unique<haptic::TcpLink>(options);
   second_link_ = link.get();
   loop_->setSecondStylus(std::move(link));
+  postCamera();  // Its place in the view is not the first one's.
   second_mouse_.hold(true);
 }
 

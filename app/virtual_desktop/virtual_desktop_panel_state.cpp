@@ -176,6 +176,7 @@ void VirtualDesktopPanel::showSnapshot() {
     workspace_->setState({-0.08, -0.065, -0.065}, {0.08, 0.065, 0.065}, {0, 0, 0}, false);
     workspace_text_->setText(tr("No device"));
   }
+  second_state_->setText(controller_.secondLine());
   showRates(now);
 }
 

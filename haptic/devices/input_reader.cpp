@@ -25,6 +25,7 @@ constexpr std::uint32_t kReopenTurns = 500;  // A second.
 struct InputReader::Shared {
   std::mutex mutex;
   Snapshot newest;
+  std::uint32_t pressed = 0;  // Since they were asked for.
   driver::Command command;
   std::vector<std::string> news;
   std::atomic<bool> stopping{false};
@@ -54,6 +55,7 @@ struct InputReader::Shared {
       const DriverAnswer& answer = session.turn(wanted);
       {
         const std::scoped_lock lock(mutex);
+        pressed |= answer.state.buttons & ~newest.state.buttons;
         newest.open = session.isOpen();
         newest.measurements = answer.measurements;
         newest.state = answer.state;
@@ -80,6 +82,11 @@ InputReader::~InputReader() {
 InputReader::Snapshot InputReader::latest() const {
   const std::scoped_lock lock(shared_->mutex);
   return shared_->newest;
+}
+
+std::uint32_t InputReader::takePressed() {
+  const std::scoped_lock lock(shared_->mutex);
+  return std::exchange(shared_->pressed, 0u);
 }
 
 void InputReader::vibrate(const double (&strength)[6]) {

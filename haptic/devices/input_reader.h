@@ -30,6 +30,8 @@ class InputReader {
   InputReader& operator=(const InputReader&) = delete;
 
   Snapshot latest() const;
+  /// Buttons that went down since the last call, one bit each: also those that are up again.
+  std::uint32_t takePressed();
   /// How strongly the glove's vibrators shake, 0 .. 1 each.
   void vibrate(const double (&strength)[6]);
   /// What happened since the last call, in sentences.

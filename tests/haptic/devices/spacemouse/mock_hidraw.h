@@ -2,11 +2,13 @@
 #pragma once
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <umockdev.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 #include <mutex>
 #include <string>
@@ -47,8 +49,13 @@ class MockHidraw {
   }
 
   bool isThere() const { return added_; }
+  /// Waits for room in the queue: nothing is lost where the program is slow.
   void send(const std::vector<std::uint8_t>& report) const {
-    static_cast<void>(::write(queue_, report.data(), report.size()));
+    while (::write(queue_, report.data(), report.size()) < 0 && errno == EAGAIN) {
+      constexpr int kPatience = 10000;  // ms
+      pollfd room{queue_, POLLOUT, 0};
+      if (::poll(&room, 1, kPatience) <= 0) return;
+    }
   }
   /// Output reports that the program wrote.
   std::vector<std::vector<std::uint8_t>> written() {
