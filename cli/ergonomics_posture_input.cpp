@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/ergonomics_report.h"
+#include "mannequin/ergonomics/owas.h"
+#include "mannequin/ergonomics/posture_advice.h"
 #include "workcell/work_task_format.h"
 
 namespace hapticell::cli {
@@ -111,31 +114,65 @@ int levelOf(Zone zone) {
   return zone == Zone::kAcceptable ? 1 : zone == Zone::kConditional ? 2 : 3;
 }
 
-template <class Values>
-ordered_json subScoresOf(const ScoredMethod& method, const Values& values) {
-  ordered_json result = ordered_json::object();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    ordered_json& value = result[std::string(method.subScores()[i].name)];
-    if (values[i]) value = *values[i];
+ordered_json worstPartsOf(const PartVerdicts& verdicts) {
+  ordered_json drivers = ordered_json::array();
+  for (const PartVerdict& part : verdicts.parts) {
+    if (part.zone == verdicts.worst && part.zone != Zone::kAcceptable) drivers.push_back({{"input", part.part}});
   }
-  return result;
+  return drivers;
+}
+
+/// The angles and answers that a side's scores come from, by the names of `ergonomics rula --input`.
+ordered_json inputsOf(const PostureAngles& angles) {
+  ordered_json inputs = ordered_json::object();
+  for (const PostureField& field : postureFields()) {
+    ordered_json& value = inputs[std::string(field.name)];
+    if (field.angle && angles.*field.angle) value = *(angles.*field.angle);
+    if (field.flag && angles.*field.flag) value = *(angles.*field.flag);
+    if (field.name == "wrist_twist" && value.is_boolean()) value = value.get<bool>() ? "end" : "mid";
+  }
+  return inputs;
+}
+
+/// The same as for sub-scores or angles that are given: tables, drivers, the next level. What is not known stays null.
+template <typename Values>
+ordered_json scoredSide(const ScoredMethod& method, const Values& values, const PostureAngles& angles) {
+  ScoredInput input;
+  input.values.assign(values.begin(), values.end());
+  input.angles = angles;
+  ordered_json report = scoredReport(method, input);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i]) report["sub_scores"][std::string(method.subScores()[i].name)] = nullptr;
+  }
+  return report;
+}
+
+ordered_json zonesOf(const PartVerdicts& verdicts) {
+  return {{"zone", nameOf(verdicts.worst)}, {"parts", partsOf(verdicts)}, {"drivers", worstPartsOf(verdicts)}};
 }
 
 ordered_json sideOf(const SideScores& side) {
-  const Rula rula;
-  const Reba reba;
-  return {{"rula",
-           {{"score", side.rula_score},
-            {"level", side.rula_level},
-            {"level_meaning", rula.levelName(side.rula_level)},
-            {"sub_scores", subScoresOf(rula, side.rula)}}},
-          {"reba",
-           {{"score", side.reba_score},
-            {"level", side.reba_level},
-            {"level_meaning", reba.levelName(side.reba_level)},
-            {"sub_scores", subScoresOf(reba, side.reba)}}},
-          {"en1005", {{"zone", nameOf(side.en1005.worst)}, {"parts", partsOf(side.en1005)}}},
-          {"iso11226", {{"zone", nameOf(side.iso11226.worst)}, {"parts", partsOf(side.iso11226)}}}};
+  return {{"inputs", inputsOf(side.angles)},
+          {"rula", scoredSide(Rula(), side.rula, side.angles)},
+          {"reba", scoredSide(Reba(), side.reba, side.angles)},
+          {"en1005", zonesOf(side.en1005)},
+          {"iso11226", zonesOf(side.iso11226)}};
+}
+
+ordered_json owasOf(const PostureScores& scores) {
+  ScoredInput input;
+  input.values.assign(scores.owas.begin(), scores.owas.end());
+  ordered_json report = scoredReport(Owas(), input);
+  if (std::find(scores.missing.begin(), scores.missing.end(), "load") != scores.missing.end()) {
+    report["partial"] = true;
+    report["missing"] = {"load"};
+    report["sub_scores"]["load"] = nullptr;
+    report["assumptions"] = {"load was not given and is counted at its least: the true category may be higher."};
+  }
+  report["code"] = scores.owasCode();
+  report["category"] = scores.owas_category;
+  report["category_meaning"] = Owas().levelName(scores.owas_category);
+  return report;
 }
 
 }  // namespace
@@ -181,11 +218,7 @@ Expected<ordered_json> zonesReport(const std::string& method, const json& input)
                       {"score", nameOf(verdicts.worst)},
                       {"level", levelOf(verdicts.worst)},
                       {"parts", partsOf(verdicts)}};
-  ordered_json drivers = ordered_json::array();
-  for (const PartVerdict& part : verdicts.parts) {
-    if (part.zone == verdicts.worst && part.zone != Zone::kAcceptable) drivers.push_back({{"input", part.part}});
-  }
-  report["drivers"] = std::move(drivers);
+  report["drivers"] = worstPartsOf(verdicts);
   report["assumptions"] = {"a boundary angle belongs to the lower zone",
                            "an arm behind the body counts as raised over 60 deg"};
   return report;
@@ -217,9 +250,7 @@ ordered_json postureScoresReport(const PostureReportInput& input, const PostureS
   report["mass"] = input.figure.totalMass();
   report["left"] = sideOf(scores.sides[0]);
   report["right"] = sideOf(scores.sides[1]);
-  report["owas"] = {{"code", scores.owasCode()},
-                    {"category", scores.owas_category},
-                    {"category_meaning", Owas().levelName(scores.owas_category)}};
+  report["owas"] = owasOf(scores);
   report["eaws_outline"] = {{"posture", nameOf(scores.eaws)}, {"points_if_held_all_the_time", scores.eaws_points}};
   report["joint_comfort"] = scores.comfort;
   report["partial"] = !scores.missing.empty();

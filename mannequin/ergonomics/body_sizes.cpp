@@ -139,13 +139,13 @@ std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedF
     scores.emplace_back(rises.size(), 0);
     for (const std::size_t i : outwards) {
       const bool is_here = std::abs(rises[i]) < kHere;
-      Posture& last = rises[i] < 0.0 ? down : up;
+      Posture& last = !is_here && rises[i] < 0.0 ? down : up;
       if (!is_here || !is_same) {
         const auto found = solver.solve(taskAt(figure, posture, body.figure, dvec3(0.0, 0.0, rises[i])), last);
         if (found.status != mannequin::PostureStatus::kSolved) continue;
         last = found.posture;
       }
-      if (is_here) down = up;
+      if (is_here) down = up;  // Both ways begin here.
       scores.back()[i] = scorePosture(body.figure, last, mannequin::forwardKinematics(body.figure, last), task).rula();
     }
   }

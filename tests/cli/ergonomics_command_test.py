@@ -185,6 +185,30 @@ def test_every_field_of_task_data_is_refused_by_name_when_it_is_bad(case):
     assert "loadx" in case.run("ergonomics", "posture", *figure, "--task", json.dumps(dict(task, loadx=1)), expect=2)
 
 
+def test_each_score_of_a_posture_lists_what_it_is_made_of(case):
+    found = case.run("ergonomics", "posture", "--sex", "female", "--percentile", "5", "--posture", "overhead", "--task", json.dumps(TASK))
+    for side in (found["left"], found["right"]):
+        assert side["inputs"]["upper_arm_flexion"] > 90 and side["inputs"]["wrist_twist"] in ("mid", "end")
+        for method in ("rula", "reba"):
+            score = side[method]
+            assert len(score["tables"]) == 3 and score["tables"][-1]["table"] == "C" and score["source"]
+            assert score["drivers"][0]["input"] in ("upper_arm", "neck") and score["drivers"][0]["score"] < score["score"]
+            better = score["nearest_better_posture"]
+            assert better["level"] < score["level"] and better["changes"]
+            turned = dict(side["inputs"], **{change["input"]: change["to"] for change in better["changes"]})
+            again = {name: turned[name] for name in RULA_ANGLES} if method == "rula" else {
+                name: turned[name] for name in turned if name not in ("legs_supported", "wrist_twist")}
+            loads = {name: score["sub_scores"][name] for name in ("load", "coupling", "activity")} if method == "reba" else {
+                name: score["sub_scores"][name] for name in ("muscle_use_arm", "force_arm", "muscle_use_body", "force_body")}
+            assert ergonomics(case, method, {"angles": again, **loads})["score"] == better["score"], (method, better)
+        assert side["en1005"]["drivers"] and side["iso11226"]["drivers"]
+    owas = found["owas"]
+    assert owas["tables"][0]["value"] == owas["category"] == ergonomics(case, "owas", {"code": str(owas["code"])})["score"]
+    stooped = case.run("ergonomics", "posture", "--sex", "male", "--percentile", "95", "--posture", "stooping")["owas"]
+    assert stooped["category"] > 1 and stooped["drivers"] and stooped["next_level"]["level"] < stooped["category"]
+    assert stooped["partial"] and stooped["missing"] == ["load"] and stooped["sub_scores"]["load"] is None and not owas["partial"]
+
+
 def test_own_limits_of_the_hands_force(case):
     table = case.folder / "limits.csv"
     table.write_text("# source: our physiologist, 2026\nhand,height_from_m,height_to_m,limit_n\nany,0,3,40\nright,1.0,3,30\n")

@@ -162,15 +162,15 @@ TEST(BodySizes, AllFourDoTheSameTask) {
 }
 
 TEST(BodySizes, TheFiguresOwnSizeIsAsItStandsAndTheHeightOfNowIsThatOfTheColumns) {
-  const Figure figure = man();
+  const Figure figure = mannequin::boundaryFigures()[1].figure;
   for (const char* name : {"reaching", "both_hands_forward", "stooping"}) {
     const Posture posture = *mannequin::libraryPosture(figure, name);
     const auto bodies = atSameTask(mannequin::boundaryFigures(), figure, posture, known());
     const auto own = scorePosture(figure, posture, mannequin::forwardKinematics(figure, posture), known());
-    EXPECT_EQ(bodies[2].scores.rula(), own.rula()) << name;
-    EXPECT_EQ(bodies[2].scores.reba(), own.reba()) << name;
+    EXPECT_EQ(bodies[1].scores.rula(), own.rula()) << name;
+    EXPECT_EQ(bodies[1].scores.reba(), own.reba()) << name;
     const auto heights =
-        scoresByHeight(mannequin::boundaryFigures(), figure, posture, known(), {-0.06, -0.03, 0.0, 0.03});
+        scoresByHeight(mannequin::boundaryFigures(), figure, posture, known(), {-0.06, -0.03, -3e-17, 0.03});
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       EXPECT_EQ(heights[i][2], bodies[i].is_reached ? bodies[i].scores.rula() : 0) << name << ", " << bodies[i].name;
     }
