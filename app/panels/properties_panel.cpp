@@ -27,7 +27,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kNarrowLabel = 64;       // The dock is narrow.
+constexpr int kNarrowLabel = 68;       // The dock is narrow.
 constexpr std::size_t kFewJoints = 6;  // Of more there are infinitely many ways.
 
 QColor colorOf(const workcell::Entity& entity) {

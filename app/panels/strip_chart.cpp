@@ -31,9 +31,10 @@ QString gapText(double metres) {
 struct StripChart::Axes {
   QRect plot;
   QRect rates;
-  double end_s = 0.0, length_s = 20.0;
+  double begin_s = 0.0, end_s = 20.0;
   double gap_top = 0.060, force_top = 5.0;
-  double x(double time_s) const { return plot.right() - (end_s - time_s) / length_s * plot.width(); }
+  double x(double time_s) const { return plot.left() + (time_s - begin_s) / (end_s - begin_s) * plot.width(); }
+  double time(double x) const { return begin_s + (x - plot.left()) / plot.width() * (end_s - begin_s); }
   double yGap(double metres) const { return plot.bottom() - std::clamp(metres / gap_top, 0.0, 1.0) * plot.height(); }
   double yRate(double hertz) const { return rates.bottom() - std::clamp(hertz / kRateTop, 0.0, 1.0) * rates.height(); }
   double yForce(double newtons) const {
@@ -41,9 +42,9 @@ struct StripChart::Axes {
   }
 };
 
-StripChart::StripChart(QWidget* parent) : QWidget(parent) {
+StripChart::StripChart(double length_s, QWidget* parent) : QWidget(parent), history_(length_s) {
   setObjectName("stripChart");
-  setAccessibleName(tr("Force and gap over the last 20 seconds"));
+  setAccessibleName(tr("Force and gap over the last seconds"));
   setMouseTracking(true);
 }
 
@@ -54,6 +55,11 @@ void StripChart::take(const std::optional<manipulation::SceneSnapshot>& snapshot
   if (isSeen(*this) && history_.now() != before) update();
 }
 
+void StripChart::setTimes(const StripTimes& times) {
+  times_ = times;
+  update();
+}
+
 void StripChart::setLevels(double near_miss_m, double peak_n) {
   near_miss_m_ = near_miss_m;
   peak_n_ = peak_n;
@@ -61,10 +67,17 @@ void StripChart::setLevels(double near_miss_m, double peak_n) {
 
 StripChart::Axes StripChart::axes() const {
   Axes axes;
-  axes.plot = rect().adjusted(200, 30, -60, -20 - kRatesHeight);
-  axes.rates = QRect(axes.plot.left(), axes.plot.bottom() + 8, axes.plot.width(), kRatesHeight);
-  axes.length_s = history_.length();
-  axes.end_s = std::max(history_.now(), axes.length_s);
+  if (times_) {
+    const int left = static_cast<int>(times_->left);
+    axes.plot = QRect(left, 4, static_cast<int>(times_->right) - left, height() - 14);
+    axes.begin_s = times_->begin_s;
+    axes.end_s = times_->end_s;
+  } else {
+    axes.plot = rect().adjusted(200, 30, -60, -20 - kRatesHeight);
+    axes.rates = QRect(axes.plot.left(), axes.plot.bottom() + 8, axes.plot.width(), kRatesHeight);
+    axes.end_s = std::max(history_.now(), history_.length());
+    axes.begin_s = axes.end_s - history_.length();
+  }
   double gap = 0.0, force = 0.0;
   for (const StripSample& sample : history_.samples()) {
     if (std::isfinite(sample.gap_m)) gap = std::max(gap, sample.gap_m);
@@ -78,7 +91,7 @@ StripChart::Axes StripChart::axes() const {
 void StripChart::paintTimes(QPainter& painter, const Axes& axes) const {
   const Theme& theme = themeOf(palette());
   painter.setFont(textFont(TextRole::kSecond));
-  for (int second = static_cast<int>(std::ceil(axes.end_s - axes.length_s)); second <= axes.end_s; ++second) {
+  for (int second = static_cast<int>(std::ceil(axes.begin_s)); second <= axes.end_s; ++second) {
     const double x = axes.x(second);
     const bool named = second % 2 == 0;
     painter.fillRect(QRectF(x, axes.plot.top() - (named ? 10 : 6), 1, named ? 8 : 4), theme.text3);
@@ -200,9 +213,10 @@ void StripChart::paintCursor(QPainter& painter, const Axes& axes) const {
   const Theme& theme = themeOf(palette());
   const bool pointed = cursor_ >= axes.plot.left() && cursor_ <= axes.plot.right();
   const double x = pointed ? cursor_ : axes.x(history_.now());
-  const StripSample* sample = history_.at(axes.end_s - (axes.plot.right() - x) / axes.plot.width() * axes.length_s);
+  const StripSample* sample = history_.at(axes.time(x));
   if (!sample) return;
-  painter.fillRect(QRectF(x - 0.75, axes.plot.top() - 8, 1.5, axes.plot.height() + 8), theme.text1);
+  const int above = std::min(8, axes.plot.top());
+  painter.fillRect(QRectF(x - 0.75, axes.plot.top() - above, 1.5, axes.plot.height() + above), theme.text1);
   if (!pointed) return;
   const QString gap = std::isfinite(sample->gap_m) ? QString::fromStdString(millimetres(sample->gap_m)) : tr("no gap");
   const QString force = tr("%1 N at %2 s").arg(sample->force_n, 0, 'f', 1).arg(sample->time_s, 0, 'f', 2);
@@ -224,9 +238,9 @@ void StripChart::paintEvent(QPaintEvent*) {
   const Axes at = axes();
   if (at.plot.width() < 40 || at.plot.height() < 30) return;
   paintLevels(painter, at);
-  paintTimes(painter, at);
+  if (!times_) paintTimes(painter, at);
   paintCurves(painter, at);
-  paintRates(painter, at);
+  if (!times_) paintRates(painter, at);
   paintLegend(painter, at);
   paintCursor(painter, at);
 }

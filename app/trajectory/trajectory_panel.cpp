@@ -11,6 +11,7 @@
 
 #include "app/host/host.h"
 #include "app/panels/form.h"
+#include "app/panels/strip_chart.h"
 #include "app/style/icon.h"
 #include "app/style/narrow_words.h"
 #include "app/style/theme.h"
@@ -25,17 +26,30 @@ namespace {
 
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int kNormalSpeed = 3;
+constexpr int kLiveMilliseconds = 33;
+constexpr double kLiveSeconds = 120.0;  // Kept of force and gap while recording.
 
 }  // namespace
 
 TrajectoryPanel::TrajectoryPanel(Host& host, MotionList& list, MotionPlayer& player, QWidget* parent)
-    : QWidget(parent), host_(host), list_(list), player_(player), bar_(new TimeBar), chart_(new MotionChart) {
+    : QWidget(parent),
+      host_(host),
+      list_(list),
+      player_(player),
+      bar_(new TimeBar),
+      chart_(new MotionChart),
+      live_(new StripChart(kLiveSeconds)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 6, 0, 6);
   column->setSpacing(4);
   column->addWidget(makeTransport());
   column->addWidget(bar_);
   column->addWidget(chart_, 1);
+  column->addWidget(live_, 1);
+  live_->setObjectName("recordedStrip");
+  live_->setLevels(host_.configuration().manipulation.near_miss, 0.0);
+  live_->hide();
+  connect(&live_timer_, &QTimer::timeout, this, [this] { live_->take(host_.snapshot()); });
   // The choice of the curves stands in the chart's own column of names.
   auto* choice = new QGridLayout(chart_);
   choice->setContentsMargins(10, 4, 0, 0);
@@ -153,7 +167,10 @@ void TrajectoryPanel::connectBar() {
   });
   connect(bar_, &TimeBar::playedToggled, this,
           [this](const QString& name, bool played) { list_.setPlayed(name.toStdString(), played); });
-  connect(bar_, &TimeBar::axisChanged, this, [this] { chart_->setAxis(bar_->axis()); });
+  connect(bar_, &TimeBar::axisChanged, this, [this] {
+    chart_->setAxis(bar_->axis());
+    layLiveChart();
+  });
   connect(bar_, &TimeBar::frameChosen, this, &TrajectoryPanel::frameChosen);
   connect(bar_, &TimeBar::partChanged, this, &TrajectoryPanel::showMotions);
 }
@@ -216,9 +233,24 @@ void TrajectoryPanel::showRecording(const std::optional<Recording>& recording) {
     if (!on) info_->clear();
   }
   bar_->setRecorded(on ? std::optional<double>(recording->seconds) : std::nullopt);
+  const auto& now = host_.snapshot();
+  const bool live = on && now && now->connected;
+  if (live) {
+    live_->take(now);
+    recorded_from_s_ = live_->history().now() - recording->seconds;
+    layLiveChart();
+  }
+  if (live != live_timer_.isActive()) live ? live_timer_.start(kLiveMilliseconds) : live_timer_.stop();
+  live_->setVisible(live);
+  chart_->setVisible(!live);
   if (!on) return;
   info_->setText(tr("%1 s · frames: %2").arg(recording->seconds, 0, 'f', 1).arg(recording->frames) +
                  (recording->by_hand > 0 ? tr(" · %1 by hand").arg(recording->by_hand) : QString()));
+}
+
+void TrajectoryPanel::layLiveChart() {
+  const TimeAxis& axis = bar_->axis();
+  live_->setTimes({axis.left, axis.right, recorded_from_s_ + axis.begin, recorded_from_s_ + axis.end});
 }
 
 void TrajectoryPanel::showLine(const QString& line, bool careful) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 
@@ -16,6 +17,7 @@ class Host;
 class MotionChart;
 class MotionList;
 class MotionPlayer;
+class StripChart;
 
 /// The dock under the scene: transport, recording, the time bar and the curves of the current motion on one time axis.
 class TrajectoryPanel : public QWidget {
@@ -54,17 +56,21 @@ class TrajectoryPanel : public QWidget {
   void showCurrent();
   void showTime();
   void chooseCurves();
+  void layLiveChart();
 
   Host& host_;
   MotionList& list_;
   MotionPlayer& player_;
   TimeBar* bar_;
   MotionChart* chart_;
+  StripChart* live_;  ///< Force and gap of what is being recorded, in the chart's place.
   QToolButton *first_, *back_, *play_, *next_, *last_, *loop_, *shown_, *swept_, *record_, *trim_, *smooth_, *check_,
       *export_, *edit_;
   QComboBox *speed_, *group_, *order_;
   QLabel* info_;
+  QTimer live_timer_;
   bool recording_ = false;
+  double recorded_from_s_ = 0.0;  ///< The snapshots' time at which the recording began.
   std::shared_ptr<const trajectory::Trajectory> shown_motion_;
 };
 

@@ -167,6 +167,7 @@ int run(const Words& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  mallopt(M_ARENA_MAX, 1);  // One heap: what threads leave scattered over several would hide a leak of its size.
   CLI::App app{"Works at random in three cells for hours, and watches memory, invariants and latency"};
   Words words;
   app.add_option("--virtual-hours", words.virtual_hours, "Hours of the hand, in virtual time");

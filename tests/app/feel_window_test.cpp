@@ -296,7 +296,7 @@ TEST(FeelWindow, TheLiveStripShowsForceGapAndRatesWhilePressing) {
   page.drag(0, 0.05 / page.metresPerPixel());
   ASSERT_TRUE(WindowPage::until([&] { return page.now().force_n > 0.5; }, kPatience));
   EXPECT_EQ(stripCells(page.now(), {})[1].mark, Mark::kContact);
-  auto* chart = page.window().findChild<StripChart*>();
+  auto* chart = page.window().findChild<StripChart*>("stripChart");
   ASSERT_NE(chart, nullptr);
   EXPECT_TRUE(WindowPage::until(
       [&] { return !chart->history().samples().empty() && chart->history().samples().back().force_n > 0.5; },

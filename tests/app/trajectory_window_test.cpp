@@ -8,6 +8,7 @@
 
 #include "app/ergonomics/sub_score_table.h"
 #include "app/host/recording_hub.h"
+#include "app/panels/strip_chart.h"
 #include "app/style/proxy_style.h"
 #include "app/trajectory/motion_chart.h"
 #include "tests/app/motion_page.h"
@@ -275,6 +276,35 @@ TEST(TrajectoryDock, SeveralEntitiesAreRecordedOnOneClockAndPlayedWithLiveScores
   page.press("buttonLast");
   EXPECT_TRUE(MotionPage::until([&] { return score() == raised; }, MotionPage::kPatience));
   EXPECT_NEAR(page.shownBox().p.x, 0.2, 1e-12);
+}
+
+TEST(TrajectoryDock, ForceAndGapAreDrawnWhileRecording) {
+  MotionPage page;
+  auto* live = page.find<StripChart>("recordedStrip");
+  auto* chart = page.find<MotionChart>("motionChart");
+  EXPECT_FALSE(live->isVisible());
+  manipulation::SceneSnapshot now;
+  now.connected = true;
+  now.pairs.resize(1);
+  now.time_s = 50.0;
+  now.free_gap_m = 0.02;
+  page.key(Qt::Key_R);
+  const auto tell = [&](double force) {
+    now.time_s += 0.1;
+    now.force_n = force;
+    page.window().setSnapshot(now);
+    const auto& samples = live->history().samples();
+    return MotionPage::until([&] { return !samples.empty() && samples.back().force_n == force; },
+                             MotionPage::kPatience);
+  };
+  EXPECT_TRUE(tell(1.5));
+  EXPECT_TRUE(tell(0.25));
+  EXPECT_TRUE(live->isVisible());
+  EXPECT_FALSE(chart->isVisible()) << "in its place";
+  EXPECT_EQ(live->history().samples().back().gap_m, 0.02);
+  EXPECT_FALSE(live->grab().isNull());
+  page.key(Qt::Key_R);
+  EXPECT_TRUE(MotionPage::until([&] { return chart->isVisible() && !live->isVisible(); }, MotionPage::kPatience));
 }
 
 TEST(TrajectoryDock, CurvesShowTheChosenQuantity) {
