@@ -19,6 +19,7 @@ namespace hapticell::app {
 namespace {
 constexpr double kRateTop = 1100.0;  // Hz at the top of the rates' strip.
 constexpr int kRatesHeight = 30;
+constexpr int kLevelsWidth = 56;  // Of the numbers at the left axis.
 
 /// A round distance without needless decimals: "10 mm", "0.4 in".
 QString gapText(double metres) {
@@ -114,7 +115,7 @@ void StripChart::paintLevels(QPainter& painter, const Axes& axes) const {
   painter.setPen(QPen(theme.near_miss, 1.2, Qt::DashLine));
   painter.drawLine(QPointF(plot.left(), near), QPointF(plot.right(), near));
   painter.setFont(textFont(TextRole::kSecond));
-  const QRectF left(plot.left() - 64, 0, 56, 16);
+  const QRectF left(plot.left() - kLevelsWidth, 0, kLevelsWidth - 8, 16);
   const auto word = [&](const QRectF& place, double y, const QColor& color, const QString& text, Qt::Alignment side) {
     painter.setPen(color);
     painter.drawText(place.translated(0, y - 8), side | Qt::AlignVCenter, text);
@@ -197,13 +198,16 @@ void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
   const Theme& theme = themeOf(palette());
   const int top = axes.plot.top();
   painter.setFont(textFont(TextRole::kSection));
-  painter.setPen(theme.selection);
-  painter.drawText(QRect(12, top - 4, 160, 20), Qt::AlignVCenter, tr("Gap, nearest pair"));
-  painter.setPen(theme.text1);
-  painter.drawText(QRect(12, top + 18, 160, 20), Qt::AlignVCenter, tr("Force on the hand"));
+  const int room = axes.plot.left() - kLevelsWidth - 12;
+  const auto write = [&](int y, const QColor& color, const QString& text) {
+    painter.setPen(color);
+    painter.drawText(QRect(12, y, room, 20), Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, room));
+  };
+  write(top - 4, theme.selection, tr("Gap, nearest pair"));
+  write(top + 18, theme.text1, tr("Force on the hand"));
   painter.setFont(textFont(TextRole::kSecond));
-  painter.setPen(theme.near_miss_text);
-  painter.drawText(QRect(12, top + 40, 160, 20), Qt::AlignVCenter, tr("Near miss under %1").arg(gapText(near_miss_m_)));
+  write(top + 40, theme.near_miss_text, tr("Near miss under %1").arg(gapText(near_miss_m_)));
   if (!history_.samples().empty()) return;
   painter.setPen(theme.text2);
   painter.drawText(axes.plot, Qt::AlignCenter, tr("Nothing is measured yet. Connect a stylus and hold an entity."));

@@ -2221,8 +2221,8 @@
         <translation>Effort N</translation>
     </message>
     <message>
-        <source>Force and gap over the last 20 seconds</source>
-        <translation>Effort et distance des 20 dernières secondes</translation>
+        <source>Force and gap over the last seconds</source>
+        <translation>Effort et distance sur les dernières secondes</translation>
     </message>
     <message>
         <source>Force loop</source>
@@ -2382,7 +2382,7 @@
     </message>
     <message>
         <source>Gap, nearest pair</source>
-        <translation>Distance, paire la plus proche</translation>
+        <translation>Distance minimale</translation>
     </message>
     <message>
         <source>Gaze of %1</source>

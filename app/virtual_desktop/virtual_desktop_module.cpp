@@ -178,7 +178,11 @@ void VirtualDesktopModule::addPill() {
   pill_button_->setCheckable(true);
   pill_button_->setProperty("pill", true);
   pill_button_->setFont(textFont(TextRole::kSection));
-  pill_button_->setFixedSize(118, 32);
+  pill_button_->setFixedHeight(32);
+  // Wide enough for either word, so that what stands beside it does not jump.
+  const QFontMetrics metrics(pill_button_->font());
+  pill_button_->setFixedWidth(
+      56 + std::max(metrics.horizontalAdvance(tr("Forces on")), metrics.horizontalAdvance(tr("Forces off"))));
   pill_button_->setIconSize(QSize(18, 18));
   pill_key_ = new KeyCap;
   pill_words_ = new QLabel;
@@ -206,6 +210,7 @@ void VirtualDesktopModule::showPill() {
   pill_button_->setChecked(on);
   pill_button_->setEnabled(controller_->isConnected());
   pill_button_->setText(on ? tr("Forces on") : tr("Forces off"));
+  pill_button_->setIcon(on ? icon("forces", themeOf(pill_button_->palette()).on_text) : icon("forces"));
   pill_key_->setText(on ? tr("Esc") : tr("Ctrl+Space"));
   pill_key_->updateGeometry();
   pill_words_->setText(on ? tr("forces off") : tr("turn on"));
