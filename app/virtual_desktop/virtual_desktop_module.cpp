@@ -207,10 +207,11 @@ void VirtualDesktopModule::addPill() {
 void VirtualDesktopModule::showPill() {
   if (!pill_button_) return;
   const bool on = controller_->snapshot().forces_on;
+  if (on != pill_button_->isChecked() || pill_button_->icon().isNull())  // Setting it paints.
+    pill_button_->setIcon(on ? icon("forces", themeOf(pill_button_->palette()).on_text) : icon("forces"));
   pill_button_->setChecked(on);
   pill_button_->setEnabled(controller_->isConnected());
   pill_button_->setText(on ? tr("Forces on") : tr("Forces off"));
-  pill_button_->setIcon(on ? icon("forces", themeOf(pill_button_->palette()).on_text) : icon("forces"));
   pill_key_->setText(on ? tr("Esc") : tr("Ctrl+Space"));
   pill_key_->updateGeometry();
   pill_words_->setText(on ? tr("forces off") : tr("turn on"));
