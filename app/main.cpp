@@ -160,6 +160,34 @@ void printFrameTimes(MainWindow& window) {
   for (std::size_t i = 0; i < medians.size(); ++i) std::printf("%-14s %7.1f ms\n", names[i], 1000.0 * medians[i]);
 }
 
+/// ms of processor time of this thread.
+double threadWork() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// Between two turns of the window's loop, since the last print.
+class LongestWait {
+ public:
+  void add(qint64 now, double work) {
+    if (last_ >= 0 && now - last_ > longest_) longest_ = now - last_, its_work_ = work - last_work_;
+    if (last_ >= 0) work_ = std::max(work_, work - last_work_);
+    last_ = now;
+    last_work_ = work;
+  }
+  void print(const char* when) {
+    std::printf("%-16s %6lld ms, %4.0f ms of it the thread's own work, of which %4.0f ms at most at a stretch%s\n",
+                "longest wait", static_cast<long long>(longest_), its_work_, work_, when);
+    longest_ = 0;
+    work_ = 0.0;
+  }
+
+ private:
+  qint64 last_ = -1, longest_ = 0;
+  double last_work_ = 0.0, its_work_ = 0.0, work_ = 0.0;
+};
+
 /// Tells when the window was first drawn, when its cell was read and drawn, and how long it ever kept a click waiting
 /// until the delay is over: by the clock, and by this process's own work, which other programs do not lengthen.
 void measureStart(MainWindow& window, const QElapsedTimer& clock, int delay_ms) {
@@ -176,20 +204,14 @@ void measureStart(MainWindow& window, const QElapsedTimer& clock, int delay_ms) 
       },
       Qt::SingleShotConnection);
   auto* beat = new QTimer(&window);
-  auto longest = std::make_shared<qint64>(0);
-  auto last = std::make_shared<qint64>(-1);
-  QObject::connect(beat, &QTimer::timeout, beat, [clock, longest, last] {
-    const qint64 now = clock.elapsed();
-    if (*last >= 0) *longest = std::max(*longest, now - *last);
-    *last = now;
-  });
+  auto longest = std::make_shared<LongestWait>();
+  QObject::connect(beat, &QTimer::timeout, beat, [clock, longest] { longest->add(clock.elapsed(), threadWork()); });
   beat->start(1);
-  whenRead(window, 0, [&window, tell, last, longest, delay_ms] {
+  whenRead(window, 0, [&window, tell, longest, delay_ms] {
     tell("cell is read");
-    std::printf("%-16s %6lld ms while it was read\n", "longest wait", static_cast<long long>(*longest));
-    *longest = 0;
+    longest->print(" while it was read");
     QTimer::singleShot(delay_ms, &window, [longest] {
-      std::printf("%-16s %6lld ms\n", "longest wait", static_cast<long long>(*longest));
+      longest->print("");
       QApplication::quit();
     });
   });
