@@ -13,6 +13,7 @@
 #include "manipulation/manipulation_step.h"
 #include "manipulation/prepared_scene.h"
 #include "manipulation/second_stylus.h"
+#include "workcell/background_thread.h"
 
 namespace hapticell::manipulation {
 
@@ -62,7 +63,10 @@ class StepTimes {
 struct ManipulationLoop::Worker {
   Worker(std::unique_ptr<haptic::HapticLink> the_link, const config::Configuration& the_configuration)
       : link(std::move(the_link)), configuration(the_configuration) {
-    preparer = std::thread([this] { prepareScenes(); });
+    preparer = std::thread([this] {
+      workcell::stepBehind();
+      prepareScenes();
+    });
     stepper = std::thread([this] { run(); });
   }
   ~Worker() { stop(); }

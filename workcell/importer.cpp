@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "workcell/background_thread.h"
+
 namespace hapticell::workcell {
 
 using State = ImportStatus::State;
@@ -40,7 +42,10 @@ Expected<ImportResult> importNow(const ImportRequest& request, ImportMonitor& mo
 }  // namespace
 
 Importer::Importer(std::function<void(ImportId)> listener)
-    : listener_(std::move(listener)), thread_([this] { run(); }) {}
+    : listener_(std::move(listener)), thread_([this] {
+        stepBehind();
+        run();
+      }) {}
 
 Importer::~Importer() {
   {

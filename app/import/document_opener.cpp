@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <exception>
 
+#include "workcell/background_thread.h"
+
 namespace hapticell::app {
 
 struct DocumentOpener::Run {
@@ -79,6 +81,7 @@ void DocumentOpener::start(const QString& path, const Locate& locate, Read read)
   run->path = path;
   run_ = run;
   readers_.start([this, run, locate, read = std::move(read)] {
+    workcell::stepBehind();
     Diagnostics notes;
     std::vector<std::filesystem::path> missing;
     workcell::LoadOptions options;

@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/display_mesh_worker.h"
 
-#ifdef __linux__
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-#endif
-
 #include "app/viewport/detail_steps.h"
+#include "workcell/background_thread.h"
 
 namespace hapticell::app {
-namespace {
-
-/// Behind the window's own thread: Qt's priorities do nothing under Linux's usual scheduler.
-void stepBack() {
-#ifdef __linux__
-  constexpr int kNice = 10;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);
-#endif
-}
-
-}  // namespace
 
 DisplayMeshWorker::DisplayMeshWorker(std::function<void()> on_ready) : on_ready_(std::move(on_ready)) {
   pool_.setMaxThreadCount(1);
@@ -38,7 +22,7 @@ std::shared_ptr<PreparedMesh> DisplayMeshWorker::prepare(std::shared_ptr<const g
   pool_.start([this, crease_angle, mesh = std::move(mesh), waiting = std::weak_ptr(prepared)] {
     const std::shared_ptr<PreparedMesh> answer = waiting.lock();
     if (!answer) return;
-    stepBack();
+    workcell::stepBehind();
     answer->mesh = makeDisplayMesh(*mesh, crease_angle);
     addDetailSteps(answer->mesh);
     answer->ready.store(true, std::memory_order_release);
