@@ -26,7 +26,7 @@ constexpr double kDampingLimit = 8.0;                        // N s/m an entry c
 constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
 constexpr double kDamperFade = 0.01;                         // s.
 constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
-constexpr double kMostMade = 0.36e-3;                        // J within a second: then a spring of kSoft gains no more.
+constexpr double kMostMade = 0.36e-3;                        // J within a second: then nothing unpaid up to kSoft.
 
 /// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
 /// quicker.

@@ -11,9 +11,9 @@ constexpr double kMillisecond = 0.001;
 constexpr double kAllowance = 0.2e-3;     // J made before the controller acts.
 constexpr double kControllerStep = 0.1;   // N s/m per millisecond.
 constexpr double kControllerLimit = 5.0;  // N s/m.
-constexpr double kSlice = 0.05;           // s.
-constexpr double kUnpaidPower = 2.5e-4;   // W that the spring may gain without the hand's work,
-constexpr double kUnpaidBudget = 1.5e-4;  // J at once.
+constexpr double kSlice = 0.05;           // s of the ring of highest balances.
+constexpr double kUnpaidPower = 2.5e-4;   // W that the spring may gain without the hand's work.
+constexpr double kUnpaidBudget = 1.5e-4;  // J, the same at once.
 
 }  // namespace
 

@@ -19,8 +19,9 @@ class PassivityController {
     account_.setDelay(ticks);
   }
   void reset();
-  /// One tick; see EnergyAccount::add(). The damper acts only in `contact`.
+  /// What the last tick's force did on the stylus's way since; see EnergyAccount::add().
   void add(const MetricVector& step, const MetricVector& commanded, double stiffness);
+  /// Lets `dt` seconds pass. The damper acts only in `contact`.
   void step(bool contact, double dt);
 
   double balance() const { return account_.balance(); }  ///< J, 0 or negative.
@@ -28,15 +29,15 @@ class PassivityController {
   double damping() const { return damping_; }            ///< N s/m.
 
  private:
-  int delay_ = 0;
   static constexpr std::size_t kSlices = 20;
   void noteHighest(double dt);
 
+  int delay_ = 0;  ///< Ticks until a command acts.
   EnergyAccount account_;
-  double damping_ = 0.0;
-  std::array<double, kSlices> highest_{};  ///< Of the balance, in each slice of the last second; a ring.
-  std::size_t slice_ = 0;
-  double slice_age_ = 0.0;  ///< s
+  double damping_ = 0.0;                   ///< N s/m.
+  std::array<double, kSlices> highest_{};  ///< J, the highest balance in each slice of the last second; a ring.
+  std::size_t slice_ = 0;                  ///< Of the ring, the one of now.
+  double slice_age_ = 0.0;                 ///< s since it began.
 };
 
 /// What the coupling's last tick was, for the ration.
@@ -50,19 +51,20 @@ struct HeldSpring {
 
 /// Shortens a spring that would hold more than the hand has paid for: a set that lies deeper than the one before, a
 /// turn of the wrist, which no device of three driven axes feels, a proxy that catches up. Beside the hand's own work
-/// it may gain 0.25 mW, and 0.15 mJ at once. What is cut off stays in the offset, the direction is free.
+/// it may gain 0.25 mW, and 0.15 mJ at once, and no more than limit() says. What is cut off stays in the offset, the
+/// direction is free.
 class SpringRation {
  public:
   void reset();
-  /// From now on no more than this (J, 0 or more) until it is told anew.
+  /// From now on the spring gains at most this without the hand's work (J, 0 or more), until it is told anew.
   void limit(double room) { room_ = room; }
   /// `stretch` (m) shortened as far as needed; the stylus has gone `step` since `last`.
   MetricVector apply(const MetricVector& stretch, double stiffness, const HeldSpring& last, const MetricVector& step,
                      double dt);
 
  private:
-  double budget_ = 0.0;  ///< J that the spring may still gain without the hand's work,
-  double room_ = 1.0;    ///< and J that anything may.
+  double budget_ = 0.0;  ///< J that the spring may still gain without the hand's work.
+  double room_ = 1.0;    ///< J, the most that budget_ may be; as good as none until limit() is called.
 };
 
 }  // namespace hapticell::haptic
