@@ -152,7 +152,7 @@ void ConfigurationView::showEvent(QShowEvent* event) {
 void ConfigurationView::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   worker_.dropWays();
-  context_.host().viewport().scene().setGhosts({});
+  context_.host().viewport().scene().setGhosts("configuration", {});
   context_.host().viewport().refresh();
 }
 
@@ -170,7 +170,7 @@ void ConfigurationView::showStale() {
   table_->setEnabled(false);
   take_->setEnabled(false);
   worker_.dropWays();
-  context_.host().viewport().scene().setGhosts({});
+  context_.host().viewport().scene().setGhosts("configuration", {});
 }
 
 void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) {
@@ -228,7 +228,7 @@ void ConfigurationView::showGhost() {
   if (row >= 0 && context_.robot() && model_.way(row) != Way::kNow)
     ghosts = robotGhosts(context_.host().documentModel().document().state(), context_.robot()->id,
                          model_.solution(row).q, model_.way(row) == Way::kBlocked);
-  viewport.scene().setGhosts(std::move(ghosts));
+  viewport.scene().setGhosts("configuration", std::move(ghosts));
   viewport.refresh();
   showFoot();
 }

@@ -140,7 +140,7 @@ void MotionPlayer::showSwept() {
       ghosts.insert(ghosts.end(), with.begin(), with.end());
     }
   }
-  host_.viewport().scene().setGhosts(std::move(ghosts));
+  host_.viewport().scene().setGhosts("swept volume", std::move(ghosts));
   host_.viewport().refresh();
 }
 

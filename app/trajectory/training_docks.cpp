@@ -44,7 +44,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
   });
   connect(panel_, &TrainingPanel::runEnded, this, [this] {
     timer_.stop();
-    host_.viewport().scene().setGhosts({});
+    host_.viewport().scene().setGhosts("expert", {});
     host_.viewport().refresh();
   });
   timer_.setInterval(kFollowMilliseconds);
@@ -91,7 +91,7 @@ void TrainingDocks::follow() {
   if (!panel_->isRunning()) return;
   const auto at = expert_->at(expert_->motion()[0].t + panel_->expertTime() + kAhead);
   host_.viewport().scene().setGhosts(
-      entityGhosts(host_.documentModel().document().state(), expert_->entity(), at.X_WE, at.joints));
+      "expert", entityGhosts(host_.documentModel().document().state(), expert_->entity(), at.X_WE, at.joints));
 }
 
 }  // namespace hapticell::app

@@ -67,7 +67,8 @@ void WindowRecorder::stop() {
 
 void WindowRecorder::mark() {
   if (!recorder_) return;
-  if (const auto* entity = host_.documentModel().document().find(host_.selection().current())) add(*entity, seconds(), true);
+  if (const auto* entity = host_.documentModel().document().find(host_.selection().current()))
+    add(*entity, seconds(), true);
 }
 
 void WindowRecorder::look() {

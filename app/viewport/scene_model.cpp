@@ -105,10 +105,17 @@ void SceneModel::setHovered(workcell::EntityId entity) {
   ++revision_;
 }
 
-void SceneModel::setGhosts(std::vector<GhostPose> ghosts) {
-  if (ghosts == ghosts_) return;
-  ghosts_ = std::move(ghosts);
+void SceneModel::setGhosts(const std::string& owner, std::vector<GhostPose> ghosts) {
+  const auto known = ghosts_.find(owner);
+  if (known == ghosts_.end() ? ghosts.empty() : known->second == ghosts) return;
+  ghosts_[owner] = std::move(ghosts);
   ++revision_;
+}
+
+std::vector<GhostPose> SceneModel::ghosts() const {
+  std::vector<GhostPose> all;
+  for (const auto& [owner, ghosts] : ghosts_) all.insert(all.end(), ghosts.begin(), ghosts.end());
+  return all;
 }
 
 void SceneModel::setLinkLooks(workcell::EntityId entity, std::map<int, LinkLook> looks) {
@@ -291,7 +298,8 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   std::vector<RenderItem> result;
   for (const workcell::Entity& entity : entities_)
     if (entity.visible) appendItems(entity, result);
-  for (const GhostPose& ghost : ghosts_) appendGhost(ghost, result);
+  for (const auto& [owner, ghosts] : ghosts_)
+    for (const GhostPose& ghost : ghosts) appendGhost(ghost, result);
   for (const auto& [owner, extras] : extras_) result.insert(result.end(), extras.begin(), extras.end());
   if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
   appendStylus(stylus, snapshot_->X_WStylus, result);

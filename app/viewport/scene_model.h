@@ -35,9 +35,10 @@ class SceneModel {
   const std::vector<workcell::PairSet>& colouredSets() const { return coloured_sets_; }
   void setSelected(std::vector<workcell::EntityId> entities);
   void setHovered(workcell::EntityId entity);
-  /// Ghosts of entities, drawn beside the entities themselves.
-  void setGhosts(std::vector<GhostPose> ghosts);
-  const std::vector<GhostPose>& ghosts() const { return ghosts_; }
+  /// Ghosts of entities, drawn beside the entities themselves, kept by `owner` until it gives others (none: takes them
+  /// away).
+  void setGhosts(const std::string& owner, std::vector<GhostPose> ghosts);
+  std::vector<GhostPose> ghosts() const;
   /// Links of an entity, by index, that are not drawn in their own colour. Empty: all are.
   void setLinkLooks(workcell::EntityId entity, std::map<int, LinkLook> looks);
   /// Shapes beside the document's, kept by `owner` until it gives others (none: takes them away): zones, volumes,
@@ -100,7 +101,7 @@ class SceneModel {
   std::optional<manipulation::SceneSnapshot> snapshot_, shown_;
   std::vector<workcell::EntityId> selected_;
   workcell::EntityId hovered_ = 0;
-  std::vector<GhostPose> ghosts_;
+  std::map<std::string, std::vector<GhostPose>> ghosts_;
   std::vector<GhostPose> played_;
   std::map<workcell::EntityId, std::map<int, LinkLook>> looks_;
   std::map<std::string, std::vector<RenderItem>> extras_;

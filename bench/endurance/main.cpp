@@ -144,7 +144,7 @@ int run(const Words& words) {
   std::ofstream log;
   if (!words.log.empty()) {
     log.open(words.log);
-    log << "shift,seconds,resident_mb,allocated_mb,step_median_ms,step_p99_ms,what\n";
+    log << "shift,seconds,resident_mb,allocated_mb,step_median_ms,step_p99_ms,energy_mj,what\n";
   }
   std::signal(SIGINT, [](int) { asked_to_end = 1; });
   while ((real ? elapsed() : totals.hand_s) < asked && totals.broken.size() < 100 && asked_to_end == 0) {
@@ -152,7 +152,8 @@ int run(const Words& words) {
     totals.add(report);
     if (log.is_open()) {
       log << totals.shifts << ',' << elapsed() << ',' << totals.memory.back() << ',' << totals.allocated.back() << ','
-          << report.step_median_ms << ',' << report.step_p99_ms << ',' << report.what << std::endl;
+          << report.step_median_ms << ',' << report.step_p99_ms << ',' << 1e3 * report.energy_j << ',' << report.what
+          << std::endl;
     }
     if (totals.shifts % 50 == 0) {
       std::fprintf(stderr, "%.2f h, %.1f MB, %zu broken\n", totals.hand_s / 3600.0, totals.memory.back(),

@@ -116,7 +116,7 @@ TEST(RobotPanel, AConfigurationIsShownAsAGhostAndTakenAsOneStep) {
   const std::vector<double> wanted = model->solution(row).q;
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(model->index(row, 0)).center());
   page.settle();
-  const auto& ghosts = page.window().viewport().scene().ghosts();
+  const auto ghosts = page.window().viewport().scene().ghosts();
   ASSERT_EQ(ghosts.size(), 1u);
   EXPECT_EQ(ghosts[0].joints, wanted);
   EXPECT_FALSE(ghosts[0].touches);

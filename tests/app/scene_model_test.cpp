@@ -149,7 +149,7 @@ TEST(SceneModel, GhostsStandBesideTheEntityAndCannotBePicked) {
   SceneModel scene;
   scene.setEntities({turntable(2)});
   const auto before = scene.revision();
-  scene.setGhosts({{2, Pose::identity(), {1.5707963267948966}, true}});
+  scene.setGhosts("one", {{2, Pose::identity(), {1.5707963267948966}, true}});
   EXPECT_GT(scene.revision(), before);
   const auto items = scene.items({});
   ASSERT_EQ(items.size(), 2u);
@@ -160,8 +160,15 @@ TEST(SceneModel, GhostsStandBesideTheEntityAndCannotBePicked) {
   EXPECT_FALSE(items[1].casts_shadow);
   EXPECT_LT(glm::length(items[1].X_WM.p - dvec3(0, 0.5, 0)), 1e-12);
   const auto drawn = scene.revision();
-  scene.setGhosts({{2, Pose::identity(), {1.5707963267948966}, true}});
+  scene.setGhosts("one", {{2, Pose::identity(), {1.5707963267948966}, true}});
   EXPECT_EQ(scene.revision(), drawn) << "the same ghost is the same picture";
+  // Another owner neither takes them away nor is taken away with them.
+  scene.setGhosts("other", {});
+  EXPECT_EQ(scene.ghosts().size(), 1u);
+  scene.setGhosts("other", {{2, Pose::identity(), {0.1}, false}, {2, Pose::identity(), {0.2}, false}});
+  EXPECT_EQ(scene.items({}).size(), 4u);
+  scene.setGhosts("one", {});
+  EXPECT_EQ(scene.ghosts().size(), 2u);
 }
 
 TEST(SceneModel, AMotionThatIsPlayedGoesOverDocumentAndSnapshot) {
