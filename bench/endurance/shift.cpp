@@ -127,7 +127,7 @@ void Day::runOneSession(Cell& cell, const SessionOptions& options, ShiftReport& 
   report.energy_j = session->energy_min_j;
   report.what = options.entity + " " + std::to_string(static_cast<int>(options.moved_by.kind)) + ", " +
                 std::to_string(std::lround(options.configuration.manipulation.rate_hz)) + " Hz, class " +
-                std::to_string(1 + static_cast<int>(options.force_class));
+                std::to_string(1 + static_cast<int>(*options.force_class));
   if (!finite) report.broken.push_back("a force or pose is no number");
   if (session->force_max_n > device_.peak_force + kRounding) report.broken.push_back("the force is above the peak");
   if (server_port_ == 0 && session->force_max_step_n_per_ms > kSlew + kRounding) {
