@@ -8,6 +8,7 @@
 
 #include "geometry/assertion.h"
 #include "mannequin/figure_model.h"
+#include "mannequin/rotations.h"
 
 namespace hapticell::mannequin {
 
@@ -22,11 +23,13 @@ constexpr std::array<const char*, 5> kFingers{"thumb", "index", "middle", "ring"
 constexpr double kSpread = 0.45;                    // rad to either side,
 constexpr double kThumbIn = -0.6, kThumbOut = 1.2;  // the thumb's,
 constexpr double kBack = -0.35, kBent = 1.75;       // and how far joints bend.
+constexpr double kThumbPalmward = 0.35;             // Of the way across the palm: away from it.
 constexpr std::array<std::size_t, 3> kBones{0, 1, 2};
 
 class HandBuilder {
  public:
-  HandBuilder(const RobotModel& body, Side side) : body_(body), prefix_(side == Side::kLeft ? "l_" : "r_") {
+  HandBuilder(const RobotModel& body, Side side)
+      : body_(body), prefix_(side == Side::kLeft ? "l_" : "r_"), out_(outwardSign(side)) {
     model_.name = kName;
     kinematics::Link hand = link(prefix_ + "hand");
     hand.parent_joint = -1;
@@ -88,17 +91,25 @@ class HandBuilder {
     return glm::dot(glm::cross(axis, along), away) < 0.0 ? -axis : axis;
   }
 
+  /// About which a bone bends. The thumb rolls about the length of the hand until it stands before the palm, and its
+  /// outer bones bend across it.
+  dvec3 bendAxis(std::size_t finger, std::size_t k) const {
+    if (finger != 0) return carrier(finger, 1).axis_J;
+    if (k == 0) return {0.0, 0.0, -out_};
+    const dvec3 across(-1.0, -kThumbPalmward * out_, 0.0);
+    return glm::normalize(glm::cross(carrier(0, 1).X_PJ.p, across));
+  }
+
   void addFinger(std::size_t finger) {
     at_ = 0;
     const bool thumb = finger == 0;
-    const dvec3 bend = carrier(finger, 1).axis_J;
     const std::string name = prefix_ + kFingers[finger];
-    const dvec3 spread = thumb ? carrier(0, 0).axis_J : spreadAxis(finger, bend);
+    const dvec3 spread = thumb ? carrier(0, 0).axis_J : spreadAxis(finger, bendAxis(finger, 0));
     addJoint(name + "_spread", carrier(finger, 0).X_PJ.p, spread, thumb ? kThumbIn : -kSpread,
              thumb ? kThumbOut : kSpread);
     for (const std::size_t k : kBones) {
       const dvec3 p_PJ = k == 0 ? dvec3(0.0) : carrier(finger, k).X_PJ.p;
-      addJoint(name + std::to_string(k + 1) + "_bend", p_PJ, bend, kBack, kBent);
+      addJoint(name + std::to_string(k + 1) + "_bend", p_PJ, bendAxis(finger, k), kBack, kBent);
       dress(finger, k);
     }
   }
@@ -117,6 +128,7 @@ class HandBuilder {
 
   const RobotModel& body_;
   std::string prefix_;
+  double out_;  // The back of the hand looks to out_ y.
   RobotModel model_;
   int at_ = 0;
 };

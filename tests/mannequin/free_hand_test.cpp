@@ -78,6 +78,30 @@ TEST(FreeHand, FingersSpreadAwayFromTheMiddleOne) {
   }
 }
 
+TEST(FreeHand, TheThumbComesRoundBeforeThePalm) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const auto hand = freeHandModel(figure(), side);
+    const std::string prefix = side == Side::kLeft ? "l_" : "r_";
+    const auto tip = [&](const std::vector<double>& joints) {
+      return tipOf(*hand, joints, (prefix + "thumb3").c_str());
+    };
+    const std::vector<double> open(kFreeHandJoints, 0.0);
+    // The palm looks where the fingers bend to.
+    std::vector<double> bent = open;
+    bent[9] = 0.8;
+    const std::string middle = prefix + "middle3";
+    const double palm = tipOf(*hand, bent, middle.c_str()).y > tipOf(*hand, open, middle.c_str()).y ? 1.0 : -1.0;
+    std::vector<double> rolled = open, under = open;
+    rolled[1] = under[1] = 1.0;
+    under[2] = under[3] = 0.9;
+    EXPECT_GT(palm * tip(rolled).y, palm * tip(open).y + 0.02) << "it rolls to the palm's side";
+    EXPECT_LT(tip(under).x, tip(rolled).x - 0.01) << "and bends across, to the little finger";
+    EXPECT_GT(palm * tip(under).y, 0.01) << "before the palm, not through it";
+    const dvec3 little = tipOf(*hand, open, (prefix + "pinky1").c_str());
+    EXPECT_LT(glm::length(tip(under) - little), glm::length(tip(open) - little) - 0.01);
+  }
+}
+
 TEST(FreeHand, TakesEachSensorToItsJointWithinItsLimits) {
   const auto hand = freeHandModel(figure(), Side::kLeft);
   GloveReadings angles{};
