@@ -185,6 +185,7 @@ void ManipulationEngine::grab(workcell::EntityId wanted) {
   workcell::EntityId entity = wanted != 0 ? wanted : chosen_;
   if (entity == 0) entity = entityAtTip();
   if (entity == 0) return;
+  if (const std::string why = heldElsewhere(entity); !why.empty()) return notice(why);
   hold(entity);
   if (!held_) return;
   stopped_ = false;

@@ -18,7 +18,7 @@ void ManipulationEngine::startRecording(const command::StartRecording& wanted) {
   stopRecording();
   recorder_ = std::make_unique<TakeRecorder>(wanted.options, wanted.take);
   mark_by_button_ = wanted.mark_by_button;
-  mark_wanted_ = false;
+  mark_wanted_ = posed_moved_ = false;
 }
 
 void ManipulationEngine::stopRecording() {
@@ -27,35 +27,68 @@ void ManipulationEngine::stopRecording() {
   recorder_.reset();
 }
 
-void ManipulationEngine::recordHeld(bool by_hand) {
+/// Of what is held, which stands at `at`; without a time.
+TakeRecorder::Sample ManipulationEngine::heldSample(const EntityConfiguration& at) const {
   TakeRecorder::Sample sample;
-  sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
   sample.moved_by = moved_by_;
-  const workcell::EntityId id = held_ ? held_->id() : chosen_;
-  sample.entity = scene_->find(id);
-  if (sample.entity == nullptr) return;
-  const EntityConfiguration at = placement(id);
+  sample.entity = scene_->find(held_->id());
   sample.at = &at;
+  sample.X_WM = held_->movedFrame();
+  if (state_) sample.force_W = mapping_.axes() * state_->force_D;
+  for (const std::size_t i : contacts_) {
+    const HeldPair& pair = held_->pairs()[i];
+    sample.touching.emplace_back(nameOf(sample.entity->name, pair.moved_part),
+                                 nameOf(scene_->find(pair.other)->name, pair.other_part));
+  }
+  return sample;
+}
+
+void ManipulationEngine::recordHeld(bool by_hand) {
+  const workcell::EntityId id = held_ ? held_->id() : chosen_;
+  if (scene_->find(id) == nullptr) return;
+  const EntityConfiguration at = placement(id);
+  TakeRecorder::Sample sample;
   if (held_) {
-    sample.X_WM = held_->movedFrame();
-    sample.force_W = mapping_.axes() * state_->force_D;
-    for (const std::size_t i : contacts_) {
-      const HeldPair& pair = held_->pairs()[i];
-      sample.touching.emplace_back(nameOf(sample.entity->name, pair.moved_part),
-                                   nameOf(scene_->find(pair.other)->name, pair.other_part));
-    }
+    sample = heldSample(at);
   } else {
     const auto taken = HeldEntity::take(scene_, id, placements_, {moved_by_}, configuration_);
     if (!taken) return notice(taken.error().message());
+    sample.moved_by = moved_by_;
+    sample.entity = scene_->find(id);
+    sample.at = &at;
     sample.X_WM = (*taken)->movedFrame();
   }
+  sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
   by_hand ? recorder_->mark(sample) : recorder_->add(sample);
+}
+
+/// What the other stylus moves; of a mannequin that both move, what its other hand touches.
+void ManipulationEngine::recordOther(const ManipulationEngine& other) {
+  if (!recorder_ || start_ns_ < 0) return;
+  const EntityConfiguration at = other.held_->standing();
+  TakeRecorder::Sample sample = other.heldSample(at);
+  sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  held_ && held_->id() == sample.entity->id ? recorder_->touch(sample) : recorder_->add(sample);
+}
+
+/// A hand that a glove poses and nobody holds.
+void ManipulationEngine::recordPosed() {
+  if (!posed_ || !posed_moved_) return;
+  const EntityConfiguration at = placement(posed_->id());
+  TakeRecorder::Sample sample;
+  sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
+  sample.entity = scene_->find(posed_->id());
+  sample.at = &at;
+  sample.X_WM = at.X_WE;
+  sample.moved_by.kind = sample.entity->figure ? MovedBy::Kind::kWhole : MovedBy::Kind::kBase;
+  recorder_->add(sample);
 }
 
 void ManipulationEngine::recordStep() {
   const bool by_hand = std::exchange(mark_wanted_, false);
   if (!recorder_ || !scene_) return;
   if (held_ || by_hand) recordHeld(by_hand);
+  recordPosed();
   for (const auto& [id, on_its_way] : scripted_) {
     const workcell::Entity* entity = scene_->find(id);
     if (entity == nullptr || (held_ && held_->id() == id)) continue;

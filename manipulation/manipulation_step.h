@@ -44,8 +44,13 @@ class ManipulationEngine {
   void step(std::int64_t now_ns);
 
   /// What `other` holds in the same scene counts here where it stands now: as something in the way, or, where both hold
-  /// the same mannequin, as the other hand's doing, which goes as far as this one's exact check finds it free.
+  /// the same mannequin, as the other hand's doing, which goes as far as this one's exact check finds it free. What it
+  /// holds is not taken here but for a mannequin's other hand; where both have it, this one lets go and says so. A take
+  /// that is recorded here has it too.
   void takeOver(const ManipulationEngine& other);
+
+  /// The joints that a glove poses at `other` are posed here while this one holds them alone.
+  void borrowPose(const ManipulationEngine& other);
 
   /// What happened since the last call, in order.
   std::vector<Result> takeResults();
@@ -76,10 +81,15 @@ class ManipulationEngine {
   void stopRecording();
   void recordStep();
   void recordHeld(bool by_hand);
+  void recordOther(const ManipulationEngine& other);
+  void recordPosed();
+  TakeRecorder::Sample heldSample(const EntityConfiguration& at) const;
   void fillRecording(SceneSnapshot& snapshot) const;
   void takeState();
   void watchButtons();
   void grab(workcell::EntityId wanted);
+  std::string heldElsewhere(workcell::EntityId wanted) const;
+  bool standsOn(workcell::EntityId entity, workcell::EntityId below) const;
   void release();
   void hold(workcell::EntityId entity);
   void retake();
@@ -128,7 +138,10 @@ class ManipulationEngine {
   std::unique_ptr<HeldEntity> posed_;  // What a glove poses, unless it is what is held.
   std::optional<command::PoseJoints> wanted_pose_;
   std::int64_t posed_ns_ = -1'000'000'000;
-  bool joints_move_ = false;  // Of what is held, by somebody else.
+  bool posed_moved_ = false;           // Since the take began.
+  bool joints_move_ = false;           // Of what is held, by somebody else.
+  workcell::EntityId other_held_ = 0;  // By the other stylus, and how.
+  MovedBy other_moved_by_;
 
   std::optional<haptic::HapticState> state_;
   haptic::ServerStatistics statistics_;

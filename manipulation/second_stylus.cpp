@@ -7,6 +7,7 @@ namespace hapticell::manipulation {
 
 void SecondStylus::step(ManipulationEngine& first, std::int64_t now_ns) {
   engine_.takeOver(first);
+  engine_.borrowPose(first);
   engine_.step(now_ns);
   first.takeOver(engine_);
 }

@@ -14,6 +14,14 @@ constexpr std::int64_t kPosePeriod = 8'000'000;   ///< ns between two attempts: 
 constexpr double kTouches = 2e-4;                 ///< m: nearer than this a posed part touches.
 constexpr double kPosedShown = 0.05;              ///< m: pairs of a posed hand are told from here on.
 
+/// One mannequin, drawn by its two hands.
+bool areBothHands(const MovedBy& a, const MovedBy& b) {
+  const auto is_hand = [](const MovedBy& by) {
+    return by.kind == MovedBy::Kind::kLeftHand || by.kind == MovedBy::Kind::kRightHand;
+  };
+  return is_hand(a) && is_hand(b) && a.kind != b.kind;
+}
+
 bool same(const EntityConfiguration& a, const EntityConfiguration& b) {
   return a.X_WE.p == b.X_WE.p && a.X_WE.q == b.X_WE.q && a.joints == b.joints;
 }
@@ -33,8 +41,45 @@ void ManipulationEngine::placeOther(workcell::EntityId id, const EntityConfigura
   wishSetForOthers();
 }
 
+bool ManipulationEngine::standsOn(workcell::EntityId entity, workcell::EntityId below) const {
+  const workcell::Entity* at = scene_->find(entity);
+  for (std::size_t deep = 0; at != nullptr && deep <= scene_->entities().size(); ++deep) {
+    if (at->id == below) return true;
+    at = at->attachment.to.empty() ? nullptr : scene_->find(at->attachment.to);
+  }
+  return false;
+}
+
+/// Why it may not be taken while the other stylus holds what it holds; empty: it may.
+std::string ManipulationEngine::heldElsewhere(workcell::EntityId wanted) const {
+  const workcell::Entity* entity = scene_->find(wanted);
+  const workcell::Entity* other = scene_->find(other_held_);
+  if (entity == nullptr || other == nullptr) return {};
+  if (wanted == other_held_) {
+    if (entity->figure && areBothHands(moved_by_, other_moved_by_)) return {};
+    return entity->name + " is held by the other stylus";
+  }
+  if (standsOn(wanted, other_held_))
+    return entity->name + " goes with " + other->name + ", which the other stylus holds";
+  if (standsOn(other_held_, wanted)) return other->name + ", which the other stylus holds, goes with " + entity->name;
+  return {};
+}
+
 void ManipulationEngine::takeOver(const ManipulationEngine& other) {
-  if (!scene_ || !other.held_ || other.scene_ != scene_) return;
+  other_held_ = scene_ && other.held_ && other.scene_ == scene_ ? other.held_->id() : 0;
+  const bool is_mine = held_ && other.posed_ && held_->id() == other.posed_->id();
+  if (scene_ && other.posed_ && other.scene_ == scene_ && !is_mine)
+    placeOther(other.posed_->id(), other.posed_->standing());
+  if (other_held_ == 0) return;
+  if (posed_ && posed_->id() == other_held_) posed_.reset();
+  other_moved_by_ = other.moved_by_;
+  if (held_) {
+    if (const std::string why = heldElsewhere(held_->id()); !why.empty()) {
+      notice(why);
+      release();
+    }
+  }
+  recordOther(other);
   const workcell::EntityId id = other.held_->id();
   const EntityConfiguration at = other.held_->standing();
   if (held_ && held_->id() == id) {
@@ -53,6 +98,12 @@ void ManipulationEngine::takeOver(const ManipulationEngine& other) {
   for (const auto& [carried, there] : other.held_->carried()) {
     if (!goes_along(carried)) placeOther(carried, there);
   }
+}
+
+void ManipulationEngine::borrowPose(const ManipulationEngine& other) {
+  const bool mine = other.wanted_pose_ && held_ && held_->id() == other.wanted_pose_->entity &&
+                    !(other.held_ && other.held_->id() == held_->id());
+  wanted_pose_ = mine ? other.wanted_pose_ : std::nullopt;
 }
 
 void ManipulationEngine::poseJoints(const command::PoseJoints& wanted) {
@@ -97,6 +148,8 @@ HeldEntity* ManipulationEngine::poser(workcell::EntityId entity) {
 void ManipulationEngine::followPose() {
   if (!wanted_pose_ || !scene_ || now_ns_ - posed_ns_ < kPosePeriod) return;
   posed_ns_ = now_ns_;
+  const bool is_held_here = held_ && held_->id() == wanted_pose_->entity;
+  if (wanted_pose_->entity == other_held_ && !is_held_here) return;  // The other one poses what it holds.
   HeldEntity* const hand = poser(wanted_pose_->entity);
   if (hand == nullptr) return;
   if (hand == posed_.get() && held_) hand->placeOther(held_->id(), held_->standing());
@@ -116,6 +169,7 @@ void ManipulationEngine::followPose() {
     at = hand->standing();
   }
   if (same(before, at)) return;
+  posed_moved_ = true;
   if (hand == held_.get()) return wishSetForOthers();
   placements_[hand->id()] = at;
   if (held_) held_->placeOther(hand->id(), at);

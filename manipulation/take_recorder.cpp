@@ -146,6 +146,11 @@ void TakeRecorder::take(const Sample& sample, bool by_hand) {
   ++by_hand_;
 }
 
+void TakeRecorder::touch(const Sample& sample) {
+  const auto track = tracks_.find(sample.entity->id);
+  if (start_ && track != tracks_.end()) follow(*track->second, sample, sample.t - *start_);
+}
+
 std::size_t TakeRecorder::frames() const {
   std::size_t count = 0;
   for (const auto& [id, track] : tracks_) count += track->recorder.soFar().size();

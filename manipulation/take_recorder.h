@@ -45,6 +45,8 @@ class TakeRecorder {
   void add(const Sample& sample) { take(sample, false); }
   /// The user adds a frame here; kept in every mode.
   void mark(const Sample& sample) { take(sample, true); }
+  /// Only what it touches, of an entity whose frames come from somebody else.
+  void touch(const Sample& sample);
   std::size_t frames() const;
   std::size_t framesByHand() const { return by_hand_; }
   double seconds(double now) const { return start_ ? now - *start_ : 0.0; }

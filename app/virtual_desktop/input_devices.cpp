@@ -103,6 +103,12 @@ void InputDevices::chooseMouse(const QString& device) {
   emit changed();
 }
 
+void InputDevices::setMouseMoves(MouseMoves moves) {
+  if (moves == moves_) return;
+  moves_ = moves;
+  emit changed();
+}
+
 std::optional<driver::State> InputDevices::mouseState() {
   if (!mouse_) return std::nullopt;
   const haptic::InputReader::Snapshot now = mouse_->latest();

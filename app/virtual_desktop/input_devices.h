@@ -56,7 +56,7 @@ class InputDevices : public QObject {
   void chooseMouse(const QString& device);
   const QString& glove() const { return glove_name_; }
   const QString& mouse() const { return mouse_name_; }
-  void setMouseMoves(MouseMoves moves) { moves_ = moves; }
+  void setMouseMoves(MouseMoves moves);
   MouseMoves mouseMoves() const { return moves_; }
 
   /// The mouse's newest state, where it answers.

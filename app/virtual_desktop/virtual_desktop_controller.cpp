@@ -69,6 +69,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   connect(&inputs_, &InputDevices::changed, this, [this] {
     const bool any = !inputs_.glove().isEmpty() || !inputs_.mouse().isEmpty();
     any ? input_timer_.start() : input_timer_.stop();
+    settleMouse();
     takeInputs();
     emit connectionChanged();
   });
@@ -362,6 +363,7 @@ void VirtualDesktopController::tick() {
     loop_->post(command::SetForces{false});
     loop_->postSecond(command::SetForces{false});
     loop_->post(command::SetHandTarget{mouse_.target()});
+    settleMouse();
     if (!connected) connecting_.restart(), server_tried_ = server_.isRunning();
     emit connectionChanged();
   }

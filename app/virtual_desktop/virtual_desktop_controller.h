@@ -97,6 +97,8 @@ class VirtualDesktopController : public QObject {
   void updateMouse();
   void takeInputs();
   void driveByMouse(double seconds);
+  MouseStylus* penOfMouse();
+  void settleMouse();
   void poseByGlove();
   void poseInLoop(const GlovedHand& hand);
   void keepGloved(std::vector<double> joints);
@@ -151,6 +153,7 @@ class VirtualDesktopController : public QObject {
   QTimer timer_;
   QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
   FrameMeter ticks_;
+  bool mouse_is_second_ = false;  // The 3-D mouse, since it is to move entities.
   bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
 };
 

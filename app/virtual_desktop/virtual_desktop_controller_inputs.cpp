@@ -44,21 +44,48 @@ void VirtualDesktopController::driveByMouse(double seconds) {
   if (pressed & 2u) {  // The second button changes between the view and what is held.
     const bool view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
     inputs_.setMouseMoves(view ? InputDevices::MouseMoves::kEntity : InputDevices::MouseMoves::kView);
-    emit connectionChanged();
-    // A real hand holds the first stylus: the mouse drives what it takes as a stylus of its own.
-    if (view && device_ && !device_->simulated && second_profile_.isEmpty()) chooseSecond(inputs_.mouse());
   }
   const bool moves_view = inputs_.mouseMoves() == InputDevices::MouseMoves::kView;
-  if (!moves_view && (pressed & 1u)) mouse_.setButton(true);
-  if (!moves_view && (released & 1u)) mouse_.setButton(false);
+  MouseStylus* const pen = moves_view ? nullptr : penOfMouse();
+  if (pen && (pressed & 1u)) pen->setButton(true);
+  if (pen && (released & 1u)) pen->setButton(false);
   if (std::all_of(state->motion, state->motion + 6, [](double m) { return m == 0.0; })) return;
   ViewportWidget& viewport = host_.viewport();
   const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
   if (moves_view) {
     viewport.setCamera(movedByMouse(viewport.camera(), state->motion, seconds, size), false);
-  } else {
-    mouse_.drive(handMotion(state->motion, seconds));
+  } else if (pen) {
+    pen->drive(handMotion(state->motion, seconds));
   }
+}
+
+/// The simulated stylus that the 3-D mouse drives: the first of them. A real one is in a hand already.
+MouseStylus* VirtualDesktopController::penOfMouse() {
+  if (device_ && device_->simulated) return &mouse_;
+  if (second_device_ && second_device_->simulated) return &second_mouse_;
+  return nullptr;
+}
+
+/// Where a real hand holds the first stylus the 3-D mouse that is to move entities is the second one, until it moves
+/// the view again.
+void VirtualDesktopController::settleMouse() {
+  const bool moves_entity = inputs_.mouseMoves() == InputDevices::MouseMoves::kEntity && !inputs_.mouse().isEmpty();
+  const bool is_second = mouse_is_second_ && second_profile_ == inputs_.mouse();
+  if (!moves_entity) {
+    mouse_is_second_ = false;
+    if (is_second) chooseSecond({});
+    return;
+  }
+  if (!device_ || device_->simulated || penOfMouse()) return;
+  if (second_profile_.isEmpty()) {
+    mouse_is_second_ = true;
+    return chooseSecond(inputs_.mouse());
+  }
+  if (!second_device_ || second_profile_ == inputs_.mouse()) return;
+  inputs_.setMouseMoves(InputDevices::MouseMoves::kView);
+  host_.messages().tell(Severity::kInformation, tr("The 3-D mouse moves the view"),
+                        tr("Both styluses are in somebody's hands. Choose the 3-D mouse as the second stylus to move "
+                           "entities by it."));
 }
 
 /// The fingers that touch; while the stylus holds something else the whole hand feels how hard that is pressed.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/configured_loop.h"
@@ -189,6 +190,101 @@ TEST(SecondStylus, TheyMeetEachOther) {
   EXPECT_GT(two.b.force(), 0.5);
 }
 
+std::string noticesOf(ManipulationEngine& engine) {
+  std::string all;
+  for (const Result& one : engine.takeResults()) {
+    if (const auto* notice = std::get_if<result::Notice>(&one)) all += notice->sentence + "\n";
+  }
+  return all;
+}
+
+/// Two boxes apart from each other, and a lid that goes with the left one.
+std::vector<workcell::Entity> twoBoxesAndLid() {
+  std::vector<workcell::Entity> cell{test::solid(kShelf, "left", geometry::makeBox({0.1, 0.1, 0.1}), {}),
+                                     test::solid(kBox, "right", geometry::makeBox({0.1, 0.1, 0.1}), {}),
+                                     test::solid(10, "lid", geometry::makeBox({0.1, 0.1, 0.01}), {})};
+  cell[0].X_WE.p = {-0.3, 0.0, 0.0};
+  cell[1].X_WE.p = {0.3, 0.0, 0.0};
+  cell[2].X_WE.p = {-0.3, 0.0, 0.2};
+  cell[2].attachment.to = "left";
+  return cell;
+}
+
+TEST(SecondStylus, WhatTheOneHoldsTheOtherDoesNotTake) {
+  TwoStations two(twoBoxesAndLid());
+  two.first->apply(command::Grab{kShelf});
+  two.run(20);
+  two.second->engine().apply(command::Grab{kShelf});
+  EXPECT_EQ(two.second->engine().held(), nullptr);
+  EXPECT_EQ(noticesOf(two.second->engine()), "left is held by the other stylus\n");
+  two.second->engine().apply(command::Grab{10});
+  EXPECT_EQ(two.second->engine().held(), nullptr);
+  EXPECT_EQ(noticesOf(two.second->engine()), "lid goes with left, which the other stylus holds\n");
+  // The other way round, and what is free again.
+  two.first->apply(command::Release{});
+  two.run(20);
+  two.second->engine().apply(command::Grab{10});
+  two.run(20);
+  ASSERT_NE(two.second->engine().held(), nullptr);
+  two.first->apply(command::Grab{kShelf});
+  EXPECT_EQ(two.first->held(), nullptr);
+  EXPECT_EQ(noticesOf(*two.first), "lid, which the other stylus holds, goes with left\n");
+  two.first->apply(command::Grab{kBox});
+  EXPECT_NE(two.first->held(), nullptr) << "what is free may be taken";
+}
+
+/// Both asked between two steps: the second one lets go, and whatever is held is held once.
+TEST(SecondStylus, TakenByBothAtOnceItIsTheFirstOnes) {
+  TwoStations two(twoBoxesAndLid());
+  two.first->apply(command::Grab{kShelf});
+  two.second->engine().apply(command::Grab{kShelf});
+  two.run(20);
+  EXPECT_NE(two.first->held(), nullptr);
+  EXPECT_EQ(two.second->engine().held(), nullptr);
+  EXPECT_NE(noticesOf(two.second->engine()).find("left is held by the other stylus"), std::string::npos);
+}
+
+/// A mannequin's hand each, until the first one wants the whole figure.
+TEST(SecondStylus, TheWholeFigureIsNotDrawnByAHandToo) {
+  TwoStations two({worker("both_hands_forward")});
+  two.takeBothHands();
+  two.first->apply(command::SetMovedBy{{.kind = MovedBy::Kind::kWhole}});
+  two.run(20);
+  EXPECT_NE(two.first->held(), nullptr);
+  EXPECT_EQ(two.second->engine().held(), nullptr);
+}
+
+TEST(SecondStylus, ATakeHasWhatBothMove) {
+  TwoStations two(twoBoxesAndLid());
+  two.first->apply(command::Grab{kShelf});
+  two.second->engine().apply(command::Grab{kBox});
+  two.run(20);
+  trajectory::RecordingOptions options;
+  options.mode = trajectory::RecordingMode::kEveryStep;
+  two.first->apply(command::StartRecording{.options = options, .take = "both"});
+  for (int ms = 1; ms <= 400; ++ms) {
+    two.a.hold({0.0, 0.0, 1e-4 * ms});
+    two.b.hold({0.0, 1e-4 * std::max(0, ms - 200), 0.0});
+    two.run(2);
+  }
+  two.run(400);
+  const Pose left = two.first->placement(kShelf).X_WE, right = two.second->engine().placement(kBox).X_WE;
+  two.first->takeResults();
+  two.first->apply(command::StopRecording{});
+  std::vector<trajectory::Trajectory> take;
+  for (Result& one : two.first->takeResults()) {
+    if (auto* recorded = std::get_if<result::Recorded>(&one)) take = std::move(recorded->trajectories);
+  }
+  ASSERT_EQ(take.size(), 2u);
+  EXPECT_EQ(take[0].entity, "left");
+  EXPECT_EQ(take[1].entity, "right");
+  EXPECT_EQ(take[1].take, "both");
+  EXPECT_LT(glm::length(take[0].frames().back().X_WT.p - left.p), 1e-4);
+  EXPECT_LT(glm::length(take[1].frames().back().X_WT.p - right.p), 1e-4);
+  EXPECT_GT(right.p.y, 0.015);
+  EXPECT_GT(take[1].frames().front().t, 0.3) << "one clock: the second one began later";
+}
+
 // What a glove poses.
 
 std::vector<std::size_t> rightHandJoints() {
@@ -365,6 +461,47 @@ TEST(PoseJoints, AFreeHandClosesRoundWhatIsInItAndIsCarriedByTheStylus) {
   gloved.step(30);
   EXPECT_GT(glm::length(gloved.engine.placement(kWorker).X_WE.p), 0.003);
   EXPECT_EQ(gloved.engine.placement(kWorker).joints, closed);
+}
+
+/// A stylus, another one (or a 3-D mouse) and a glove at once: a part, the figure's left hand, its right fingers.
+TEST(PoseJoints, TwoStylusesAndAGloveWorkTogether) {
+  workcell::Entity part = test::solid(kBox, "part", geometry::makeBox(dvec3(0.05)), {});
+  part.X_WE.p = {1.5, 0.0, 1.0};
+  TwoStations two({worker("both_hands_forward"), part});
+  two.first->apply(command::Grab{kBox});
+  two.second->engine().apply(command::SetMovedBy{{.kind = MovedBy::Kind::kLeftHand, .lock_trunk = true}});
+  two.second->engine().apply(command::Grab{kWorker});
+  two.run(20);
+  ASSERT_NE(two.first->held(), nullptr);
+  ASSERT_NE(two.second->engine().held(), nullptr);
+  trajectory::RecordingOptions options;
+  options.mode = trajectory::RecordingMode::kEveryStep;
+  two.first->apply(command::StartRecording{.options = options, .take = "all"});
+  const workcell::Entity& figure = two.cell[0];
+  const EntityConfiguration start = two.first->placement(kWorker);
+  const std::size_t curl = rightHandJoints()[0];
+  for (int ms = 1; ms <= 300; ++ms) {
+    two.a.hold({1e-4 * ms, 0.0, 0.0});
+    two.b.hold({0.0, 0.0, 1e-4 * ms});
+    command::PoseJoints wanted{kWorker, start.joints, {{curl}}};
+    wanted.joints[curl] = 0.003 * ms;
+    two.first->apply(wanted);
+    two.run(2);
+  }
+  two.run(600);
+  for (const ManipulationEngine* engine : {two.first.get(), &two.second->engine()}) {
+    const EntityConfiguration end = engine->placement(kWorker);
+    EXPECT_NEAR(end.joints[curl], 0.9, 1e-6) << "the fingers as the glove has them";
+    const dvec3 way = gripOf(figure, end, mannequin::Side::kLeft).p - gripOf(figure, start, mannequin::Side::kLeft).p;
+    EXPECT_NEAR(way.z, two.configuration.scale.medium * 0.03, 0.002) << "the hand as the second stylus draws it";
+    EXPECT_NEAR(engine->placement(kBox).X_WE.p.x, 1.5 + two.configuration.scale.medium * 0.03, 0.002);
+  }
+  two.first->apply(command::StopRecording{});
+  std::size_t tracks = 0;
+  for (const Result& one : two.first->takeResults()) {
+    if (const auto* recorded = std::get_if<result::Recorded>(&one)) tracks = recorded->trajectories.size();
+  }
+  EXPECT_EQ(tracks, 2u) << "the part, and the figure with hand and fingers";
 }
 
 PairState touch(const char* link, workcell::EntityId other, bool hand_moves = true) {
