@@ -37,7 +37,11 @@ void VirtualDesktopController::takeInputs() {
 
 void VirtualDesktopController::driveByMouse(double seconds) {
   const auto state = inputs_.mouseState();
-  if (!state) return;
+  if (!state) {  // Pulled out: nobody presses its button any more.
+    if (MouseStylus* const pen = penOfMouse(); pen && (input_buttons_ & 1u)) pen->setButton(false);
+    input_buttons_ = 0;
+    return;
+  }
   const std::uint32_t pressed = inputs_.takeMousePresses();
   const std::uint32_t released = (input_buttons_ | pressed) & ~state->buttons;
   input_buttons_ = state->buttons;

@@ -110,6 +110,42 @@ class DevicePage : public OwnUser, public CellPage {
     }
     settle();
   }
+  const std::optional<manipulation::SceneSnapshot>& snapshot() { return window().viewport().scene().snapshot(); }
+  std::optional<manipulation::SecondStylusState> second() { return snapshot() ? snapshot()->second : std::nullopt; }
+  /// Waits until both styluses stand still, beside each other.
+  testing::AssertionResult stylusesRest() {
+    std::uint64_t seen = 0;
+    dvec3 last_first{0.0}, last_second{0.0};
+    int rests = 0;
+    const auto rest = [&] {
+      if (!second() || !second()->connected || snapshot()->step == seen) return rests > 10;
+      seen = snapshot()->step;
+      const dvec3 first_at = snapshot()->X_WStylus.p, second_at = second()->X_WStylus.p;
+      const double moved = glm::length(first_at - last_first) + glm::length(second_at - last_second);
+      last_first = first_at;
+      last_second = second_at;
+      rests = moved < 1e-4 && glm::length(first_at - second_at) > 0.01 ? rests + 1 : 0;
+      return rests > 10;
+    };
+    return until(rest, kPatience) ? testing::AssertionSuccess() : testing::AssertionFailure() << "they do not rest";
+  }
+  /// The mouse takes the pen whose tip is there and drags it 40 pixels to the right.
+  void dragPen(const dvec3& p_WTip) {
+    ViewportWidget& viewport = window().viewport();
+    const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+    const auto tip = viewport.camera().project(p_WTip, size);
+    ASSERT_TRUE(tip);
+    const auto send = [&](QEvent::Type type, double right, Qt::MouseButtons held) {
+      const QPointF place(tip->x + 2 + right, tip->y - 2);
+      QMouseEvent event(type, place, viewport.mapToGlobal(place),
+                        type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
+      QApplication::sendEvent(&viewport, &event);
+      settle();
+    };
+    send(QEvent::MouseButtonPress, 0.0, Qt::LeftButton);
+    for (int i = 1; i <= 5; ++i) send(QEvent::MouseMove, 8.0 * i, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, 40.0, Qt::NoButton);
+  }
   void picture(const char* name) {
     const QString folder = qEnvironmentVariable("HAPTICELL_LOOK_FOLDER");
     if (folder.isEmpty()) return;
@@ -250,47 +286,74 @@ TEST(SecondStylusInTheWindow, IsChosenDrawnAndTakenByTheMouse) {
   page.start();
   page.choose("comboSecondStylus", "Touch");
   EXPECT_TRUE(page.says("labelSecondStylus", "Connected"));
-  const auto second = [&]() -> std::optional<manipulation::SecondStylusState> {
-    const auto& snapshot = page.window().viewport().scene().snapshot();
-    return snapshot ? snapshot->second : std::nullopt;
-  };
-  ASSERT_TRUE(WindowPage::until([&] { return second() && second()->connected; }, kPatience));
-  const auto firstAt = [&] { return page.window().viewport().scene().snapshot()->X_WStylus.p; };
-  // Both stand still, beside each other.
-  std::uint64_t seen = 0;
-  dvec3 last_first{0.0}, last_second{0.0};
-  int rests = 0;
-  const auto areAtRest = [&] {
-    if (!second() || page.window().viewport().scene().snapshot()->step == seen) return false;
-    seen = page.window().viewport().scene().snapshot()->step;
-    const double moved = glm::length(firstAt() - last_first) + glm::length(second()->X_WStylus.p - last_second);
-    last_first = firstAt();
-    last_second = second()->X_WStylus.p;
-    rests = moved < 1e-4 && glm::length(last_first - last_second) > 0.01 ? rests + 1 : 0;
-    return rests > 10;
-  };
-  bool at_rest = false;
-  ASSERT_TRUE(WindowPage::until([&] { return at_rest = at_rest || areAtRest(); }, kPatience));
+  ASSERT_TRUE(page.stylusesRest());
   page.picture("second-stylus");
   // The mouse drags the second pen; the first stays.
-  ViewportWidget& viewport = page.window().viewport();
-  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  const dvec3 start = second()->X_WStylus.p;
-  const auto tip = viewport.camera().project(start, size);
-  ASSERT_TRUE(tip);
-  const auto send = [&](QEvent::Type type, const QPointF& place, Qt::MouseButtons held) {
-    QMouseEvent event(type, place, viewport.mapToGlobal(place),
-                      type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held, Qt::NoModifier);
-    QApplication::sendEvent(&viewport, &event);
-    WindowPage::settle();
-  };
-  send(QEvent::MouseButtonPress, {tip->x + 2, tip->y - 2}, Qt::LeftButton);
-  for (int i = 1; i <= 5; ++i) send(QEvent::MouseMove, {tip->x + 2 + 8.0 * i, tip->y - 2}, Qt::LeftButton);
-  send(QEvent::MouseButtonRelease, {tip->x + 42, tip->y - 2}, Qt::NoButton);
-  EXPECT_TRUE(WindowPage::until([&] { return second()->X_WStylus.p.x > start.x + 0.01; }, kPatience));
-  EXPECT_LT(glm::length(firstAt() - last_first), 0.005);
+  const dvec3 start = page.second()->X_WStylus.p, first_at = page.snapshot()->X_WStylus.p;
+  page.dragPen(start);
+  EXPECT_TRUE(WindowPage::until([&] { return page.second()->X_WStylus.p.x > start.x + 0.01; }, kPatience));
+  EXPECT_LT(glm::length(page.snapshot()->X_WStylus.p - first_at), 0.005);
   page.choose("comboSecondStylus", "None");
-  EXPECT_TRUE(WindowPage::until([&] { return !second(); }, kPatience));
+  EXPECT_TRUE(WindowPage::until([&] { return !page.second(); }, kPatience));
+}
+
+/// A stylus holds one part, a 3-D mouse as the second stylus another one, a glove closes a hand: all at once.
+TEST(StylusGloveAndSpaceMouseInTheWindow, WorkAtOnce) {
+  driver::FakeGlove glove;
+  driver::MockHidraw mouse;
+  DevicePage page(glove.path());
+  workcell::Entity hand = load("hand:right");
+  hand.X_WE.p = {-0.15, 0.0, 0.05};
+  page.window().documentModel().execute(workcell::AddEntity{hand});
+  const workcell::EntityId box = page.addSolid("box", geometry::makeBox(dvec3(0.06)));
+  page.lookAt({0.0, 0.0, 0.0}, 0.3);
+  page.start();
+  page.choose("comboGlove", "CyberGlove");
+  page.choose("comboSecondStylus", "SpaceMouse Compact");
+  EXPECT_TRUE(page.says("labelSecondStylus", "Connected"));
+  ASSERT_TRUE(page.stylusesRest());
+  const dvec3 tip = page.second()->X_WStylus.p;
+  const workcell::EntityId part = page.addSolid("part", geometry::makeBox(dvec3(0.03)), Pose::translation(tip));
+
+  // Each takes its own.
+  page.select(box);
+  page.key(Qt::Key_B);
+  ASSERT_TRUE(WindowPage::until([&] { return page.snapshot()->held == box; }, kPatience));
+  const auto isReady = [&] {
+    const auto scene = page.window().preparedScene();
+    return scene && scene->find(part) != nullptr;
+  };
+  ASSERT_TRUE(WindowPage::until(isReady, kPatience));
+  mouse.send({3, 1, 0});
+  ASSERT_TRUE(WindowPage::until([&] { return page.second()->held == part; }, kPatience));
+  mouse.send({3, 0, 0});
+  holdHand(glove, kFist);
+  const auto stateOf = [&](workcell::EntityId id) -> const manipulation::EntityState* {
+    for (const auto& entity : page.snapshot()->entities)
+      if (entity.id == id) return &entity;
+    return nullptr;
+  };
+  const workcell::EntityId hand_id = page.document().findByName("right hand")->id;
+  const auto bend = [&] {
+    const auto* shown = stateOf(hand_id);
+    return shown ? shown->joints[5] : page.document().find(hand_id)->joints[5];
+  };
+  EXPECT_TRUE(WindowPage::until([&] { return bend() > 0.8; }, kPatience)) << "the glove closes the hand";
+
+  // And each moves it.
+  page.dragPen(page.snapshot()->X_WStylus.p);
+  const auto wayOf = [&](workcell::EntityId id, const dvec3& from) {
+    const auto* shown = stateOf(id);
+    return shown ? shown->X_WE.p.x - from.x : 0.0;
+  };
+  EXPECT_TRUE(WindowPage::until([&] { return wayOf(box, dvec3(0.0)) > 0.01; }, kPatience)) << "by the stylus";
+  const auto pushed = [&] { return mouse.send({1, 0x5E, 1, 0, 0, 0, 0}), wayOf(part, tip) > 0.01; };
+  EXPECT_TRUE(WindowPage::until(pushed, kPatience)) << "by the 3-D mouse";
+  mouse.send({1, 0, 0, 0, 0, 0, 0});
+  page.picture("three-devices");
+  EXPECT_EQ(page.snapshot()->held, box);
+  EXPECT_EQ(page.second()->held, part);
+  EXPECT_GT(bend(), 0.8);
 }
 
 TEST(DeviceCheckInTheWindow, TellsTestsAndCalibrates) {

@@ -101,8 +101,13 @@ std::uint32_t SpaceMouseDriver::find(Found* found, std::uint32_t room, Problem&)
 }
 
 Device* SpaceMouseDriver::open(const char* id, Problem& problem) noexcept {
-  const std::string_view wanted(id);
-  for (const HidInfo& info : mice()) {
+  std::string_view wanted(id);
+  const std::vector<HidInfo> all = mice();
+  // One without a serial number is known by its file, which has another name when it was plugged in again.
+  const bool is_there = std::any_of(all.begin(), all.end(),
+                                    [&](const HidInfo& info) { return wanted == idOf(info) || wanted == info.path; });
+  if (!is_there && wanted.starts_with('/')) wanted = {};
+  for (const HidInfo& info : all) {
     if (!wanted.empty() && wanted != idOf(info) && wanted != info.path) continue;
     auto port = hid_->open(info.path, problem);
     if (port == nullptr) {

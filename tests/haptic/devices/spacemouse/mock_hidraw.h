@@ -8,6 +8,7 @@
 #include <umockdev.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <mutex>
@@ -25,27 +26,44 @@ class MockHidraw {
  public:
   MockHidraw() {
     testbed_ = umockdev_testbed_new();
-    GError* problem = nullptr;
-    added_ = umockdev_testbed_add_from_string(testbed_, kTree, &problem);
-    if (problem != nullptr) g_error_free(problem);
+    handler_ = umockdev_ioctl_base_new();
+    g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(&MockHidraw::onIoctl), this);
+    g_signal_connect(handler_, "handle-write", G_CALLBACK(&MockHidraw::onWrite), this);
+    g_signal_connect(handler_, "handle-read", G_CALLBACK(&MockHidraw::onRead), this);
+    plug();
+  }
+  ~MockHidraw() {
+    release();
+    g_object_unref(handler_);
+    g_object_unref(testbed_);
+  }
+
+  /// Plugged in; again: as the next hidraw device, since numbers count up.
+  void plug() {
+    release();
+    gone_ = false;
+    number_ = node_.empty() ? 0 : number_ + 1;
     gchar* const root = umockdev_testbed_get_root_dir(testbed_);
-    node_ = std::string(root) + "/dev/hidraw0";
+    node_ = root + place();
     g_free(root);
+    GError* problem = nullptr;
+    added_ = umockdev_testbed_add_from_string(testbed_, numbered(kTree).c_str(), &problem);
+    if (problem != nullptr) g_error_free(problem);
     // A queue in packet mode in the place of the device's file: one read a report, as hidraw has it.
     unlink(node_.c_str());
     mkfifo(node_.c_str(), 0666);
     queue_ = open(node_.c_str(), O_RDWR | O_CLOEXEC);
     fcntl(queue_, F_SETFL, O_NONBLOCK | O_DIRECT);
-    handler_ = umockdev_ioctl_base_new();
-    g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(&MockHidraw::onIoctl), this);
-    g_signal_connect(handler_, "handle-write", G_CALLBACK(&MockHidraw::onWrite), this);
-    umockdev_testbed_attach_ioctl(testbed_, "/dev/hidraw0", handler_, nullptr);
+    umockdev_testbed_attach_ioctl(testbed_, place().c_str(), handler_, nullptr);
   }
-  ~MockHidraw() {
-    umockdev_testbed_detach_ioctl(testbed_, "/dev/hidraw0", nullptr);
-    close(queue_);
-    g_object_unref(handler_);
-    g_object_unref(testbed_);
+  /// The cable is pulled out: whoever has it open reads ENODEV, its file is gone and so is what /sys tells of it.
+  void unplug() {
+    gone_ = true;
+    send({0});  // A queue that nobody writes to wakes nobody.
+    unlink(node_.c_str());
+    for (const char* part :
+         {"/1-4:1.0/0003:256F:C635.000#/hidraw/hidraw@", "/1-4:1.0/0003:256F:C635.000#", "/1-4:1.0", ""})
+      umockdev_testbed_remove_device(testbed_, numbered(std::string(kUsb) + part).c_str());
   }
 
   bool isThere() const { return added_; }
@@ -67,8 +85,31 @@ class MockHidraw {
   const std::string& node() const { return node_; }
 
  private:
+  void release() {
+    if (queue_ < 0) return;
+    umockdev_testbed_detach_ioctl(testbed_, place().c_str(), nullptr);
+    close(queue_);
+    queue_ = -1;
+  }
+  static gboolean onRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
+    if (!static_cast<MockHidraw*>(self)->gone_) return FALSE;  // Read from the queue.
+    umockdev_ioctl_client_complete(client, -1, ENODEV);
+    return TRUE;
+  }
+
+  std::string place() const { return "/dev/hidraw" + std::to_string(number_); }
+  /// With the kernel's numbers: @ counts from 0, # from 1.
+  std::string numbered(std::string text) const {
+    for (char& letter : text) {
+      if (letter == '@') letter = static_cast<char>('0' + number_);
+      if (letter == '#') letter = static_cast<char>('1' + number_);
+    }
+    return text;
+  }
+
+  static constexpr const char* kUsb = "/sys/devices/pci0000:00/0000:00:14.0/usb1/1-4";
   static constexpr const char* kTree = R"(P: /devices/pci0000:00/0000:00:14.0/usb1/1-4
-N: bus/usb/001/011
+N: bus/usb/001/01#
 E: DEVTYPE=usb_device
 E: SUBSYSTEM=usb
 A: idVendor=256f\n
@@ -81,18 +122,18 @@ E: DEVTYPE=usb_interface
 E: SUBSYSTEM=usb
 A: bInterfaceNumber=00\n
 
-P: /devices/pci0000:00/0000:00:14.0/usb1/1-4/1-4:1.0/0003:256F:C635.0001
+P: /devices/pci0000:00/0000:00:14.0/usb1/1-4/1-4:1.0/0003:256F:C635.000#
 E: SUBSYSTEM=hid
 E: HID_ID=0003:0000256F:0000C635
 E: HID_NAME=3Dconnexion SpaceMouse Compact
 E: HID_UNIQ=
 H: report_descriptor=05010908A1018501160000260000A1000930C0C0
 
-P: /devices/pci0000:00/0000:00:14.0/usb1/1-4/1-4:1.0/0003:256F:C635.0001/hidraw/hidraw0
-N: hidraw0
-E: DEVNAME=/dev/hidraw0
+P: /devices/pci0000:00/0000:00:14.0/usb1/1-4/1-4:1.0/0003:256F:C635.000#/hidraw/hidraw@
+N: hidraw@
+E: DEVNAME=/dev/hidraw@
 E: SUBSYSTEM=hidraw
-L: device=../../../0003:256F:C635.0001
+L: device=../../../0003:256F:C635.000#
 
 )";
 
@@ -135,6 +176,8 @@ L: device=../../../0003:256F:C635.0001
   UMockdevTestbed* testbed_ = nullptr;
   UMockdevIoctlBase* handler_ = nullptr;
   bool added_ = false;
+  int number_ = 0;
+  std::atomic<bool> gone_{false};
   std::string node_;
   int queue_ = -1;
   std::mutex mutex_;

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "haptic/devices/driver_session.h"
 #include "haptic/devices/drivers/spacemouse/space_mouse_driver.h"
 #include "tests/haptic/devices/spacemouse/mock_hidraw.h"
@@ -43,6 +47,36 @@ TEST(SpaceMouseHidraw, IsFoundOpenedReadAndLit) {
   ASSERT_EQ(written.size(), 2u);  // Light on, light off.
   EXPECT_EQ(written[0], (std::vector<std::uint8_t>{4, 1}));
   EXPECT_EQ(written[1], (std::vector<std::uint8_t>{4, 0}));
+}
+
+/// Between two reports that belong together, the last of them cut off: what it moved stands still, and is picked up
+/// where it comes back.
+TEST(SpaceMouseHidraw, PulledOutInTheMiddleOfReportsAndPluggedInAgain) {
+  MockHidraw mock;
+  SpaceMouseDriver driver(makeHidapi());
+  std::vector<std::string> told;
+  haptic::DriverSession session(driver, "/dev/hidraw0", {.reopen_turns = 5, .report = [&](const std::string& sentence) {
+                                                           told.push_back(sentence);
+                                                         }});
+  ASSERT_EQ(session.open().status, Status::kOk);
+  mock.send({1, 0x5E, 0x01, 0, 0, 0, 0});
+  mock.send({3, 1, 0});
+  ASSERT_TRUE(turnUntil(session, [](const auto& answer) { return answer.state.buttons == 1; }));
+  EXPECT_DOUBLE_EQ(session.turn({}).state.motion[0], 1.0);
+  mock.send({1, 0x5E, 0x01, 0, 0});
+  mock.unplug();
+  ASSERT_TRUE(turnUntil(session, [&](const auto&) { return !session.isOpen(); }));
+  const std::uint64_t measured = session.turn({}).measurements;
+  ASSERT_FALSE(told.empty());
+  EXPECT_NE(told.back().find("unplugged"), std::string::npos) << told.back();
+  for (int i = 0; i < 20; ++i) session.turn({});
+  EXPECT_FALSE(session.isOpen()) << "it is not there";
+  EXPECT_EQ(session.turn({}).measurements, measured);
+
+  mock.plug();
+  ASSERT_TRUE(turnUntil(session, [&](const auto&) { return session.isOpen(); }));
+  mock.send({1, 0, 0, 0x5E, 0x01, 0, 0});
+  EXPECT_TRUE(turnUntil(session, [](const auto& answer) { return std::abs(answer.state.motion[1]) == 1.0; }));
 }
 
 TEST(SpaceMouseHidraw, AFileThatMayNotBeOpenedIsSaidWithItsFix) {
