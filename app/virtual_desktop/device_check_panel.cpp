@@ -25,6 +25,11 @@ namespace {
 
 constexpr int kCheckRow = 72;
 
+/// Something to type, not a sentence of advice.
+bool isCommand(const QString& fix) {
+  return fix.contains(QLatin1String("sudo "));
+}
+
 /// Wraps, and is never lower than its lines are high: layouts within layouts do not pass that on.
 class WrappedLabel : public QLabel {
  public:
@@ -278,11 +283,12 @@ void DeviceCheckPanel::addDeviceRow(const QString& title, const QString& detail,
   mark->setPixmap(icon(good ? "check" : "warning", good ? theme.axis_z : theme.near_miss).pixmap(16, 16));
   head->addWidget(mark);
   head->addWidget(new WrappedLabel(title, TextRole::kText, false), 1);
-  if (!fix.isEmpty()) {
+  if (isCommand(fix)) {
     auto* copy = new QPushButton(tr("Copy"));
     copy->setToolTip(tr("Copies the command that mends it"));
     copy->setAccessibleName(tr("Copy the command for %1").arg(title));
-    connect(copy, &QPushButton::clicked, copy, [fix] { QGuiApplication::clipboard()->setText(fix); });
+    const QString command = fix.section(QLatin1String(", then "), 0, 0);
+    connect(copy, &QPushButton::clicked, copy, [command] { QGuiApplication::clipboard()->setText(command); });
     head->addWidget(copy);
   }
   words->addLayout(head);
