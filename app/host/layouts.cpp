@@ -43,7 +43,7 @@ const std::vector<Drawn>& drawn() {
       {"teach",
        {"dockWorkcell", "dockProperties"},
        {"dockTrajectory", "dockCurves", "dockCollisions", "dockMessages", "dockHistory"},
-       {"dockRobot", "dockVirtualDesktop", "dockGuides", "dockTools"},
+       {"dockTraining", "dockVirtualDesktop", "dockRobot", "dockGuides"},
        296,
        360,
        344},

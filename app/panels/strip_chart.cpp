@@ -19,7 +19,7 @@ namespace hapticell::app {
 namespace {
 constexpr double kRateTop = 1100.0;  // Hz at the top of the rates' strip.
 constexpr int kRatesHeight = 30;
-constexpr int kLevelsWidth = 56;  // Of the numbers at the left axis.
+constexpr int kLevelsWidth = 48;  // Of the numbers at the left axis.
 
 /// A round distance without needless decimals: "10 mm", "0.4 in".
 QString gapText(double metres) {
