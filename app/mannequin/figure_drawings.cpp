@@ -16,6 +16,7 @@
 #include "app/style/units.h"
 #include "app/viewport/viewport_widget.h"
 #include "manipulation/mannequin_sight.h"
+#include "mannequin/ergonomics/body_sizes.h"
 #include "mannequin/reach_envelope.h"
 #include "mannequin/support_polygon.h"
 #include "mannequin/work_zones.h"
@@ -35,6 +36,23 @@ RenderItem volume(Mesh mesh, const std::array<float, 3>& color) {
   item.color = color;
   item.ghost = Ghost::kOwn;
   return item;
+}
+
+constexpr double kPercentiles[]{5.0, 50.0, 95.0};
+
+/// The surfaces of both arms of the 5th, 50th and 95th percentile of the figure's sex, where it stands.
+std::vector<Mesh> reachOfSizes(const mannequin::Figure& figure, const mannequin::Posture& posture) {
+  std::vector<Mesh> found;
+  for (const double percentile : kPercentiles) {
+    const auto stature = mannequin::statureOfPercentile(figure.sex, percentile);
+    const auto other = stature ? mannequin::makeFigure({figure.sex, *stature}) : tl::unexpected(stature.error());
+    if (!other) continue;
+    const mannequin::Posture stands = ergonomics::standingAt(figure, posture, *other);
+    for (const Side side : {Side::kLeft, Side::kRight})
+      found.push_back(std::make_shared<geometry::TriangleMesh>(
+          mannequin::reachEnvelope(*other, stands, side, {false, kMeridians})));
+  }
+  return found;
 }
 
 /// Which feet stand: one that is clearly higher than the other bears nothing.
@@ -84,13 +102,15 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
 }
 
 void FigureDrawings::addSwitches(QVBoxLayout& column) {
-  const std::array<QString, kKinds> words{tr("Reach of the arms"), tr("Reach with the trunk"),
-                                          tr("Working zones (as EN ISO 14738)"), tr("What it sees"),
-                                          tr("Centre of mass and support")};
+  const std::array<QString, kKinds> words{
+      tr("Reach of the arms"), tr("Reach with the trunk"),       tr("Working zones (as EN ISO 14738)"),
+      tr("What it sees"),      tr("Centre of mass and support"), tr("Reach of P5, P50 and P95")};
   for (std::size_t i = 0; i < switches_.size(); ++i) {
     auto* button = switches_[i] = new QCheckBox(words[i]);
     button->setObjectName(QStringLiteral("draw%1").arg(i));
     button->setProperty("switch", true);
+    if (i == kSizesReach)
+      button->setToolTip(tr("How far the arms of three people of its sex reach who stand as it does"));
     connect(button, &QCheckBox::clicked, this, [this] {
       figure_.reset();  // Looks at it anew.
       showNow();
@@ -120,8 +140,9 @@ void FigureDrawings::showNow() {
   figure_ = entity->figure;
   posture_ = posture;
   reach_.clear();
+  nameSizes();
   ++question_;
-  if (isOn(kReach) || isOn(kTrunkReach)) rests_.start();
+  if (isOn(kReach) || isOn(kTrunkReach) || isOn(kSizesReach)) rests_.start();
   drawVolumes();
   drawBalance();
 }
@@ -130,7 +151,11 @@ void FigureDrawings::drawVolumes() {
   const Theme& theme = themeOf(palette());
   std::vector<RenderItem> items;
   for (const auto& [kind, meshes] : reach_) {
-    for (const Mesh& mesh : meshes) items.push_back(volume(mesh, rgb(kind == kReach ? theme.selection : theme.axis_z)));
+    const QColor sizes[]{theme.guide, theme.selection, theme.near_miss};
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+      items.push_back(volume(meshes[i], rgb(kind == kSizesReach ? sizes[i / 2 % 3]
+                                            : kind == kReach    ? theme.selection
+                                                                : theme.axis_z)));
   }
   if (isOn(kZones)) {
     for (const auto zone : {mannequin::WorkZone::kPreferred, mannequin::WorkZone::kAcceptable}) {
@@ -187,11 +212,11 @@ void FigureDrawings::askReach() {
   if (!figure_) return;
   if (asking_) return rests_.start();
   asking_ = true;
-  const bool arms = isOn(kReach), trunk = isOn(kTrunkReach);
+  const bool arms = isOn(kReach), trunk = isOn(kTrunkReach), sizes = isOn(kSizesReach);
   using Found = std::map<int, std::vector<Mesh>>;
   runBeside(
       this,
-      [figure = figure_, posture = posture_, arms, trunk] {
+      [figure = figure_, posture = posture_, arms, trunk, sizes] {
         Found found;
         for (const int kind : {static_cast<int>(kReach), static_cast<int>(kTrunkReach)}) {
           if (!(kind == kReach ? arms : trunk)) continue;
@@ -199,6 +224,7 @@ void FigureDrawings::askReach() {
             found[kind].push_back(std::make_shared<geometry::TriangleMesh>(
                 mannequin::reachEnvelope(*figure, posture, side, {kind == kTrunkReach, kMeridians})));
         }
+        if (sizes) found[kSizesReach] = reachOfSizes(*figure, posture);
         return found;
       },
       [this, question = question_](Found found) {
@@ -206,7 +232,26 @@ void FigureDrawings::askReach() {
         if (question != question_) return;
         reach_ = std::move(found);
         drawVolumes();
+        nameSizes();
       });
+}
+
+/// The percentile's name at the top of each surface.
+void FigureDrawings::nameSizes() {
+  std::vector<SceneCurve> names;
+  if (const auto sizes = reach_.find(kSizesReach); sizes != reach_.end() && isOn(kSizesReach)) {
+    for (std::size_t i = 0; i < sizes->second.size(); i += 2) {
+      dvec3 highest(0.0, 0.0, -1e9);
+      for (const auto& p : sizes->second[i]->vertices)
+        if (p.z > highest.z) highest = p;
+      names.push_back({{highest},
+                       SceneCurve::Role::kSelection,
+                       SceneCurve::Style::kSolid,
+                       2.0,
+                       "P" + std::to_string(static_cast<int>(kPercentiles[i / 2]))});
+    }
+  }
+  context_.host().viewport().setCurves("figure sizes", std::move(names));
 }
 
 void FigureDrawings::lookThroughEyes() {

@@ -20,9 +20,9 @@ namespace hapticell::app {
 
 class MannequinContext;
 
-/// What is drawn about the mannequin in the scene, with its switches: how far its hands get, working zones, what it
-/// sees, its balance; the view through its eyes; and whether it sees what was chosen last. GUI thread; surfaces that
-/// take long are made beside it once the figure rests.
+/// What is drawn about the mannequin in the scene, with its switches: how far its hands and those of P5, P50 and P95
+/// get, working zones, what it sees, its balance; the view through its eyes; and whether it sees what was chosen last.
+/// GUI thread; surfaces that take long are made beside it once the figure rests.
 class FigureDrawings : public QWidget {
   Q_OBJECT
  public:
@@ -30,11 +30,12 @@ class FigureDrawings : public QWidget {
   void showNow();
 
  private:
-  enum Kind { kReach, kTrunkReach, kZones, kSight, kBalance, kKinds };
+  enum Kind { kReach, kTrunkReach, kZones, kSight, kBalance, kSizesReach, kKinds };
   void addSwitches(QVBoxLayout& column);
   void drawVolumes();
   void drawBalance();
   void askReach();
+  void nameSizes();
   void askSight();
   void lookThroughEyes();
   void lookAtTarget();

@@ -34,10 +34,19 @@ constexpr std::array<Part, 6> kParts{{{QT_TR_NOOP("Trunk"), Dof::kVl5Flexion, 9}
                                       {QT_TR_NOOP("Right leg"), Dof::kRightHipFlexion, 7}}};
 
 constexpr Dof kNeck = Dof::kVc7Flexion;
+constexpr int kNameWidth = 150;  // px
 
 QString shownName(Dof dof) {
   QString name = QString::fromLatin1(mannequin::dofInfo(dof).name);
   if (name.startsWith("l_") || name.startsWith("r_")) name.remove(0, 2);
+  // Shorter, and as one says it; the tool tip has the H-Anim name.
+  for (const auto& [long_name, short_name] : {std::pair{"sternoclavicular", "girdle"},
+                                              {"radioulnar", "forearm"},
+                                              {"talocrural", "ankle"},
+                                              {"subtalar", "foot"},
+                                              {"metatarsal", "toe"},
+                                              {"skullbase", "head"}})
+    name.replace(QLatin1String(long_name), QLatin1String(short_name));
   return name.replace('_', ' ');
 }
 
@@ -80,7 +89,7 @@ JointList::JointList(MannequinContext& context, QWidget* parent) : QWidget(paren
 }
 
 JointRow* JointList::addRow(const QString& name, double lower, double upper) {
-  auto* row = new JointRow({name, tr("°"), lower, upper});
+  auto* row = new JointRow({name, tr("°"), lower, upper, false, kNameWidth});
   connect(row, &JointRow::began, this, [this] {
     if (context_.entity())
       context_.host().documentModel().beginStep(

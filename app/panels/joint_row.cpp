@@ -68,13 +68,13 @@ void JointRow::paintEnds(QPainter& painter) const {
     painter.setPen(hit ? theme.limit_text : theme.text2);
     painter.drawText(box, Qt::AlignVCenter | side, endText(limit));
   };
-  end(scale_.lower, QRect(24, 0, rail.left() - 24 - 8, height()), Qt::AlignRight);
+  end(scale_.lower, QRect(scale_.name_width - 14, 0, rail.left() - scale_.name_width + 6, height()), Qt::AlignRight);
   end(scale_.upper, QRect(rail.right() + 10, 0, width() - rail.right() - 10, height()), Qt::AlignLeft);
 }
 
 QRect JointRow::track() const {
-  if (scale_.ends) return {66, height() / 2, std::max(20, width() - 66 - 44), 1};
-  return {40, height() / 2, std::max(20, width() - 40 - 74), 1};
+  const int left = scale_.name_width + (scale_.ends ? 28 : 2), right = scale_.ends ? 44 : 74;
+  return {left, height() / 2, std::max(20, width() - left - right), 1};
 }
 
 int JointRow::pixelOf(double value) const {
@@ -89,8 +89,8 @@ void JointRow::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(textFont(TextRole::kText));
   painter.setPen(isEnabled() ? theme.text1 : theme.text3);
-  painter.drawText(QRect(0, 0, 38, height()), Qt::AlignVCenter,
-                   painter.fontMetrics().elidedText(scale_.name, Qt::ElideRight, 38));
+  painter.drawText(QRect(0, 0, scale_.name_width, height()), Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(scale_.name, Qt::ElideRight, scale_.name_width));
   if (scale_.ends)
     paintEnds(painter);
   else

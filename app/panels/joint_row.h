@@ -17,7 +17,8 @@ class JointRow : public QWidget {
   struct Scale {
     QString name, unit;
     double lower = -180.0, upper = 180.0;
-    bool ends = false;  ///< Shows the limits at both ends in place of the value.
+    bool ends = false;    ///< Shows the limits at both ends in place of the value.
+    int name_width = 38;  ///< px
   };
   explicit JointRow(const Scale& scale, QWidget* parent = nullptr);
 

@@ -46,6 +46,8 @@ void ProxyStyle::polish(QWidget* widget) {
       qobject_cast<QTabBar*>(widget))
     widget->setAttribute(Qt::WA_Hover);
   if (qobject_cast<QSlider*>(widget) || qobject_cast<QComboBox*>(widget)) widget->installEventFilter(this);
+  // A wheel that gave the focus first would set what it only passes over.
+  if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
   // Above the words of its column, where the model does not say otherwise.
   if (auto* header = qobject_cast<QHeaderView*>(widget)) header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }

@@ -3245,6 +3245,26 @@ Licence Apache 2.0</translation>
         <translation>Déplacer le TCP de %1</translation>
     </message>
     <message>
+        <source>Reach of P5, P50 and P95</source>
+        <translation>Atteinte des P5, P50 et P95</translation>
+    </message>
+    <message>
+        <source>How far the arms of three people of its sex reach who stand as it does</source>
+        <translation>Jusqu'où atteignent les bras de trois personnes de son sexe qui se tiennent comme lui</translation>
+    </message>
+    <message>
+        <source>The forces went off</source>
+        <translation>Les efforts se sont coupés</translation>
+    </message>
+    <message>
+        <source>The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)</source>
+        <translation>Le serveur les a coupés : libérez le stylet, ou désactivez-les (Échap) puis réactivez-les (Ctrl+Espace)</translation>
+    </message>
+    <message>
+        <source>The device is at its end: hold Space and bring the hand back</source>
+        <translation>L'appareil est en bout de course : tenez Espace et ramenez la main</translation>
+    </message>
+    <message>
         <source>Move the stylus into free space</source>
         <translation>Menez le stylet en espace libre</translation>
     </message>

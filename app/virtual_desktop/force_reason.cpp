@@ -34,6 +34,11 @@ ForceReason forceReason(const ForceFacts& facts) {
     return {tr("Forces off"), tr("The scene's loop stands still: forces return once it answers"), Mend::kNone, {}};
   if (facts.forceless) return {tr("No forces"), tr("This device moves things, but exerts no force"), Mend::kNone, {}};
   if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
+  if (!facts.on && facts.cut)
+    return {tr("Forces off"),
+            tr("The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)"),
+            Mend::kNone,
+            {}};
   if (!facts.on) return {tr("Forces wait"), tr("Move the stylus into free space"), Mend::kNone, {}};
   const QString ramp = facts.ramp < 0.999 ? tr("Ramp %1 %, 1 N/ms limit").arg(std::lround(100.0 * facts.ramp))
                                           : tr("Ramp done, 1 N/ms limit");
@@ -41,6 +46,8 @@ ForceReason forceReason(const ForceFacts& facts) {
   if (!facts.held) return {tr("Forces on"), tr("Nothing is held: the stylus button takes it"), Mend::kNone, {}};
   if (!facts.checked)
     return {tr("Forces on"), tr("What is held is not checked for collision"), Mend::kCheck, tr("Check it")};
+  if (facts.at_edge)
+    return {tr("Forces on"), tr("The device is at its end: hold Space and bring the hand back"), Mend::kNone, {}};
   if (facts.passes) return {tr("Forces on"), tr("Contacts are only shown: it passes"), Mend::kSlide, tr("Slide")};
   return {tr("Forces on"), ramp, Mend::kNone, {}};
 }

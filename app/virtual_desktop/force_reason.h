@@ -18,6 +18,8 @@ struct ForceFacts {
   bool stalled = false;       ///< The loop of the scene stands still: the server lets the force fade.
   bool wanted = false;        ///< The user has switched forces on.
   bool on = false;            ///< They act.
+  bool cut = false;           ///< They went off though nobody asked for it, and are not back yet.
+  bool at_edge = false;       ///< The device stands at the end of its own range.
   double ramp = 0.0;          ///< 0 .. 1.
   QString problem;            ///< Why there is no connection; may be empty.
   bool held = true;           ///< Something is held.

@@ -298,6 +298,7 @@ void VirtualDesktopController::updateStrip() {
 void VirtualDesktopController::setForces(bool on) {
   if (on && !isConnected()) return;
   forces_wanted_ = on;
+  forces_cut_ = false;
   if (loop_) {
     loop_->post(command::SetForces{on});
     loop_->postSecond(command::SetForces{on});
@@ -359,7 +360,7 @@ void VirtualDesktopController::tick() {
   if (connected != was_connected_) {
     was_connected_ = connected;
     device_ = connected ? link_->device() : std::nullopt;
-    forces_wanted_ = false;  // Never on by a reconnection.
+    forces_wanted_ = forces_cut_ = false;  // Never on by a reconnection.
     loop_->post(command::SetForces{false});
     loop_->postSecond(command::SetForces{false});
     loop_->post(command::SetHandTarget{mouse_.target()});
@@ -375,10 +376,11 @@ void VirtualDesktopController::tick() {
   manipulation::SceneSnapshot fresh;
   if (loop_->latest(fresh)) {
     sound_.play(soundCue(fresh, snapshot_));
-    // Off though nobody asked for it: the server's safety chain or the connection.
-    if (snapshot_.forces_on && !fresh.forces_on && forces_wanted_) sound_.strike(SoundEvent::kFault);
+    const bool cut = snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
     snapshot_ = std::move(fresh);
     since_snapshot_.start();
+    if (snapshot_.forces_on) forces_cut_ = false;
+    if (cut) tellOfCut();
     // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
     const dquat q_WD = axes_W();
     snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);

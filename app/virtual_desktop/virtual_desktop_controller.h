@@ -116,6 +116,8 @@ class VirtualDesktopController : public QObject {
   void updateSecondMouse();
   manipulation::MovedBy movedBy() const;
   void tellOfDevice();
+  /// Forces went off though nobody asked for it: by the server's safety chain, or the loop stands still.
+  void tellOfCut();
   void updateStrip();
   void takeEntityChoices();
   template <typename Set>
@@ -154,7 +156,7 @@ class VirtualDesktopController : public QObject {
   QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
   FrameMeter ticks_;
   bool mouse_is_second_ = false;  // The 3-D mouse, since it is to move entities.
-  bool forces_wanted_ = false, was_connected_ = false, server_tried_ = false;
+  bool forces_wanted_ = false, forces_cut_ = false, was_connected_ = false, server_tried_ = false;
 };
 
 }  // namespace hapticell::app

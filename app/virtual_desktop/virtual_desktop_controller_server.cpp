@@ -59,6 +59,9 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   constexpr qint64 kStalled = 2000;  // ms
   facts.stalled = facts.connected && forces_wanted_ &&
                   (snapshot_.loop_stalled || (since_snapshot_.isValid() && since_snapshot_.elapsed() > kStalled));
+  facts.cut = forces_cut_;
+  constexpr double kEdge = 1e-3;  // m
+  facts.at_edge = device_ && snapshot_.device_edge_m < kEdge;
   facts.held = snapshot_.held != 0;
   if (const workcell::Entity* held = host_.documentModel().document().find(snapshot_.held)) {
     facts.checked = held->checked;
@@ -66,6 +69,12 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   }
   if (link_ && !facts.connected) facts.problem = shownText(link_->problem());
   return facts;
+}
+
+void VirtualDesktopController::tellOfCut() {
+  forces_cut_ = true;
+  sound_.strike(SoundEvent::kFault);
+  host_.messages().tell(Severity::kWarning, tr("The forces went off"), forceReason(forceFacts()).why);
 }
 
 void VirtualDesktopController::startServer() {

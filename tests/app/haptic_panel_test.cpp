@@ -76,6 +76,19 @@ TEST(ForceReason, ForcesThatCannotBeFeltSayWhyAndOfferTheRemedy) {
   EXPECT_EQ(forceReason(facts).why, "Ramp 50 %, 1 N/ms limit") << "the ramp comes first";
 }
 
+TEST(ForceReason, ForcesThatWentOffUnaskedAndTheDevicesEndAreSaid) {
+  ForceFacts facts;
+  facts.started = facts.connected = facts.wanted = facts.cut = true;
+  EXPECT_EQ(forceReason(facts).state, "Forces off") << "not: they wait";
+  EXPECT_TRUE(forceReason(facts).why.contains("Ctrl+Space"));
+  facts.device_fault = true;
+  EXPECT_TRUE(forceReason(facts).why.contains("does not answer")) << "a known cause goes first";
+  facts = {};
+  facts.started = facts.connected = facts.wanted = facts.on = facts.at_edge = true;
+  facts.ramp = 1.0;
+  EXPECT_TRUE(forceReason(facts).why.contains("at its end"));
+}
+
 TEST(ForceReason, AProblemIsCutToItsFirstSentence) {
   ForceFacts facts;
   facts.started = true;

@@ -125,8 +125,8 @@ TEST(Gallery, Volumes) {
   page.operatorIn("both_hands_forward");
   page.bringDock("actionMannequinPanel");
   page.window().findChild<QScrollArea*>();
-  const char* const names[]{"reach-arms", "reach-trunk", "zones", "sight", "balance"};
-  for (int i = 0; i < 5; ++i) {
+  const char* const names[]{"reach-arms", "reach-trunk", "zones", "sight", "balance", "reach-sizes"};
+  for (int i = 0; i < 6; ++i) {
     const QString name = QStringLiteral("draw%1").arg(i);
     page.find<QCheckBox>(name)->click();
     page.look(35, 20, Gallery::about({0.35, 0.0, 0.95}, 0.95));

@@ -221,6 +221,19 @@ TEST(LayoutsInTheWindow, TheSideDocksGoAndComeBackAsTheyWere) {
   EXPECT_TRUE(comesToFront(page.window(), "dockReport"));
 }
 
+TEST(Wheel, GivesNoFieldTheFocus) {
+  CellPage page;
+  int fields = 0;
+  for (const QWidget* widget : page.window().findChildren<QWidget*>()) {
+    const bool is_field = qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+                          qobject_cast<const QAbstractSlider*>(widget);
+    if (!is_field || !widget->testAttribute(Qt::WA_WState_Polished)) continue;
+    ++fields;
+    EXPECT_NE(widget->focusPolicy(), Qt::WheelFocus) << widget->objectName().toStdString();
+  }
+  EXPECT_GT(fields, 5);
+}
+
 TEST(FirstPage, AClickOnASampleOpensItAndEscapeClosesThePage) {
   CellPage page;
   page.trigger("actionFirstPage");
