@@ -73,13 +73,24 @@ void WorkcellTreeModel::takeRows(std::vector<Node> fresh) {
     if (!node.children.empty()) emit dataChanged(indexOfNode(node.children.front()), indexOfNode(node.children.back()));
 }
 
+/// What the stylus holds, and what a second one holds; 0: nothing.
+std::array<workcell::EntityId, 2> WorkcellTreeModel::heldEntities() const {
+  if (!snapshot_) return {};
+  return {snapshot_->held, snapshot_->second ? snapshot_->second->held : 0};
+}
+
+bool WorkcellTreeModel::isHeld(const workcell::Entity* entity) const {
+  const auto held = heldEntities();
+  return entity && (entity->id == held[0] || entity->id == held[1]);
+}
+
 void WorkcellTreeModel::setSnapshot(const std::optional<manipulation::SceneSnapshot>& snapshot) {
-  const workcell::EntityId held_before = snapshot_ ? snapshot_->held : 0;
+  const auto held_before = heldEntities();
   snapshot_ = snapshot;
-  const workcell::EntityId held = snapshot_ ? snapshot_->held : 0;
+  const auto held = heldEntities();
   updateMarks();
   if (held == held_before) return;
-  for (const workcell::EntityId id : {held, held_before})
+  for (const workcell::EntityId id : {held[0], held[1], held_before[0], held_before[1]})
     if (const QModelIndex row = indexOf(id); row.isValid()) emit dataChanged(row, row);
 }
 
@@ -176,7 +187,7 @@ QString WorkcellTreeModel::stateWords(const Node& node) const {
   QStringList words;
   const workcell::Entity* entity = node.kind == Kind::kEntity ? entityOf(node) : nullptr;
   if (node.mark != Mark::kNone) words << markWord(node.mark);
-  if (entity && snapshot_ && snapshot_->held == entity->id) words << tr("held");
+  if (isHeld(entity)) words << tr("held");
   if (entity && entity->locked) words << tr("locked");
   if (entity && !entity->visible) words << tr("hidden");
   return words.join(QStringLiteral(", "));
@@ -228,7 +239,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
     case kSuffixRole:
       if (node.frame) return node.frame->finding;
       if (entity && entity->unloaded) return tr("file missing");
-      return entity && snapshot_ && snapshot_->held == entity->id ? tr("held") : QString();
+      return isHeld(entity) ? tr("held") : QString();
     case kCanHideRole:
       return node.kind == Kind::kCell || node.kind == Kind::kFolder || node.kind == Kind::kEntity;
     case kVisibleRole:

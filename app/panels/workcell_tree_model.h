@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -115,6 +116,8 @@ class WorkcellTreeModel : public QAbstractItemModel {
   void documentChanged();
   void takeRows(std::vector<Node> fresh);
   void updateMarks();
+  std::array<workcell::EntityId, 2> heldEntities() const;
+  bool isHeld(const workcell::Entity* entity) const;
   Mark markOf(const Node& node) const;
   Mark innerMark(int node) const;
   void collect(int node, std::vector<workcell::EntityId>& entities) const;

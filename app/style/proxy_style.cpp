@@ -295,6 +295,16 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
         return;
       }
       break;
+    case CE_ComboBoxLabel:
+      if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
+        QStyleOptionComboBox shown = *box;
+        const int icon = box->currentIcon.isNull() ? 0 : box->iconSize.width() + 4;
+        const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - icon - 2;
+        shown.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+        QProxyStyle::drawControl(element, &shown, painter, widget);
+        return;
+      }
+      break;
     case CE_ProgressBarGroove: drawBox(painter, option->rect, theme.field, theme.line, 2.0); return;
     default: break;
   }

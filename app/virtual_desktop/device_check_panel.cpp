@@ -23,7 +23,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kCheckRow = 72;
+constexpr int kCheckRow = 84;  // Title and three lines.
 
 /// Something to type, not a sentence of advice.
 bool isCommand(const QString& fix) {
@@ -92,7 +92,7 @@ void CheckRows::paintEvent(QPaintEvent*) {
     painter.drawText(QRect(44, top + 6, width() - 56, 20), Qt::AlignVCenter, check.title);
     painter.setFont(textFont(TextRole::kSecond));
     painter.setPen(theme.text2);
-    painter.drawText(QRect(44, top + 26, width() - 56, 44), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+    painter.drawText(QRect(44, top + 26, width() - 56, kCheckRow - 28), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                      check.detail);
     painter.fillRect(QRect(12, top + kCheckRow - 1, width() - 24, 1), theme.line);
     top += kCheckRow;

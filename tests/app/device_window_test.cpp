@@ -112,15 +112,17 @@ class DevicePage : public OwnUser, public CellPage {
   }
   const std::optional<manipulation::SceneSnapshot>& snapshot() { return window().viewport().scene().snapshot(); }
   std::optional<manipulation::SecondStylusState> second() { return snapshot() ? snapshot()->second : std::nullopt; }
-  /// Waits until both styluses stand still, beside each other.
-  testing::AssertionResult stylusesRest() {
+  /// Waits until the stylus stands still; of two, both, beside each other.
+  testing::AssertionResult stylusesRest(bool both = true) {
     std::uint64_t seen = 0;
     dvec3 last_first{0.0}, last_second{0.0};
     int rests = 0;
     const auto rest = [&] {
-      if (!second() || !second()->connected || snapshot()->step == seen) return rests > 10;
+      if (!snapshot() || snapshot()->step == seen) return rests > 10;
+      if (both && !(second() && second()->connected)) return false;
       seen = snapshot()->step;
-      const dvec3 first_at = snapshot()->X_WStylus.p, second_at = second()->X_WStylus.p;
+      const dvec3 first_at = snapshot()->X_WStylus.p;
+      const dvec3 second_at = both ? second()->X_WStylus.p : first_at + dvec3(1.0);
       const double moved = glm::length(first_at - last_first) + glm::length(second_at - last_second);
       last_first = first_at;
       last_second = second_at;
@@ -145,6 +147,13 @@ class DevicePage : public OwnUser, public CellPage {
     send(QEvent::MouseButtonPress, 0.0, Qt::LeftButton);
     for (int i = 1; i <= 5; ++i) send(QEvent::MouseMove, 8.0 * i, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, 40.0, Qt::NoButton);
+  }
+  /// Turns the view by so many pixels of a drag to the right.
+  void lookRound(double pixels) {
+    Camera camera = window().viewport().camera();
+    camera.orbit({pixels, 0.0}, camera.target_W);
+    window().viewport().setCamera(camera, false);
+    settle();
   }
   void picture(const char* name) {
     const QString folder = qEnvironmentVariable("HAPTICELL_LOOK_FOLDER");
@@ -200,7 +209,8 @@ TEST(GloveInTheWindow, IsCalibratedGraspsAndLetsGo) {
   const auto grip = figure->p_HandGrip[1];
   const workcell::EntityId bar = page.addSolid("bar", geometry::makeBox(dvec3(0.041)), Pose::translation(grip));
   page.window().documentModel().execute(workcell::SetProperties{.id = bar, .locked = true});
-  page.lookAt({0.0, 0.0, -0.06}, 0.14);
+  page.lookAt({0.09, 0.0, -0.06}, 0.14);
+  page.lookRound(450.0);  // At the palm.
   page.start();
   page.choose("comboGlove", "CyberGlove");
   calibrate(page, glove);
@@ -341,6 +351,7 @@ TEST(StylusGloveAndSpaceMouseInTheWindow, WorkAtOnce) {
   EXPECT_TRUE(WindowPage::until([&] { return bend() > 0.8; }, kPatience)) << "the glove closes the hand";
 
   // And each moves it.
+  ASSERT_TRUE(page.stylusesRest());
   page.dragPen(page.snapshot()->X_WStylus.p);
   const auto wayOf = [&](workcell::EntityId id, const dvec3& from) {
     const auto* shown = stateOf(id);
@@ -366,8 +377,24 @@ TEST(DeviceCheckInTheWindow, TellsTestsAndCalibrates) {
   EXPECT_TRUE(page.says("labelCalibrated", "simulated stylus needs none"));
   EXPECT_FALSE(page.text("labelWhyNoForce").isEmpty());
 
+  // What the stylus reaches and presses is counted.
+  ASSERT_TRUE(WindowPage::until([&] { return connected(page); }, kPatience));
+  ASSERT_TRUE(page.stylusesRest(false));
+  page.dragPen(page.snapshot()->X_WStylus.p);
+  page.key(Qt::Key_B);
+  EXPECT_TRUE(WindowPage::until([&] { return page.snapshot()->X_DS.p.x > 0.03; }, kPatience));
+
+  const auto mends = [&] {
+    for (const auto* label : page.window().findChildren<QLabel*>())
+      if (label->text().contains("70-hapticell.rules")) return true;
+    return false;
+  };
+  ASSERT_TRUE(WindowPage::until(mends, kPatience)) << "what is plugged in was not listed";
+
   // The force test asks first, and what it did is told.
   page.pressSeen("buttonForceAsk");
+  page.reveal(page.find<QLabel>("labelWhyNoForce"));
+  page.reveal(page.find<QPushButton>("buttonForceGo"));
   page.picture("device-check-asks");
   page.pressSeen("buttonForceGo");
   auto* ask = page.find<QPushButton>("buttonForceAsk");
@@ -381,12 +408,8 @@ TEST(DeviceCheckInTheWindow, TellsTestsAndCalibrates) {
 
   // What is plugged in and may not be opened is told with the command that mends it.
   page.pressSeen("buttonLookAgain");
-  const auto mends = [&] {
-    for (const auto* label : page.window().findChildren<QLabel*>())
-      if (label->text().contains("70-hapticell.rules") && label->isVisible()) return true;
-    return false;
-  };
   EXPECT_TRUE(WindowPage::until(mends, kPatience));
+  page.reveal(page.find<QPushButton>("buttonLookAgain"));
   page.picture("device-check");
 
   // A stylus that wants calibration: chosen, told so, calibrated step by step.

@@ -72,6 +72,12 @@ TEST(WorkcellTree, MarksFollowTheSnapshotAndAreWordsToo) {
   EXPECT_EQ(model.indexOf(3).data(WorkcellTreeModel::kSuffixRole).toString(), "held");
   EXPECT_TRUE(tower.data(WorkcellTreeModel::kFilterRole).toString().contains("near miss"));
   EXPECT_GT(changes.count(), 0);
+  manipulation::SceneSnapshot both = nearTo(2, 0.0064, false);
+  both.second.emplace().held = 1;
+  model.setSnapshot(both);
+  EXPECT_EQ(model.indexOf(1).data(WorkcellTreeModel::kSuffixRole).toString(), "held") << "by the second stylus";
+  EXPECT_EQ(model.indexOf(3).data(WorkcellTreeModel::kSuffixRole).toString(), "held");
+  EXPECT_EQ(tower.data(WorkcellTreeModel::kSuffixRole).toString(), "");
   model.setSnapshot(std::nullopt);
   EXPECT_EQ(model.indexOf(2).data(WorkcellTreeModel::kMarkRole).toInt(), static_cast<int>(Mark::kNone));
 }

@@ -178,7 +178,7 @@ std::uint32_t CyberGloveDriver::find(Found* found, std::uint32_t room, Problem&)
       Found& entry = found[count];
       entry.kind = Kind::kGlove;
       copyText(entry.id, path);
-      copyText(entry.name, "Serial port, perhaps with a CyberGlove");
+      copyText(entry.name, "CyberGlove? at " + (path.starts_with("/dev/") ? path.substr(5) : path));
       copyText(entry.place, path);
       // A look that sends nothing: whether it may be opened and nobody has it.
       if (const auto port = SerialPort::open(path, entry.problem); port != nullptr) entry.problem = {};
