@@ -213,9 +213,18 @@ MetricVector ForceRenderer::couplingForce(const ProxyStep& solved) const {
   controlled -= std::max(0.0, dot(controlled, outward)) * outward;
   // Like friction it ends with what presses, not with a step.
   controlled = limited(controlled, pull);
-  const MetricVector force = last_.spring - damping * v_rel + controlled;
-  const double along = dot(force, outward);
-  return along < 0.0 ? force - along * outward : force;
+  MetricVector damper = controlled - damping * v_rel;
+  damper -= std::min(0.0, pull + dot(damper, outward)) * outward;
+  return last_.spring + unpulling(damper);
+}
+
+/// What damps, without what would pull at a hand that lifts from what holds the proxy: while an offset fades the spring
+/// may point anywhere.
+MetricVector ForceRenderer::unpulling(const MetricVector& damper_D) const {
+  const double stretch2 = dot(stretch_D_, stretch_D_);
+  if (stretch2 <= 0.0) return damper_D;
+  const double spring = dot(last_.spring, stretch_D_), pulled = dot(damper_D, stretch_D_) + std::max(0.0, spring);
+  return pulled < 0.0 ? damper_D - (pulled / stretch2) * stretch_D_ : damper_D;
 }
 
 /// A hand that lifts faster than the offset fades must not be pulled back by it: a spring that pushed ends at nothing.

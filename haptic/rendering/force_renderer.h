@@ -129,6 +129,7 @@ class ForceRenderer {
                     double dt);
   dvec3 pullOf(const Pose& X_DS) const;
   MetricVector couplingForce(const ProxyStep& solved) const;
+  MetricVector unpulling(const MetricVector& damper_D) const;
   MetricVector pushing(const MetricVector& spring_D, const MetricVector& left_D) const;
   MetricVector borne(const MetricVector& stretch_D);
   double forceLimit(const MetricVector& direction_D) const;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "tests/haptic/rendering/rendered_floor.h"
 
@@ -59,6 +60,37 @@ TEST(ForceRenderer, neverPulls) {
     const RenderResult result = renderer.tick(at(0, 0, -0.001 + 1e-4 * i), kTick);
     EXPECT_GE(result.force_D.z, 0.0);
   }
+}
+
+/// Walls that come up where the hand is already, each turned another way: what of them is held back stands in the
+/// offset, so the spring may point anywhere for a while. What damps must not pull at the hand then either.
+TEST(ForceRenderer, neverPullsWhileAnOffsetFades) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  ForceRenderer renderer;
+  Pose X_DS = at(0, 0, 0.002);
+  renderer.reset(X_DS);
+  dvec3 v(0.0), proxy = X_DS.p;
+  int pressed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    if (i % 20 == 0) {
+      const dvec3 normal = glm::normalize(dvec3(0.8 * any(random), 0.8 * any(random), 1.0));
+      ConstraintSet set = floorSet(static_cast<std::uint64_t>(i + 1));
+      set.constraints[0] = planeConstraint(dvec3(0, 0, 0.001 * any(random)), normal, set.X_DR, 0);
+      renderer.adopt(set);
+      v = 0.2 * dvec3(any(random), any(random), any(random)) - 10.0 * X_DS.p;
+    }
+    X_DS.p += kTick * v;
+    const RenderResult result = renderer.tick(X_DS, kTick);
+    const dvec3 stretch = result.X_DP.p - X_DS.p;
+    const bool arrived = glm::distance(result.X_DP.p, proxy) < 0.0019;  // Else its way is not all of the stretch.
+    proxy = result.X_DP.p;
+    if (result.at_zone_edge || !result.contact || !arrived || glm::length(stretch) < 1e-5) continue;
+    const dvec3 outward = glm::normalize(stretch);
+    EXPECT_GE(glm::dot(result.force_D, outward), std::min(0.0, glm::dot(result.spring_D, outward)) - 1e-9) << i;
+    ++pressed;
+  }
+  EXPECT_GT(pressed, 2000);
 }
 
 TEST(ForceRenderer, refusesSetsThatDoNotFit) {
