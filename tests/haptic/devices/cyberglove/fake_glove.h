@@ -65,9 +65,9 @@ class FakeGlove {
   }
 
   // Set before it is opened.
-  int sensors = 22;
-  int connected = 3;
-  std::uint8_t touch_flags = 2;
+  std::atomic<int> sensors{22};
+  std::atomic<int> connected{3};
+  std::atomic<std::uint8_t> touch_flags{2};
   std::atomic<int> first{10};           ///< Reading of the first sensor; the others count up.
   std::atomic<std::uint8_t> status{2};  ///< The switch is on. Must not be 0 on the wire.
   std::atomic<bool> status_enabled{false};
