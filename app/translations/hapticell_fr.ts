@@ -1285,6 +1285,10 @@
         <translation>Deux mains en avant</translation>
     </message>
     <message>
+        <source>Both styluses are in somebody's hands. Choose the 3-D mouse as the second stylus to move entities by it.</source>
+        <translation>Les deux stylets sont tenus. Choisissez la souris 3D comme second stylet pour déplacer des entités avec elle.</translation>
+    </message>
+    <message>
         <source>Bottom</source>
         <translation>Dessous</translation>
     </message>
@@ -2669,6 +2673,10 @@ Licence Apache 2.0</translation>
         <translation>Distance</translation>
     </message>
     <message>
+        <source>How far the arms of three people of its sex reach who stand as it does</source>
+        <translation>Jusqu'où atteignent les bras de trois personnes de son sexe qui se tiennent comme lui</translation>
+    </message>
+    <message>
         <source>I hold it: next</source>
         <translation>Je le tiens : suite</translation>
     </message>
@@ -3243,26 +3251,6 @@ Licence Apache 2.0</translation>
     <message>
         <source>Move the TCP of %1</source>
         <translation>Déplacer le TCP de %1</translation>
-    </message>
-    <message>
-        <source>Reach of P5, P50 and P95</source>
-        <translation>Atteinte des P5, P50 et P95</translation>
-    </message>
-    <message>
-        <source>How far the arms of three people of its sex reach who stand as it does</source>
-        <translation>Jusqu'où atteignent les bras de trois personnes de son sexe qui se tiennent comme lui</translation>
-    </message>
-    <message>
-        <source>The forces went off</source>
-        <translation>Les efforts se sont coupés</translation>
-    </message>
-    <message>
-        <source>The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)</source>
-        <translation>Le serveur les a coupés : libérez le stylet, ou désactivez-les (Échap) puis réactivez-les (Ctrl+Espace)</translation>
-    </message>
-    <message>
-        <source>The device is at its end: hold Space and bring the hand back</source>
-        <translation>L'appareil est en bout de course : tenez Espace et ramenez la main</translation>
     </message>
     <message>
         <source>Move the stylus into free space</source>
@@ -4433,6 +4421,10 @@ Licence Apache 2.0</translation>
         <translation>Atteinte</translation>
     </message>
     <message>
+        <source>Reach of P5, P50 and P95</source>
+        <translation>Atteinte des P5, P50 et P95</translation>
+    </message>
+    <message>
         <source>Reach of the arms</source>
         <translation>Atteinte des bras</translation>
     </message>
@@ -5253,6 +5245,10 @@ Licence Apache 2.0</translation>
         <translation>Cette touche fait « %1 » ; elle le perdrait.</translation>
     </message>
     <message>
+        <source>The 3-D mouse moves the view</source>
+        <translation>La souris 3D déplace la vue</translation>
+    </message>
+    <message>
         <source>The TCP stays where it is</source>
         <translation>Le TCP reste où il est</translation>
     </message>
@@ -5317,6 +5313,10 @@ Licence Apache 2.0</translation>
         <translation>Le périphérique ne répond pas : vérifiez son câble et son alimentation</translation>
     </message>
     <message>
+        <source>The device is at its end: hold Space and bring the hand back</source>
+        <translation>L'appareil est en bout de course : tenez Espace et ramenez la main</translation>
+    </message>
+    <message>
         <source>The device reports a fault: no force was exerted.</source>
         <translation>Le périphérique signale une panne : aucun effort n'a été exercé.</translation>
     </message>
@@ -5355,6 +5355,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The force loop keeps its time</source>
         <translation>La boucle d'effort tient son rythme</translation>
+    </message>
+    <message>
+        <source>The forces went off</source>
+        <translation>Les efforts se sont coupés</translation>
     </message>
     <message>
         <source>The frame, or all between the brackets</source>
@@ -5559,6 +5563,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The second stylus is gone. Choose it again to start it.</source>
         <translation>Le second stylet n'est plus là. Choisissez-le de nouveau pour le démarrer.</translation>
+    </message>
+    <message>
+        <source>The server took them away: let the stylus go free, or turn them off (Esc) and on again (Ctrl+Space)</source>
+        <translation>Le serveur les a coupés : libérez le stylet, ou désactivez-les (Échap) puis réactivez-les (Ctrl+Espace)</translation>
     </message>
     <message>
         <source>The simulated stylus needs none.</source>
