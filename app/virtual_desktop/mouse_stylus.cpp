@@ -4,6 +4,7 @@
 #include <QObject>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hapticell::app {
 namespace {
@@ -38,10 +39,15 @@ void MouseStylus::setButton(bool pressed) {
   tell();
 }
 
-bool MouseStylus::hitsPen(const PointerEvent& event) const {
+double MouseStylus::pixelsToPen(const PointerEvent& event) const {
   const auto tip = event.camera.project(state_.p_WTip, event.size);
   const auto tail = event.camera.project(state_.p_WTip + state_.pen_length * state_.d_WPen, event.size);
-  return state_.usable && tip && tail && distanceToSegment(event.pixel, *tip, *tail) <= kPenPixels;
+  const bool drawn = state_.usable && tip && tail;
+  return drawn ? distanceToSegment(event.pixel, *tip, *tail) : std::numeric_limits<double>::infinity();
+}
+
+bool MouseStylus::hitsPen(const PointerEvent& event) const {
+  return pixelsToPen(event) <= kPenPixels;
 }
 
 void MouseStylus::shift(const dvec3& motion_W) {

@@ -50,6 +50,8 @@ class MouseStylus final : public PointerTool {
 
   /// True where a press would take the pen.
   bool hitsPen(const PointerEvent& event) const;
+  /// Pixels from the pointer to the drawn pen; infinite where it cannot be taken.
+  double pixelsToPen(const PointerEvent& event) const;
 
  private:
   void shift(const dvec3& motion_W);

@@ -5,15 +5,19 @@
 
 namespace hapticell::app {
 
-/// The mouse over two drawn styluses: whichever pen it takes is dragged until it lets go; the first one besides.
+/// The mouse over two drawn styluses: the pen that is nearer to the pointer is dragged until it lets go; the first one
+/// besides.
 class TwoPens final : public PointerTool {
  public:
   TwoPens(MouseStylus& first, MouseStylus& second) : first_(first), second_(second) {}
 
   bool press(const PointerEvent& event) override {
     if (dragged_ != nullptr) return dragged_->press(event);
-    if (first_.press(event)) return dragged_ = &first_, true;
-    if (second_.press(event)) return dragged_ = &second_, true;
+    const bool second_is_nearer = !first_.follow() && second_.pixelsToPen(event) < first_.pixelsToPen(event);
+    MouseStylus& nearer = second_is_nearer ? second_ : first_;
+    MouseStylus& other = second_is_nearer ? first_ : second_;
+    if (nearer.press(event)) return dragged_ = &nearer, true;
+    if (other.press(event)) return dragged_ = &other, true;
     return false;
   }
   bool move(const PointerEvent& event) override {

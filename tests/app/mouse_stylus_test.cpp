@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/virtual_desktop/two_pens.h"
 #include "manipulation/motion_mapping.h"
 
 namespace hapticell::app {
@@ -41,6 +42,29 @@ TEST_F(MouseStylusTest, OnlyAPressOnThePenTakesIt) {
   EXPECT_FALSE(mouse.press(at(100, 100, Qt::LeftButton, Qt::LeftButton)));
   EXPECT_TRUE(mouse.press(at(500, 300, Qt::LeftButton, Qt::LeftButton)));
   EXPECT_TRUE(sent.holding);
+}
+
+/// Both within reach of the pointer, as when they cross: the nearer one is taken, whichever it is.
+TEST_F(MouseStylusTest, OfTwoPensTheNearerIsTaken) {
+  MouseStylus other([](const haptic::HandTarget&) {});
+  MouseStylus::State beside = state;
+  beside.p_WTip += 10.0 * camera.metresPerPixel(state.p_WTip, {1000, 600}) * camera.right_W();
+  other.setState(beside);
+  other.hold(true);
+  for (const bool first : {true, false}) {
+    TwoPens pens(mouse, other);
+    const double x = first ? 502.0 : 508.0;
+    const dvec3 mouse_at = mouse.target().X_DH.p, other_at = other.target().X_DH.p;
+    ASSERT_TRUE(pens.press(at(x, 300, Qt::LeftButton, Qt::LeftButton)));
+    pens.move(at(x + 5, 300, Qt::NoButton, Qt::LeftButton));
+    EXPECT_EQ(mouse.target().X_DH.p != mouse_at, first);
+    EXPECT_EQ(other.target().X_DH.p != other_at, !first);
+    pens.release(at(x + 5, 300, Qt::LeftButton, {}));
+  }
+  mouse.setFollow(true);
+  TwoPens pens(mouse, other);
+  EXPECT_TRUE(pens.press(at(508, 300, Qt::LeftButton, Qt::LeftButton)));
+  EXPECT_EQ(mouse.target().buttons, 1u) << "while it follows the mouse, the button is the first one's";
 }
 
 TEST_F(MouseStylusTest, TheTipFollowsTheCursorInThePlaneOfTheScreen) {
