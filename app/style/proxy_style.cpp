@@ -3,12 +3,12 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QHeaderView>
-#include <QLineEdit>
-#include <QListView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSlider>
@@ -25,11 +25,17 @@ namespace {
 constexpr int kSwitchWidth = 30;
 constexpr int kSwitchHeight = 16;
 
-bool isSwitch(const QWidget* widget) { return widget && widget->property("switch").toBool(); }
+bool isSwitch(const QWidget* widget) {
+  return widget && widget->property("switch").toBool();
+}
 
-bool isLargeSwitch(const QWidget* widget) { return widget && widget->property("switch").toString() == "large"; }
+bool isLargeSwitch(const QWidget* widget) {
+  return widget && widget->property("switch").toString() == "large";
+}
 
-bool isCompact(const QWidget* widget) { return widget && widget->property("compact").toBool(); }
+bool isCompact(const QWidget* widget) {
+  return widget && widget->property("compact").toBool();
+}
 
 QColor fieldFrame(const QStyleOption* option) {
   const Theme& theme = themeOf(option->palette);
@@ -61,46 +67,73 @@ bool ProxyStyle::eventFilter(QObject* watched, QEvent* event) {
 
 int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
   switch (metric) {
-    case PM_SmallIconSize: return 16;
-    case PM_ToolBarIconSize: return 20;
-    case PM_IndicatorWidth: return isLargeSwitch(widget) ? 54 : isSwitch(widget) ? kSwitchWidth : 16;
-    case PM_IndicatorHeight: return isLargeSwitch(widget) ? 28 : kSwitchHeight;
-    case PM_CheckBoxLabelSpacing: return 8;
-    case PM_DockWidgetSeparatorExtent: return 1;
-    case PM_SplitterWidth: return 1;
-    case PM_ScrollBarExtent: return 12;
-    case PM_ScrollBarSliderMin: return 28;
-    case PM_DockWidgetFrameWidth: return 1;  // Of floating ones.
-    case PM_FocusFrameHMargin: return qobject_cast<const QListView*>(widget) ? 7 : 3;
+    case PM_SmallIconSize:
+      return 16;
+    case PM_ToolBarIconSize:
+      return 20;
+    case PM_IndicatorWidth:
+      return isLargeSwitch(widget) ? 54 : isSwitch(widget) ? kSwitchWidth : 16;
+    case PM_IndicatorHeight:
+      return isLargeSwitch(widget) ? 28 : kSwitchHeight;
+    case PM_CheckBoxLabelSpacing:
+      return 8;
+    case PM_DockWidgetSeparatorExtent:
+      return 1;
+    case PM_SplitterWidth:
+      return 1;
+    case PM_ScrollBarExtent:
+      return 12;
+    case PM_ScrollBarSliderMin:
+      return 28;
+    case PM_DockWidgetFrameWidth:
+      return 1;  // Of floating ones.
+    case PM_FocusFrameHMargin:
+      return qobject_cast<const QListView*>(widget) ? 7 : 3;
     case PM_ToolBarFrameWidth:
     case PM_TabBarTabShiftVertical:
     case PM_TabBarTabShiftHorizontal:
     case PM_TabBarTabOverlap:
     case PM_TabBarBaseHeight:
-    case PM_TabBarBaseOverlap: return 0;
-    case PM_ToolBarItemSpacing: return 2;
-    case PM_ToolBarItemMargin: return 4;
-    case PM_TabBarTabHSpace: return 28;
-    case PM_TabBarTabVSpace: return 12;
-    case PM_DefaultFrameWidth: return qobject_cast<const QAbstractItemView*>(widget) ? 0 : 1;
+    case PM_TabBarBaseOverlap:
+      return 0;
+    case PM_ToolBarItemSpacing:
+      return 2;
+    case PM_ToolBarItemMargin:
+      return 4;
+    case PM_TabBarTabHSpace:
+      return 28;
+    case PM_TabBarTabVSpace:
+      return 12;
+    case PM_DefaultFrameWidth:
+      return qobject_cast<const QAbstractItemView*>(widget) ? 0 : 1;
     case PM_ButtonShiftHorizontal:
-    case PM_ButtonShiftVertical: return 0;
-    case PM_TreeViewIndentation: return 18;
-    default: return QProxyStyle::pixelMetric(metric, option, widget);
+    case PM_ButtonShiftVertical:
+      return 0;
+    case PM_TreeViewIndentation:
+      return 18;
+    default:
+      return QProxyStyle::pixelMetric(metric, option, widget);
   }
 }
 
 int ProxyStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* data) const {
   switch (hint) {
-    case SH_UnderlineShortcut: return 0;
-    case SH_ToolTip_WakeUpDelay: return 500;
-    case SH_ComboBox_Popup: return 0;
-    case SH_TabBar_Alignment: return Qt::AlignLeft;
-    case SH_DialogButtonBox_ButtonsHaveIcons: return 0;
+    case SH_UnderlineShortcut:
+      return 0;
+    case SH_ToolTip_WakeUpDelay:
+      return 500;
+    case SH_ComboBox_Popup:
+      return 0;
+    case SH_TabBar_Alignment:
+      return Qt::AlignLeft;
+    case SH_DialogButtonBox_ButtonsHaveIcons:
+      return 0;
     case SH_EtchDisabledText:
-    case SH_DitherDisabledText: return 0;
-    default: return QProxyStyle::styleHint(hint, option, widget, data);
+    case SH_DitherDisabledText:
+      return 0;
+    default:
+      return QProxyStyle::styleHint(hint, option, widget, data);
   }
 }
 
@@ -111,8 +144,12 @@ QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option
     case CT_PushButton:
     case CT_ComboBox:
     case CT_LineEdit:
-    case CT_SpinBox: result.setHeight(kFieldHeight); break;
-    case CT_MenuBarItem: result = QSize(size.width() + 16, 28); break;
+    case CT_SpinBox:
+      result.setHeight(kFieldHeight);
+      break;
+    case CT_MenuBarItem:
+      result = QSize(size.width() + 16, 28);
+      break;
     case CT_MenuItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
       if (item && item->menuItemType != QStyleOptionMenuItem::Separator) result.setHeight(qMax(result.height(), 26));
@@ -127,15 +164,20 @@ QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option
       result.setWidth(chosen ? tab->fontMetrics.horizontalAdvance(words) + 28 : 34);
       break;
     }
-    case CT_ItemViewItem: result.setHeight(qMax(result.height(), kRowHeight)); break;
-    case CT_HeaderSection: result.setHeight(kFieldHeight); break;
+    case CT_ItemViewItem:
+      result.setHeight(qMax(result.height(), kRowHeight));
+      break;
+    case CT_HeaderSection:
+      result.setHeight(kFieldHeight);
+      break;
     case CT_ToolButton: {
       const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
       if (button && button->toolButtonStyle == Qt::ToolButtonTextUnderIcon)
         result = QSize(qMax(size.width() + 12, 52), 48);
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return result;
 }
@@ -162,16 +204,27 @@ QRect ProxyStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
     const QRect groove = bar->rect;
     const int length = vertical ? groove.height() : groove.width();
     const int range = qMax(1, bar->maximum - bar->minimum);
-    const int handle = bar->maximum > bar->minimum
-                           ? qBound(28, static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep)), length)
-                           : length;
-    const int start = sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - handle, bar->upsideDown);
+    const int handle =
+        bar->maximum > bar->minimum
+            ? qBound(28, static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep)),
+                     length)
+            : length;
+    const int start =
+        sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - handle, bar->upsideDown);
     switch (part) {
-      case SC_ScrollBarGroove: return groove;
-      case SC_ScrollBarSlider: return vertical ? QRect(groove.left(), start, groove.width(), handle) : QRect(start, groove.top(), handle, groove.height());
-      case SC_ScrollBarSubPage: return vertical ? QRect(groove.left(), 0, groove.width(), start) : QRect(0, groove.top(), start, groove.height());
-      case SC_ScrollBarAddPage: return vertical ? QRect(groove.left(), start + handle, groove.width(), length - start - handle) : QRect(start + handle, groove.top(), length - start - handle, groove.height());
-      default: return {};
+      case SC_ScrollBarGroove:
+        return groove;
+      case SC_ScrollBarSlider:
+        return vertical ? QRect(groove.left(), start, groove.width(), handle)
+                        : QRect(start, groove.top(), handle, groove.height());
+      case SC_ScrollBarSubPage:
+        return vertical ? QRect(groove.left(), 0, groove.width(), start)
+                        : QRect(0, groove.top(), start, groove.height());
+      case SC_ScrollBarAddPage:
+        return vertical ? QRect(groove.left(), start + handle, groove.width(), length - start - handle)
+                        : QRect(start + handle, groove.top(), length - start - handle, groove.height());
+      default:
+        return {};
     }
   }
   return QProxyStyle::subControlRect(control, option, part, widget);
@@ -182,16 +235,23 @@ void ProxyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
   const Theme& theme = themeOf(option->palette);
   switch (element) {
     case PE_PanelButtonCommand:
-    case PE_PanelButtonTool: drawButtonPanel(painter, option, widget); return;
-    case PE_FrameDefaultButton: return;
+    case PE_PanelButtonTool:
+      drawButtonPanel(painter, option, widget);
+      return;
+    case PE_FrameDefaultButton:
+      return;
     case PE_IndicatorCheckBox:
       if (isSwitch(widget))
         drawSwitch(painter, option);
       else
         drawIndicator(painter, option, false);
       return;
-    case PE_IndicatorItemViewItemCheck: drawIndicator(painter, option, false); return;
-    case PE_IndicatorRadioButton: drawIndicator(painter, option, true); return;
+    case PE_IndicatorItemViewItemCheck:
+      drawIndicator(painter, option, false);
+      return;
+    case PE_IndicatorRadioButton:
+      drawIndicator(painter, option, true);
+      return;
     case PE_PanelLineEdit:
       if (const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option); frame && frame->lineWidth > 0)
         drawBox(painter, option->rect, theme.field, fieldFrame(option));
@@ -203,17 +263,23 @@ void ProxyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
       painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 1, -1, -1), kRadius, kRadius);
       painter->restore();
       return;
-    case PE_PanelItemViewRow: return;
+    case PE_PanelItemViewRow:
+      return;
     case PE_PanelItemViewItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
       const bool selected = option->state.testFlag(State_Selected);
       const bool hover = option->state.testFlag(State_MouseOver);
-      if (selected) painter->fillRect(option->rect, theme.selected_row);
-      else if (hover) painter->fillRect(option->rect, theme.header);
-      else if (item && item->backgroundBrush.style() != Qt::NoBrush) painter->fillRect(option->rect, item->backgroundBrush);
+      if (selected)
+        painter->fillRect(option->rect, theme.selected_row);
+      else if (hover)
+        painter->fillRect(option->rect, theme.header);
+      else if (item && item->backgroundBrush.style() != Qt::NoBrush)
+        painter->fillRect(option->rect, item->backgroundBrush);
       return;
     }
-    case PE_IndicatorDockWidgetResizeHandle: painter->fillRect(option->rect, theme.line); return;
+    case PE_IndicatorDockWidgetResizeHandle:
+      painter->fillRect(option->rect, theme.line);
+      return;
     case PE_FrameDockWidget:
       painter->setPen(theme.line);
       painter->setBrush(Qt::NoBrush);
@@ -221,11 +287,17 @@ void ProxyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
       return;
     case PE_IndicatorTabClose:
     case PE_FrameStatusBarItem:
-    case PE_FrameTabBarBase: return;
-    case PE_PanelMenu: drawBox(painter, option->rect, theme.header, theme.line, 0.0); return;
-    case PE_FrameMenu: return;
+    case PE_FrameTabBarBase:
+      return;
+    case PE_PanelMenu:
+      drawBox(painter, option->rect, theme.header, theme.line, 0.0);
+      return;
+    case PE_FrameMenu:
+      return;
     case PE_PanelStatusBar:
-    case PE_PanelMenuBar: painter->fillRect(option->rect, theme.window); return;
+    case PE_PanelMenuBar:
+      painter->fillRect(option->rect, theme.window);
+      return;
     case PE_IndicatorBranch: {
       if (!option->state.testFlag(State_Children)) return;
       painter->save();
@@ -235,7 +307,8 @@ void ProxyStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
       painter->restore();
       return;
     }
-    default: QProxyStyle::drawPrimitive(element, option, painter, widget);
+    default:
+      QProxyStyle::drawPrimitive(element, option, painter, widget);
   }
 }
 
@@ -258,13 +331,16 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
         QProxyStyle::drawControl(element, &quiet, painter, widget);
       }
       return;
-    case CE_MenuBarEmptyArea: painter->fillRect(option->rect, theme.window); return;
+    case CE_MenuBarEmptyArea:
+      painter->fillRect(option->rect, theme.window);
+      return;
     case CE_MenuBarItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
       const bool active = option->state.testFlag(State_Selected) || option->state.testFlag(State_Sunken);
       painter->fillRect(option->rect, active ? theme.selected_row : theme.window);
       painter->setPen(option->state.testFlag(State_Enabled) ? theme.text1 : theme.text3);
-      painter->drawText(option->rect, Qt::AlignCenter | Qt::TextShowMnemonic | Qt::TextHideMnemonic, item ? item->text : QString());
+      painter->drawText(option->rect, Qt::AlignCenter | Qt::TextShowMnemonic | Qt::TextHideMnemonic,
+                        item ? item->text : QString());
       return;
     }
     case CE_ToolBar: {
@@ -272,7 +348,9 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
       painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1), theme.line);
       return;
     }
-    case CE_Splitter: painter->fillRect(option->rect, theme.line); return;
+    case CE_Splitter:
+      painter->fillRect(option->rect, theme.line);
+      return;
     case CE_PushButtonLabel: {
       const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
       if (!button) break;
@@ -305,8 +383,11 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
         return;
       }
       break;
-    case CE_ProgressBarGroove: drawBox(painter, option->rect, theme.field, theme.line, 2.0); return;
-    default: break;
+    case CE_ProgressBarGroove:
+      drawBox(painter, option->rect, theme.field, theme.line, 2.0);
+      return;
+    default:
+      break;
   }
   QProxyStyle::drawControl(element, option, painter, widget);
 }
@@ -320,13 +401,15 @@ void ProxyStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
     QColor fill = enabled ? theme.button : theme.dock;
     if (hover) fill = theme.dark ? fill.lighter(112) : fill.darker(104);
     drawBox(painter, option->rect, fill, fieldFrame(option));
-    drawChevron(painter, subControlRect(control, option, SC_ComboBoxArrow, widget), enabled ? theme.text1 : theme.text3);
+    drawChevron(painter, subControlRect(control, option, SC_ComboBoxArrow, widget),
+                enabled ? theme.text1 : theme.text3);
     return;
   }
   if (control == CC_SpinBox) {
     const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
     if (box && box->buttonSymbols == QAbstractSpinBox::NoButtons) {
-      drawBox(painter, option->rect, option->state.testFlag(State_Enabled) ? theme.field : theme.dock, fieldFrame(option));
+      drawBox(painter, option->rect, option->state.testFlag(State_Enabled) ? theme.field : theme.dock,
+              fieldFrame(option));
       return;
     }
   }

@@ -28,7 +28,7 @@ struct NetworkOptions {
   double hello_time = 2.0;            ///< A client must have said hello by then.
   double silence_time = 5.0;          ///< A client that is silent for so long is given up.
   double takeover_time = 0.8;         ///< A controller silent for so long makes room for another.
-  int priority = 0;  ///< SCHED_FIFO for the network thread where granted, below the force thread's; 0: none.
+  int priority = 0;            ///< SCHED_FIFO for the network thread where granted, below the force thread's; 0: none.
   DeviceCare* care = nullptr;  ///< The device's; outlives the server. Null: it wants nothing of its user.
   std::function<void(const std::string&)> report{};  ///< Told what happens, in sentences, on the network thread.
 };
