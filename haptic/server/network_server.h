@@ -40,8 +40,8 @@ struct NetworkOptions {
 class NetworkServer {
  public:
   /// Binds and starts. Errors: an address that is not one, is not this machine's or is beyond loopback without
-  /// a key; a port in use. `loop` and `clock` must outlive the server; a loop has one server at a
-  /// time.
+  /// a key; a port in use. `loop` and `clock` must outlive the server, and a loop has one server at
+  /// a time.
   static Expected<std::unique_ptr<NetworkServer>> start(ForceLoop& loop, const Clock& clock,
                                                         const DeviceDescription& device, const NetworkOptions& options);
   ~NetworkServer();  ///< Closes every connection; the loop's link closes with them.
