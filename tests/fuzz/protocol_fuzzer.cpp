@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A stream of any bytes, in pieces, against the frame reader and the decoder; what is accepted must survive a round
 // trip.
-#include <algorithm>
-#include <cstdlib>
-
 #include "haptic/protocol/codec.h"
+#include "tests/fuzz/fuzz_check.h"
 
 using namespace hapticell::haptic;
+using hapticell::fuzz::check;
 
 namespace {
-
-void check(bool condition) {
-  if (!condition) std::abort();
-}
 
 void roundTrip(const Message& message) {
   Encoder encoder;
@@ -31,11 +26,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (decode(bytes, message)) roundTrip(message);
   FrameReader reader;
   const std::size_t piece = size > 0 ? 1 + data[0] : 1;
-  for (std::size_t begin = 0; begin < size; begin += piece) {
-    reader.append(bytes.subspan(begin, std::min(piece, size - begin)));
+  hapticell::fuzz::inPieces(bytes, piece, [&](auto next) {
+    reader.append(next);
     for (auto frame = reader.next(); frame && !frame->empty(); frame = reader.next()) {
       if (decode(*frame, message)) roundTrip(message);
     }
-  }
+  });
   return 0;
 }

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Runs fuzz targets one after the other, each for SECONDS (60): tests/fuzz/run.sh [-s SECONDS] [TARGET...]
+# Runs fuzz targets one after the other until each has run for SECONDS (60) in all: tests/fuzz/run.sh [-s SECONDS] [TARGET...]
+# May be ended and called again: what a target has run is kept beside its corpus, and only the rest is run.
 # Seeds: tests/fuzz/corpus/TARGET and tests/importer/malformed. What is found new stays in build/fuzz/corpus/TARGET; what
-# crashes, in build/fuzz/findings. Ends with 1 when something was found.
+# crashes, in build/fuzz/findings. A finding takes the target back to none. Ends with 1 when something was found.
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 seconds=60
@@ -12,19 +13,29 @@ build=$root/build/fuzz
 mkdir -p "$build/findings"
 # Readers of files get theirs in memory where the system has such a place.
 [ -d /dev/shm ] && TMPDIR=${TMPDIR:-/dev/shm} && export TMPDIR
+piece=300  # Seconds at a stretch, so that little is lost when the whole is ended.
 found=0
 for target in "$@"; do
   mkdir -p "$build/corpus/$target"
   seeds=$root/tests/fuzz/corpus/$target
   [ -d "$seeds" ] || seeds=
   log=$build/findings/$target.log
-  if nice "$build/bin/${target}_fuzzer" -max_total_time="$seconds" -max_len=8192 -timeout=10 -rss_limit_mb=2048 \
-      -artifact_prefix="$build/findings/$target-" "$build/corpus/$target" $seeds "$root/tests/importer/malformed" \
-      >"$log" 2>&1; then
-    echo "$target: $(grep -o 'Done [0-9]* runs in [0-9]* second' "$log")s, nothing found"
-  else
-    found=1
-    echo "$target: $(grep -m1 -E 'ERROR|SUMMARY|runtime error' "$log"), see $log"
-  fi
+  run=$build/corpus/$target.seconds
+  ran=$(cat "$run" 2>/dev/null || echo 0)
+  while [ "$ran" -lt "$seconds" ]; do
+    now=$((seconds - ran < piece ? seconds - ran : piece))
+    if nice "$build/bin/${target}_fuzzer" -max_total_time="$now" -max_len=8192 -timeout=10 -rss_limit_mb=2048 \
+        -artifact_prefix="$build/findings/$target-" "$build/corpus/$target" $seeds "$root/tests/importer/malformed" \
+        >"$log" 2>&1; then
+      ran=$((ran + now))
+      echo "$ran" >"$run"
+    else
+      found=1
+      rm -f "$run"
+      echo "$target: $(grep -m1 -E 'ERROR|SUMMARY|runtime error' "$log"), see $log"
+      continue 2
+    fi
+  done
+  echo "$target: ${ran}s, $(find "$build/corpus/$target" -type f | wc -l) inputs kept, nothing found"
 done
 exit $found
