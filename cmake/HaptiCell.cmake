@@ -15,7 +15,8 @@ endif()
 
 find_program(HAPTICELL_CCACHE ccache)
 if(HAPTICELL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${HAPTICELL_CCACHE}")
+  # Without this ccache leaves out whatever uses a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${HAPTICELL_CCACHE}")
 endif()
 
 add_library(hapticell_warnings INTERFACE)
