@@ -50,11 +50,14 @@ class MannequinManipulator final : public MannequinBody {
                                    const Pose& X_WM) const;
   dvec3 wantedHand(const Pose& X_WM) const;
   dvec3 beyondComfort(const Pose& X_WM, const Feet& X_WF) const;
+  double mindingTheHand(double turn, const Pose& X_WM, const Feet& X_WF) const;
   double turnToFace(const Pose& X_WM, const Feet& X_WF) const;
-  mannequin::Posture standAgain(const Feet& down, const mannequin::Posture& posture, const Pose& X_WM) const;
+  mannequin::Posture followStanding(const Pose& X_WM, const Feet& feet, const mannequin::Posture& posture) const;
+  mannequin::Posture unwound(const mannequin::Posture& start, const Feet& feet) const;
   mannequin::Posture untwisted(const mannequin::Posture& posture, const Feet& feet) const;
   std::optional<mannequin::Posture> goTo(Feet stepped, const Feet& feet, const mannequin::Posture& posture,
-                                         const Pose& X_WM) const;
+                                         const Pose* X_WM) const;
+  bool walksWell(const mannequin::Posture& posture, const Feet& feet) const;
   EntityConfiguration proposeStepping(const mannequin::Posture& from, const Pose& X_WM, double duration_s) const;
   double wishedTurn(const Pose& X_WM, const mannequin::Posture& posture, const Feet& X_WF) const;
   bool isBoth() const { return hands_ == Hands::kBoth || hands_ == Hands::kBothApart; }

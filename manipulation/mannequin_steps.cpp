@@ -30,6 +30,7 @@ constexpr double kLongestLeg = 0.995;  ///< Of a straight one.
 constexpr int kHeelTries = 5;
 constexpr double kHeelStep = 0.15;  ///< rad
 constexpr int kPelvisPasses = 6;
+constexpr double kLeastShare = 1e-3;  ///< Of a way that is gone at all.
 
 double headingOf(const dquat& q) {
   const dvec3 ahead = q * dvec3(1.0, 0.0, 0.0);
@@ -77,13 +78,39 @@ struct Gait {
     const double length = std::hypot(front.x, front.y);
     const double forward = length > 1e-6 ? std::abs(front.x * along.x + front.y * along.y) / length : 1.0;
     const double outward = glm::dot(stance(foot), along) > 0.0 ? kSideStep : 0.0;
-    return kStride * forward + outward * (1.0 - forward) - ahead(foot);
+    return std::min(kStride * forward + outward * (1.0 - forward) - ahead(foot), roomToOther(foot));
+  }
+  dvec3 outwardOf(std::size_t foot) const { return upright(heading) * dvec3(0.0, foot == 0 ? 1.0 : -1.0, 0.0); }
+  double apart(std::size_t foot, const dvec3& p) const { return glm::dot(p - now[1 - foot].p, outwardOf(foot)); }
+  /// m that it may go until it would be across the other one.
+  double roomToOther(std::size_t foot) const {
+    const double nearer = -glm::dot(along, outwardOf(foot));
+    return nearer > 1e-3 ? std::max(0.0, apart(foot, now[foot].p) - kLeastApart) / nearer : kStride + kSideStep;
   }
   /// rad that it has to turn: as far as the other one allows.
   double lag(std::size_t foot) const {
     if (!turns) return 0.0;
     const double other = yaw[1 - foot];
     return std::clamp(goal, other - kMostApart, other + kMostApart) - yaw[foot];
+  }
+  /// Where a lifted foot is after `most` (m) along the floor.
+  Pose gone(std::size_t foot, double most) const {
+    Pose moved = now[foot];
+    const bool round = std::abs(lag(foot)) > kTurned;
+    if (round) {
+      // About the other foot by half: when that has come round as well, both stand beside each other as before.
+      const double turn = std::clamp(lag(foot), -most / kTurnLever, most / kTurnLever);
+      const dvec3& pivot = now[1 - foot].p;
+      dvec3 way = upright(0.5 * turn) * (moved.p - pivot) + pivot - moved.p;
+      way.z = 0.0;
+      const double length = glm::length(way);
+      moved.p += std::min(1.0, most / std::max(1e-12, length)) * way;
+      moved.q = glm::normalize(upright(turn) * moved.q);
+    }
+    if (room(foot) > kLeastStride) moved.p += std::min(room(foot), round ? 0.5 * most : most) * along;
+    const double close = kLeastApart - apart(foot, moved.p);
+    if (close > 0.0) moved.p += std::min(close, most) * outwardOf(foot);
+    return moved;
   }
   /// The foot that is in the air, else the one that begins: to turn, behind the other, or on the side that it goes to.
   std::optional<std::size_t> next() const {
@@ -96,7 +123,8 @@ struct Gait {
     const std::size_t foot = std::abs(ahead(0)) > kLeastStride  ? (ahead(0) < 0.0 ? 0 : 1)
                              : glm::dot(stance(0), along) > 0.0 ? 0
                                                                 : 1;
-    if (room(foot) > kLeastStride) return foot;
+    for (const std::size_t one : {foot, 1 - foot})
+      if (room(one) > kLeastStride) return one;
     return std::nullopt;
   }
 };
@@ -153,42 +181,20 @@ FootPlaces nextFeet(const FootPlaces& taken, const FootPlaces& now, const StepWi
   const std::optional<std::size_t> next = gait.next();
   if (!next) return feet;
   const std::size_t foot = *next;
-  const double height = gait.height(foot), room = gait.room(foot), lag = gait.lag(foot);
-  const bool strides = room > kLeastStride, turns = std::abs(lag) > kTurned;
-  Pose moved = feet[foot];
-  if (turns) {
-    // About the other foot by half: when that has come round as well, both stand beside each other as before.
-    const double turn = std::clamp(lag, -most / kTurnLever, most / kTurnLever);
-    const dvec3& pivot = feet[1 - foot].p;
-    dvec3 way = upright(0.5 * turn) * (moved.p - pivot) + pivot - moved.p;
-    way.z = 0.0;
-    const double length = glm::length(way);
-    moved.p += std::min(1.0, most / std::max(1e-12, length)) * way;
-    moved.q = glm::normalize(upright(turn) * moved.q);
+  const double height = gait.height(foot);
+  const bool goes = gait.room(foot) > kLeastStride || std::abs(gait.lag(foot)) > kTurned;
+  // Straight up, along, straight down.
+  if (!goes || height < kLift - kOnFloor) {
+    feet[foot].p.z = taken[foot].p.z + (goes ? std::min(kLift, height + most) : std::max(0.0, height - most));
+    return feet;
   }
-  if (strides) moved.p += std::min(room, turns ? 0.5 * most : most) * gait.along;
-  // Never across the other one.
-  const dvec3 outward = upright(gait.heading) * dvec3(0.0, foot == 0 ? 1.0 : -1.0, 0.0);
-  const double apart = glm::dot(moved.p - feet[1 - foot].p, outward);
-  if (apart < kLeastApart) moved.p += std::min(kLeastApart - apart, most) * outward;
-  moved.p.z = taken[foot].p.z + (strides || turns ? std::min(kLift, height + most) : std::max(0.0, height - most));
-  feet[foot] = moved;
+  feet[foot] = gait.gone(foot, most);
   return feet;
 }
 
-FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now, double most) {
+FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now) {
   FootPlaces feet = standingFeet(taken, now);
-  for (std::size_t i = 0; i < 2; ++i) feet[i].p.z = std::max(taken[i].p.z, feet[i].p.z - most);
-  return feet;
-}
-
-FootPlaces homeward(const FootPlaces& taken, const FootPlaces& now, double most) {
-  FootPlaces feet = standingFeet(taken, now);
-  const std::size_t foot = feet[0].p.z - taken[0].p.z > feet[1].p.z - taken[1].p.z ? 0 : 1;
-  dvec3 way = Gait(taken, feet, {}).stance(foot) - (feet[foot].p - feet[1 - foot].p);
-  way.z = 0.0;
-  const double length = glm::length(way);
-  if (length > 0.0) feet[foot].p += std::min(1.0, most / length) * way;
+  for (std::size_t i = 0; i < 2; ++i) feet[i].p.z = taken[i].p.z;
   return feet;
 }
 
@@ -250,6 +256,22 @@ std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mann
     if (!standLeg(figure, side, lifted, to[i], posture)) return std::nullopt;
   }
   return posture;
+}
+
+mannequin::Posture stoodOn(const mannequin::Figure& figure, const mannequin::Posture& start,
+                           const mannequin::Posture& there, const FootPlaces& feet) {
+  for (double share = 1.0; share >= kLeastShare; share *= 0.5) {
+    FootPlaces places = feet;
+    mannequin::Posture posture = share < 1.0 ? mannequin::interpolate(start, there, share) : there;
+    bool stands = true;
+    for (const mannequin::Side side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+      const std::size_t i = static_cast<std::size_t>(side);
+      const bool lifted = feet[i].p.z > std::min(feet[0].p.z, feet[1].p.z) + kOnFloor;
+      stands = stands && standLeg(figure, side, lifted, places[i], posture);
+    }
+    if (stands) return posture;
+  }
+  return start;
 }
 
 }  // namespace hapticell::manipulation

@@ -48,16 +48,18 @@ std::optional<std::size_t> footToLift(const FootPlaces& taken, const FootPlaces&
 /// (m) along the floor and as much up or down.
 FootPlaces nextFeet(const FootPlaces& taken, const FootPlaces& now, const StepWish& wish, double most);
 
-/// A lifted foot put down where it is, by `most` (m).
-FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now, double most);
-
-/// A lifted foot brought back towards its place beside the other, by `most` (m).
-FootPlaces homeward(const FootPlaces& taken, const FootPlaces& now, double most);
+/// A lifted foot put down at once where it is.
+FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now);
 
 /// A posture that goes along with its feet: the pelvis by the mean of their ways, turned by `turn` (rad) about the
 /// middle between them, and to where neither leg is quite straight; the legs follow in closed form. The heel of a
 /// lifted foot in `to` may rise for it. Nothing where the limits of the legs do not let them.
 std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mannequin::Posture posture,
                                            const FootPlaces& from, FootPlaces& to, double turn = 0.0);
+
+/// `there`, or as much of the way to it from `start` as the legs, in closed form, let both feet be exactly where `feet`
+/// has them; `start` itself where that is nothing. No foot glides by it, whatever the solver left.
+mannequin::Posture stoodOn(const mannequin::Figure& figure, const mannequin::Posture& start,
+                           const mannequin::Posture& there, const FootPlaces& feet);
 
 }  // namespace hapticell::manipulation

@@ -23,6 +23,8 @@ constexpr double kComfortSlack = 4e-4;       ///< m^2, 20 mm: what closed-form a
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
 constexpr double kMostTickTurn = 1.8 * kDegree;
 constexpr double kComfortableStretch = 0.985;
+constexpr StepLimits kRelaxing{1.2 * kDegree, 1e-2, 0.5};
+constexpr int kRefusals = 6;
 
 PostureResult resultOf(const BodySolver& solver, const Posture& start, const FigurePose& start_pose,
                        const ResolvedTask& task) {
@@ -198,6 +200,27 @@ PostureResult PostureSolver::follow(const PostureTask& task, const Posture& from
     for (int i = 0; i < 5 && solver.errors().relative_position > 1e-9; ++i) solver.step({kTickTurn, 1e-1, 0.0});
     const bool slipped = solver.errors().relative_position > 5e-7 || solver.errors().relative_orientation > 5e-7;
     if (slipped) solver.set(before);
+  }
+  return resultOf(solver, from, start_pose, resolved);
+}
+
+PostureResult PostureSolver::relax(const PostureTask& task, const Posture& from) const {
+  PostureTask loose = task;
+  loose.held.reset();
+  loose.hands = {};
+  const FigurePose start_pose = forwardKinematics(*figure_, from);
+  const ResolvedTask resolved = resolve(*figure_, loose, start_pose);
+  BodySolver solver(*figure_, resolved);
+  solver.set(stateOf(from));
+  StepLimits limits = kRelaxing;
+  for (int taken = 0, refused = 0; taken < 3 && refused < kRefusals;) {
+    if (solver.step(limits)) {
+      ++taken;
+      continue;
+    }
+    ++refused;
+    limits.turn *= 0.5;
+    limits.comfort *= 0.5;
   }
   return resultOf(solver, from, start_pose, resolved);
 }

@@ -68,6 +68,10 @@ class PostureSolver {
   /// The posture's elbows swing, they never jump.
   PostureResult follow(const PostureTask& task, const Posture& from) const;
 
+  /// One tick of letting go: trunk and pelvis go towards where they are comfortable, within all limits and by about 4
+  /// degrees at most; the feet stay where the task has them, and hands that it names are not minded.
+  PostureResult relax(const PostureTask& task, const Posture& from) const;
+
  private:
   const Figure* figure_;
 };

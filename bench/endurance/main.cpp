@@ -26,7 +26,7 @@ struct Words {
   double virtual_hours = 0.0, real_minutes = 0.0;
   double shift_s = 30.0;
   std::uint64_t seed = 1;
-  std::string log;
+  std::string log, only, keep;
 };
 
 volatile std::sig_atomic_t asked_to_end = 0;  // Ctrl+C: the figures so far are told.
@@ -74,6 +74,7 @@ struct Totals {
   void add(const ShiftReport& report) {
     hand_s += report.hand_s;
     ++shifts;
+    if (report.left_out) return;
     imports += report.imported ? 1 : 0;
     frames += report.frames;
     force = std::max(force, report.force_max_n);
@@ -135,6 +136,8 @@ int run(const Words& words) {
     std::fprintf(stderr, "%s\n", day.error().message().c_str());
     return 2;
   }
+  day->workOnlyIn(words.only);
+  day->keepWorst(words.keep);
   const double asked = real ? 60.0 * words.real_minutes : 3600.0 * words.virtual_hours;
   const auto begin = std::chrono::steady_clock::now();
   const auto elapsed = [&begin] {
@@ -150,7 +153,7 @@ int run(const Words& words) {
   while ((real ? elapsed() : totals.hand_s) < asked && totals.broken.size() < 100 && asked_to_end == 0) {
     const ShiftReport report = day->work(words.shift_s);
     totals.add(report);
-    if (log.is_open()) {
+    if (log.is_open() && !report.left_out) {
       log << totals.shifts << ',' << elapsed() << ',' << totals.memory.back() << ',' << totals.allocated.back() << ','
           << report.step_median_ms << ',' << report.step_p99_ms << ',' << 1e3 * report.energy_j << ',' << report.what
           << std::endl;
@@ -176,6 +179,9 @@ int main(int argc, char** argv) {
   app.add_option("--shift", words.shift_s, "Seconds of one session")->check(CLI::Range(1.0, 600.0));
   app.add_option("--seed", words.seed, "Another seed, another day");
   app.add_option("--log", words.log, "CSV, a line a session: seconds, memory, steps, what was taken");
+  app.add_option("--only", words.only, "Sessions of one cell: demo, workbench or car_door; the others are left out")
+      ->check(CLI::IsMember({"demo", "workbench", "car_door"}));
+  app.add_option("--keep", words.keep, "Folder for the session of the worst energy, to be run again by itself");
   CLI11_PARSE(app, argc, argv);
   if (words.virtual_hours <= 0.0 && words.real_minutes <= 0.0) {
     std::fprintf(stderr, "nothing to do: give --virtual-hours or --real-minutes\n");

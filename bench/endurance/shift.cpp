@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "bench/endurance/kept_session.h"
 #include "bench/endurance/random_hand.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"
@@ -53,16 +54,16 @@ Expected<Day> Day::begin(std::uint64_t seed, const std::filesystem::path& folder
   day.device_ = *profile;
 
   const std::vector<std::pair<const char*, std::vector<std::string>>> cells = {
-      {"workcells/demo.hcell", {"robot", "Housing 4712", "Housing 4713", "Housing 4714"}},
-      {"workcells/workbench.hcell", {"operator", "housing", "cover", "screwdriver"}},
-      {"workcells/car_door.hcell", {"door"}}};
+      {"demo", {"robot", "Housing 4712", "Housing 4713", "Housing 4714"}},
+      {"workbench", {"operator", "housing", "cover", "screwdriver"}},
+      {"car_door", {"door"}}};
   for (const auto& [name, movable] : cells) {
-    const auto file = config::findShippedFile(name);
+    const auto file = config::findShippedFile(std::string("workcells/") + name + ".hcell");
     if (!file) return tl::unexpected(file.error());
     Diagnostics diagnostics;
     auto document = workcell::loadDocument(*file, diagnostics);
     if (!document) return tl::unexpected(document.error());
-    day.cells_.push_back({std::move(*document), movable});
+    day.cells_.push_back({name, std::move(*document), movable});
   }
   return day;
 }
@@ -71,8 +72,15 @@ ShiftReport Day::work(double hand_seconds) {
   ShiftReport report;
   Cell& cell = cells_[draw(cells_.size())];
   const SessionOptions options = drawOptions(cell, hand_seconds);
+  const std::size_t steps_back = 1 + draw(10);
+  if (!only_.empty() && cell.name != only_) {
+    ++shifts_;
+    report.left_out = true;
+    report.hand_s = options.hand.duration();
+    return report;
+  }
   runOneSession(cell, options, report);
-  goThroughHistory(cell, report);
+  goThroughHistory(cell, steps_back, report);
   if (++shifts_ % 4 == 0) saveAndRead(cell, report);
   if (shifts_ % 16 == 0) importAndRemove(cell, report);
   return report;
@@ -137,7 +145,15 @@ void Day::runOneSession(Cell& cell, const SessionOptions& options, ShiftReport& 
     report.broken.push_back("'" + options.entity + "' enters what blocks it by " +
                             std::to_string(1e3 * session->penetration_blocked_m) + " mm");
   }
+  keepIfWorst(cell, options, report);
   keepResult(cell, options, *session, report);
+}
+
+void Day::keepIfWorst(const Cell& cell, const SessionOptions& options, ShiftReport& report) {
+  if (kept_.empty() || report.energy_j >= worst_energy_) return;
+  worst_energy_ = report.energy_j;
+  if (const auto kept = keepSession(cell.document, options, kept_); !kept)
+    report.broken.push_back("the worst session is not kept: " + kept.error().message());
 }
 
 void Day::keepResult(Cell& cell, const SessionOptions& options, const SessionReport& session, ShiftReport& report) {
@@ -167,10 +183,9 @@ void Day::checkRecording(const trajectory::Trajectory& recording, ShiftReport& r
   }
 }
 
-void Day::goThroughHistory(Cell& cell, ShiftReport& report) {
+void Day::goThroughHistory(Cell& cell, std::size_t steps, ShiftReport& report) {
   Document& document = cell.document;
   const std::string before = textOf(document);
-  const std::size_t steps = 1 + draw(10);
   std::size_t undone = 0;
   while (undone < steps && document.undo()) ++undone;
   for (std::size_t i = 0; i < undone; ++i) document.redo();

@@ -25,6 +25,7 @@ struct ShiftReport {
   double energy_j = 0.0;       ///< The worst second; taps of more than 0.25 m/s are among them.
   std::uint64_t frames = 0;    ///< Recorded.
   bool imported = false;
+  bool left_out = false;            ///< Drawn, not run.
   std::vector<std::string> broken;  ///< A sentence for each invariant that did not hold; empty when all did.
 };
 
@@ -42,10 +43,16 @@ class Day {
   /// through the server there. Errors: a shipped file that is not there.
   static Expected<Day> begin(std::uint64_t seed, const std::filesystem::path& folder, int server_port = 0);
 
+  /// Sessions in other cells than this one ("workbench") are drawn but left out: those that remain are the same.
+  void workOnlyIn(std::string cell) { only_ = std::move(cell); }
+  /// The session of the worst energy yet is kept in `folder` (kept_session.h).
+  void keepWorst(std::filesystem::path folder) { kept_ = std::move(folder); }
+
   ShiftReport work(double hand_seconds);
 
  private:
   struct Cell {
+    std::string name;
     workcell::Document document;
     std::vector<std::string> movable;
   };
@@ -55,7 +62,8 @@ class Day {
   void keepResult(Cell& cell, const manipulation::SessionOptions& options, const manipulation::SessionReport& session,
                   ShiftReport& report);
   void checkRecording(const trajectory::Trajectory& recording, ShiftReport& report) const;
-  void goThroughHistory(Cell& cell, ShiftReport& report);
+  void keepIfWorst(const Cell& cell, const manipulation::SessionOptions& options, ShiftReport& report);
+  void goThroughHistory(Cell& cell, std::size_t steps, ShiftReport& report);
   void saveAndRead(Cell& cell, ShiftReport& report) const;
   void importAndRemove(Cell& cell, ShiftReport& report);
 
@@ -66,6 +74,9 @@ class Day {
   std::filesystem::path folder_;
   int server_port_ = 0;
   std::uint64_t shifts_ = 0;
+  std::string only_;
+  std::filesystem::path kept_;
+  double worst_energy_ = 0.0;
   config::Configuration configuration_;
   config::DeviceProfile device_;
   std::vector<Cell> cells_;

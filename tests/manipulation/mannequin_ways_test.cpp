@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to draw a mannequin besides one hand: head, both hands apart, on a seat, stepping; itself in its way; what it
+// Ways to draw a mannequin besides one hand: head, both hands apart, on a seat; itself in its way; what it
 // sees; and the search for a workplace.
 #include <gtest/gtest.h>
 
@@ -12,10 +12,8 @@
 #include "manipulation/mannequin_manipulator.h"
 #include "manipulation/mannequin_own_pairs.h"
 #include "manipulation/mannequin_sight.h"
-#include "manipulation/mannequin_steps.h"
 #include "manipulation/mannequin_workplace.h"
 #include "mannequin/figure_model.h"
-#include "mannequin/support_polygon.h"
 #include "workcell/entity_source.h"
 
 namespace hapticell::manipulation {
@@ -119,109 +117,6 @@ TEST(MannequinManipulator, OnASeatThePelvisStays) {
   for (int i = 0; i < 20; ++i) at = hand.propose(at, wanted, 1.0);
   EXPECT_LT(placeError(hand.movedFrame(at), wanted), 2e-3);
   EXPECT_LT(placeError(at.X_WE, start.X_WE), 1e-6);
-}
-
-/// The right hand drawn by `way`, 6 mm a tick, then held there; the feet may step.
-struct Walk {
-  double left_out = 0.0;  ///< What placeError() leaves.
-  std::array<dvec3, 2> gone{};
-  double highest = 0.0, lowest = 0.0;  ///< Of any foot above where it stood.
-  bool both_lifted = false;
-  double nearest = 1e9;       ///< Of both feet, along the floor.
-  double least_margin = 1e9;  ///< m of the centre of mass between the sole that stands and where the other one lands.
-  double glided = 0.0;        ///< m that a foot went along the floor without being lifted.
-  double turned = 0.0;        ///< rad of the feet's heading in the end.
-};
-/// The hand goes along `path` (m, from where it is), a function of 0 to 1 and of where it is, seen from between the
-/// feet.
-template <typename Path>
-Walk walkAlong(const Path& path, int ticks) {
-  const workcell::Entity entity = worker("both_hands_forward");
-  const EntityConfiguration start{entity.X_WE, entity.joints};
-  MannequinManipulator::Locks locks;
-  locks.may_step = true;
-  const MannequinManipulator hand(entity.figure, entity.robot, Hands::kRight, locks, start, partsOf(entity));
-  const auto before = poseOf(entity, start);
-  Pose wanted = hand.movedFrame(start);
-  EntityConfiguration at = start;
-  Walk walk;
-  const dvec3 from = wanted.p;
-  FootPlaces feet_before = {mannequin::footPose(before, mannequin::Side::kLeft),
-                            mannequin::footPose(before, mannequin::Side::kRight)};
-  const FootPlaces feet_taken = feet_before;
-  const dvec3 arm = from - 0.5 * (feet_taken[0].p + feet_taken[1].p);
-  for (int i = 1; i <= ticks + 300; ++i) {
-    wanted.p = from + path(std::min(1.0, static_cast<double>(i) / ticks), arm);
-    at = hand.propose(at, wanted, 1.0);
-    const auto pose = poseOf(entity, at);
-    const FootPlaces feet = {mannequin::footPose(pose, mannequin::Side::kLeft),
-                             mannequin::footPose(pose, mannequin::Side::kRight)};
-    const auto support = mannequin::supportPolygon(
-        *entity.figure, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
-    const double margin = support.margin(glm::dvec2(mannequin::centerOfMass(*entity.figure, pose)));
-    walk.least_margin = std::min(walk.least_margin, margin);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const bool stood = feet_before[k].p.z < feet_taken[k].p.z + 1e-4 && feet[k].p.z < feet_taken[k].p.z + 1e-4;
-      if (stood)
-        walk.glided =
-            std::max(walk.glided, std::hypot(feet[k].p.x - feet_before[k].p.x, feet[k].p.y - feet_before[k].p.y));
-    }
-    feet_before = feet;
-    walk.turned = turnedFeet(feet_taken, feet);
-    std::array<double, 2> height{};
-    for (const auto side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
-      const std::size_t foot = static_cast<std::size_t>(side);
-      walk.gone[foot] = mannequin::footPose(pose, side).p - mannequin::footPose(before, side).p;
-      height[foot] = walk.gone[foot].z;
-      walk.highest = std::max(walk.highest, height[foot]);
-      walk.lowest = std::min(walk.lowest, height[foot]);
-    }
-    walk.both_lifted = walk.both_lifted || std::min(height[0], height[1]) > 1e-3;
-    const dvec3 apart =
-        mannequin::footPose(pose, mannequin::Side::kLeft).p - mannequin::footPose(pose, mannequin::Side::kRight).p;
-    walk.nearest = std::min(walk.nearest, std::hypot(apart.x, apart.y));
-  }
-  walk.left_out = placeError(hand.movedFrame(at), wanted);
-  return walk;
-}
-
-Walk walkBy(const dvec3& way) {
-  return walkAlong([&](double s, const dvec3&) { return s * way; }, static_cast<int>(glm::length(way) / 0.006));
-}
-
-TEST(MannequinManipulator, WithFreeFeetItWalksOneFootAfterTheOther) {
-  for (const dvec3& way : {dvec3(1.44, 0.0, 0.0), dvec3(0.0, 1.2, 0.0), dvec3(0.0, -1.2, 0.0), dvec3(1.0, 0.6, 0.0)}) {
-    const Walk walk = walkBy(way);  // Far beyond the reach of standing feet.
-    EXPECT_LT(walk.left_out, 5e-3);
-    EXPECT_GT(walk.highest, 0.03) << "it lifts its feet";
-    EXPECT_GT(walk.lowest, -1e-3);
-    EXPECT_FALSE(walk.both_lifted);
-    EXPECT_GT(walk.nearest, 0.06) << "no foot on the other";
-    EXPECT_GT(walk.least_margin, -2e-3) << "between the foot that stands and where the other one lands";
-    EXPECT_LT(walk.glided, 2.5e-3);
-    for (const dvec3& gone : walk.gone) {
-      EXPECT_GT(glm::dot(gone, glm::normalize(way)), 0.2 * glm::length(way));
-      EXPECT_LT(std::abs(gone.z), 1e-3) << "on the floor in the end";
-    }
-  }
-}
-
-TEST(MannequinManipulator, WithFreeFeetItStepsRoundToWhatTheHandWorksAt) {
-  for (const double side : {1.0, -1.0}) {
-    // At arm's length from straight ahead round to the side and a little behind.
-    const auto path = [&](double s, const dvec3& arm) {
-      return glm::angleAxis(side * 1.9 * s, dvec3(0.0, 0.0, 1.0)) * arm - arm;
-    };
-    const Walk walk = walkAlong(path, 300);
-    EXPECT_LT(walk.left_out, 5e-3) << side;
-    EXPECT_GT(side * walk.turned, 0.6) << "the feet came round";
-    EXPECT_GT(walk.highest, 0.03);
-    EXPECT_FALSE(walk.both_lifted);
-    EXPECT_GT(walk.nearest, 0.06);
-    EXPECT_GT(walk.least_margin, -2e-3);
-    EXPECT_LT(walk.glided, 2.5e-3);
-    for (const dvec3& gone : walk.gone) EXPECT_LT(std::abs(gone.z), 1e-3) << "both stand in the end";
-  }
 }
 
 TEST(MannequinOwnPairs, HandsMeetTheBodyButNotTheirOwnArm) {
