@@ -8,6 +8,7 @@
 #include "manipulation/jointed_whole.h"
 #include "manipulation/mannequin_head.h"
 #include "manipulation/mannequin_manipulator.h"
+#include "manipulation/mannequin_taking.h"
 #include "manipulation/robot_base_manipulator.h"
 #include "manipulation/robot_manipulator.h"
 #include "manipulation/solid_manipulator.h"
@@ -85,8 +86,8 @@ Made makeHands(const Taking& taking) {
   const Hands hands = moved_by.kind == Kind::kLeftHand    ? Hands::kLeft
                       : moved_by.kind == Kind::kRightHand ? Hands::kRight
                                                           : both;
-  const MannequinManipulator::Locks locks{moved_by.lock_trunk, moved_by.lock_pelvis, moved_by.on_seat,
-                                          moved_by.may_step};
+  const MannequinManipulator::Locks locks{moved_by.lock_trunk, moved_by.lock_pelvis,  moved_by.on_seat,
+                                          moved_by.may_step,   hangsInTheAir(taking), loadsInHands(taking)};
   return std::make_unique<MannequinManipulator>(taking.entity.figure, taking.entity.robot, hands, locks, taking.stands,
                                                 bodyParts(taking));
 }

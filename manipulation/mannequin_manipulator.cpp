@@ -40,6 +40,7 @@ MannequinManipulator::MannequinManipulator(std::shared_ptr<const mannequin::Figu
       solver_(this->figure()),
       hands_(hands),
       locks_(locks) {
+  locks_.may_step = locks.may_step && !locks.in_air;
   const mannequin::FigurePose pose = mannequin::forwardKinematics(this->figure(), postureOf(taken));
   const Pose left = mannequin::handPose(pose, Side::kLeft), right = mannequin::handPose(pose, Side::kRight);
   const std::array<Pose, 2> hand = {left, right};
@@ -70,7 +71,8 @@ mannequin::PostureTask MannequinManipulator::taskFor(const Pose& X_WM, const Fee
   mannequin::PostureTask task;
   task.trunk_locked = locks_.trunk;
   task.pelvis_locked = locks_.pelvis || locks_.on_seat;
-  task.balance = !locks_.on_seat;
+  task.balance = !locks_.on_seat && !locks_.in_air;
+  task.loads = locks_.loads;
   task.feet = {X_WF[0], X_WF[1]};
   if (hands_ == Hands::kBoth) {
     task.held = mannequin::HeldObject{X_WM, X_MH_};

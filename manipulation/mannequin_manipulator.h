@@ -26,6 +26,8 @@ class MannequinManipulator final : public MannequinBody {
     bool pelvis = false;
     bool on_seat = false;   ///< The pelvis does not move, and the feet need not bear the body.
     bool may_step = false;  ///< The feet step where the hand would not be reached (mannequin_steps.h).
+    bool in_air = false;    ///< Nothing bears the feet: no balance, no steps.
+    std::array<mannequin::HandLoad, 2> loads{};  ///< In the hands; their weight counts in the balance.
   };
 
   /// `figure` and `model` belong together. `taken` is how the figure stands when it is taken: that is how both hands go

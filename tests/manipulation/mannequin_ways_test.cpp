@@ -14,6 +14,7 @@
 #include "manipulation/mannequin_sight.h"
 #include "manipulation/mannequin_workplace.h"
 #include "mannequin/figure_model.h"
+#include "mannequin/support_polygon.h"
 #include "workcell/entity_source.h"
 
 namespace hapticell::manipulation {
@@ -117,6 +118,46 @@ TEST(MannequinManipulator, OnASeatThePelvisStays) {
   for (int i = 0; i < 20; ++i) at = hand.propose(at, wanted, 1.0);
   EXPECT_LT(placeError(hand.movedFrame(at), wanted), 2e-3);
   EXPECT_LT(placeError(at.X_WE, start.X_WE), 1e-6);
+}
+
+/// The centre of mass inside the soles' edge (m; negative: outside) after the right hand was drawn `way`, held as a
+/// user takes it.
+double marginAfter(const std::vector<workcell::Entity>& cell, const dvec3& way) {
+  const auto scene = PreparedScene::prepare(cell, {}, {});
+  HoldOptions options;
+  options.moved_by.kind = Kind::kRightHand;
+  auto held = HeldEntity::take(scene, cell.front().id, {}, options, config::Configuration{});
+  EXPECT_TRUE(held) << held.error().message();
+  MotionMapping mapping;
+  const Pose start = (*held)->movedFrame();
+  mapping.anchor(start, start);
+  for (int i = 1; i <= 60; ++i) (*held)->follow({start.p + (i / 60.0) * way, start.q}, mapping, nullptr);
+  const workcell::Entity& figure = cell.front();
+  const auto pose = poseOf(figure, (*held)->accepted());
+  std::array<mannequin::HandLoad, 2> loads{};
+  if (cell.size() > 1 && cell[1].attachment.to == figure.name) loads[1] = {cell[1].mass, {0.0, 0.0, -0.08}};
+  const auto support = mannequin::supportPolygon(
+      *figure.figure, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]});
+  return support.margin(glm::dvec2(mannequin::centerOfMass(*figure.figure, pose, loads)));
+}
+
+TEST(HeldMannequin, LiftedFreeItIsNotHeldToBalanceOverFeetThatNothingBears) {
+  const dvec3 far_ahead(0.7, 0.0, -0.5);
+  workcell::Entity standing = worker("both_hands_forward");
+  EXPECT_GT(marginAfter({standing}, far_ahead), -2e-3) << "on the floor";
+  workcell::Entity lifted = standing;
+  lifted.X_WE.p.z += 0.5;
+  EXPECT_LT(marginAfter({lifted}, far_ahead), -0.03) << "in the air";
+  EXPECT_GT(marginAfter({lifted, box(8, "platform", {2.0, 2.0, 0.1}, {0.0, 0.0, 0.45})}, far_ahead), -2e-3)
+      << "on a platform as high";
+}
+
+TEST(HeldMannequin, WhatItsHandCarriesCountsInTheBalance) {
+  workcell::Entity standing = worker("both_hands_forward");
+  workcell::Entity weight = box(9, "weight", dvec3(0.06), {0.0, 0.0, 0.0});
+  weight.attachment = {standing.name, "r_hand", Pose::translation({0.0, 0.0, -0.08})};
+  weight.mass = 15.0;
+  EXPECT_GT(marginAfter({standing, weight}, {0.45, 0.0, -0.3}), -2e-3) << "15 kg held out";
 }
 
 TEST(MannequinOwnPairs, HandsMeetTheBodyButNotTheirOwnArm) {
