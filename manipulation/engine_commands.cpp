@@ -21,6 +21,12 @@ struct Overloaded : Handlers... {
 template <typename... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
+/// The documents say the same of where the entity stands: where else it has come to meanwhile goes on being true.
+bool standsInBoth(workcell::EntityId id, const PreparedScene& before, const PreparedScene& now) {
+  const workcell::Entity *a = before.find(id), *b = now.find(id);
+  return a && b && a->X_WE.p == b->X_WE.p && a->X_WE.q == b->X_WE.q && a->joints == b->joints;
+}
+
 }  // namespace
 
 void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
@@ -29,6 +35,7 @@ void ManipulationEngine::setScene(std::shared_ptr<const PreparedScene> scene) {
     kept[held_->id()] = held_->standing();
     for (auto& [id, at] : held_->carried()) kept[id] = std::move(at);
   }
+  if (posed_ && standsInBoth(posed_->id(), *scene_, *scene)) kept.emplace(posed_->id(), posed_->standing());
   scene_ = std::move(scene);
   placements_ = std::move(kept);
   posed_.reset();  // Taken anew at the next step.

@@ -255,12 +255,12 @@ void ManipulationEngine::step(std::int64_t now_ns) {
   if (start_ns_ < 0) start_ns_ = now_ns;
   ++step_;
   takeState();
+  followPose();  // A glove poses whether a stylus is connected or not.
   if (!state_) return;
   watchButtons();
   driftAtEdge();
   mapping_.lookFrom(state_->X_DP);
   moveScripted();
-  followPose();
   if (held_ && !clutched_) {
     const HeldEntity::FollowResult followed = held_->follow(onGuides(state_->X_DP), mapping_, &built_, stepTime());
     hurried_joint_ = followed.hurried_joint;

@@ -107,7 +107,11 @@ void ManipulationEngine::borrowPose(const ManipulationEngine& other) {
 }
 
 void ManipulationEngine::poseJoints(const command::PoseJoints& wanted) {
-  const workcell::Entity* entity = scene_ ? scene_->find(wanted.entity) : nullptr;
+  if (!scene_) {  // Judged when the first one comes.
+    wanted_pose_ = wanted;
+    return;
+  }
+  const workcell::Entity* entity = scene_->find(wanted.entity);
   if (entity == nullptr || entity->locked || wanted.joints.size() != placement(wanted.entity).joints.size()) {
     posed_.reset();
     wanted_pose_.reset();

@@ -11,7 +11,9 @@ namespace hapticell::manipulation::test {
 /// A link whose stylus stands where the test, or the bench, puts it; the proxy is the stylus.
 class HandLink final : public haptic::HapticLink {
  public:
-  haptic::LinkState linkState() const override { return haptic::LinkState::kConnected; }
+  haptic::LinkState linkState() const override {
+    return connected ? haptic::LinkState::kConnected : haptic::LinkState::kDisconnected;
+  }
   std::string problem() const override { return {}; }
   std::optional<haptic::DeviceDescription> device() const override {
     haptic::DeviceDescription description;
@@ -19,7 +21,7 @@ class HandLink final : public haptic::HapticLink {
     description.workspace_max = dvec3(0.08);
     return description;
   }
-  std::optional<haptic::HapticState> latestState() override { return state; }
+  std::optional<haptic::HapticState> latestState() override { return connected ? std::optional(state) : std::nullopt; }
   std::optional<haptic::ServerStatistics> latestStatistics() override { return std::nullopt; }
   void sendSet(const haptic::ConstraintSet& sent) override {
     set = sent;
@@ -28,6 +30,7 @@ class HandLink final : public haptic::HapticLink {
   void sendControl(const haptic::HapticControl& sent) override { control = sent; }
   void sendHandTarget(const haptic::HandTarget&) override {}
 
+  bool connected = true;
   haptic::HapticState state;
   haptic::ConstraintSet set;
   haptic::HapticControl control;

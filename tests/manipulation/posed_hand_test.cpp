@@ -189,6 +189,85 @@ TEST(PoseJoints, AFreeHandClosesRoundWhatIsInItAndIsCarriedByTheStylus) {
   EXPECT_EQ(gloved.engine.placement(kWorker).joints, closed);
 }
 
+/// A free hand with a bar in it, and a glove that makes a fist.
+struct FistRoundABar {
+  FistRoundABar() {
+    workcell::EntityLoader loader(".");
+    Diagnostics diagnostics;
+    hand = *loader.load("hand:right", 1.0, diagnostics);
+    hand.id = kWorker;
+    bar = test::solid(kBox, "bar", geometry::makeBox(dvec3(0.041)), {});
+    bar.X_WE.p = worker("standing").figure->p_HandGrip[1];
+    bar.locked = true;
+  }
+  command::PoseJoints pose(double bend) const {
+    mannequin::GloveReadings angles;
+    angles.fill(bend);
+    angles[3] = angles[10] = angles[14] = angles[18] = 0.0;
+    command::PoseJoints wanted{kWorker, mannequin::freeHandFromGlove(angles, *hand.robot), {}};
+    for (std::size_t i = 0; i < wanted.joints.size(); ++i) wanted.fingers.push_back({i});
+    return wanted;
+  }
+  /// The four fingers' bends in all: a fist in free air is 12 * 1.57.
+  static double bent(const std::vector<double>& joints) {
+    double sum = 0.0;
+    for (const std::size_t first : {5u, 9u, 13u, 17u}) sum += joints[first] + joints[first + 1] + joints[first + 2];
+    return sum;
+  }
+  /// Where the fingers come to when nothing else happens.
+  double closed() const {
+    GlovedWorker gloved({hand, bar});
+    gloved.engine.apply(pose(1.57));
+    gloved.step(60);
+    return bent(gloved.engine.placement(kWorker).joints);
+  }
+
+  workcell::Entity hand, bar;
+};
+
+TEST(PoseJoints, FingersStopAlsoWhereNoStylusIsConnected) {
+  const FistRoundABar cell;
+  GlovedWorker gloved({cell.hand, cell.bar});
+  gloved.link.connected = false;
+  ManipulationEngine engine(gloved.link, {});
+  engine.apply(cell.pose(1.57));  // Before the first scene is ready, too.
+  engine.step(10'000'000);
+  engine.setScene(gloved.engine.sharedScene());
+  for (int i = 2; i < 60; ++i) engine.step(10'000'000 * i);
+  const double bent = FistRoundABar::bent(engine.placement(kWorker).joints);
+  EXPECT_GT(bent, 4.0) << "the fingers did not close";
+  EXPECT_NEAR(bent, cell.closed(), 1e-3) << "as with a stylus";
+  EXPECT_LT(bent, 0.9 * 12 * 1.57) << "the fingers went through the bar";
+}
+
+/// Whatever becomes of the document meanwhile: fingers never get farther than where the bar stops them.
+TEST(PoseJoints, NoChangeOfTheDocumentLetsAFingerThrough) {
+  const FistRoundABar cell;
+  const double closed = cell.closed();
+  for (const bool kept : {false, true}) {
+    GlovedWorker gloved({cell.hand, cell.bar});
+    gloved.engine.apply(cell.pose(1.57));
+    for (int change = 0; change < 40; ++change) {
+      gloved.step(change % 3);
+      workcell::Entity hand = cell.hand, bar = cell.bar;
+      if (kept) hand.joints = gloved.engine.placement(kWorker).joints;
+      bar.locked = change % 2 == 0;
+      bar.name = "bar " + std::to_string(change);
+      const double before = FistRoundABar::bent(gloved.engine.placement(kWorker).joints);
+      gloved.engine.setScene(PreparedScene::prepare({hand, bar}, {}, {0.001, 0.01}, gloved.engine.sharedScene().get()));
+      EXPECT_EQ(FistRoundABar::bent(gloved.engine.placement(kWorker).joints), before) << "the hand leapt";
+      gloved.step(1);
+      const double now = FistRoundABar::bent(gloved.engine.placement(kWorker).joints);
+      ASSERT_LT(now, closed + 0.05) << "after change " << change;
+    }
+    gloved.step(60);
+    EXPECT_NEAR(FistRoundABar::bent(gloved.engine.placement(kWorker).joints), closed, 0.05);
+    gloved.engine.apply(cell.pose(0.0));
+    gloved.step(60);
+    EXPECT_NEAR(FistRoundABar::bent(gloved.engine.placement(kWorker).joints), 0.0, 1e-3) << "it opens again";
+  }
+}
+
 /// A stylus, another one (or a 3-D mouse) and a glove at once: a part, the figure's left hand, its right fingers.
 TEST(PoseJoints, TwoStylusesAndAGloveWorkTogether) {
   workcell::Entity part = test::solid(kBox, "part", geometry::makeBox(dvec3(0.05)), {});
