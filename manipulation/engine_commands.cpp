@@ -247,8 +247,8 @@ void ManipulationEngine::watchButtons() {
   last_buttons_ = state_->buttons;
   if ((pressed & kGrabButton) != 0) held_ ? release() : grab(0);
   if ((let_go & kGrabButton) != 0 && configuration_.manipulation.hold_to_move) release();
-  const bool marks = recorder_ && mark_by_button_;
-  if (marks && (pressed & kClutchButton) != 0) mark_wanted_ = true;
+  const bool own = recorder_ && mark_by_button_, marks = own || marks_for_other_;
+  if (marks && (pressed & kClutchButton) != 0) (own ? mark_wanted_ : mark_for_other_) = true;
   setClutched(clutch_command_ || (!marks && (state_->buttons & kClutchButton) != 0));
 }
 

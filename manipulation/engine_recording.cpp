@@ -59,7 +59,7 @@ void ManipulationEngine::recordHeld(bool by_hand) {
     sample.X_WM = (*taken)->movedFrame();
   }
   sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
-  by_hand ? recorder_->mark(sample) : recorder_->add(sample);
+  recorder_->take(sample, by_hand);
 }
 
 /// What the other stylus moves; of a mannequin that both move, what its other hand touches.
@@ -68,11 +68,12 @@ void ManipulationEngine::recordOther(const ManipulationEngine& other) {
   const EntityConfiguration at = other.held_->standing();
   TakeRecorder::Sample sample = other.heldSample(at);
   sample.t = 1e-9 * static_cast<double>(now_ns_ - start_ns_);
-  held_ && held_->id() == sample.entity->id ? recorder_->touch(sample) : recorder_->add(sample);
+  if (held_ && held_->id() == sample.entity->id) return recorder_->touch(sample);
+  recorder_->take(sample, marked_ns_ == now_ns_);
 }
 
 /// A hand that a glove poses and nobody holds.
-void ManipulationEngine::recordPosed() {
+void ManipulationEngine::recordPosed(bool by_hand) {
   if (!posed_ || !posed_moved_) return;
   const EntityConfiguration at = placement(posed_->id());
   TakeRecorder::Sample sample;
@@ -81,14 +82,16 @@ void ManipulationEngine::recordPosed() {
   sample.at = &at;
   sample.X_WM = at.X_WE;
   sample.moved_by.kind = sample.entity->figure ? MovedBy::Kind::kWhole : MovedBy::Kind::kBase;
-  recorder_->add(sample);
+  recorder_->take(sample, by_hand);
 }
 
+/// A mark is a frame of everything that moves.
 void ManipulationEngine::recordStep() {
   const bool by_hand = std::exchange(mark_wanted_, false);
   if (!recorder_ || !scene_) return;
+  if (by_hand) marked_ns_ = now_ns_;
   if (held_ || by_hand) recordHeld(by_hand);
-  recordPosed();
+  recordPosed(by_hand);
   for (const auto& [id, on_its_way] : scripted_) {
     const workcell::Entity* entity = scene_->find(id);
     if (entity == nullptr || (held_ && held_->id() == id)) continue;
@@ -99,7 +102,7 @@ void ManipulationEngine::recordStep() {
     sample.at = &at;
     sample.X_WM = at.X_WE;
     sample.moved_by.kind = entity->robot ? MovedBy::Kind::kBase : MovedBy::Kind::kSelfOrigin;
-    recorder_->add(sample);
+    recorder_->take(sample, by_hand);
   }
 }
 

@@ -52,6 +52,11 @@ class ManipulationEngine {
   /// The joints that a glove poses at `other` are posed here while this one holds them alone.
   void borrowPose(const ManipulationEngine& other);
 
+  /// While `other` records with frames marked by the button, this one's second button marks too, and is no clutch.
+  void marksFor(const ManipulationEngine& other) { marks_for_other_ = other.recorder_ && other.mark_by_button_; }
+  /// True once for each time that its button has marked a frame of the other's recording.
+  bool takeMarkForOther() { return std::exchange(mark_for_other_, false); }
+
   /// What happened since the last call, in order.
   std::vector<Result> takeResults();
 
@@ -82,7 +87,7 @@ class ManipulationEngine {
   void recordStep();
   void recordHeld(bool by_hand);
   void recordOther(const ManipulationEngine& other);
-  void recordPosed();
+  void recordPosed(bool by_hand);
   TakeRecorder::Sample heldSample(const EntityConfiguration& at) const;
   void fillRecording(SceneSnapshot& snapshot) const;
   void takeState();
@@ -194,6 +199,8 @@ class ManipulationEngine {
 
   std::unique_ptr<TakeRecorder> recorder_;
   bool mark_by_button_ = false, mark_wanted_ = false;
+  bool marks_for_other_ = false, mark_for_other_ = false;
+  std::int64_t marked_ns_ = -1;  ///< The step that the newest mark belongs to.
 
   std::int64_t measured_ns_ = -1;
   std::vector<FreeMotion::PairDistance> near_;

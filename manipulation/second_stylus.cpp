@@ -8,7 +8,9 @@ namespace hapticell::manipulation {
 void SecondStylus::step(ManipulationEngine& first, std::int64_t now_ns) {
   engine_.takeOver(first);
   engine_.borrowPose(first);
+  engine_.marksFor(first);
   engine_.step(now_ns);
+  if (engine_.takeMarkForOther()) first.apply(command::MarkFrame{});
   first.takeOver(engine_);
 }
 

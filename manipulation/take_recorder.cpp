@@ -128,7 +128,7 @@ void TakeRecorder::follow(Track& track, const Sample& sample, double t) {
   }
 }
 
-void TakeRecorder::take(const Sample& sample, bool by_hand) {
+void TakeRecorder::take(const Sample& sample, bool marked) {
   if (!start_) start_ = sample.t;
   Track& track = trackOf(sample);
   follow(track, sample, sample.t - *start_);
@@ -141,9 +141,10 @@ void TakeRecorder::take(const Sample& sample, bool by_hand) {
       has_joints ? std::span<const double>(sample.at->joints) : std::span<const double>();
   const bool is_mannequin = sample.entity->kind == workcell::EntityKind::kMannequin;
   const Pose& X_WM = is_mannequin ? sample.at->X_WE : sample.X_WM;
-  if (!by_hand) return track.recorder.add(sample.t, X_WM, joints, told);
+  if (!marked) return track.recorder.add(sample.t, X_WM, joints, told);
   track.recorder.mark(sample.t, X_WM, joints, told);
-  ++by_hand_;
+  if (marked_ != sample.t) ++marks_;
+  marked_ = sample.t;
 }
 
 void TakeRecorder::touch(const Sample& sample) {
@@ -172,7 +173,8 @@ std::vector<Trajectory> TakeRecorder::finish() {
   order_.clear();
   tracks_.clear();
   start_.reset();
-  by_hand_ = 0;
+  marks_ = 0;
+  marked_.reset();
   return all;
 }
 

@@ -45,10 +45,12 @@ class TakeRecorder {
   void add(const Sample& sample) { take(sample, false); }
   /// The user adds a frame here; kept in every mode.
   void mark(const Sample& sample) { take(sample, true); }
+  void take(const Sample& sample, bool marked);
   /// Only what it touches, of an entity whose frames come from somebody else.
   void touch(const Sample& sample);
   std::size_t frames() const;
-  std::size_t framesByHand() const { return by_hand_; }
+  /// The user's marks, however many entities each is a frame of.
+  std::size_t framesByHand() const { return marks_; }
   double seconds(double now) const { return start_ ? now - *start_ : 0.0; }
 
   /// One trajectory for each entity that moved, in the order in which they were seen first. Time 0 is where the first
@@ -62,13 +64,13 @@ class TakeRecorder {
     std::vector<trajectory::Trajectory::Touch> touches;  ///< In the take's time.
   };
   static void follow(Track& track, const Sample& sample, double t);
-  void take(const Sample& sample, bool by_hand);
   Track& trackOf(const Sample& sample);
 
   trajectory::RecordingOptions options_;
   std::string take_;
   std::optional<double> start_;
-  std::size_t by_hand_ = 0;
+  std::size_t marks_ = 0;
+  std::optional<double> marked_;  ///< Time of the newest.
   std::vector<workcell::EntityId> order_;
   std::map<workcell::EntityId, std::unique_ptr<Track>> tracks_;
 };

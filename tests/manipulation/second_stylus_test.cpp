@@ -188,7 +188,45 @@ TEST(SecondStylus, ATakeHasWhatBothMove) {
   EXPECT_GT(take[1].frames().front().t, 0.3) << "one clock: the second one began later";
 }
 
-// What a glove poses.
+/// While frames are marked by the button, either pen's second button marks one, and neither is a clutch then.
+TEST(SecondStylus, ItsButtonMarksFramesOfARecordingToo) {
+  TwoStations two(twoBoxesAndLid());
+  two.first->apply(command::Grab{kShelf});
+  two.second->engine().apply(command::Grab{kBox});
+  two.run(20);
+  trajectory::RecordingOptions options;
+  options.mode = trajectory::RecordingMode::kByHand;
+  two.first->apply(command::StartRecording{.options = options, .take = "marked", .mark_by_button = true});
+  const Pose start = two.second->engine().placement(kBox).X_WE;
+  const auto press = [&](Station& station, const dvec3& p_D) {
+    for (const std::uint32_t buttons : {2u, 0u}) {
+      station.device.hand().hold(Pose::translation(p_D), buttons);
+      two.run(200);
+    }
+  };
+  press(two.b, {0.0, 0.01, 0.0});
+  press(two.a, {0.0, 0.0, 0.01});
+  press(two.b, {0.0, 0.02, 0.0});
+  EXPECT_GT(two.second->engine().placement(kBox).X_WE.p.y, start.p.y + 0.01) << "it was clutched";
+  two.first->takeResults();
+  two.first->apply(command::StopRecording{});
+  std::vector<trajectory::Trajectory> take;
+  for (Result& one : two.first->takeResults()) {
+    if (auto* recorded = std::get_if<result::Recorded>(&one)) take = std::move(recorded->trajectories);
+  }
+  ASSERT_EQ(take.size(), 2u);
+  for (const trajectory::Trajectory& track : take) {
+    ASSERT_EQ(track.size(), 3u) << track.entity;
+    EXPECT_TRUE(track[0].by_hand && track[1].by_hand && track[2].by_hand);
+  }
+  // Without such a recording the button is the clutch again.
+  two.b.device.hand().hold(Pose::translation({0.0, 0.02, 0.0}), 2);
+  two.run(100);
+  const Pose clutched = two.second->engine().placement(kBox).X_WE;
+  two.b.device.hand().hold(Pose::translation({0.0, 0.0, 0.0}), 2);
+  two.run(300);
+  EXPECT_LT(glm::length(two.second->engine().placement(kBox).X_WE.p - clutched.p), 1e-4);
+}
 
 }  // namespace
 }  // namespace hapticell::manipulation

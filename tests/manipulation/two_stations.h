@@ -54,7 +54,7 @@ struct Station {
   double force() const { return glm::length(loop.current().force_D); }
 
   haptic::VirtualClock clock;
-  haptic::SimulatedDevice device{{}};
+  haptic::SimulatedDevice device{{.buttons = 2}};
   haptic::ForceLoop loop;
   haptic::InMemoryLink* link = nullptr;
 };
