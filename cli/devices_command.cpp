@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/utsname.h>
+#include <poll.h>
+#include <unistd.h>
 
+#include <array>
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/device_list.h"
 #include "config/configuration.h"
-#include "config/device_profile.h"
-#include "haptic/devices/device_choice.h"
-#include "haptic/devices/driver_library.h"
-#include "haptic/devices/system_access.h"
-#include "haptic/protocol/messages.h"
+#include "haptic/devices/presence_watch.h"
 
 namespace hapticell::cli {
 
@@ -18,103 +17,48 @@ namespace {
 using haptic::LoadedDriver;
 using nlohmann::ordered_json;
 
+constexpr int kWatchPeriod = 2000;  // ms: an idle machine stays idle.
+
 struct DeviceWords {
   std::string configuration;
+  bool watch = false;
 };
 
-ordered_json textOrNull(const std::string& text) {
-  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+enum class Input { kNothing, kAsked, kEnded };
+
+/// Waits for a line of standard input; whatever it says asks for a new look.
+Input waitForInput() {
+  pollfd waited{STDIN_FILENO, POLLIN, 0};
+  if (poll(&waited, 1, kWatchPeriod) <= 0) return Input::kNothing;
+  std::array<char, 256> words{};
+  return read(STDIN_FILENO, words.data(), words.size()) > 0 ? Input::kAsked : Input::kEnded;
 }
 
-void addProblem(ordered_json& entry, const driver::Problem& problem) {
-  const bool usable = problem.status == driver::Status::kOk;
-  entry["usable"] = usable;
-  entry["reason"] = usable ? ordered_json(nullptr) : ordered_json(haptic::toString(problem.status));
-  entry["problem"] = textOrNull(usable ? "" : problem.found);
-  entry["fix"] = textOrNull(usable ? "" : problem.fix);
-}
-
-/// The simulated styluses, as one driver that is built in.
-void addSimulated(ordered_json& drivers, ordered_json& devices) {
-  ordered_json entry{{"name", "simulated"}, {"title", "Simulated stylus"}, {"version", HAPTICELL_VERSION},
-                     {"file", nullptr},     {"library", nullptr},          {"note", nullptr}};
-  addProblem(entry, {});
-  drivers.push_back(std::move(entry));
-  for (const std::string& name : haptic::simulatedProfiles()) {
-    const auto file = config::findShippedFile("devices/" + name + ".toml");
-    const auto profile =
-        file ? config::readDeviceProfile(*file) : Expected<config::DeviceProfile>(makeError(file.error()));
-    ordered_json device{{"device", name},
-                        {"driver", "simulated"},
-                        {"id", name},
-                        {"name", profile ? profile->name : name},
-                        {"kind", "stylus"},
-                        {"simulated", true},
-                        {"place", textOrNull(file ? *file : "")},
-                        {"firmware", nullptr}};
-    driver::Problem problem;
-    addProblem(device, problem);
-    if (!profile) {
-      device["usable"] = false;
-      device["reason"] = "fault";
-      device["problem"] = profile.error().message();
+/// Writes the listing, and again whenever it has become another one, until standard input ends. A driver is asked for
+/// its devices only when it sees other ones, or when the user wants it: looking may take its device for a moment.
+ExitStatus watch(const std::vector<LoadedDriver>& drivers, const std::vector<std::filesystem::path>& folders,
+                 const ResultWriter& writer) {
+  haptic::PresenceWatch presence(drivers);
+  std::vector<DriverEntries> entries{simulatedEntries()};
+  for (const LoadedDriver& loaded : drivers) entries.push_back(entriesAskedApart(loaded));
+  ordered_json told;
+  for (Input input = Input::kAsked; input != Input::kEnded; input = waitForInput()) {
+    const bool asked = input == Input::kAsked && !told.is_null();
+    std::vector<std::size_t> changed = presence.look();
+    if (asked) {
+      changed.resize(drivers.size());
+      for (std::size_t i = 0; i < changed.size(); ++i) changed[i] = i;
     }
-    devices.push_back(std::move(device));
+    for (const std::size_t i : changed) entries[1 + i] = entriesAskedApart(drivers[i]);
+    ordered_json listing = listingOf(entries, folders);
+    if (!asked && listing == told) continue;
+    if (const auto written = writer.writeLine(listing); !written) {
+      report(written.error());
+      return ExitStatus::kBadInput;
+    }
+    told = std::move(listing);
   }
-}
-
-ordered_json deviceJson(const std::string& driver, const driver::Found& found) {
-  ordered_json device{{"device", driver + (found.id[0] != '\0' ? std::string(":") + found.id : "")},
-                      {"driver", driver},
-                      {"id", found.id},
-                      {"name", found.name},
-                      {"kind", haptic::toString(found.kind)},
-                      {"simulated", false},
-                      {"place", textOrNull(found.place)},
-                      {"firmware", textOrNull(found.firmware)}};
-  addProblem(device, found.problem);
-  return device;
-}
-
-void addDriver(const LoadedDriver& loaded, ordered_json& drivers, ordered_json& devices) {
-  ordered_json entry{{"name", loaded.file.stem().string()}, {"title", nullptr},   {"version", nullptr},
-                     {"file", loaded.file.string()},        {"library", nullptr}, {"note", nullptr}};
-  if (loaded.driver == nullptr) {
-    entry["usable"] = false;
-    entry["reason"] = "missing_library";
-    entry["problem"] = loaded.problem.found;
-    entry["fix"] = textOrNull(loaded.problem.fix);
-    drivers.push_back(std::move(entry));
-    return;
-  }
-  const driver::Information& about = loaded.driver->information();
-  const haptic::DriverView view = haptic::look(*loaded.driver);
-  entry["name"] = about.name;
-  entry["title"] = about.title;
-  entry["version"] = about.version;
-  entry["library"] = textOrNull(about.library);
-  entry["note"] = textOrNull(about.note);
-  addProblem(entry, view.problem);
-  drivers.push_back(std::move(entry));
-  for (const driver::Found& found : view.found) devices.push_back(deviceJson(about.name, found));
-}
-
-ordered_json grantsJson() {
-  ordered_json grants = ordered_json::array();
-  for (const haptic::SystemGrant& grant : haptic::systemGrants()) {
-    grants.push_back(
-        {{"what", grant.what}, {"granted", grant.granted}, {"found", grant.found}, {"fix", textOrNull(grant.fix)}});
-  }
-  return grants;
-}
-
-ordered_json versionsJson() {
-  utsname system{};
-  uname(&system);
-  return {{"hapticell", HAPTICELL_VERSION},
-          {"driver_interface", driver::kInterfaceVersion},
-          {"protocol", haptic::kProtocolVersion},
-          {"kernel", system.release}};
+  return ExitStatus::kDone;
 }
 
 ExitStatus run(const DeviceWords& words, const ResultWriter& writer) {
@@ -123,21 +67,16 @@ ExitStatus run(const DeviceWords& words, const ResultWriter& writer) {
     report(configuration.error());
     return ExitStatus::kBadInput;
   }
-  ordered_json drivers = ordered_json::array(), devices = ordered_json::array(), folders = ordered_json::array();
-  addSimulated(drivers, devices);
-  const auto searched = haptic::driverFolders();
-  for (const auto& folder : searched) folders.push_back(folder.string());
-  for (const LoadedDriver& loaded : haptic::loadDrivers(searched, configuration->drivers)) {
-    addDriver(loaded, drivers, devices);
+  const auto folders = haptic::driverFolders();
+  const auto drivers = haptic::loadDrivers(folders, configuration->drivers);
+  if (words.watch) return watch(drivers, folders, writer);
+  std::vector<DriverEntries> entries{simulatedEntries()};
+  for (const LoadedDriver& loaded : drivers) entries.push_back(entriesAskedApart(loaded));
+  if (const auto written = writer.write(listingOf(entries, folders)); !written) {
+    report(written.error());
+    return ExitStatus::kBadInput;
   }
-  const auto written = writer.write({{"drivers", std::move(drivers)},
-                                     {"devices", std::move(devices)},
-                                     {"permissions", grantsJson()},
-                                     {"versions", versionsJson()},
-                                     {"driver_folders", std::move(folders)}});
-  if (written) return ExitStatus::kDone;
-  report(written.error());
-  return ExitStatus::kBadInput;
+  return ExitStatus::kDone;
 }
 
 }  // namespace
@@ -147,6 +86,9 @@ void addDevicesCommand(CLI::App& app, Action& chosen) {
       "devices", "Styluses, gloves and 3-D mice: drivers, what is plugged in, permissions and what mends them");
   const auto words = std::make_shared<DeviceWords>();
   command->add_option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
+  command->add_flag("--watch", words->watch,
+                    "Goes on, and writes the listing as a line whenever a device has come or gone; a line of input "
+                    "looks again, its end ends it");
   command->callback([words, &chosen] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }
 

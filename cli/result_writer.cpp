@@ -7,8 +7,16 @@
 namespace hapticell::cli {
 
 Expected<void> ResultWriter::write(const nlohmann::ordered_json& result) const {
+  return put(result, 2);
+}
+
+Expected<void> ResultWriter::writeLine(const nlohmann::ordered_json& result) const {
+  return put(result, -1);
+}
+
+Expected<void> ResultWriter::put(const nlohmann::ordered_json& result, int indent) const {
   // Text that is not UTF-8 (a file name, say) must not stop the result from being written.
-  const std::string text = result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const std::string text = result.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   if (!json_file_.empty()) return writeFileAtomically(json_file_, text);
   std::cout << text << std::flush;
   if (!std::cout)

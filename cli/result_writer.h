@@ -17,8 +17,12 @@ class ResultWriter {
  public:
   explicit ResultWriter(std::string json_file = {}) : json_file_(std::move(json_file)) {}
   Expected<void> write(const nlohmann::ordered_json& result) const;
+  /// The same on a line of its own, for a command that tells more than once; a file has the newest one.
+  Expected<void> writeLine(const nlohmann::ordered_json& result) const;
 
  private:
+  Expected<void> put(const nlohmann::ordered_json& result, int indent) const;
+
   std::string json_file_;
 };
 

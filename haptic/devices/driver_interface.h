@@ -10,7 +10,7 @@
 namespace hapticell::driver {
 
 /// Version of this file. A driver answers only to the version that it was built with.
-inline constexpr std::uint32_t kInterfaceVersion = 1;
+inline constexpr std::uint32_t kInterfaceVersion = 2;
 
 /// Why something did not work; kOk where it did.
 enum class Status : std::uint32_t {
@@ -155,6 +155,10 @@ class Driver {
   virtual Device* open(const char* id, Problem& problem) noexcept = 0;
   /// Force zero, motors off, all given back; `device` is gone afterwards.
   virtual void close(Device* device) noexcept = 0;
+  /// A number that is another one once find() would tell of other devices, asked every second or two: it must not open,
+  /// load or disturb anything, nor take longer than some milliseconds. 0: this driver cannot tell, its devices are
+  /// looked for only when the user asks. Never called while find() runs.
+  virtual std::uint64_t presence() noexcept { return 0; }
 
  protected:
   ~Driver() = default;

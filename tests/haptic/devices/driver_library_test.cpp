@@ -58,7 +58,7 @@ TEST(DriverLibrary, ListsTheGoodAndTheBadOfAFolder) {
       loadDrivers({kExamples, kExamples / "nowhere"}, {{"orbit", {{"speed", "2"}}}});
   int good = 0, bad = 0;
   for (const LoadedDriver& driver : drivers) (driver.driver != nullptr ? good : bad) += 1;
-  EXPECT_EQ(good, 2);  // orbit, and needy that wants calibration
+  EXPECT_EQ(good, 4);  // orbit, and needy, counted, handy that other tests use
   EXPECT_EQ(bad, 3);
 }
 

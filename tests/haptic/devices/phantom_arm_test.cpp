@@ -49,6 +49,26 @@ TEST(PhantomArm, jacobianIsTheDerivativeOfTip) {
   }
 }
 
+/// J^T F by virtual work along differences of the tip, and back by F = J^-T tau.
+TEST(PhantomArm, torquesDoTheForcesWork) {
+  const PhantomArm arm(0.215, 0.170);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> newton(-8.0, 8.0);
+  const double h = 1e-6;
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 q = arm.joints(randomPoint(random));
+    const dvec3 force(newton(random), newton(random), newton(random));
+    const dmat3 J = arm.jacobian(q);
+    const dvec3 torques = glm::transpose(J) * force;
+    for (int k = 0; k < 3; ++k) {
+      dvec3 step(0.0);
+      step[k] = h;
+      EXPECT_NEAR(torques[k], glm::dot(force, arm.tip(q + step) - arm.tip(q - step)) / (2.0 * h), 1e-7);
+    }
+    EXPECT_LT(glm::length(glm::inverse(glm::transpose(J)) * torques - force), 1e-9);
+  }
+}
+
 TEST(PhantomArm, keepsTheRayOfATipOutOfReach) {
   const PhantomArm arm(0.160, 0.160);
   const dvec3 far(0.0, -2.0, 0.5);

@@ -44,7 +44,7 @@ def test_lists_drivers_devices_permissions_versions():
     assert any(device["simulated"] for device in listing["devices"])
     for grant in listing["permissions"]:
         assert grant["granted"] or grant["fix"], grant
-    assert listing["versions"]["driver_interface"] == 1
+    assert listing["versions"]["driver_interface"] == 2
 
 
 def test_says_what_is_missing_and_finds_what_is_configured():
@@ -58,6 +58,68 @@ def test_says_what_is_missing_and_finds_what_is_configured():
     glove = [device for device in gloves if device["driver"] == "cyberglove"]
     assert len(glove) == 1 and not glove[0]["usable"] and glove[0]["reason"] == "not_found", glove
     assert glove[0]["kind"] == "glove", glove
+
+
+class Watch:
+    """`devices --watch` with a hapticell.toml of that text; each listing as it comes."""
+
+    def __init__(self, configuration):
+        self.folder = tempfile.TemporaryDirectory()
+        file = pathlib.Path(self.folder.name) / "my.toml"
+        file.write_text(configuration)
+        self.process = subprocess.Popen([CLI, "devices", "--watch", "--config", str(file)], text=True,
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def listing(self):
+        line = self.process.stdout.readline()
+        assert line, "it ended"
+        return json.loads(line)
+
+    def ask(self):
+        self.process.stdin.write("look\n")
+        self.process.stdin.flush()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.stdin.close()
+        assert self.process.wait(timeout=60) == 0
+        self.folder.cleanup()
+
+
+def test_watch_tells_what_comes_and_goes_and_asks_nobody_else():
+    with tempfile.TemporaryDirectory() as folder:
+        port, log = pathlib.Path(folder) / "glove", pathlib.Path(folder) / "log"
+        settings = f'[driver.cyberglove]\nport = "{port}"\n[driver.counted]\nlog = "{log}"\n'
+
+        def glove(listing):
+            return [device for device in listing["devices"] if device["driver"] == "cyberglove"][0]
+
+        master, slave = os.openpty()
+        with Watch(settings) as watch:
+            first = watch.listing()
+            assert first["drivers"] and first["permissions"] and first["versions"], first
+            assert glove(first)["reason"] == "not_found", first
+            os.symlink(os.ttyname(slave), port)
+            assert glove(watch.listing())["usable"]
+            port.unlink()
+            assert glove(watch.listing())["reason"] == "not_found"
+            assert log.read_text() == "asked\n", "only who sees something else is asked"
+            watch.ask()
+            assert glove(watch.listing())["reason"] == "not_found"
+            assert log.read_text() == "asked\nasked\n"
+        os.close(master)
+        os.close(slave)
+
+
+def test_listing_survives_a_driver_that_crashes():
+    settings = '[driver.counted]\ncrash = "yes"\n'
+    with Watch(settings) as watch:
+        for listing in (watch.listing(), devices(settings)):
+            counted = by_name(listing["drivers"], "counted")
+            assert not counted["usable"] and "ended its process" in counted["problem"], counted
+            assert by_name(listing["drivers"], "orbit")["usable"], listing
 
 
 def test_server_drives_records_and_replays_a_plug_in():

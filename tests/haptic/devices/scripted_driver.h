@@ -89,11 +89,13 @@ class ScriptedDriver final : public Driver {
     return &device;
   }
   void close(Device*) noexcept override { ++closed; }
+  std::uint64_t presence() noexcept override { return seen; }
 
   Information about{"scripted", "Scripted", "1", "", ""};
   ScriptedDevice device;
   Problem refuses;
   int opened = 0, closed = 0;
+  std::uint64_t seen = 0;  ///< Told as its presence.
 };
 
 }  // namespace hapticell::driver

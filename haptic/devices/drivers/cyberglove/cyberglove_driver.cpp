@@ -188,6 +188,15 @@ std::uint32_t CyberGloveDriver::find(Found* found, std::uint32_t room, Problem&)
   return count;
 }
 
+std::uint64_t CyberGloveDriver::presence() noexcept {
+  PresenceNumber number;
+  for (const std::string& path : ports()) {
+    number.add(path);
+    number.add(static_cast<std::uint32_t>(nodeProblem(path).status));
+  }
+  return number.value();
+}
+
 Device* CyberGloveDriver::openPort(const std::string& path, Problem& problem) {
   auto port = SerialPort::open(path, problem);
   if (port == nullptr) return nullptr;

@@ -63,6 +63,8 @@ class CyberGloveDriver final : public Driver {
   /// `id` is the port.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
+  /// By the ports alone: none is opened, which would reset what hangs on it.
+  std::uint64_t presence() noexcept override;
 
  private:
   std::vector<std::string> ports() const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/falcon/falcon_packets.h"
 #include "haptic/devices/drivers/falcon/ftdi_port.h"
 
@@ -57,6 +58,7 @@ class FalconDriver final : public Driver {
   /// `id` as find() tells it: the serial number, else the USB port.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
+  std::uint64_t presence() noexcept override { return presenceByFind(*this); }
 
  private:
   std::vector<UsbDevice> falcons() const;

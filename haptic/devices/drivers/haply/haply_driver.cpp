@@ -7,12 +7,14 @@
 #include <string_view>
 
 #include "haptic/devices/driver_support.h"
+#include "haptic/devices/usb_scan.h"
 
 namespace hapticell::driver {
 
 namespace {
 
-constexpr int kConnectPatience = 5000, kLookPatience = 500, kFirstPatience = 2000;  // ms.
+constexpr int kConnectPatience = 5000, kLookPatience = 500, kFirstPatience = 2000,
+              kServedPatience = 200;     // ms.
 constexpr double kPeakForce = 2.0;       // N: what Haply's own examples allow.
 constexpr double kHalfWorkspace = 0.09;  // m.
 constexpr const char* kStart = "Start Haply's service (the Haply Hub), or set address in [driver.haply].";
@@ -145,6 +147,16 @@ Device* HaplyDriver::open(const char* id, Problem& problem) noexcept {
 
 void HaplyDriver::close(Device* device) noexcept {
   delete static_cast<HaplyDevice*>(device);
+}
+
+std::uint64_t HaplyDriver::presence() noexcept {
+  PresenceNumber number;
+  number.add(WebSocket::isServed(address_, kServedPatience) ? 1u : 0u);
+  for (const UsbDevice& device : usbDevices()) {
+    number.add(device.place);
+    number.add(device.serial);
+  }
+  return number.value();
 }
 
 }  // namespace hapticell::driver

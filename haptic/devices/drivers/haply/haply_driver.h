@@ -45,6 +45,8 @@ class HaplyDriver final : public Driver {
   /// `id` as the service tells it, or an address "ws://..." whose first device is meant.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
+  /// By whether the service can be reached (it is not spoken to), and by what is plugged into the USB.
+  std::uint64_t presence() noexcept override;
 
  private:
   Information information_{"haply", "Haply Inverse3", "1.0", "Haply's service (WebSocket)",

@@ -181,6 +181,20 @@ WebSocket::~WebSocket() {
   connection_->close();
 }
 
+bool WebSocket::isServed(const std::string& address, int wait_ms) {
+  const Address where = parse(address);
+  asio::io_context io;
+  asio::ip::tcp::resolver resolver(io);
+  asio::ip::tcp::socket socket(io);
+  bool served = false;
+  resolver.async_resolve(where.host, where.port, [&](error_code error, auto results) {
+    if (error) return;
+    asio::async_connect(socket, results, [&](error_code failed, const auto&) { served = !failed; });
+  });
+  io.run_for(milliseconds(wait_ms));
+  return served;
+}
+
 std::unique_ptr<WebSocket> WebSocket::connect(const std::string& address, int wait_ms, Problem& problem) {
   auto connection = std::make_shared<Connection>(parse(address));
   std::string why;

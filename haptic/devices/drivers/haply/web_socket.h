@@ -18,6 +18,9 @@ class WebSocket {
   static std::unique_ptr<WebSocket> connect(const std::string& address, int wait_ms, Problem& problem);
   ~WebSocket();  ///< Closes; what was sent just before is given 100 ms to go out.
 
+  /// Somebody listens there: connects, says nothing and goes again. Waits `wait_ms` at most.
+  static bool isServed(const std::string& address, int wait_ms);
+
   /// The newest text that came since the last call, waiting `wait_ms` at most.
   std::optional<std::string> read(int wait_ms);
   /// Sends it, unless a newer one overtakes it before the line is free.

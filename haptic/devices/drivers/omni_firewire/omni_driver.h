@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/omni_firewire/fire_wire_port.h"
 #include "haptic/devices/drivers/omni_firewire/omni_arm.h"
 
@@ -50,6 +51,7 @@ class OmniDriver final : public Driver {
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
+  std::uint64_t presence() noexcept override { return presenceByFind(*this); }
 
  private:
   Information information_{

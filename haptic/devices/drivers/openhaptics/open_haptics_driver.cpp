@@ -2,6 +2,7 @@
 #include "haptic/devices/drivers/openhaptics/open_haptics_driver.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
 
 #include "haptic/devices/driver_support.h"
@@ -13,6 +14,16 @@ namespace {
 
 bool isTouch(const UsbDevice& device) {
   return (device.vendor == 0x2988 && device.product == 0x0302) || (device.vendor == 0x0301 && device.product == 0x2988);
+}
+
+/// The file, or one of that name where the system's libraries are.
+bool isInstalled(const std::string& library) {
+  std::error_code ignored;
+  if (library.find('/') != std::string::npos) return std::filesystem::exists(library, ignored);
+  for (const char* folder : {"/usr/lib/", "/usr/lib64/", "/usr/lib/x86_64-linux-gnu/", "/usr/local/lib/"}) {
+    if (std::filesystem::exists(folder + library, ignored)) return true;
+  }
+  return false;
 }
 
 /// A Touch that the system sees though the vendor's library does not open it.
@@ -39,14 +50,27 @@ void OpenHapticsDriver::configure(const char* key, const char* value) noexcept {
   if (std::string_view(key) == "device") device_ = value;
 }
 
+std::vector<std::string> OpenHapticsDriver::libraryNames() const {
+  if (!library_.empty()) return {library_};
+  return {"libHD.so", "libHD.so.3.4", "libHD.so.3.0", "/usr/lib/libHD.so"};
+}
+
 Problem OpenHapticsDriver::load() {
-  std::vector<std::string> names;
-  if (!library_.empty()) {
-    names.push_back(library_);
-  } else {
-    names = {"libHD.so", "libHD.so.3.4", "libHD.so.3.0", "/usr/lib/libHD.so"};
+  return hd_.load(libraryNames());
+}
+
+std::uint64_t OpenHapticsDriver::presence() noexcept {
+  PresenceNumber number;
+  for (const std::string& name : libraryNames()) number.add(isInstalled(name) ? 1u : 0u);
+  for (const UsbDevice& device : usbDevices()) {
+    if (!isTouch(device)) continue;
+    number.add(device.place);
+    for (const std::string& node : device.nodes) {
+      number.add(node);
+      number.add(static_cast<std::uint32_t>(nodeProblem(node).status));
+    }
   }
-  return hd_.load(names);
+  return number.value();
 }
 
 std::vector<const char*> OpenHapticsDriver::namesToTry(const char* id) const {

@@ -21,11 +21,14 @@ class OpenHapticsDriver final : public Driver {
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
+  /// By what the system shows: the vendor's library is neither loaded nor asked. A Touch on Ethernet is not seen.
+  std::uint64_t presence() noexcept override;
 
   /// The names that hdInitDevice is asked for, in order; a null pointer stands for the vendor's default.
   std::vector<const char*> namesToTry(const char* id) const;
 
  private:
+  std::vector<std::string> libraryNames() const;
   Problem load();
   unsigned initialise(const char* id, Problem& problem);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/spacemouse/hid_port.h"
 #include "haptic/devices/drivers/spacemouse/space_mouse_reports.h"
 
@@ -43,6 +44,7 @@ class SpaceMouseDriver final : public Driver {
   /// `id` is the serial number where there is one, else the device file.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
+  std::uint64_t presence() noexcept override { return presenceByFind(*this); }
 
  private:
   std::vector<HidInfo> mice();

@@ -192,6 +192,27 @@ TEST(CyberGlove, PluggedInAgainItIsReadAgain) {
   unlink(link.c_str());
 }
 
+/// What hangs on a port is not disturbed: a port that another program has open is looked at all the same.
+TEST(CyberGlove, ItsPresenceTellsThatAPortCameAndWentAndOpensNone) {
+  const std::string link = ::testing::TempDir() + "hapticell-presence-" + std::to_string(getpid());
+  unlink(link.c_str());
+  CyberGloveDriver driver;
+  driver.configure("port", link.c_str());
+  const std::uint64_t none = driver.presence();
+  EXPECT_EQ(driver.presence(), none);
+  FakeGlove glove;
+  ASSERT_EQ(symlink(glove.path().c_str(), link.c_str()), 0);
+  const std::uint64_t there = driver.presence();
+  EXPECT_NE(there, none);
+  Problem problem;
+  const auto port = SerialPort::open(glove.path(), problem);
+  ASSERT_NE(port, nullptr) << problem.found;
+  EXPECT_EQ(driver.presence(), there);
+  EXPECT_EQ(glove.polls, 0);
+  unlink(link.c_str());
+  EXPECT_EQ(driver.presence(), none);
+}
+
 TEST(CyberGlove, GarbageIsBorneAndTheNextFrameIsRead) {
   FakeGlove glove;
   CyberGloveDriver driver;

@@ -74,6 +74,21 @@ TEST_F(FalconUsbfs, AFileThatMayNotBeOpenedIsSaidWithItsFix) {
   EXPECT_NE(std::strstr(problem.fix, "udevadm"), nullptr);
 }
 
+TEST_F(FalconUsbfs, ItsPresenceTellsThatItCameAndWentAndMayBeOpened) {
+  const std::uint64_t none = driver.presence();
+  EXPECT_EQ(driver.presence(), none);
+  EXPECT_NE(none, 0u);
+  {
+    MockUsbfs mock(falcon);
+    const std::uint64_t there = driver.presence();
+    EXPECT_NE(there, none);
+    EXPECT_EQ(driver.presence(), there);
+    mock.forbid();
+    EXPECT_NE(driver.presence(), there) << "permission is part of what is listed";
+  }
+  EXPECT_EQ(driver.presence(), none);
+}
+
 }  // namespace
 }  // namespace hapticell::driver
 

@@ -73,7 +73,7 @@ TEST(Haply, MeasuresAndPushes) {
   EXPECT_EQ(session.capabilities().measured_axes, 6u);
   Command push;
   push.motors = true;
-  push.force[2] = 1.5;
+  push.force[0] = 0.5, push.force[1] = -1.0, push.force[2] = 1.5;
   ASSERT_TRUE(turnUntil(session, push, [](const auto& answer) { return answer.measurements > 0; }));
   const State state = session.turn(push).state;
   EXPECT_NEAR(state.position[0], 0.05, 1e-12);
@@ -85,6 +85,16 @@ TEST(Haply, MeasuresAndPushes) {
     return command ? (*command)["inverse3"][0]["commands"]["set_cursor_force"]["values"]["z"].get<double>() : -1.0;
   };
   EXPECT_TRUE(turnUntil(session, push, [&](const auto&) { return force() == 1.5; }));
+  // The virtual work is the same in both frames: the cursor's motion is the position's, axis by axis, and so is the
+  // force.
+  const auto values = (*service.lastCommand())["inverse3"][0]["commands"]["set_cursor_force"]["values"];
+  EXPECT_EQ(values["x"], 0.5);
+  EXPECT_EQ(values["y"], -1.0);
+  service.x = 0.06, service.y = -0.17, service.z = 0.23;
+  EXPECT_TRUE(turnUntil(session, push, [](const auto& answer) {
+    const double* const p = answer.state.position;
+    return std::abs(p[0] - 0.06) < 1e-12 && std::abs(p[1] - 0.03) < 1e-12 && std::abs(p[2] - 0.03) < 1e-12;
+  }));
   session.close();  // A last word of zero.
   for (int i = 0; i < 30000 && force() != 0.0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(force(), 0.0);
@@ -146,6 +156,25 @@ TEST(Haply, NobodyThere) {
   EXPECT_EQ(problem.status, Status::kNotFound);
   EXPECT_THAT(problem.fix, HasSubstr("Haply Hub"));
   EXPECT_EQ(driver.open("", problem), nullptr);
+}
+
+TEST(Haply, ItsPresenceTellsWhetherTheServiceRuns) {
+  auto service = std::make_unique<FakeHaplyService>();
+  const unsigned short port = service->port();
+  HaplyDriver driver;
+  driver.configure("address", service->address().c_str());
+  const std::uint64_t there = driver.presence();
+  EXPECT_EQ(driver.presence(), there);
+  service.reset();
+  const std::uint64_t none = driver.presence();
+  EXPECT_NE(none, there);
+  service = std::make_unique<FakeHaplyService>(port);
+  EXPECT_EQ(driver.presence(), there);
+  // Who only looked is not in the way of who drives it.
+  Problem problem;
+  Device* const device = driver.open("", problem);
+  ASSERT_NE(device, nullptr) << problem.found;
+  driver.close(device);
 }
 
 TEST(Haply, AServiceWithoutThatDevice) {

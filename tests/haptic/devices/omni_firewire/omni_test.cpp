@@ -83,6 +83,57 @@ TEST(OmniArm, StandsInItsInkwellAtHome) {
   EXPECT_TRUE(X_DS.isValid());
 }
 
+std::array<int, 3> anyCounts() {
+  return {*rc::gen::inRange(-1500, 1501), *rc::gen::inRange(-1500, 1501), *rc::gen::inRange(-1500, 1501)};
+}
+
+/// Two bars one after another, each turned by rotations: not the formula of the code.
+RC_GTEST_PROP(OmniArm, TipIsWhereTheBarsOfItsLinkageEnd, ()) {
+  OmniArm arm;
+  arm.home({0, 0, 0});
+  const dvec3 q = arm.joints(anyCounts());
+  const dquat waist = quaternionFromRotationVector({0.0, 0.0, q.x});
+  const dvec3 upper = quaternionFromRotationVector({0.0, -q.y, 0.0}) * dvec3(0.135, 0.0, 0.0);
+  const dvec3 fore = quaternionFromRotationVector({0.0, -q.z, 0.0}) * dvec3(0.0, 0.0, -0.135);
+  const dvec3 tip_A = waist * (upper + fore);
+  const dvec3 tip_D = arm.arm().shoulder() + dvec3(tip_A.y, -tip_A.x, tip_A.z);
+  RC_ASSERT(glm::length(tip_D - arm.arm().tip(q)) < 1e-12);
+}
+
+/// From the encoders' counts to the tip that is told, the signs and the coupling of the elbow included.
+RC_GTEST_PROP(OmniArm, JacobianAgreesWithDifferencesOfTheEncoders, ()) {
+  OmniArm arm;
+  arm.home({12, -34, 56});
+  OmniReading reading;
+  reading.encoders = anyCounts();
+  const dmat3 J = arm.arm().jacobian(arm.joints(reading.encoders));
+  const double count = 6.283185307179586 / 15000.0, sense[3]{1.0, -1.0, 1.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    OmniReading more = reading, less = reading;
+    ++more.encoders[i];
+    --less.encoders[i];
+    const dvec3 column = sense[i] * (arm.X_DS(more).p - arm.X_DS(less).p) / (2.0 * count);
+    RC_ASSERT(glm::length(column - J[static_cast<int>(i)]) < 1e-7);
+  }
+}
+
+RC_GTEST_PROP(OmniCommands, SaturatedTheForceKeepsItsDirection, ()) {
+  OmniArm arm;
+  arm.home({0, 0, 0});
+  const dvec3 q = arm.joints(anyCounts());
+  const dmat3 J = arm.arm().jacobian(q);
+  RC_PRE(std::abs(glm::determinant(J)) > 1e-5);
+  const dvec3 force(*rc::gen::inRange(-50, 51), *rc::gen::inRange(-50, 51), *rc::gen::inRange(-50, 51));
+  RC_PRE(glm::length(force) > 20.0);
+  const double unit = 0.1;  // N m of a full command.
+  const dvec3 commands = omniCommands(arm.torques(q, force), unit);
+  for (int i = 0; i < 3; ++i) RC_ASSERT(std::abs(commands[i]) <= 1.0 + 1e-12);
+  // The force that these torques exert: F = J^-T tau.
+  const dvec3 exerted = glm::inverse(glm::transpose(J)) * (unit * commands);
+  RC_ASSERT(glm::dot(glm::normalize(exerted), glm::normalize(force)) > 1.0 - 1e-9);
+  RC_ASSERT(glm::length(exerted) < glm::length(force));
+}
+
 RC_GTEST_PROP(OmniArm, TorquesDoTheForcesWork, ()) {
   OmniArm arm;
   arm.home({0, 0, 0});
@@ -188,6 +239,16 @@ TEST_F(Omni, IsListedAndStarted) {
   EXPECT_EQ(bus.written, (std::vector<std::uint64_t>{0x1000, 0x1001, 0x20010, 0x1087}));
   EXPECT_TRUE(session.capabilities().experimental);
   EXPECT_EQ(session.capabilities().driven_axes, 0u);
+}
+
+TEST_F(Omni, ItsPresenceTellsThatItCameAndWent) {
+  const std::uint64_t there = driver.presence();
+  EXPECT_EQ(driver.presence(), there);
+  bus.nodes.push_back({0, 1, 0x0050C50012345678ULL, "/dev/fw2"});
+  EXPECT_EQ(driver.presence(), there) << "a hard disk is none of its devices";
+  bus.nodes.clear();
+  EXPECT_NE(driver.presence(), there);
+  EXPECT_TRUE(bus.written.empty()) << "it was only looked at";
 }
 
 TEST_F(Omni, NoForceUntilItIsMeasured) {

@@ -2,6 +2,7 @@
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <clocale>
 
@@ -82,6 +83,20 @@ TEST_F(OpenHaptics, MissingLibraryAndMissingFunction) {
   EXPECT_EQ(old.open("", problem), nullptr);
   EXPECT_EQ(problem.status, Status::kMissingLibrary);
   EXPECT_THAT(problem.found, HasSubstr("lacks the function hdDisableDevice"));
+}
+
+/// The vendor's library is neither loaded nor asked for it: a device in use is not disturbed.
+TEST_F(OpenHaptics, ItsPresenceTellsThatTheLibraryCameAndAsksNobody) {
+  const std::string link = ::testing::TempDir() + "hapticell-libHD-" + std::to_string(getpid());
+  unlink(link.c_str());
+  driver.configure("library", link.c_str());
+  const std::uint64_t none = driver.presence();
+  EXPECT_EQ(driver.presence(), none);
+  ASSERT_EQ(symlink(HAPTICELL_HD_STAND_IN, link.c_str()), 0);
+  EXPECT_NE(driver.presence(), none);
+  EXPECT_TRUE(hd.tried_names.empty());
+  EXPECT_EQ(hd.opened, 0);
+  unlink(link.c_str());
 }
 
 TEST_F(OpenHaptics, InUseIsSaid) {

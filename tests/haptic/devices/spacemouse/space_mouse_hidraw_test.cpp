@@ -92,6 +92,22 @@ TEST(SpaceMouseHidraw, AFileThatMayNotBeOpenedIsSaidWithItsFix) {
   EXPECT_EQ(problem.status, Status::kNoPermission);
 }
 
+TEST(SpaceMouseHidraw, ItsPresenceTellsThatItCameAndWentAndMayBeOpened) {
+  MockHidraw mock;
+  SpaceMouseDriver driver(makeHidapi());
+  const std::uint64_t there = driver.presence();
+  EXPECT_EQ(driver.presence(), there);
+  mock.unplug();
+  const std::uint64_t none = driver.presence();
+  EXPECT_NE(none, there);
+  EXPECT_NE(none, 0u);
+  mock.plug();
+  const std::uint64_t again = driver.presence();
+  EXPECT_NE(again, none);
+  mock.forbid();
+  EXPECT_NE(driver.presence(), again);
+}
+
 TEST(SpaceMouseHidraw, NothingPluggedIn) {
   UMockdevTestbed* const empty = umockdev_testbed_new();
   SpaceMouseDriver driver(makeHidapi());
