@@ -8,6 +8,7 @@
 #include "app/style/units.h"
 #include "app/viewport/curve_painter.h"
 #include "app/viewport/frame.h"
+#include "app/viewport/pen_tags.h"
 #include "app/viewport/stylus_mesh.h"
 
 namespace hapticell::app {
@@ -382,6 +383,7 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   const auto add = [&middle](const QPointF& p, double room) {
     middle = middle.united(QRectF(p.x() - room, p.y() - room, 2 * room, 2 * room));
   };
+  for (const PenTag& tag : penTags(overlay)) pieces.push_back(tag.box.adjusted(-2, -2, 2, 2));
   for (const PlacedLabel& place : overlay.places) {
     add(point(place.anchor), 20);
     middle = middle.united(QRectF(point(place.box.min), point(place.box.max)).adjusted(-4, -4, 4, 4));
@@ -404,6 +406,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
     paintCurve(painter, curve, overlay.camera, overlay.size, *overlay.theme);
   paintCube(painter, overlay);
   if (overlay.scene && overlay.scene->snapshot()) {
+    paintPenTags(painter, overlay);
     paintPairs(painter, overlay);
     paintForce(painter, overlay);
     for (const PlacedLabel& place : overlay.places)

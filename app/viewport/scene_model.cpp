@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/pen_look.h"
 #include "kinematics/robot_model.h"
 #include "workcell/pair_policy.h"
 
@@ -306,8 +307,16 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   for (const auto& [owner, extras] : extras_) result.insert(result.end(), extras.begin(), extras.end());
   if (stylus.length <= 0.0 || !snapshot_ || !snapshot_->connected) return result;
   appendStylus(stylus, snapshot_->X_WStylus, result);
-  if (snapshot_->second && snapshot_->second->connected) {
-    appendStylus(stylus, snapshot_->second->X_WStylus, result);
+  if (!snapshot_->second || !snapshot_->second->connected) return result;
+  static const StylusMesh second = makeSecondStylusMesh();
+  const bool dark_theme = stylus.body == penColor(false, true);
+  for (const bool band : {false, true}) {
+    RenderItem item = result[result.size() - 2];
+    item.mesh = band ? second.band : second.body;
+    item.bounds_M = item.mesh->bounds();
+    item.X_WM = snapshot_->second->X_WStylus;
+    if (!band) item.color = penColor(true, dark_theme);
+    result.push_back(std::move(item));
   }
   return result;
 }

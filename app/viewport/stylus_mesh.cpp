@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/viewport/pen_look.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -37,6 +39,25 @@ std::shared_ptr<const geometry::TriangleMesh> leaning(geometry::TriangleMesh upr
   return result;
 }
 
+/// A pen with so many bands in its middle.
+StylusMesh withBands(int bands) {
+  constexpr double kBody = 0.068, kBand = 0.0695, kFirst = 0.44, kLast = 0.56;
+  const std::vector<std::pair<double, double>> lower{{0.0005, 0.0}, {0.012, 0.004}, {0.018, 0.02},
+                                                     {0.058, 0.20}, {0.066, 0.26},  {kBody, kFirst}};
+  const std::vector<std::pair<double, double>> upper{
+      {kBody, kLast}, {0.062, 0.90}, {0.055, 0.96}, {0.036, 0.99}, {0.001, 1.0}};
+  geometry::TriangleMesh body = lathe(lower), rings;
+  geometry::append(body, lathe(upper), Pose::identity());
+  const int pieces = 2 * bands - 1;
+  const double height = (kLast - kFirst) / pieces;
+  for (int i = 0; i < pieces; ++i) {
+    const bool is_band = i % 2 == 0;
+    const double radius = is_band ? kBand : kBody, from = kFirst + i * height;
+    geometry::append(is_band ? rings : body, lathe({{radius, from}, {radius, from + height}}), Pose::identity());
+  }
+  return {leaning(std::move(body)), leaning(std::move(rings))};
+}
+
 }  // namespace
 
 dvec3 stylusDirection_S() {
@@ -44,14 +65,16 @@ dvec3 stylusDirection_S() {
 }
 
 StylusMesh makeStylusMesh() {
-  const std::vector<std::pair<double, double>> lower{{0.0005, 0.0}, {0.012, 0.004}, {0.018, 0.02},
-                                                     {0.058, 0.20}, {0.066, 0.26},  {0.068, 0.44}};
-  const std::vector<std::pair<double, double>> band{{0.0695, 0.44}, {0.0695, 0.56}};
-  const std::vector<std::pair<double, double>> upper{
-      {0.068, 0.56}, {0.062, 0.90}, {0.055, 0.96}, {0.036, 0.99}, {0.001, 1.0}};
-  geometry::TriangleMesh body = lathe(lower);
-  geometry::append(body, lathe(upper), Pose::identity());
-  return {leaning(std::move(body)), leaning(lathe(band))};
+  return withBands(1);
+}
+
+StylusMesh makeSecondStylusMesh() {
+  return withBands(2);
+}
+
+std::array<float, 3> penColor(bool second, bool dark_theme) {
+  if (second) return dark_theme ? std::array{0.86f, 0.66f, 0.38f} : std::array{0.63f, 0.40f, 0.16f};
+  return dark_theme ? std::array{0.96f, 0.96f, 0.96f} : std::array{0.16f, 0.18f, 0.21f};
 }
 
 }  // namespace hapticell::app

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/viewport/frame_colors.h"
+#include "app/viewport/pen_look.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double kTurnSeconds = 0.25;
 constexpr double kSettleSeconds = 0.16;  // After so long without motion the picture is refined.
-constexpr double kStylusPixels = 150.0;
 
 std::array<float, 3> triple(const QColor& color) {
   return {color.redF(), color.greenF(), color.blueF()};
@@ -45,7 +45,7 @@ Frame ViewportWidget::makeFrame() const {
   SceneModel::StylusLook look;
   if (scene_.snapshot())
     look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
-  look.body = theme.dark ? std::array<float, 3>{0.96f, 0.96f, 0.96f} : std::array<float, 3>{0.16f, 0.18f, 0.21f};
+  look.body = penColor(false, theme.dark);
   look.band = triple(theme.selection);
   frame.items = scene_.items(look);
   frame.bounds_W = scene_.bounds_W();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/viewport/pen_look.h"
 #include "geometry/shapes.h"
 
 namespace hapticell::app {
@@ -198,6 +199,24 @@ TEST(SceneModel, ColoursAreQuietAndTheStylusIsDrawnOnlyWhileConnected) {
   snapshot.connected = true;
   scene.setSnapshot(snapshot);
   EXPECT_EQ(scene.items(look).size(), 3u);
+}
+
+TEST(SceneModel, ASecondStylusLooksOtherThanTheFirst) {
+  SceneModel scene;
+  SceneModel::StylusLook look;
+  look.length = 0.1;
+  look.body = penColor(false, true);
+  manipulation::SceneSnapshot snapshot;
+  snapshot.connected = true;
+  snapshot.second.emplace().connected = true;
+  scene.setSnapshot(snapshot);
+  const auto items = scene.items(look);
+  ASSERT_EQ(items.size(), 4u) << "a body and bands each";
+  EXPECT_EQ(items[0].color, look.body);
+  EXPECT_EQ(items[2].color, penColor(true, true));
+  EXPECT_EQ(items[2].scale, look.length);
+  EXPECT_EQ(items[3].color, look.band);
+  EXPECT_EQ(items[3].mesh->triangles.size(), 2 * items[1].mesh->triangles.size()) << "two bands";
 }
 
 }  // namespace

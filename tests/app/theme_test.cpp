@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "app/viewport/pen_look.h"
 #include "tests/app/colour_difference.h"
 
 namespace hapticell::app {
@@ -45,6 +46,25 @@ TEST_P(Themes, TextIsReadableOnEveryGround) {
 
 TEST_P(Themes, ThePaletteKnowsItsTheme) {
   EXPECT_EQ(themeOf(paletteOf(theme())).dark, GetParam());
+}
+
+TEST(PenColour, IsToldApartFromTheOtherPenItsBandAndTheGround) {
+  for (const bool dark : {true, false}) {
+    const Theme& theme = dark ? darkTheme() : lightTheme();
+    const auto color = [&](bool second) {
+      const auto rgb = penColor(second, dark);
+      return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
+    };
+    for (const Vision vision : {Vision::kNormal, Vision::kProtan, Vision::kDeutan}) {
+      const auto apart = [&](const QColor& a, const QColor& b) {
+        return ciede2000(linearSeenBy(vision, a), linearSeenBy(vision, b));
+      };
+      EXPECT_GE(apart(color(true), color(false)), 20.0);
+      for (const QColor& other : {theme.selection, theme.background_top, theme.background_bottom}) {
+        EXPECT_GE(apart(color(true), other), 20.0) << dark << other.name().toStdString();
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(DarkAndLight, Themes, testing::Bool());
