@@ -93,6 +93,10 @@
         <translation>%1 (inutilisable)</translation>
     </message>
     <message>
+        <source>%1 (unplugged)</source>
+        <translation>%1 (débranché)</translation>
+    </message>
+    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -191,6 +195,10 @@
     <message>
         <source>%1 goes to %2</source>
         <translation>%1 va à %2</translation>
+    </message>
+    <message>
+        <source>%1 has been plugged in</source>
+        <translation>%1 vient d'être branché</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
@@ -1485,6 +1493,10 @@
         <translation>Choisissez un exercice</translation>
     </message>
     <message>
+        <source>Choose it in the panel Virtual Desktop.</source>
+        <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
+    </message>
+    <message>
         <source>Choose what may be moved, then search.</source>
         <translation>Choisissez ce qui peut bouger, puis cherchez.</translation>
     </message>
@@ -1641,16 +1653,16 @@
         <translation>Connecté</translation>
     </message>
     <message>
+        <source>Connected, pen 2 in the scene; it holds the other hand, the trunk stands still</source>
+        <translation>Connecté, stylet 2 dans la scène ; il tient l'autre main, le tronc reste immobile</translation>
+    </message>
+    <message>
+        <source>Connected, pen 2 in the scene; it holds what its tip touches</source>
+        <translation>Connecté, stylet 2 dans la scène ; il prend ce que touche sa pointe</translation>
+    </message>
+    <message>
         <source>Connected, simulated</source>
         <translation>Connecté, simulé</translation>
-    </message>
-    <message>
-        <source>Connected; it holds the other hand, the trunk stands still</source>
-        <translation>Connecté ; il tient l'autre main, le tronc ne bouge pas</translation>
-    </message>
-    <message>
-        <source>Connected; it holds what its tip touches</source>
-        <translation>Connecté ; il prend ce que touche sa pointe</translation>
     </message>
     <message>
         <source>Connecting</source>

@@ -99,11 +99,10 @@ void CheckRows::paintEvent(QPaintEvent*) {
   }
 }
 
-DeviceCheckPanel::DeviceCheckPanel(QWidget* parent) : QWidget(parent) {
+DeviceCheckPanel::DeviceCheckPanel(DeviceLister& lister, QWidget* parent) : QWidget(parent), lister_(lister) {
   setObjectName("deviceCheck");
   setMinimumWidth(320);
   watch_ = new DeviceWatch(this);
-  lister_ = new DeviceLister(this);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -125,8 +124,12 @@ DeviceCheckPanel::DeviceCheckPanel(QWidget* parent) : QWidget(parent) {
     emit stylusWanted(false);
     showForceTest();
   });
-  connect(lister_, &DeviceLister::listed, this, &DeviceCheckPanel::showListing);
-  connect(lister_, &DeviceLister::failed, this, [this](const QString& sentence) { looking_->setText(sentence); });
+  connect(&lister_, &DeviceLister::listed, this, &DeviceCheckPanel::showListing);
+  connect(&lister_, &DeviceLister::failed, this, [this](const QString& sentence) {
+    looking_->setText(sentence);
+    looking_->show();
+  });
+  showListing();
   showForceTest();
 }
 
@@ -268,7 +271,7 @@ void DeviceCheckPanel::addPlugged(QVBoxLayout& column) {
   connect(again, &QPushButton::clicked, this, [this] {
     looking_->setText(tr("Looking…"));
     looking_->show();
-    lister_->look();
+    lister_.look();
   });
 }
 
@@ -302,11 +305,12 @@ void DeviceCheckPanel::addDeviceRow(const QString& title, const QString& detail,
 }
 
 void DeviceCheckPanel::showListing() {
+  if (!lister_.listing()) return;
   while (QLayoutItem* item = plugged_->takeAt(0)) {
     delete item->widget();
     delete item;
   }
-  const DeviceListing& listing = lister_->listing();
+  const DeviceListing& listing = *lister_.listing();
   for (const ListedDevice& device : listing.devices) {
     if (device.simulated) continue;
     const QString where =

@@ -41,12 +41,12 @@ class CheckRows : public QWidget {
 class DeviceCheckPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit DeviceCheckPanel(QWidget* parent = nullptr);
+  /// `lister` outlives it.
+  explicit DeviceCheckPanel(DeviceLister& lister, QWidget* parent = nullptr);
   void setChecks(std::vector<DeviceCheck> checks);
   /// The one line that says why there is no force, or that there is.
   void setReason(const ForceReason& reason);
   DeviceWatch& watch() { return *watch_; }
-  DeviceLister& lister() { return *lister_; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -78,7 +78,7 @@ class DeviceCheckPanel : public QWidget {
   QPushButton *force_ask_ = nullptr, *force_go_ = nullptr, *force_stop_ = nullptr;
   QVBoxLayout* plugged_ = nullptr;
   DeviceWatch* watch_ = nullptr;
-  DeviceLister* lister_ = nullptr;
+  DeviceLister& lister_;
   bool asked_ = false;
   QString force_result_;
 };

@@ -6,6 +6,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 
 namespace hapticell::app {
 
@@ -41,16 +42,21 @@ std::optional<DeviceListing> parseListing(const QByteArray& json) {
   return listing;
 }
 
+std::vector<ListedDevice> newDevices(const DeviceListing& before, const DeviceListing& now) {
+  std::vector<ListedDevice> fresh;
+  for (const ListedDevice& device : now.devices) {
+    const bool known = std::any_of(before.devices.begin(), before.devices.end(),
+                                   [&](const ListedDevice& one) { return one.device == device.device; });
+    if (!known) fresh.push_back(device);
+  }
+  return fresh;
+}
+
 DeviceLister::DeviceLister(QObject* parent) : QObject(parent) {
-  connect(&process_, &QProcess::finished, this, [this](int code) {
-    const auto read = parseListing(process_.readAllStandardOutput());
-    if (code == 0 && read) {
-      listing_ = *read;
-      emit listed();
-    } else {
-      emit failed(
-          tr("The devices could not be listed: %1").arg(QString::fromUtf8(process_.readAllStandardError()).trimmed()));
-    }
+  connect(&process_, &QProcess::readyReadStandardOutput, this, &DeviceLister::takeLines);
+  connect(&process_, &QProcess::finished, this, [this] {
+    emit failed(
+        tr("The devices could not be listed: %1").arg(QString::fromUtf8(process_.readAllStandardError()).trimmed()));
   });
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) emit failed(tr("%1 is not there or may not be run.").arg(process_.program()));
@@ -64,8 +70,22 @@ DeviceLister::~DeviceLister() {
 }
 
 void DeviceLister::look() {
-  if (isLooking()) return;
-  process_.start(QDir(QCoreApplication::applicationDirPath()).filePath("hapticell-cli"), {"devices"});
+  if (process_.state() != QProcess::NotRunning) {
+    process_.write("look\n");
+    return;
+  }
+  process_.start(QDir(QCoreApplication::applicationDirPath()).filePath("hapticell-cli"), {"devices", "--watch"});
+}
+
+void DeviceLister::takeLines() {
+  while (process_.canReadLine()) {
+    auto read = parseListing(process_.readLine());
+    if (!read) continue;
+    const std::vector<ListedDevice> fresh = listing_ ? newDevices(*listing_, *read) : std::vector<ListedDevice>{};
+    listing_ = std::move(*read);
+    emit listed();
+    for (const ListedDevice& device : fresh) emit plugged(device);
+  }
 }
 
 }  // namespace hapticell::app

@@ -40,25 +40,31 @@ struct DeviceListing {
 /// Reads the command's JSON; nothing where it is none.
 std::optional<DeviceListing> parseListing(const QByteArray& json);
 
-/// Asks for the listing in a process of its own: drivers load vendors' libraries, which the window must not share.
-/// GUI thread; never waits.
+/// What is plugged into one listing and was not into the one before.
+std::vector<ListedDevice> newDevices(const DeviceListing& before, const DeviceListing& now);
+
+/// Has the listing kept by a process of its own (`hapticell-cli devices --watch`): drivers load vendors' libraries,
+/// which the window must not share. GUI thread; never waits.
 class DeviceLister : public QObject {
   Q_OBJECT
  public:
   explicit DeviceLister(QObject* parent = nullptr);
   ~DeviceLister() override;
-  /// Looks again; listed() follows, or failed().
+  /// Looks, and goes on looking from then on; listed() follows, or failed(). Again: every driver is asked anew.
   void look();
-  bool isLooking() const { return process_.state() != QProcess::NotRunning; }
-  const DeviceListing& listing() const { return listing_; }
+  /// The newest; nothing before the first.
+  const std::optional<DeviceListing>& listing() const { return listing_; }
 
  signals:
-  void listed();
+  void listed();                             ///< Also whenever a device has come or gone.
+  void plugged(const ListedDevice& device);  ///< After listed().
   void failed(const QString& sentence);
 
  private:
+  void takeLines();
+
   QProcess process_;
-  DeviceListing listing_;
+  std::optional<DeviceListing> listing_;
 };
 
 }  // namespace hapticell::app

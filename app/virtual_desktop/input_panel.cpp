@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/input_panel.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTimer>
@@ -9,6 +8,7 @@
 
 #include "app/panels/form.h"
 #include "app/style/segmented.h"
+#include "app/virtual_desktop/device_combo.h"
 #include "app/virtual_desktop/device_listing.h"
 
 namespace hapticell::app {
@@ -28,16 +28,11 @@ void say(QLabel& label, const QString& text) {
   label.setVisible(!text.isEmpty());
 }
 
-void fill(QComboBox& combo, const DeviceListing& listing, const QString& kind, const QString& chosen) {
-  combo.clear();
-  combo.addItem(QObject::tr("None"), QString());
-  for (const ListedDevice& device : listing.devices) {
-    if (device.kind != kind) continue;
-    combo.addItem(device.usable ? device.name : QObject::tr("%1 (not usable)").arg(device.name), device.device);
-    combo.setItemData(combo.count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
-  }
-  if (combo.findData(chosen) < 0) combo.addItem(chosen, chosen);
-  combo.setCurrentIndex(combo.findData(chosen));
+std::vector<DeviceCombo::Entry> entriesOf(const DeviceListing& listing, const QString& kind) {
+  std::vector<DeviceCombo::Entry> entries{{QObject::tr("None"), QString(), QString()}};
+  for (const ListedDevice& device : listing.devices)
+    if (device.kind == kind) entries.push_back(DeviceCombo::entryOf(device));
+  return entries;
 }
 
 }  // namespace
@@ -46,12 +41,12 @@ InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent),
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  glove_ = new QComboBox;
+  glove_ = new DeviceCombo;
   glove_->setObjectName("comboGlove");
   addRow(*column, tr("Glove"), glove_);
   column->addWidget(glove_line_ = line("labelGlove"));
   addCalibration();
-  mouse_ = new QComboBox;
+  mouse_ = new DeviceCombo;
   mouse_->setObjectName("comboSpaceMouse");
   addRow(*column, tr("3-D mouse"), mouse_);
   column->addWidget(mouse_line_ = line("labelSpaceMouse"));
@@ -142,11 +137,13 @@ void InputPanel::setFreeHandMissing(bool missing) {
 }
 
 void InputPanel::setListing(const DeviceListing& listing) {
-  fill(*glove_, listing, QStringLiteral("glove"), inputs_.glove());
-  fill(*mouse_, listing, QStringLiteral("space_mouse"), inputs_.mouse());
+  glove_->setEntries(entriesOf(listing, QStringLiteral("glove")));
+  mouse_->setEntries(entriesOf(listing, QStringLiteral("space_mouse")));
 }
 
 void InputPanel::refresh() {
+  glove_->setChosen(inputs_.glove());
+  mouse_->setChosen(inputs_.mouse());
   say(*glove_line_, inputs_.gloveLine());
   say(*mouse_line_, inputs_.mouseLine());
   setFreeHandMissing(free_hand_missing_);

@@ -5,12 +5,12 @@
 
 #include "app/virtual_desktop/input_devices.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace hapticell::app {
 
+class DeviceCombo;
 class Segmented;
 struct DeviceListing;
 
@@ -35,7 +35,7 @@ class InputPanel : public QWidget {
   void showCalibration();
 
   InputDevices& inputs_;
-  QComboBox *glove_, *mouse_;
+  DeviceCombo *glove_, *mouse_;
   QLabel *glove_line_, *mouse_line_, *instruction_;
   QWidget* moves_row_;
   Segmented* moves_;

@@ -11,7 +11,6 @@
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/style/library_text.h"
-#include "app/viewport/stylus_mesh.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/preparation_bar.h"
 
@@ -20,9 +19,8 @@ namespace {
 
 namespace command = manipulation::command;
 
-constexpr int kLeastPress = 90;       // Milliseconds that a press of the stylus's button lasts at least.
-constexpr double kPenPixels = 150.0;  // As the viewport draws it.
-constexpr int kInputPeriod = 16;      // Milliseconds between two looks at glove and 3-D mouse.
+constexpr int kLeastPress = 90;   // Milliseconds that a press of the stylus's button lasts at least.
+constexpr int kInputPeriod = 16;  // Milliseconds between two looks at glove and 3-D mouse.
 
 }  // namespace
 
@@ -69,6 +67,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
   connect(&inputs_, &InputDevices::changed, this, [this] {
     const bool any = !inputs_.glove().isEmpty() || !inputs_.mouse().isEmpty();
     any ? input_timer_.start() : input_timer_.stop();
+    if (inputs_.glove().isEmpty()) endGlove();
     settleMouse();
     takeInputs();
     emit connectionChanged();
@@ -87,6 +86,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     settings.moved_frame = choice.frame();
     change(settings);
   });
+  connect(&lister_, &DeviceLister::plugged, this, &VirtualDesktopController::tellOfPlugged);
   const auto post = [this](const auto& order) {
     if (loop_) loop_->post(order);
   };
@@ -146,6 +146,7 @@ void VirtualDesktopController::connectDevice() {
 
 void VirtualDesktopController::disconnectDevice() {
   if (!loop_) return;
+  restGlove();
   timer_.stop();
   preparation_->setShare(std::nullopt);
   host_.recording().setLive(false);
@@ -337,21 +338,6 @@ void VirtualDesktopController::take(const std::vector<manipulation::Result>& res
   }
 }
 
-void VirtualDesktopController::updateMouse() {
-  const ViewportWidget& viewport = host_.viewport();
-  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  MouseStylus::State state;
-  state.usable = isConnected() && device_ && device_->simulated;
-  state.holding_entity = snapshot_.held != 0;
-  state.q_WD = axes_W();
-  state.scale = snapshot_.motion_scale;
-  state.p_WTip = snapshot_.X_WStylus.p;
-  state.d_WPen = snapshot_.X_WStylus.rotate(stylusDirection_S());
-  state.pen_length = kPenPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
-  if (device_) state.workspace_min = device_->workspace_min, state.workspace_max = device_->workspace_max;
-  mouse_.setState(state);
-}
-
 void VirtualDesktopController::tick() {
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   ticks_.frame(now, 0.0);
@@ -387,7 +373,6 @@ void VirtualDesktopController::tick() {
     updateMouse();
     updateSecondMouse();
     host_.setGuiRate(guiRate());
-    if (gloved_ && !isPosedByLoop()) snapshot_.entities.push_back(glovedState());
     host_.setSnapshot(snapshot_);
     if (device_)
       host_.setDeviceText(QString::fromStdString(device_->name) +

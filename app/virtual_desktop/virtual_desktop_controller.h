@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/viewport/detail_level.h"
+#include "app/virtual_desktop/device_listing.h"
 #include "app/virtual_desktop/force_reason.h"
 #include "app/virtual_desktop/input_devices.h"
 #include "app/virtual_desktop/mouse_stylus.h"
@@ -68,6 +69,8 @@ class VirtualDesktopController : public QObject {
   ForceFacts forceFacts() const;
   /// Glove and 3-D mouse.
   InputDevices& inputs() { return inputs_; }
+  /// What is plugged in, and what comes and goes.
+  DeviceLister& lister() { return lister_; }
   SoundPlayer& sound() { return sound_; }
   void setForces(bool on);
   /// What the user asked for; whether they act is in the snapshot.
@@ -100,15 +103,14 @@ class VirtualDesktopController : public QObject {
   MouseStylus* penOfMouse();
   void settleMouse();
   void poseByGlove();
-  void poseInLoop(const GlovedHand& hand);
   void keepGloved(std::vector<double> joints);
+  void keepRested();
+  void restGlove();
+  void endGlove();
   void grasp(const GlovedHand& hand);
   bool mayGrasp(workcell::EntityId entity, workcell::EntityId hand) const;
   void vibrate(const GlovedHand& hand);
-  manipulation::EntityState glovedState() const;
-  /// The snapshot tells where the gloved hand's fingers are; else the glove alone says it.
-  bool isPosedByLoop() const;
-  std::optional<std::vector<double>> posedJoints() const;
+  std::vector<double> posedJoints(workcell::EntityId id) const;
   void startSecond();
   void dropSecond();
   void followSecond();
@@ -116,6 +118,7 @@ class VirtualDesktopController : public QObject {
   void updateSecondMouse();
   manipulation::MovedBy movedBy() const;
   void tellOfDevice();
+  void tellOfPlugged(const ListedDevice& device);
   /// Forces went off though nobody asked for it: by the server's safety chain, or the loop stands still.
   void tellOfCut();
   void updateStrip();
@@ -136,10 +139,11 @@ class VirtualDesktopController : public QObject {
   MouseStylus mouse_;
   PreparationBar* preparation_;  // The viewport's.
   InputDevices inputs_;
+  DeviceLister lister_;
   QTimer input_timer_;
   std::uint32_t input_buttons_ = 0;
-  std::vector<double> gloved_joints_;  // Of the mannequin whose hand the glove poses, not yet in the document.
-  workcell::EntityId gloved_ = 0;
+  std::vector<double> gloved_joints_;  // As the glove wants them; how far they came the snapshot says.
+  workcell::EntityId gloved_ = 0;      // The mannequin or free hand that it poses.
   manipulation::GraspKeeper grasp_;
   QString second_profile_;
   ServerProcess second_server_;

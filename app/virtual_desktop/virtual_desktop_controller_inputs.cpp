@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What glove and 3-D mouse do.
+// What the mouse, a glove and a 3-D mouse do.
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +9,7 @@
 #include "app/host/selection.h"
 #include "app/mannequin/beside.h"
 #include "app/style/library_text.h"
+#include "app/viewport/pen_look.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/finger_contact.h"
 #include "app/virtual_desktop/gloved_hand.h"
@@ -70,6 +71,21 @@ MouseStylus* VirtualDesktopController::penOfMouse() {
   return nullptr;
 }
 
+void VirtualDesktopController::updateMouse() {
+  const ViewportWidget& viewport = host_.viewport();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  MouseStylus::State state;
+  state.usable = isConnected() && device_ && device_->simulated;
+  state.holding_entity = snapshot_.held != 0;
+  state.q_WD = axes_W();
+  state.scale = snapshot_.motion_scale;
+  state.p_WTip = snapshot_.X_WStylus.p;
+  state.d_WPen = snapshot_.X_WStylus.rotate(stylusDirection_S());
+  state.pen_length = kStylusPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
+  if (device_) state.workspace_min = device_->workspace_min, state.workspace_max = device_->workspace_max;
+  mouse_.setState(state);
+}
+
 /// Where a real hand holds the first stylus the 3-D mouse that is to move entities is the second one, until it moves
 /// the view again.
 void VirtualDesktopController::settleMouse() {
@@ -115,27 +131,22 @@ void VirtualDesktopController::grasp(const GlovedHand& hand) {
   const std::string link = hand.side == mannequin::Side::kLeft ? "l_hand" : "r_hand";
   if (change.taken != 0) {
     // As it closed, so it stays: what hangs on the hand is not in its way any more.
-    const std::vector<double> closed = posedJoints().value_or(hand.joints);
-    keepGloved(closed);
-    gloved_joints_ = closed;
-    if (loop_) loop_->post(manipulation::command::PoseJoints{hand.entity, closed, hand.fingers});
+    gloved_ = hand.entity;
+    gloved_joints_ = posedJoints(hand.entity);
+    keepGloved(gloved_joints_);
+    loop_->post(manipulation::command::PoseJoints{hand.entity, gloved_joints_, hand.fingers});
     if (!host_.documentModel().execute(workcell::Attach{change.taken, hand.entity, link})) grasp_.forget();
   }
   if (change.let_go != 0) host_.documentModel().execute(workcell::Detach{change.let_go});
 }
 
-/// Where the loop has brought the gloved joints: as the document has them where it tells of no others.
-std::optional<std::vector<double>> VirtualDesktopController::posedJoints() const {
-  const workcell::Entity* entity = host_.documentModel().document().find(gloved_);
-  if (!loop_ || !isConnected() || !entity) return std::nullopt;
+/// Where the loop has brought an entity's joints: as the document has them where it tells of no others.
+std::vector<double> VirtualDesktopController::posedJoints(workcell::EntityId id) const {
   for (const manipulation::EntityState& state : snapshot_.entities) {
-    if (state.id == gloved_) return state.joints;
+    if (state.id == id) return state.joints;
   }
-  return entity->joints;
-}
-
-bool VirtualDesktopController::isPosedByLoop() const {
-  return posedJoints().has_value();
+  const workcell::Entity* entity = host_.documentModel().document().find(id);
+  return entity ? entity->joints : std::vector<double>{};
 }
 
 /// One step of undo for a grasp, not one for each twitch.
@@ -145,13 +156,32 @@ void VirtualDesktopController::keepGloved(std::vector<double> joints) {
   host_.documentModel().execute(workcell::SetConfiguration{gloved_, entity->X_WE, std::move(joints)});
 }
 
-void VirtualDesktopController::poseInLoop(const GlovedHand& hand) {
-  loop_->post(manipulation::command::PoseJoints{hand.entity, hand.joints, hand.fingers});
+/// Fingers that have rested for a while go into the document, as far as the loop has let them come.
+void VirtualDesktopController::keepRested() {
+  if (gloved_ == 0 || glove_rests_.elapsed() <= kGloveRest) return;
+  glove_rests_.start();  // The loop may still be on its way there.
+  keepGloved(posedJoints(gloved_));
 }
 
+/// The hand stays as it is until the glove moves it anew.
+void VirtualDesktopController::restGlove() {
+  if (gloved_ == 0) return;
+  keepGloved(posedJoints(gloved_));
+  gloved_ = 0;
+  if (loop_) loop_->post(manipulation::command::PoseJoints{});
+}
+
+/// No glove any more: what its hand held stays where it is.
+void VirtualDesktopController::endGlove() {
+  restGlove();
+  if (grasp_.held() != 0) host_.documentModel().execute(workcell::Detach{grasp_.held()});
+  grasp_.forget();
+}
+
+/// Without the loop nobody would see to it that no finger goes through what it meets: then the hand rests.
 void VirtualDesktopController::poseByGlove() {
   const auto angles = inputs_.gloveAngles();
-  if (!angles || inputs_.isCalibrating()) return;
+  if (!loop_ || !angles || inputs_.isCalibrating()) return keepRested();
   const workcell::Document& document = host_.documentModel().document();
   const mannequin::Side side = inputs_.isRightGlove() ? mannequin::Side::kRight : mannequin::Side::kLeft;
   GlovedHand hand = glovedHand(document, settings_.entity, side, *angles);
@@ -165,17 +195,11 @@ void VirtualDesktopController::poseByGlove() {
   double moved = 0.0;
   for (std::size_t i = 0; i < hand.joints.size() && i < before.size(); ++i)
     moved = std::max(moved, std::abs(hand.joints[i] - before[i]));
-  const bool loop_poses = loop_ && isConnected();
-  if (moved > kGloveStep) {
-    gloved_ = hand.entity;
-    gloved_joints_ = hand.joints;
-    glove_rests_.start();
-    if (loop_poses) poseInLoop(hand);
-  } else if (gloved_ == hand.entity && glove_rests_.elapsed() > kGloveRest) {
-    glove_rests_.start();  // The loop may still be on its way there.
-    keepGloved(loop_poses ? posedJoints().value_or(gloved_joints_) : gloved_joints_);
-    if (!loop_poses) gloved_ = 0;
-  }
+  if (moved <= kGloveStep) return keepRested();
+  gloved_ = hand.entity;
+  gloved_joints_ = hand.joints;
+  glove_rests_.start();
+  loop_->post(manipulation::command::PoseJoints{hand.entity, hand.joints, hand.fingers});
 }
 
 bool VirtualDesktopController::hasFreeHand() const {
@@ -206,12 +230,11 @@ void VirtualDesktopController::addFreeHand() {
       });
 }
 
-manipulation::EntityState VirtualDesktopController::glovedState() const {
-  manipulation::EntityState state;
-  state.id = gloved_;
-  if (const workcell::Entity* entity = host_.documentModel().document().find(gloved_)) state.X_WE = entity->X_WE;
-  state.joints = gloved_joints_;
-  return state;
+void VirtualDesktopController::tellOfPlugged(const ListedDevice& device) {
+  const QString mends =
+      shownText(device.problem.toStdString()) + QLatin1Char(' ') + shownText(device.fix.toStdString());
+  host_.messages().tell(Severity::kInformation, tr("%1 has been plugged in").arg(device.name),
+                        device.usable ? tr("Choose it in the panel Virtual Desktop.") : mends);
 }
 
 /// What the server says of the device; where it is our own its warnings come by another way.

@@ -9,7 +9,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/style/library_text.h"
-#include "app/viewport/stylus_mesh.h"
+#include "app/viewport/pen_look.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/virtual_desktop_controller.h"
 
@@ -18,8 +18,6 @@ namespace {
 
 namespace command = manipulation::command;
 using Kind = manipulation::MovedBy::Kind;
-
-constexpr double kPenPixels = 150.0;  // As the viewport draws it.
 
 /// One of this machine's that nobody listens on now; 0 where none is to be had.
 int freePort() {
@@ -99,8 +97,8 @@ QString VirtualDesktopController::secondLine() const {
   if (!second_link_) return tr("Comes with the first one");
   if (second_link_->linkState() != haptic::LinkState::kConnected) return shownText(second_link_->problem());
   if (snapshot_.second && snapshot_.second->device_fault) return tr("It does not answer: its force is zero");
-  if (!isHand(movedBy().kind)) return tr("Connected; it holds what its tip touches");
-  return tr("Connected; it holds the other hand, the trunk stands still");
+  if (!isHand(movedBy().kind)) return tr("Connected, pen 2 in the scene; it holds what its tip touches");
+  return tr("Connected, pen 2 in the scene; it holds the other hand, the trunk stands still");
 }
 
 /// As for the first: a connection begins without forces, and the simulated hand is told where it is.
@@ -139,7 +137,7 @@ void VirtualDesktopController::updateSecondMouse() {
     state.scale = second.motion_scale;
     state.p_WTip = second.X_WStylus.p;
     state.d_WPen = second.X_WStylus.rotate(stylusDirection_S());
-    state.pen_length = kPenPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
+    state.pen_length = kStylusPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
     state.workspace_min = second_device_->workspace_min;
     state.workspace_max = second_device_->workspace_max;
   }

@@ -111,7 +111,7 @@ void VirtualDesktopModule::stop() {
 
 void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
   if (!check_dock_) {
-    auto* checks = new DeviceCheckPanel;
+    auto* checks = new DeviceCheckPanel(controller_->lister());
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
@@ -124,7 +124,6 @@ void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
     });
     QObject::connect(checks, &DeviceCheckPanel::stylusWanted, controller_.get(),
                      [this](bool wanted) { wanted ? controller_->disconnectDevice() : controller_->connectDevice(); });
-    checks->lister().look();
     host_->addDock(check_dock_, Qt::RightDockWidgetArea, dock_);
     const auto show = [&panel, checks] { panel.showChecks(*checks); };
     QObject::connect(controller_.get(), &VirtualDesktopController::snapshotChanged, checks, show);

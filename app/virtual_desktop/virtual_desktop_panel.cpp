@@ -20,6 +20,7 @@
 #include "app/style/style_painting.h"
 #include "app/style/theme.h"
 #include "app/style/value_field.h"
+#include "app/virtual_desktop/device_combo.h"
 #include "app/virtual_desktop/device_listing.h"
 #include "app/virtual_desktop/force_meter.h"
 #include "app/virtual_desktop/input_panel.h"
@@ -30,7 +31,16 @@
 namespace hapticell::app {
 namespace {
 
-constexpr const char* kProfiles[]{"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"};
+std::vector<DeviceCombo::Entry> simulatedStyluses() {
+  std::vector<DeviceCombo::Entry> entries;
+  for (const char* profile : {"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"}) {
+    const auto file = config::findShippedFile(std::string("devices/") + profile + ".toml");
+    const auto read =
+        file ? config::readDeviceProfile(*file) : Expected<config::DeviceProfile>(config::DeviceProfile{});
+    if (file && read) entries.push_back({QString::fromStdString(read->name), QString::fromLatin1(profile), {}});
+  }
+  return entries;
+}
 
 }  // namespace
 
@@ -122,14 +132,8 @@ void VirtualDesktopPanel::change(const std::function<void(VirtualDesktopSettings
 
 void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Device"));
-  stylus_ = new QComboBox;
+  stylus_ = new DeviceCombo;
   stylus_->setObjectName("comboStylus");
-  for (const char* profile : kProfiles) {
-    const auto file = config::findShippedFile(std::string("devices/") + profile + ".toml");
-    const auto read =
-        file ? config::readDeviceProfile(*file) : Expected<config::DeviceProfile>(config::DeviceProfile{});
-    if (file && read) stylus_->addItem(QString::fromStdString(read->name), QString::fromLatin1(profile));
-  }
   addRow(*section, tr("Stylus"), stylus_);
   auto* station = new StationPanel(controller_.serverHost(), controller_.serverPort());
   section->addWidget(station);
@@ -149,9 +153,9 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   inputs_ = new InputPanel(controller_.inputs());
   section->addWidget(inputs_);
   connect(inputs_, &InputPanel::freeHandWanted, &controller_, &VirtualDesktopController::addFreeHand);
-  lister_ = new DeviceLister(this);
-  connect(lister_, &DeviceLister::listed, this, &VirtualDesktopPanel::listDevices);
-  lister_->look();
+  connect(&controller_.lister(), &DeviceLister::listed, this, &VirtualDesktopPanel::listDevices);
+  listDevices();
+  controller_.lister().look();
   connect_ = new QPushButton;
   connect_->setObjectName("buttonConnect");
   check_ = new QPushButton(tr("Check device…"));
@@ -169,11 +173,9 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
 }
 
 void VirtualDesktopPanel::addSecond(QVBoxLayout& section) {
-  second_ = new QComboBox;
+  second_ = new DeviceCombo;
   second_->setObjectName("comboSecondStylus");
   second_->setToolTip(tr("For the mannequin's other hand, or whatever its tip touches"));
-  second_->addItem(tr("None"), QString());
-  for (int i = 0; i < stylus_->count(); ++i) second_->addItem(stylus_->itemText(i), stylus_->itemData(i));
   addRow(section, tr("Second"), second_);
   second_state_ = makeLabel({}, TextRole::kSecond, true);
   second_state_->setObjectName("labelSecondStylus");
@@ -186,16 +188,18 @@ void VirtualDesktopPanel::addSecond(QVBoxLayout& section) {
 }
 
 void VirtualDesktopPanel::listDevices() {
-  inputs_->setListing(lister_->listing());
-  for (const ListedDevice& device : lister_->listing().devices) {
-    if (device.simulated || device.kind == QStringLiteral("glove") || stylus_->findData(device.device) >= 0) continue;
-    const QString name = device.usable ? device.name : tr("%1 (not usable)").arg(device.name);
-    stylus_->addItem(name, device.device);
-    stylus_->setItemData(stylus_->count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
-    second_->addItem(name, device.device);
-    second_->setItemData(second_->count() - 1, device.usable ? device.place : device.problem, Qt::ToolTipRole);
+  std::vector<DeviceCombo::Entry> styluses = simulatedStyluses();
+  if (const auto& listing = controller_.lister().listing()) {
+    inputs_->setListing(*listing);
+    for (const ListedDevice& device : listing->devices) {
+      if (!device.simulated && device.kind != QStringLiteral("glove")) styluses.push_back(DeviceCombo::entryOf(device));
+    }
   }
-  stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
+  stylus_->setEntries(styluses);
+  stylus_->setChosen(controller_.deviceProfile());
+  styluses.insert(styluses.begin(), {tr("None"), QString(), QString()});
+  second_->setEntries(std::move(styluses));
+  second_->setChosen(controller_.secondProfile());
 }
 
 void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {

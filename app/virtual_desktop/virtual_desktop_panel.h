@@ -24,7 +24,7 @@ struct SceneSnapshot;
 namespace hapticell::app {
 
 class DeviceCheckPanel;
-class DeviceLister;
+class DeviceCombo;
 class ForceMeter;
 class Host;
 class InputPanel;
@@ -81,11 +81,11 @@ class VirtualDesktopPanel : public QWidget {
   QStackedWidget* meter_or_mend_;
   ForceMeter* meter_;
   InputPanel* inputs_;
-  DeviceLister* lister_;
   WorkspaceView* workspace_;
   QPushButton *mend_, *connect_, *check_;
   std::array<QAbstractButton*, 6> free_{};
-  QComboBox *stylus_, *second_, *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
+  DeviceCombo *stylus_, *second_;
+  QComboBox *entity_, *against_, *material_, *moved_frame_, *axes_frame_;
   QWidget *moved_frame_row_, *axes_frame_row_;
   Segmented *moved_by_, *on_contact_, *axes_, *scale_, *force_class_;
   ValueField *stiffness_, *damping_;

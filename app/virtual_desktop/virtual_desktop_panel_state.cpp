@@ -20,6 +20,7 @@
 #include "app/viewport/strip_text.h"
 #include "app/viewport/viewport_widget.h"
 #include "app/virtual_desktop/device_check_panel.h"
+#include "app/virtual_desktop/device_combo.h"
 #include "app/virtual_desktop/device_watch.h"
 #include "app/virtual_desktop/force_meter.h"
 #include "app/virtual_desktop/input_panel.h"
@@ -230,8 +231,8 @@ void VirtualDesktopPanel::showConnection() {
   device_icon_->setPixmap(icon(connected ? "check" : "info", connected ? theme.axis_z : theme.text2).pixmap(16, 16));
   device_state_->setText(controller_.deviceLine());
   const auto& device = controller_.device();
-  stylus_->setCurrentIndex(stylus_->findData(controller_.deviceProfile()));
-  second_->setCurrentIndex(std::max(0, second_->findData(controller_.secondProfile())));
+  stylus_->setChosen(controller_.deviceProfile());
+  second_->setChosen(controller_.secondProfile());
   second_state_->setText(controller_.secondLine());
   second_state_->setVisible(!second_state_->text().isEmpty());
   inputs_->setFreeHandMissing(!controller_.hasFreeHand());
