@@ -161,6 +161,7 @@ class DevicePage : public OwnUser, public CellPage {
     if (folder.isEmpty()) return;
     settle();
     window().viewport().finishedPicture();
+    window().viewport().update();  // With what is painted over it.
     settle();
     const QRect seen = window().frameGeometry();
     window()

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/viewport/pen_tags.h"
+
 namespace hapticell::app {
 namespace {
 
@@ -53,6 +55,35 @@ TEST(OverlayLabels, TheNearestFreePairIsNamedUnlessSomethingTouches) {
   snapshot.pairs.push_back(pair(0.0, true));
   EXPECT_EQ(overlayLabels(sceneWith(snapshot)).size(), 1u);
   EXPECT_EQ(overlayLabels(sceneWith(snapshot))[0].mark, Mark::kContact);
+}
+
+/// A number at each pen's end while there are two; where they would cover each other the second gives way.
+TEST(PenTags, StandAtTheEndsOfTwoPens) {
+  manipulation::SceneSnapshot snapshot;
+  snapshot.connected = true;
+  snapshot.second.emplace();
+  const auto tagsOf = [](const manipulation::SceneSnapshot& shown) {
+    const SceneModel scene = sceneWith(shown);
+    Overlay overlay;
+    overlay.scene = &scene;
+    overlay.size = {800.0, 600.0};
+    overlay.camera.distance = 1.0;
+    return penTags(overlay);
+  };
+  EXPECT_TRUE(tagsOf(snapshot).empty()) << "the second is not connected";
+  snapshot.second->connected = true;
+  const auto covering = tagsOf(snapshot);
+  ASSERT_EQ(covering.size(), 2u);
+  EXPECT_EQ(covering[0].number, 1);
+  EXPECT_EQ(covering[1].number, 2);
+  EXPECT_FALSE(covering[0].box.intersects(covering[1].box));
+  snapshot.second->X_WStylus.p = {0.1, 0.0, 0.0};
+  const auto apart = tagsOf(snapshot);
+  ASSERT_EQ(apart.size(), 2u);
+  EXPECT_EQ(apart[0].box, covering[0].box);
+  EXPECT_FALSE(apart[0].box.intersects(apart[1].box));
+  snapshot.second->X_WStylus.p = {9.0, 0.0, 0.0};
+  for (const PenTag& tag : tagsOf(snapshot)) EXPECT_TRUE(QRectF(0, 0, 800, 600).contains(tag.box)) << tag.number;
 }
 
 TEST(OverlayLabels, NoneWithoutASnapshot) {
