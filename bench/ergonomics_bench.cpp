@@ -8,7 +8,10 @@
 
 #include "bench/mannequin_goals.h"
 #include "bench/thread_clock.h"
+#include "mannequin/ergonomics/better_place.h"
 #include "mannequin/ergonomics/body_sizes.h"
+#include "mannequin/ergonomics/driving_parts.h"
+#include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/ergonomics/posture_scores.h"
 
 namespace {
@@ -39,31 +42,46 @@ int main() {
   std::mt19937_64 random(3);
   std::vector<Posture> postures;
   for (int i = 0; i < 2000; ++i) postures.push_back(bench::makeGoal(figure, {}, random).reached);
-  std::vector<double> scored, with_kinematics, lifted, bodies;
+  std::vector<double> scored, with_kinematics, lifted, labelled, advised, placed, bodies;
   long sum = 0;
   const double cost = bench::threadClockCost();
   for (const Posture& posture : postures) {
     double begin = bench::threadMilliseconds();
     const FigurePose pose = forwardKinematics(figure, posture);
-    const double placed = bench::threadMilliseconds();
+    const double posed = bench::threadMilliseconds();
     const auto scores = ergonomics::scorePosture(figure, posture, pose, task);
     const double now = bench::threadMilliseconds();
-    scored.push_back(now - placed - cost);
+    scored.push_back(now - posed - cost);
     with_kinematics.push_back(now - begin - 2.0 * cost);
     sum += scores.rula() + scores.reba() + scores.owas_category;
     begin = bench::threadMilliseconds();
     sum += ergonomics::scoreLift(figure, pose, scores, task).has_value() ? 1 : 0;
     lifted.push_back(bench::threadMilliseconds() - begin - cost);
+    begin = bench::threadMilliseconds();
+    sum += static_cast<long>(ergonomics::drivingParts(scores, ergonomics::PostureMethod::kRula).size());
+    labelled.push_back(bench::threadMilliseconds() - begin - cost);
+    begin = bench::threadMilliseconds();
+    for (const auto method : ergonomics::kPostureMethods) sum += ergonomics::advise(scores, method, task).now.level;
+    advised.push_back(bench::threadMilliseconds() - begin - cost);
+  }
+  for (std::size_t i = 0; i < postures.size(); i += 40) {
+    const double begin = bench::threadMilliseconds();
+    for (const auto& place : ergonomics::betterPlaces(figure, postures[i], task)) sum += place ? 1 : 0;
+    placed.push_back(bench::threadMilliseconds() - begin - cost);
   }
   for (std::size_t i = 0; i < postures.size(); i += 10) {
     const double begin = bench::threadMilliseconds();
     sum += static_cast<long>(ergonomics::atSameTask(figures, figure, postures[i], task).size());
     bodies.push_back(bench::threadMilliseconds() - begin - cost);
   }
-  std::printf("| %zu random postures (checksum %ld) | median us | p99 us |\n| --- | --- | --- |\n", postures.size(), sum);
+  std::printf("| %zu random postures (checksum %ld) | median us | p99 us |\n| --- | --- | --- |\n", postures.size(),
+              sum);
   row("RULA, REBA (both sides), OWAS, EN 1005-4, ISO 11226, EAWS line, comfort", scored);
   row("the same with forward kinematics", with_kinematics);
   row("NIOSH lift of the posture", lifted);
+  row("driving joints of one method, for the scene's labels", labelled);
+  row("drivers and nearest posture of the next level, six methods, worse side", advised);
+  row("nearest place of the work, six methods", placed);
   row("four bodies solved and scored at the same task", bodies);
   return 0;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/ergonomics_advice_report.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_posture_input.h"
 #include "manipulation/mannequin_workplace.h"
@@ -138,6 +139,7 @@ Expected<Subject> subjectOf(const PostureOptions& options) {
 
 Expected<void> writeReports(const PostureOptions& options, PostureReportInput& input) {
   if (options.reports.empty() && options.task_reports.empty()) return {};
+  input.places = betterPlaces(input.figure, input.posture, input.task);
   input.bodies = atSameTask(mannequin::boundaryFigures(), input.figure, input.posture, input.task);
   const Report page = postureReport(input);
   for (const std::string& file : options.reports) {
@@ -148,36 +150,6 @@ Expected<void> writeReports(const PostureOptions& options, PostureReportInput& i
     if (auto written = writeReport(task_page, file); !written) return written;
   }
   return {};
-}
-
-ordered_json handForcesReport(const HandForces& forces) {
-  ordered_json document;
-  const std::array<const char*, 2> sides{"left", "right"};
-  for (std::size_t i = 0; i < 2; ++i) {
-    ordered_json& side = document[sides[i]];
-    side["force_n"] = forces.force_n[i] ? ordered_json(*forces.force_n[i]) : ordered_json();
-    side["elbow_moment_nm"] = forces.elbow_nm[i];
-    side["shoulder_moment_nm"] = forces.shoulder_nm[i];
-  }
-  document["lumbar_moment_nm"] = forces.lumbar_nm;
-  document["partial"] = !forces.missing.empty();
-  document["missing"] = forces.missing;
-  document["limits"] = ordered_json::array();
-  for (const ForceLimit& limit : forces.limits) {
-    if (limit.method == "own") {
-      document["limits"].push_back({{"method", "own"},
-                                    {"hand", sides[static_cast<std::size_t>(limit.hand)]},
-                                    {"force_n", limit.force_n},
-                                    {"limit_n", *limit.limit_n},
-                                    {"share", limit.force_n / *limit.limit_n}});
-      continue;
-    }
-    document["limits"].push_back({{"method", limit.method},
-                                  {"hand", limit.hand < 0 ? "both" : sides[static_cast<std::size_t>(limit.hand)]},
-                                  {"force_n", limit.force_n},
-                                  {"next_class_n", limit.limit_n ? ordered_json(*limit.limit_n) : ordered_json()}});
-  }
-  return document;
 }
 
 ExitStatus failed(const Error& error) {

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "cli/ergonomics_advice_report.h"
 #include "cli/ergonomics_report.h"
+#include "mannequin/ergonomics/better_place.h"
+#include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/posture_advice.h"
 #include "workcell/work_task_format.h"
@@ -110,18 +113,6 @@ ordered_json partsOf(const PartVerdicts& verdicts) {
   return parts;
 }
 
-int levelOf(Zone zone) {
-  return zone == Zone::kAcceptable ? 1 : zone == Zone::kConditional ? 2 : 3;
-}
-
-ordered_json worstPartsOf(const PartVerdicts& verdicts) {
-  ordered_json drivers = ordered_json::array();
-  for (const PartVerdict& part : verdicts.parts) {
-    if (part.zone == verdicts.worst && part.zone != Zone::kAcceptable) drivers.push_back({{"input", part.part}});
-  }
-  return drivers;
-}
-
 /// The angles and answers that a side's scores come from, by the names of `ergonomics rula --input`.
 ordered_json inputsOf(const PostureAngles& angles) {
   ordered_json inputs = ordered_json::object();
@@ -147,16 +138,81 @@ ordered_json scoredSide(const ScoredMethod& method, const Values& values, const 
   return report;
 }
 
-ordered_json zonesOf(const PartVerdicts& verdicts) {
-  return {{"zone", nameOf(verdicts.worst)}, {"parts", partsOf(verdicts)}, {"drivers", worstPartsOf(verdicts)}};
+/// By the names of `ergonomics en1005 --input` and `iso11226`.
+ordered_json zoneInputs(const PostureScores& scores, PostureMethod method, mannequin::Side side, const WorkTask& task) {
+  const MeasuredPosture& measured = scores.sides[static_cast<std::size_t>(side)].measured;
+  const PostureUse use = postureUse(task, side);
+  ordered_json inputs{{"trunk_flexion", measured.trunk_flexion},
+                      {"trunk_twist", measured.trunk_twist},
+                      {"trunk_side_bend", measured.trunk_side_bend},
+                      {"upper_arm_flexion", measured.upper_arm_flexion},
+                      {"upper_arm_abduction", measured.upper_arm_abduction}};
+  if (method == PostureMethod::kEn1005) {
+    inputs["gaze_below_horizontal"] = scores.gaze_below_horizontal;
+  } else {
+    inputs["head_inclination"] = scores.head_inclination;
+    inputs["shoulder_raised_deg"] = measured.girdle_elevation;
+  }
+  inputs["movements_per_min"] = use.movements_per_min;
+  inputs["static"] = use.is_static;
+  inputs["trunk_supported"] = use.trunk_supported;
+  inputs["arm_supported"] = use.arm_supported;
+  return inputs;
 }
 
-ordered_json sideOf(const SideScores& side) {
+ordered_json zonesOf(const PostureScores& scores, PostureMethod method, mannequin::Side side, const WorkTask& task) {
+  const SideScores& one = scores.sides[static_cast<std::size_t>(side)];
+  const PartVerdicts& verdicts = method == PostureMethod::kEn1005 ? one.en1005 : one.iso11226;
+  ordered_json report{
+      {"zone", nameOf(verdicts.worst)}, {"level", levelOf(verdicts.worst)}, {"parts", partsOf(verdicts)}};
+  report["inputs"] = zoneInputs(scores, method, side, task);
+  addAdvice(advise(scores, method, side, task), report);
+  return report;
+}
+
+ordered_json sideOf(const PostureScores& scores, mannequin::Side which, const WorkTask& task) {
+  const SideScores& side = scores.sides[static_cast<std::size_t>(which)];
   return {{"inputs", inputsOf(side.angles)},
           {"rula", scoredSide(Rula(), side.rula, side.angles)},
           {"reba", scoredSide(Reba(), side.reba, side.angles)},
-          {"en1005", zonesOf(side.en1005)},
-          {"iso11226", zonesOf(side.iso11226)}};
+          {"en1005", zonesOf(scores, PostureMethod::kEn1005, which, task)},
+          {"iso11226", zonesOf(scores, PostureMethod::kIso11226, which, task)}};
+}
+
+ordered_json owasInputs(const OwasPosture& posture) {
+  return {{"trunk_flexion", posture.trunk_flexion},
+          {"trunk_twist", posture.trunk_twist},
+          {"trunk_side_bend", posture.trunk_side_bend},
+          {"arms_at_or_above_shoulder", posture.arms_at_or_above_shoulder},
+          {"left_knee_flexion", posture.left_knee_flexion},
+          {"right_knee_flexion", posture.right_knee_flexion},
+          {"on_one_leg", posture.on_one_leg},
+          {"kneeling", posture.kneeling},
+          {"seated", posture.seated},
+          {"walking", posture.walking}};
+}
+
+ordered_json eawsOf(const PostureScores& scores) {
+  const EawsObservation& observed = scores.eaws_observation;
+  ordered_json report{{"posture", nameOf(scores.eaws)},
+                      {"points_if_held_all_the_time", scores.eaws_points},
+                      {"level", eawsLevel(scores.eaws_points)},
+                      {"complete", false}};
+  report["inputs"] = {{"trunk_flexion", observed.trunk_flexion},
+                      {"hands_above_head", observed.hands_above_head},
+                      {"elbow_at_shoulder", observed.elbow_at_shoulder},
+                      {"seated", observed.seated},
+                      {"kneeling", observed.kneeling},
+                      {"walking", observed.walking},
+                      {"trunk_supported", observed.trunk_supported}};
+  addAdvice(adviseEaws(observed), report);
+  return report;
+}
+
+ordered_json comfortDriversOf(const mannequin::Posture& posture) {
+  ordered_json drivers = ordered_json::array();
+  for (const FieldChange& change : comfortDrivers(posture)) drivers.push_back(toJson(change));
+  return drivers;
 }
 
 ordered_json owasOf(const PostureScores& scores) {
@@ -172,6 +228,8 @@ ordered_json owasOf(const PostureScores& scores) {
   report["code"] = scores.owasCode();
   report["category"] = scores.owas_category;
   report["category_meaning"] = Owas().levelName(scores.owas_category);
+  report["inputs"] = owasInputs(scores.owas_posture);
+  addAdvice(adviseOwas(scores.owas_posture), report);
   return report;
 }
 
@@ -218,7 +276,7 @@ Expected<ordered_json> zonesReport(const std::string& method, const json& input)
                       {"score", nameOf(verdicts.worst)},
                       {"level", levelOf(verdicts.worst)},
                       {"parts", partsOf(verdicts)}};
-  report["drivers"] = worstPartsOf(verdicts);
+  addAdvice(adviseZones(is_en ? PostureMethod::kEn1005 : PostureMethod::kIso11226, {posture, gaze, head, use}), report);
   report["assumptions"] = {"a boundary angle belongs to the lower zone",
                            "an arm behind the body counts as raised over 60 deg"};
   return report;
@@ -236,44 +294,44 @@ Expected<ordered_json> eawsReport(const json& input) {
         {"", "shares", std::to_string(sum) + " in all", "shares of the cycle that add up to at most 1", ""});
   }
   const double points = eawsPosturePoints(shares);
-  return ordered_json{{"method", "EAWS posture section (outline)"},
+  ordered_json report{{"method", "EAWS posture section (outline)"},
                       {"source", "EAWS form 1.3.6, posture lines only; line 14 left out"},
                       {"score", points},
                       {"level", eawsLevel(points)},
-                      {"complete", false},
-                      {"assumptions", {"forces, loads, extra points and upper limbs are not covered"}}};
+                      {"complete", false}};
+  addEawsAdvice(shares, report);
+  report["assumptions"] = {"forces, loads, extra points and upper limbs are not covered",
+                           "an easier posture is one of the same kind: standing and walking in turn, sitting with back "
+                           "support, kneeling upright"};
+  return report;
 }
 
 ordered_json postureScoresReport(const PostureReportInput& input, const PostureScores& scores) {
   ordered_json report{{"method", "all"}, {"score", scores.rula()}, {"level", scores.worse().rula_level}};
   report["stature"] = input.figure.body[mannequin::Dimension::kStature];
   report["mass"] = input.figure.totalMass();
-  report["left"] = sideOf(scores.sides[0]);
-  report["right"] = sideOf(scores.sides[1]);
+  report["left"] = sideOf(scores, mannequin::Side::kLeft, input.task);
+  report["right"] = sideOf(scores, mannequin::Side::kRight, input.task);
   report["owas"] = owasOf(scores);
-  report["eaws_outline"] = {{"posture", nameOf(scores.eaws)}, {"points_if_held_all_the_time", scores.eaws_points}};
+  report["eaws_outline"] = eawsOf(scores);
   report["joint_comfort"] = scores.comfort;
+  report["joint_comfort_drivers"] = comfortDriversOf(input.posture);
   report["partial"] = !scores.missing.empty();
   report["missing"] = scores.missing;
   const MainDriver driver = mainDriver(scores, Language::kEnglish);
   report["drivers"] = {{{"input", driver.part}, {"reason", driver.reason}, {"score", driver.score}}};
-  if (const auto better = betterPlace(input.figure, input.posture, input.task)) {
-    report["better_place"] = {{"shift", {better->shift_W.x, better->shift_W.y, better->shift_W.z}},
-                              {"rula", better->score}};
-  } else {
-    report["better_place"] = nullptr;
-  }
+  report["better_places"] = toJson(betterPlaces(input.figure, input.posture, input.task));
   report["assumptions"] = assumptionsOf(scores, input.task, Language::kEnglish);
   return report;
 }
 
 ordered_json liftOfPosture(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
                            const PostureScores& scores, const WorkTask& task) {
-  const auto lift = scoreLift(figure, pose, scores, task);
-  if (!lift) return {{"refused", lift.error().message()}};
-  ordered_json report{{"recommended_weight_limit_kg", lift->recommended_weight_limit_kg}};
-  report["lifting_index"] = lift->lifting_index ? ordered_json(*lift->lifting_index) : ordered_json(nullptr);
-  return report;
+  const auto lift_task = liftOf(figure, pose, scores, task);
+  if (!lift_task) return {{"refused", lift_task.error().message()}};
+  const auto result = lift(*lift_task);
+  if (!result) return {{"refused", result.error().message()}};
+  return liftingReport(*lift_task, *result);
 }
 
 ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 
+#include "cli/ergonomics_advice_report.h"
+#include "mannequin/ergonomics/lifting_advice.h"
+#include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/ergonomics/owas.h"
-#include "mannequin/ergonomics/posture_advice.h"
+#include "mannequin/ergonomics/reba.h"
+#include "mannequin/ergonomics/rula.h"
 
 namespace hapticell::cli {
 
@@ -60,56 +64,6 @@ ordered_json nextLevelOf(const ScoredMethod& method, const Assessment& assessmen
           {"changes", std::move(changes)}};
 }
 
-ordered_json changeOf(const FieldChange& change) {
-  ordered_json result{{"input", change.field}};
-  if (change.is_flag) {
-    result["from"] = change.from > 0.5;
-    result["to"] = change.to > 0.5;
-  } else {
-    result["from"] = change.from;
-    result["to"] = change.to;
-  }
-  return result;
-}
-
-/// What changes of the posture itself would do, where angles were given.
-void addPostureAdvice(const ScoredMethod& method, const ScoredInput& input, ordered_json& report) {
-  if (!input.angles) return;
-  // Loads and activities came beside the angles and stay as they are.
-  std::vector<std::string_view> ignored;
-  const bool is_rula = method.name() == "RULA";
-  const auto of_angles = [&](const PostureAngles& angles) {
-    ignored.clear();
-    return is_rula ? rulaValuesOf(angles, ignored) : rebaValuesOf(angles, ignored);
-  };
-  const PostureScore score = [&](const PostureAngles& angles) -> std::optional<int> {
-    const auto values = of_angles(angles);
-    std::vector<int> complete;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const SubScore& sub_score = method.subScores()[i];
-      if (sub_score.required && !values[i]) return std::nullopt;
-      complete.push_back(sub_score.required ? *values[i] : input.values[i].value_or(sub_score.least));
-    }
-    return method.score(complete);
-  };
-  ordered_json drivers = ordered_json::array();
-  for (const PostureDriver& driver : postureDrivers(*input.angles, score)) {
-    ordered_json entry = changeOf(driver.change);
-    entry["score"] = driver.score;
-    drivers.push_back(std::move(entry));
-  }
-  report["posture_drivers"] = std::move(drivers);
-  const auto goal = nextLevelPosture(*input.angles, score, [&](int value) { return method.levelOf(value); });
-  if (!goal) {
-    report["nearest_better_posture"] = nullptr;
-    return;
-  }
-  ordered_json changes = ordered_json::array();
-  for (const FieldChange& change : goal->changes) changes.push_back(changeOf(change));
-  report["nearest_better_posture"] = {
-      {"score", goal->score}, {"level", method.levelOf(goal->score)}, {"changes", std::move(changes)}};
-}
-
 std::vector<std::string> missingOf(const Assessment& assessment, const ScoredInput& input) {
   std::vector<std::string> missing = input.missing;
   for (const std::string_view name : assessment.missing) missing.emplace_back(name);
@@ -130,44 +84,60 @@ std::string_view couplingName(Coupling coupling) {
   return kNames[static_cast<std::size_t>(coupling)];
 }
 
-/// The multipliers below 1, smallest first: what raising each to 1 would make of the index.
-ordered_json liftingDrivers(const LiftingResult& result) {
-  struct Named {
-    const char* field;
-    const char* multiplier;
-    double value;
-  };
-  std::array<Named, 6> all{{{"h_cm", "HM", result.hm},
-                            {"v_cm", "VM", result.vm},
-                            {"d_cm", "DM", result.dm},
-                            {"asymmetry_deg", "AM", result.am},
-                            {"frequency_per_min", "FM", result.fm},
-                            {"coupling", "CM", result.cm}}};
-  std::stable_sort(all.begin(), all.end(), [](const Named& a, const Named& b) { return a.value < b.value; });
-  ordered_json drivers = ordered_json::array();
-  for (const Named& one : all) {
-    if (one.value >= 1.0) continue;
-    ordered_json entry{{"input", one.field}, {"multiplier", one.multiplier}, {"value", one.value}};
-    if (result.lifting_index) entry["lifting_index"] = *result.lifting_index * one.value;
-    drivers.push_back(std::move(entry));
-  }
-  return drivers;
-}
-
 ordered_json numberOrNull(const std::optional<double>& value) {
   return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
-struct LiftingLevel {
-  int level;
-  const char* meaning;
-};
+const ScoredMethod& methodOf(MotionMethod method) {
+  static const Rula rula;
+  static const Reba reba;
+  static const Owas owas;
+  if (method == MotionMethod::kRula) return rula;
+  if (method == MotionMethod::kReba) return reba;
+  return owas;
+}
 
-/// NIOSH names 1 and 3 as the indices that matter (manual, section 1.5).
-LiftingLevel liftingLevel(const std::optional<double>& index) {
-  if (index && *index <= 1.0) return {1, "acceptable for nearly all healthy workers"};
-  if (index && *index <= 3.0) return {2, "raised risk for some; redesign"};
-  return {3, "raised risk for many; redesign now"};
+/// What the worst frame's score is made of, and what would bring it down.
+void addWorstFrame(MotionMethod method, const MotionScores& scores, ordered_json& frame) {
+  ordered_json& sub_scores = frame["sub_scores"] = ordered_json::object();
+  for (std::size_t i = 0; i < scores.worst_values.size(); ++i) {
+    const auto& value = scores.worst_values[i];
+    sub_scores[std::string(methodOf(method).subScores()[i].name)] =
+        value ? ordered_json(*value) : ordered_json(nullptr);
+  }
+  addAdvice(scores.worst_advice, frame);
+}
+
+/// Each task with the index that is left without it, the greatest fall first; and for the whole the changes of single
+/// tasks that each bring it down a level.
+void addCompositeAdvice(const LiftingInput& input, const CompositeLifting& result, ordered_json& report) {
+  std::vector<std::pair<double, std::size_t>> without;
+  ordered_json any_of = ordered_json::array();
+  double target = 1.0;
+  for (std::size_t i = 0; i < input.tasks.size(); ++i) {
+    auto others = input.tasks;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto rest = compositeLift(others, input.conditions);
+    without.emplace_back(rest ? rest->index : 0.0, i);
+    const LiftingIndex index_of = [&, tasks = input.tasks](const LiftingTask& task) mutable -> std::optional<double> {
+      tasks[i] = task;
+      const auto whole = compositeLift(tasks, input.conditions);
+      return whole ? std::optional<double>(whole->index) : std::nullopt;
+    };
+    const LiftingAdvice advice = adviseLift(input.tasks[i], result.tasks[i], index_of);
+    target = advice.target;
+    for (const LiftingChange& change : advice.alone) {
+      any_of.push_back(toJson(change));
+      any_of.back()["task"] = i + 1;
+    }
+  }
+  std::stable_sort(without.begin(), without.end());
+  report["drivers"] = ordered_json::array();
+  for (const auto& [index, task] : without)
+    report["drivers"].push_back({{"input", "tasks"}, {"task", task + 1}, {"lifting_index", index}});
+  report["next_level"] = nullptr;
+  if (liftingLevel(result.index) > 1)
+    report["next_level"] = {{"lifting_index_at_most", target}, {"any_of", std::move(any_of)}};
 }
 
 }  // namespace
@@ -190,7 +160,8 @@ ordered_json scoredReport(const ScoredMethod& method, const ScoredInput& input) 
   addMeanings(method, input, report);
   report["drivers"] = driversOf(assessment);
   report["next_level"] = nextLevelOf(method, assessment);
-  addPostureAdvice(method, input, report);
+  // Loads and activities came beside the angles and stay as they are.
+  if (input.angles) addAdvice(adviseAngles(method, *input.angles, input.values), report);
   std::vector<std::string> assumptions = input.assumptions;
   for (const std::string& name : missing) {
     assumptions.push_back(name + " was not given" +
@@ -230,6 +201,7 @@ ordered_json motionReport(MotionMethod method, const MotionScores& scores, const
                       {"time_share_by_level", sharesOf(scores.share_by_level)},
                       {"time_share_by_score", sharesOf(scores.share_by_score)},
                       {"worst_frame", frameJson(scores.worst)}};
+  addWorstFrame(method, scores, report["worst_frame"]);
   if (method == MotionMethod::kRula) report["task"] = {{"muscle_use", task.muscle_use}, {"force", task.force}};
   if (method == MotionMethod::kReba) {
     report["task"] = {{"load", task.load}, {"coupling", task.coupling}, {"activity", task.activity}};
@@ -246,12 +218,12 @@ ordered_json motionReport(MotionMethod method, const MotionScores& scores, const
 }
 
 ordered_json liftingReport(const LiftingTask& task, const LiftingResult& result) {
-  const LiftingLevel level = liftingLevel(result.lifting_index);
+  const int level = liftingLevel(result.lifting_index);
   ordered_json report{{"method", "NIOSH"},
                       {"source", "Waters, Putz-Anderson & Garg, DHHS (NIOSH) 94-110, rev. 9/2021"},
                       {"score", numberOrNull(result.lifting_index)},
-                      {"level", level.level},
-                      {"level_meaning", level.meaning},
+                      {"level", level},
+                      {"level_meaning", liftingLevelName(level)},
                       {"lifting_index", numberOrNull(result.lifting_index)},
                       {"recommended_weight_limit_kg", result.recommended_weight_limit_kg},
                       {"frequency_independent_limit_kg", result.frequency_independent_limit_kg},
@@ -267,17 +239,19 @@ ordered_json liftingReport(const LiftingTask& task, const LiftingResult& result)
                       {"duration_h", task.duration_h},
                       {"coupling", couplingName(task.coupling)}};
   report["partial"] = false;
-  report["drivers"] = liftingDrivers(result);
+  addAdvice(adviseLift(task, result), report);
   report["assumptions"] = result.assumptions;
   return report;
 }
 
 ordered_json compositeReport(const LiftingInput& input, const CompositeLifting& result) {
-  const LiftingLevel level = liftingLevel(result.index);
-  ordered_json report{
-      {"method", "NIOSH composite"},    {"source", "Waters, Putz-Anderson & Garg, DHHS (NIOSH) 94-110, rev. 9/2021"},
-      {"score", result.index},          {"level", level.level},
-      {"level_meaning", level.meaning}, {"composite_lifting_index", result.index}};
+  const int level = liftingLevel(result.index);
+  ordered_json report{{"method", "NIOSH composite"},
+                      {"source", "Waters, Putz-Anderson & Garg, DHHS (NIOSH) 94-110, rev. 9/2021"},
+                      {"score", result.index},
+                      {"level", level},
+                      {"level_meaning", liftingLevelName(level)},
+                      {"composite_lifting_index", result.index}};
   report["tasks"] = ordered_json::array();
   for (std::size_t i = 0; i < input.tasks.size(); ++i) {
     report["tasks"].push_back(liftingReport(input.tasks[i], result.tasks[i]));
@@ -286,7 +260,7 @@ ordered_json compositeReport(const LiftingInput& input, const CompositeLifting& 
   for (const std::size_t i : result.order) order.push_back(i + 1);
   report["order"] = std::move(order);
   report["partial"] = false;
-  report["drivers"] = {{{"input", "tasks"}, {"task", result.order.front() + 1}}};
+  addCompositeAdvice(input, result, report);
   report["assumptions"] = result.tasks.front().assumptions;
   return report;
 }

@@ -204,15 +204,15 @@ SkinRegion regionOf(std::size_t body) {
 
 /// Which colour each body has, those of other regions apart; the colours in the order of their first body.
 struct Wardrobe {
-  Wardrobe(const std::vector<Flesh>& flesh, SkinRegion region) {
+  Wardrobe(const std::vector<std::array<float, 3>>& worn, SkinRegion region) {
     for (std::size_t i = 0; i < kBodies; ++i) {
       if (region != SkinRegion::kWhole && regionOf(i) != region) {
         group[i] = kLeftOut;
         continue;
       }
-      const auto known = std::find(colors.begin(), colors.end(), flesh[i].color);
+      const auto known = std::find(colors.begin(), colors.end(), worn[i]);
       group[i] = static_cast<std::size_t>(known - colors.begin());
-      if (known == colors.end()) colors.push_back(flesh[i].color);
+      if (known == colors.end()) colors.push_back(worn[i]);
     }
   }
   static constexpr std::size_t kMost = 8, kLeftOut = kMost - 1;
@@ -313,7 +313,8 @@ Skin skinOf(const Figure& figure, const Posture& posture, double cell) {
   return result;
 }
 
-std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region) {
+std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region,
+                                std::span<const std::array<float, 3>> colors) {
   PlacedSkin placed(figure, posture);
   geometry::TriangleMesh whole;
   if (region == SkinRegion::kHead) {
@@ -326,7 +327,9 @@ std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, do
   } else {
     whole = placed.surface(cell);
   }
-  const Wardrobe wardrobe(placed.flesh(), region);
+  std::vector<std::array<float, 3>> worn(colors.begin(), colors.end());
+  for (std::size_t i = worn.size(); i < kBodies; ++i) worn.push_back(placed.flesh()[i].color);
+  const Wardrobe wardrobe(worn, region);
   std::vector<GroupDistances> distances(whole.vertices.size());
   for (std::size_t v = 0; v < whole.vertices.size(); ++v) {
     distances[v].fill(1e9);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
@@ -31,7 +32,9 @@ struct SkinPart {
 /// Which of it: hands, fingers and the head want finer cells than a body. Regions that are not whole reach some
 /// millimetres under their neighbours, so that no line is seen between them.
 enum class SkinRegion { kWhole, kBody, kHands, kHead };
-std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region);
+/// `colors`: one for each body (kBodies) in place of its clothing; none: as clothed.
+std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region,
+                                std::span<const std::array<float, 3>> colors = {});
 /// What a head has beside its skin: hair, brows, lids and lips (hair_shape.h, face_shape.h), and eyes that look where
 /// the posture's gaze says. One part a colour.
 std::vector<SkinPart> faceParts(const Figure& figure, const Posture& posture);

@@ -61,4 +61,13 @@ SupportPolygon supportPolygon(const Figure& figure, const std::array<SegmentPlac
   return hull;
 }
 
+std::array<bool, 2> standingFeet(const Figure& figure, const FigurePose& pose) {
+  constexpr double kLifted = 0.01;  // m
+  std::array<double, 2> height{};
+  for (const Side side : {Side::kLeft, Side::kRight})
+    height[static_cast<std::size_t>(side)] = (footPose(pose, side) * dvec3(0.0, 0.0, figure.sole.z)).z;
+  const double floor = std::min(height[0], height[1]);
+  return {height[0] < floor + kLifted, height[1] < floor + kLifted};
+}
+
 }  // namespace hapticell::mannequin

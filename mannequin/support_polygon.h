@@ -21,4 +21,7 @@ struct SupportPolygon {
 SupportPolygon supportPolygon(const Figure& figure, const std::array<SegmentPlace, 2>& feet,
                               const std::array<bool, 2>& on_ground = {true, true});
 
+/// Which feet (left, right) stand: one whose sole is a centimetre or more higher than the other's bears nothing.
+std::array<bool, 2> standingFeet(const Figure& figure, const FigurePose& pose);
+
 }  // namespace hapticell::mannequin

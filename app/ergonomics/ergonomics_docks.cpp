@@ -13,13 +13,15 @@
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/motion_scores_model.h"
 #include "app/ergonomics/report_panel.h"
+#include "app/ergonomics/scene_marks.h"
 #include "app/ergonomics/score_painting.h"
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "app/host/actions.h"
-#include "app/host/top_menus.h"
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
+#include "app/host/top_menus.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/panels/form.h"
 #include "app/style/dock_title_bar.h"
@@ -52,12 +54,13 @@ class ErgonomicsDocks : public QObject {
     connect(panel_, &ErgonomicsPanel::addWanted, this, [this] {
       if (auto* add = host_.window().findChild<QAction*>("actionAddMannequin")) add->trigger();
     });
-    connect(panel_, &ErgonomicsPanel::methodChanged, this, &ErgonomicsDocks::colour);
-    connect(panel_, &ErgonomicsPanel::bodyChosen, this, &ErgonomicsDocks::showBodies);
-    connect(&scores_, &LiveScores::changed, this, [this] {
+    connect(panel_, &ErgonomicsPanel::methodChanged, this, [this] {
       colour();
-      showBodies();
+      showMarks();
     });
+    connect(panel_, &ErgonomicsPanel::bodyChosen, this, &ErgonomicsDocks::showBodies);
+    connect(&scores_, &LiveScores::changed, this, &ErgonomicsDocks::showAll);
+    connect(&host_.holdChoice(), &HoldChoice::changed, this, &ErgonomicsDocks::showMarks);
     addMenu();
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, this, [this] { look(); });
@@ -104,8 +107,22 @@ class ErgonomicsDocks : public QObject {
     if (wanted) scores_.look();
     if (isWanted() == coloured_) return;
     coloured_ = !coloured_;
+    showAll();
+  }
+
+  void showAll() {
     colour();
     showBodies();
+    showMarks();
+  }
+
+  void showMarks() {
+    SceneMarks marks;
+    if (coloured_) marks = sceneMarks(scores_, context_, panel_->labelledMethod());
+    ViewportWidget& viewport = host_.viewport();
+    viewport.setLabels("ergonomics", std::move(marks.labels));
+    viewport.setCurves("ergonomics", std::move(marks.curves));
+    viewport.setFigureStrip(std::move(marks.strip));
   }
 
   void colour() {

@@ -24,6 +24,7 @@
 namespace hapticell::app {
 
 using ergonomics::ColourMethod;
+using ergonomics::PostureMethod;
 
 namespace {
 constexpr int kLoadTab = 4;
@@ -57,7 +58,8 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   task_->setObjectName("buttonTaskData");
   auto* report = new QPushButton(tr("Report…"));
   report->setObjectName("buttonReport");
-  methods_->button(3)->setToolTip(tr("EN 1005-4 and ISO 11226: zones and holding times of the parts"));
+  methods_->button(3)->setToolTip(
+      tr("EN 1005-4 and ISO 11226: zones and holding times of the parts; the outline of EAWS; joint comfort"));
   methods_->button(kLoadTab)->setToolTip(
       tr("The lifting equation and what the hands bear; the colours stay those of RULA"));
   rows->addWidget(methods_);
@@ -147,9 +149,10 @@ int ErgonomicsPanel::chosenBody() const {
 
 void ErgonomicsPanel::takeBetterPosture() {
   const workcell::Entity* entity = context_.entity();
-  if (!entity || !context_.isFree() || !scores_.advice() || !scores_.advice()->better) return;
+  const ergonomics::BetterPlace* better = betterPlace();
+  if (!entity || !context_.isFree() || !better) return;
   context_.host().documentModel().executeAll(tr("Better posture of %1").arg(shown(entity->name)),
-                                             {postureCommand(*entity, scores_.advice()->better->posture)});
+                                             {postureCommand(*entity, better->posture)});
 }
 
 void ErgonomicsPanel::chooseOwnLimits() {
@@ -217,16 +220,76 @@ void ErgonomicsPanel::showScores() {
   showAdvice();
 }
 
+ergonomics::PostureMethod ErgonomicsPanel::labelledMethod() const {
+  const auto methods = shownMethods();
+  return methods.empty() ? PostureMethod::kRula : methods.front();
+}
+
+std::vector<ergonomics::PostureMethod> ErgonomicsPanel::shownMethods() const {
+  if (shows_load_) return {};
+  switch (method_) {
+    case ColourMethod::kRula:
+      return {PostureMethod::kRula};
+    case ColourMethod::kReba:
+      return {PostureMethod::kReba};
+    case ColourMethod::kOwas:
+      return {PostureMethod::kOwas};
+    case ColourMethod::kEn1005:
+      break;
+  }
+  return {PostureMethod::kEn1005, PostureMethod::kIso11226, PostureMethod::kEaws};
+}
+
+const ergonomics::BetterPlace* ErgonomicsPanel::betterPlace() const {
+  if (!scores_.advice()) return nullptr;
+  const auto methods = shows_load_ ? std::vector{PostureMethod::kRula} : shownMethods();
+  for (const PostureMethod method : methods) {
+    if (const auto& better = scores_.advice()->better[static_cast<std::size_t>(method)]) return &*better;
+  }
+  return nullptr;
+}
+
+QString ErgonomicsPanel::whyTitle() const {
+  const workcell::Entity* entity = context_.entity();
+  QString what;
+  if (shows_load_) {
+    what = tr("the lift and the forces");
+  } else if (method_ == ColourMethod::kRula) {
+    what = QString::number(scores_.scores().rula());
+  } else {
+    const PostureMethod method = labelledMethod();
+    what = shown(ergonomics::scoreWords(method, ergonomics::scoreBy(scores_.scores(), method), shownLanguage()));
+  }
+  return tr("%1: why %2, and what brings it down").arg(entity ? shown(entity->name) : QString(), what);
+}
+
+QString ErgonomicsPanel::whyText() const {
+  const QString later = tr("What brings it down is told once the figure rests.");
+  if (shows_load_) {
+    const QString lift = scores_.liftAdviceText();
+    if (!scores_.task().is_lift) return tr("The task is no lift; the forces stand below.");
+    return lift.isEmpty() ? (scores_.advice() ? tr("The lifting equation does not take this lift.") : later) : lift;
+  }
+  if (method_ == ColourMethod::kRula) {
+    const QString advice = scores_.adviceText(PostureMethod::kRula);
+    return shown(ergonomics::whySentence(scores_.scores(), shownLanguage())) + ' ' +
+           (advice.isEmpty() ? later : advice);
+  }
+  QStringList lines;
+  for (const PostureMethod method : shownMethods()) {
+    const QString advice = scores_.adviceText(method);
+    const QString score =
+        shown(ergonomics::scoreWords(method, ergonomics::scoreBy(scores_.scores(), method), shownLanguage()));
+    if (!advice.isEmpty()) lines << (shownMethods().size() > 1 ? score + ". " + advice : advice);
+  }
+  return lines.isEmpty() ? later : lines.join('\n');
+}
+
 void ErgonomicsPanel::showAdvice() {
   if (scores_.isEmpty()) return;
-  const auto& scores = scores_.scores();
-  const workcell::Entity* entity = context_.entity();
-  title_->setText(
-      tr("%1: why %2, and what brings it down").arg(entity ? shown(entity->name) : QString()).arg(scores.rula()));
-  const QString advice = scores_.adviceText();
-  why_->setText(shown(ergonomics::whySentence(scores, shownLanguage())) + ' ' +
-                (advice.isEmpty() ? tr("What brings it down is told once the figure rests.") : advice));
-  show_posture_->setEnabled(scores_.advice() && scores_.advice()->better && context_.isFree());
+  title_->setText(whyTitle());
+  why_->setText(whyText());
+  show_posture_->setEnabled(betterPlace() != nullptr && context_.isFree());
   heights_->update();
 }
 

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
-#include "mannequin/ergonomics/posture_scores.h"
+#include "mannequin/ergonomics/better_place.h"
 
 class QCheckBox;
 class QLabel;
@@ -24,6 +25,8 @@ class ErgonomicsPanel : public QWidget {
  public:
   ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent = nullptr);
   ergonomics::ColourMethod method() const { return method_; }
+  /// The method that the scene's labels speak of.
+  ergonomics::PostureMethod labelledMethod() const;
   /// The column that is chosen; -1: none.
   int chosenBody() const;
   /// Whether all four bodies are to be seen in the scene.
@@ -41,6 +44,12 @@ class ErgonomicsPanel : public QWidget {
   void showScores();
   void showAdvice();
   void takeBetterPosture();
+  QString whyText() const;
+  QString whyTitle() const;
+  /// The methods of the tab that is chosen; none on the one about loads.
+  std::vector<ergonomics::PostureMethod> shownMethods() const;
+  /// What the button shows: the first of the tab's methods that knows a better place.
+  const ergonomics::BetterPlace* betterPlace() const;
   void chooseOwnLimits();
   MannequinContext& context_;
   LiveScores& scores_;

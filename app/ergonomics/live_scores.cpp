@@ -53,6 +53,16 @@ std::optional<double> bestRise(const LiveScores::Advice& advice) {
   return least < 99 ? best : std::nullopt;
 }
 
+std::optional<ergonomics::LiftingAdvice> liftAdvice(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
+                                                    const ergonomics::PostureScores& scores,
+                                                    const ergonomics::WorkTask& task) {
+  if (!task.is_lift) return std::nullopt;
+  const auto lift = ergonomics::liftOf(figure, pose, scores, task);
+  const auto result = lift ? ergonomics::lift(*lift) : tl::unexpected(lift.error());
+  if (!result) return std::nullopt;
+  return ergonomics::adviseLift(*lift, *result);
+}
+
 }  // namespace
 
 LiveScores::LiveScores(MannequinContext& context, QObject* parent)
@@ -139,7 +149,12 @@ void LiveScores::advise() {
       this,
       [figure = figure_, posture = posture_, task = task_, figures = figures_] {
         Advice advice;
-        advice.better = ergonomics::betterPlace(*figure, posture, task);
+        const auto pose = mannequin::forwardKinematics(*figure, posture);
+        const auto scores = ergonomics::scorePosture(*figure, posture, pose, task);
+        for (const auto method : ergonomics::kPostureMethods)
+          advice.methods[static_cast<std::size_t>(method)] = ergonomics::advise(scores, method, task);
+        advice.lift = liftAdvice(*figure, pose, scores, task);
+        advice.better = ergonomics::betterPlaces(*figure, posture, task);
         for (double rise = kLowest; rise < kHighest + 1e-9; rise += kRise) advice.rises.push_back(rise);
         advice.by_height = ergonomics::scoresByHeight(figures, *figure, posture, task, advice.rises);
         advice.best_rise = bestRise(advice);
@@ -154,13 +169,10 @@ void LiveScores::advise() {
       });
 }
 
-QString LiveScores::adviceText() const {
-  if (!advice_) return {};
-  if (!advice_->better) {
-    if (scores().worse().rula_level <= 1) return tr("Nothing needs to change.");
-    return tr("No shift of the work by up to %1 lowers the level for this body.").arg(lengthText(0.6, 0));
-  }
-  const dvec3 shift = advice_->better->shift_W;
+QString LiveScores::placeText(ergonomics::PostureMethod method) const {
+  const auto& better = advice_->better[static_cast<std::size_t>(method)];
+  if (!better) return tr("No shift of the work by up to %1 lowers the level for this body.").arg(lengthText(0.6, 0));
+  const dvec3 shift = better->shift_W;
   const QString far = lengthText(glm::length(shift), 0);
   const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
   const double forward = glm::dot(shift, ahead);
@@ -169,7 +181,30 @@ QString LiveScores::adviceText() const {
                       : forward < -0.5 * glm::length(shift) ? tr("Bringing the work %1 nearer")
                       : forward > 0.5 * glm::length(shift)  ? tr("Moving the work %1 further away")
                                                             : tr("Moving the work %1 to the side");
-  return tr("%1 gives RULA %2.").arg(how.arg(far)).arg(advice_->better->score);
+  return tr("%1 gives %2.").arg(how.arg(far), shown(ergonomics::scoreWords(method, better->score, shownLanguage())));
+}
+
+QString LiveScores::adviceText(ergonomics::PostureMethod method) const {
+  if (!advice_) return {};
+  const ergonomics::MethodAdvice& advice = advice_->methods[static_cast<std::size_t>(method)];
+  if (advice.now.level <= ergonomics::leastLevel(method)) return tr("Nothing needs to change.");
+  QString text;
+  // Of RULA the sentence before it names what drives it.
+  if (const auto drivers = ergonomics::driverWords(advice, shownLanguage());
+      !drivers.empty() && method != ergonomics::PostureMethod::kRula)
+    text = tr("Driven by %1. ").arg(shown(drivers));
+  const QString next = shown(ergonomics::nextLevelWords(advice, shownLanguage()));
+  text += advice.next ? tr("Nearest posture: %1. ").arg(next) : next + ' ';
+  return text + placeText(method);
+}
+
+QString LiveScores::liftAdviceText() const {
+  if (!advice_ || !advice_->lift) return {};
+  const ergonomics::LiftingAdvice& lift = *advice_->lift;
+  QString text = tr("What costs most first: %1.").arg(shown(ergonomics::liftingDriverWords(lift)));
+  if (lift.drivers.empty()) text = tr("No multiplier is below 1.");
+  const QString next = shown(ergonomics::liftingNextWords(lift, shownLanguage()));
+  return next.isEmpty() ? text : text + ' ' + tr("What brings it down: %1.").arg(next);
 }
 
 ergonomics::Language shownLanguage() {

@@ -4,12 +4,12 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 
-#include "mannequin/ergonomics/body_sizes.h"
+#include "mannequin/ergonomics/advice_words.h"
 #include "mannequin/ergonomics/force_table.h"
-#include "mannequin/ergonomics/score_words.h"
 
 namespace hapticell::app {
 
@@ -44,15 +44,19 @@ class LiveScores : public QObject {
 
   /// Of the posture at rest.
   struct Advice {
-    std::optional<ergonomics::BetterPlace> better;
-    std::vector<double> rises;                ///< m
-    std::vector<std::vector<int>> by_height;  ///< RULA of each body; 0: out of reach.
-    std::optional<double> best_rise;          ///< With the least worst score, nearest to now.
-    double target_height = 0.0;               ///< m, of the active hands now.
+    std::array<ergonomics::MethodAdvice, ergonomics::kPostureMethods.size()> methods;
+    ergonomics::BetterPlaces better;
+    std::optional<ergonomics::LiftingAdvice> lift;  ///< Where the task is a lift that the equation takes.
+    std::vector<double> rises;                      ///< m
+    std::vector<std::vector<int>> by_height;        ///< RULA of each body; 0: out of reach.
+    std::optional<double> best_rise;                ///< With the least worst score, nearest to now.
+    double target_height = 0.0;                     ///< m, of the active hands now.
   };
   const std::optional<Advice>& advice() const { return advice_; }
-  /// "Lowering the work by 70 mm gives RULA 4."
-  QString adviceText() const;
+  /// "Nearest: upper arm 97° to 45° gives RULA 4. Lowering the work by 70 mm gives RULA 4."
+  QString adviceText(ergonomics::PostureMethod method) const;
+  /// What costs the lift's index most and what would bring it down; empty where there is no lift.
+  QString liftAdviceText() const;
 
  signals:
   void changed();
@@ -61,6 +65,7 @@ class LiveScores : public QObject {
  private:
   void score();
   void advise();
+  QString placeText(ergonomics::PostureMethod method) const;
   MannequinContext& context_;
   std::shared_ptr<const mannequin::Figure> figure_;
   mannequin::Posture posture_;

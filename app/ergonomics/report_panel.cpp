@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kDrawMilliseconds = 300;
 constexpr int kQuickSamples = 1, kFineSamples = 8;
-constexpr QSize kSceneSize(760, 560);
+constexpr QSize kSceneSize(600, 690);
 constexpr double kAround = 0.35;  ///< m of the cell about the figure.
 
 }  // namespace
@@ -104,7 +104,7 @@ ergonomics::Report ReportPanel::report() const {
   input.posture = scores_.posture();
   input.task = scores_.task();
   input.bodies = scores_.bodies();
-  input.advice = scores_.adviceText().toStdString();
+  if (scores_.advice()) input.places = scores_.advice()->better;
   input.own_limits = scores_.ownLimits();
   input.scene = scene_;
   input.history = motion_.strips();

@@ -5,16 +5,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "app/mannequin/figure_sketch.h"
-
 namespace hapticell::app {
-
-void paintBand(QPainter& painter, const QRectF& area, int band, const Theme& theme) {
-  const int place = std::clamp(band, 0, 3);
-  QPainterPath path;
-  path.addRoundedRect(area, 2, 2);
-  fillWithPattern(painter, path, theme.score[static_cast<std::size_t>(place)], place < 2 ? 0 : place - 1);
-}
 
 LinkLook lookOf(int band, const Theme& theme) {
   const int place = std::clamp(band, 0, 3);

@@ -4,15 +4,13 @@
 #include <QRectF>
 #include <vector>
 
+#include "app/style/pattern.h"
 #include "app/style/theme.h"
 #include "app/viewport/render_item.h"
 
 class QPainter;
 
 namespace hapticell::app {
-
-/// A patch in a band's colour (0 to 3) with its pattern: hatched from the third, cross-hatched the fourth.
-void paintBand(QPainter& painter, const QRectF& area, int band, const Theme& theme);
 
 /// How a body segment of that band is drawn.
 LinkLook lookOf(int band, const Theme& theme);

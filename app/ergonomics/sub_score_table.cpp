@@ -62,9 +62,9 @@ std::vector<Row> owasRows(const ergonomics::PostureScores& scores) {
   for (std::size_t i = 0; i < scores.owas.size(); ++i) {
     Row row = rowOf(scores.owas, i, Owas());
     row.band = -1;
-    row.name = capital(std::string(Owas().subScores()[i].name));
+    row.name = capital(ergonomics::word(Owas().subScores()[i].name, shownLanguage()));
     const auto meaning = Owas::meaning(static_cast<Owas::Index>(i), scores.owas[i].value_or(1));
-    row.reason = QString::fromUtf8(meaning.data(), static_cast<qsizetype>(meaning.size()));
+    row.reason = shown(ergonomics::word(meaning, shownLanguage()));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -73,13 +73,24 @@ std::vector<Row> owasRows(const ergonomics::PostureScores& scores) {
 void addZones(const ergonomics::PartVerdicts& verdicts, std::vector<Row>& rows) {
   for (const auto& part : verdicts.parts) {
     Row row;
-    row.name = capital(std::string(part.part));
+    row.name = capital(ergonomics::word(part.part, shownLanguage()));
     row.band = part.zone == ergonomics::Zone::kAcceptable ? 0 : part.zone == ergonomics::Zone::kConditional ? 1 : 3;
     row.reason = QStringLiteral("%1°").arg(part.angle, 0, 'f', 0);
     if (part.holding_time_min)
       row.reason += SubScoreTable::tr(", at most %1 min").arg(*part.holding_time_min, 0, 'f', 1);
     rows.push_back(std::move(row));
   }
+}
+
+void addOutline(const ergonomics::PostureScores& scores, std::vector<Row>& rows) {
+  const int level = ergonomics::eawsLevel(scores.eaws_points);
+  rows.push_back({SubScoreTable::tr("EAWS (outline)"), QString::number(scores.eaws_points, 'f', 0),
+                  shown(ergonomics::word(ergonomics::nameOf(scores.eaws), shownLanguage())),
+                  level == 3 ? 3 : level - 1});
+  rows.push_back({SubScoreTable::tr("Joint comfort"),
+                  {},
+                  SubScoreTable::tr("%1 % of the joints").arg(100.0 * scores.comfort, 0, 'f', 0),
+                  -1});
 }
 
 }  // namespace
@@ -138,6 +149,7 @@ std::vector<SubScoreTable::Row> subScoreRows(const ergonomics::PostureScores& sc
     std::vector<Row> rows;
     addZones(scores.worse().en1005, rows);
     addZones(scores.worse().iso11226, rows);
+    addOutline(scores, rows);
     return rows;
   }
   return rulaRows(scores);

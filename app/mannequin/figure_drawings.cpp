@@ -55,16 +55,6 @@ std::vector<Mesh> reachOfSizes(const mannequin::Figure& figure, const mannequin:
   return found;
 }
 
-/// Which feet stand: one that is clearly higher than the other bears nothing.
-std::array<bool, 2> standing(const mannequin::Figure& figure, const mannequin::FigurePose& pose) {
-  constexpr double kLifted = 0.01;  // m
-  std::array<double, 2> height{};
-  for (const Side side : {Side::kLeft, Side::kRight})
-    height[static_cast<std::size_t>(side)] = (mannequin::footPose(pose, side) * dvec3(0.0, 0.0, figure.sole.z)).z;
-  const double floor = std::min(height[0], height[1]);
-  return {height[0] < floor + kLifted, height[1] < floor + kLifted};
-}
-
 std::array<float, 3> rgb(const QColor& color) {
   return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
 }
@@ -183,8 +173,9 @@ void FigureDrawings::drawVolumes() {
 void FigureDrawings::drawBalance() {
   const auto pose = mannequin::forwardKinematics(*figure_, posture_);
   const dvec3 com = mannequin::centerOfMass(*figure_, pose);
-  const auto support = mannequin::supportPolygon(
-      *figure_, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]}, standing(*figure_, pose));
+  const auto support =
+      mannequin::supportPolygon(*figure_, {pose[mannequin::Segment::kLeftFoot], pose[mannequin::Segment::kRightFoot]},
+                                mannequin::standingFeet(*figure_, pose));
   const double margin = support.margin(glm::dvec2(com));
   balance_->setText(margin >= 0.0 ? tr("Balance: %1 inside the soles").arg(lengthText(margin, 0))
                                   : tr("Out of balance by %1").arg(lengthText(-margin, 0)));

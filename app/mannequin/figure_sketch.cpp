@@ -5,6 +5,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
+#include "app/style/pattern.h"
 #include "app/style/theme.h"
 
 namespace hapticell::app {
@@ -30,21 +31,6 @@ QRectF boundsOf(const std::vector<mannequin::OutlinePart>& parts) {
 }
 
 }  // namespace
-
-void fillWithPattern(QPainter& painter, const QPainterPath& path, const QColor& color, int pattern) {
-  painter.fillPath(path, color);
-  if (pattern <= 0) return;
-  painter.save();
-  painter.setClipPath(path, Qt::IntersectClip);
-  const QRectF box = path.boundingRect();
-  painter.setPen(QPen(color.darker(220), 1.3));
-  constexpr double kStep = 5.0;
-  for (double x = box.left() - box.height(); x < box.right(); x += kStep) {
-    painter.drawLine(QPointF(x, box.bottom()), QPointF(x + box.height(), box.top()));
-    if (pattern > 1) painter.drawLine(QPointF(x, box.top()), QPointF(x + box.height(), box.bottom()));
-  }
-  painter.restore();
-}
 
 void drawFigure(QPainter& painter, const QRectF& area, const std::vector<mannequin::OutlinePart>& parts,
                 const BodyFill& fill, const QColor& line) {

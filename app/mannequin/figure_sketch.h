@@ -19,9 +19,6 @@ using BodyFill = std::function<LinkLook(std::size_t body)>;
 void drawFigure(QPainter& painter, const QRectF& area, const std::vector<mannequin::OutlinePart>& parts,
                 const BodyFill& fill, const QColor& line);
 
-/// A pattern of a score as a brush: plain, hatched, cross-hatched in the fill's darker tone.
-void fillWithPattern(QPainter& painter, const QPainterPath& path, const QColor& color, int pattern);
-
 /// The figure in its present posture, with what the stylus holds in the selection colour.
 class FigureSketch : public QWidget {
   Q_OBJECT

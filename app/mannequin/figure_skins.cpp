@@ -2,7 +2,9 @@
 #include "app/mannequin/figure_skins.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/host/host.h"
@@ -17,12 +19,36 @@ namespace {
 constexpr int kRestMilliseconds = 500;                                  // Then it is dressed.
 constexpr double kCell = 0.010, kHandCell = 0.004, kHeadCell = 0.0045;  // m
 
+/// The look of each body; none where its link has none.
+std::vector<std::optional<LinkLook>> looksOfBodies(const kinematics::RobotModel& model,
+                                                   const std::map<int, LinkLook>& looks) {
+  std::vector<std::optional<LinkLook>> of_bodies(mannequin::kBodies);
+  for (const auto& [link, look] : looks) {
+    if (const int body = mannequin::bodyOfLink(model, link); body >= 0)
+      of_bodies[static_cast<std::size_t>(body)] = look;
+  }
+  return of_bodies;
+}
+
+/// Colours of the bodies as they are looked: scores keep theirs, the others are quietened later.
+std::vector<std::array<float, 3>> colorsOf(const mannequin::Figure& figure,
+                                           const std::vector<std::optional<LinkLook>>& looks) {
+  const auto flesh = mannequin::fleshOf(figure);
+  std::vector<std::array<float, 3>> colors;
+  for (std::size_t i = 0; i < flesh.size(); ++i) colors.push_back(looks[i] ? looks[i]->color : flesh[i].color);
+  return colors;
+}
+
 }  // namespace
 
-SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<double>& joints) {
+SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<double>& joints,
+                          const std::map<int, LinkLook>& looks) {
   SceneModel::Skin skin;
   skin.robot = entity.robot;
   skin.joints = joints;
+  skin.looks = looks;
+  const auto of_bodies = looksOfBodies(*entity.robot, looks);
+  const auto colors = colorsOf(*entity.figure, of_bodies);
   const mannequin::Posture posture = mannequin::toPosture(*entity.figure, {Pose::identity(), joints});
   // What has one colour is one part: between two of them a line would be seen.
   std::vector<mannequin::SkinPart> parts;
@@ -38,12 +64,15 @@ SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<doub
   using Region = mannequin::SkinRegion;
   for (const auto& [cell, region] :
        {std::pair{kCell, Region::kBody}, {kHandCell, Region::kHands}, {kHeadCell, Region::kHead}})
-    add(mannequin::skinParts(*entity.figure, posture, cell, region));
+    add(mannequin::skinParts(*entity.figure, posture, cell, region, colors));
   add(mannequin::faceParts(*entity.figure, posture));
   for (mannequin::SkinPart& part : parts) {
     RenderItem item;
     item.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(part.mesh));
-    item.color = part.color;
+    const auto scored = std::find_if(of_bodies.begin(), of_bodies.end(),
+                                     [&](const auto& look) { return look && look->color == part.color; });
+    item.color = scored == of_bodies.end() ? quietened(part.color) : part.color;
+    item.pattern = scored == of_bodies.end() ? std::uint8_t{0} : (*scored)->pattern;
     item.smooth = true;
     skin.parts.push_back(std::move(item));
   }
@@ -59,9 +88,11 @@ void FigureSkins::look() {
     Dressed& dressed = dressed_[entity.id];
     std::vector<double> joints = scene.joints(entity);
     joints.resize(entity.robot->dof(), 0.0);
-    if (joints != dressed.joints || entity.figure.get() != dressed.figure) {
+    auto looks = scene.linkLooks(entity.id);
+    if (joints != dressed.joints || entity.figure.get() != dressed.figure || looks != dressed.looks) {
       dressed.joints = std::move(joints);
       dressed.figure = entity.figure.get();
+      dressed.looks = std::move(looks);
       dressed.state = Dressed::State::kMoves;
       dressed.since.start();
     } else if (dressed.state == Dressed::State::kMoves && dressed.since.elapsed() > kRestMilliseconds) {
@@ -79,11 +110,13 @@ void FigureSkins::ask(const workcell::Entity& entity, Dressed& dressed) {
   asking_ = true;
   dressed.state = Dressed::State::kAsked;
   runBeside(
-      this, [copy = entity, joints = dressed.joints] { return makeSkin(copy, joints); },
+      this, [copy = entity, joints = dressed.joints, looks = dressed.looks] { return makeSkin(copy, joints, looks); },
       [this, id = entity.id, figure = dressed.figure](SceneModel::Skin skin) {
         asking_ = false;
         const auto found = dressed_.find(id);
-        if (found == dressed_.end() || found->second.joints != skin.joints || found->second.figure != figure) return;
+        if (found == dressed_.end() || found->second.joints != skin.joints || found->second.looks != skin.looks ||
+            found->second.figure != figure)
+          return;
         found->second.state = Dressed::State::kReady;
         host_.viewport().scene().setSkin(id, std::move(skin));
         host_.viewport().refresh();

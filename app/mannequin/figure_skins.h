@@ -12,8 +12,9 @@ namespace hapticell::app {
 
 class Host;
 
-/// Draws mannequins that rest in one smooth skin (mannequin/body_skin.h) in place of their segments. It is made beside
-/// the window once a posture has stood for a moment; while the figure moves, its segments are seen. GUI thread.
+/// Draws mannequins that rest in one smooth skin (mannequin/body_skin.h) in place of their segments, in the looks that
+/// their links have in the scene (scores). It is made beside the window once posture and looks have stood for a moment;
+/// while the figure moves, its segments are seen, in the same looks. GUI thread.
 class FigureSkins : public QObject {
  public:
   explicit FigureSkins(Host& host, QObject* parent = nullptr);
@@ -24,6 +25,7 @@ class FigureSkins : public QObject {
   struct Dressed {
     std::vector<double> joints;
     const mannequin::Figure* figure = nullptr;  ///< Only compared.
+    std::map<int, LinkLook> looks;
     QElapsedTimer since;
     enum class State { kMoves, kAsked, kReady, kAlone } state = State::kMoves;
   };
@@ -33,7 +35,9 @@ class FigureSkins : public QObject {
   bool asking_ = false;
 };
 
-/// The skin of an entity with a figure at these joints. Takes about a second.
-SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<double>& joints);
+/// The skin of an entity with a figure at these joints, its links in these looks (none: as clothed). Takes about a
+/// second.
+SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<double>& joints,
+                          const std::map<int, LinkLook>& looks = {});
 
 }  // namespace hapticell::app

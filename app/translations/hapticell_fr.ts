@@ -69,6 +69,10 @@
         <translation>%1 % à 5–7</translation>
     </message>
     <message>
+        <source>%1 % of the joints</source>
+        <translation>%1 % des articulations</translation>
+    </message>
+    <message>
         <source>%1 % of the limits</source>
         <translation>%1 % des limites</translation>
     </message>
@@ -185,8 +189,8 @@
         <translation>%1 fichiers de cette cellule manquent</translation>
     </message>
     <message>
-        <source>%1 gives RULA %2.</source>
-        <translation>%1 donne RULA %2.</translation>
+        <source>%1 gives %2.</source>
+        <translation>%1 donne %2.</translation>
     </message>
     <message>
         <source>%1 goes along</source>
@@ -1885,6 +1889,10 @@
         <translation>Tirer %1 de %2</translation>
     </message>
     <message>
+        <source>Driven by %1. </source>
+        <translation>Déterminé par %1. </translation>
+    </message>
+    <message>
         <source>Driver</source>
         <translation>Cause</translation>
     </message>
@@ -1909,8 +1917,12 @@
         <translation>Dynamique</translation>
     </message>
     <message>
-        <source>EN 1005-4 and ISO 11226: zones and holding times of the parts</source>
-        <translation>EN 1005-4 et ISO 11226 : zones et temps de maintien des parties</translation>
+        <source>EAWS (outline)</source>
+        <translation>EAWS (esquisse)</translation>
+    </message>
+    <message>
+        <source>EN 1005-4 and ISO 11226: zones and holding times of the parts; the outline of EAWS; joint comfort</source>
+        <translation>EN 1005-4 et ISO 11226 : zones et durées de maintien des parties ; l'esquisse d'EAWS ; confort des articulations</translation>
     </message>
     <message>
         <source>EN, ISO</source>
@@ -2113,6 +2125,14 @@
         <translation>Pieds</translation>
     </message>
     <message>
+        <source>Feet locked</source>
+        <translation>Pieds bloqués</translation>
+    </message>
+    <message>
+        <source>Feet may step</source>
+        <translation>Pieds libres</translation>
+    </message>
+    <message>
         <source>Felt as the boundary</source>
         <translation>Senti comme la frontière</translation>
     </message>
@@ -2127,6 +2147,10 @@
     <message>
         <source>Fields also take a number with its unit: 2 in, 0.5 m, 1.57 rad. Files stay as they are.</source>
         <translation>Les champs acceptent aussi un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers restent tels quels.</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Figure</translation>
     </message>
     <message>
         <source>File</source>
@@ -2849,6 +2873,10 @@ Licence Apache 2.0</translation>
         <translation>Articulation</translation>
     </message>
     <message>
+        <source>Joint comfort</source>
+        <translation>Confort</translation>
+    </message>
+    <message>
         <source>Joints</source>
         <translation>Articulations</translation>
     </message>
@@ -3385,6 +3413,10 @@ Licence Apache 2.0</translation>
         <translation>Plus près de l'enregistrement où il y aurait collision</translation>
     </message>
     <message>
+        <source>Nearest posture: %1. </source>
+        <translation>Posture la plus proche : %1. </translation>
+    </message>
+    <message>
         <source>Neck and head</source>
         <translation>Cou et tête</translation>
     </message>
@@ -3527,6 +3559,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>No motion yet. Record one, or import a file.</source>
         <translation>Pas encore de mouvement. Enregistrez-en un, ou importez un fichier.</translation>
+    </message>
+    <message>
+        <source>No multiplier is below 1.</source>
+        <translation>Aucun facteur n'est inférieur à 1.</translation>
     </message>
     <message>
         <source>No other joint</source>
@@ -5429,6 +5465,10 @@ Licence Apache 2.0</translation>
         <translation>L'équation de levage et ce que portent les mains ; les couleurs restent celles de RULA</translation>
     </message>
     <message>
+        <source>The lifting equation does not take this lift.</source>
+        <translation>L'équation de levage ne s'applique pas à ce levage.</translation>
+    </message>
+    <message>
         <source>The limits were not read</source>
         <translation>Les limites n'ont pas été lues</translation>
     </message>
@@ -5603,6 +5643,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The stylus will be pulled down, slowly up to %1 N, for four seconds. Hold it loosely in the middle of its workspace. What you hold in the cell is let go first.</source>
         <translation>Le stylet sera tiré vers le bas, lentement jusqu'à %1 N, pendant quatre secondes. Tenez-le sans serrer au milieu de son espace. Ce que vous tenez dans la cellule est lâché avant.</translation>
+    </message>
+    <message>
+        <source>The task is no lift; the forces stand below.</source>
+        <translation>La tâche n'est pas un levage ; les efforts sont ci-dessous.</translation>
     </message>
     <message>
         <source>The test was stopped.</source>
@@ -6037,6 +6081,14 @@ Licence Apache 2.0</translation>
         <translation>Ce qui l'abaisse est dit dès que le corps est au repos.</translation>
     </message>
     <message>
+        <source>What brings it down: %1.</source>
+        <translation>Ce qui l'abaisse : %1.</translation>
+    </message>
+    <message>
+        <source>What costs most first: %1.</source>
+        <translation>Les plus coûteux d'abord : %1.</translation>
+    </message>
+    <message>
         <source>What is held</source>
         <translation>Ce qui est tenu</translation>
     </message>
@@ -6285,12 +6337,20 @@ Licence Apache 2.0</translation>
         <translation>comme il est tenu</translation>
     </message>
     <message>
+        <source>at work</source>
+        <translation>au travail</translation>
+    </message>
+    <message>
         <source>being read</source>
         <translation>en lecture</translation>
     </message>
     <message>
         <source>best %1</source>
         <translation>meilleur %1</translation>
+    </message>
+    <message>
+        <source>borne by the seat</source>
+        <translation>porté par le siège</translation>
     </message>
     <message>
         <source>by %1</source>
@@ -6427,6 +6487,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>hold: clutch</source>
         <translation>tenu : débrayer</translation>
+    </message>
+    <message>
+        <source>in balance</source>
+        <translation>en équilibre</translation>
     </message>
     <message>
         <source>inch</source>
@@ -6589,6 +6653,10 @@ Licence Apache 2.0</translation>
         <translation>de %1</translation>
     </message>
     <message>
+        <source>of reach left</source>
+        <translation>d'atteinte restante</translation>
+    </message>
+    <message>
         <source>off</source>
         <translation>arrêt</translation>
     </message>
@@ -6611,6 +6679,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>origin</source>
         <translation>origine</translation>
+    </message>
+    <message>
+        <source>out of balance</source>
+        <translation>hors d'équilibre</translation>
     </message>
     <message>
         <source>part</source>
@@ -6697,6 +6769,10 @@ Licence Apache 2.0</translation>
         <translation>ceux de la commande</translation>
     </message>
     <message>
+        <source>the lift and the forces</source>
+        <translation>le levage et les efforts</translation>
+    </message>
+    <message>
         <source>the placements of the imported files</source>
         <translation>les places des fichiers importés</translation>
     </message>
@@ -6719,6 +6795,14 @@ Licence Apache 2.0</translation>
     <message>
         <source>trimmed</source>
         <translation>rogné</translation>
+    </message>
+    <message>
+        <source>trunk free</source>
+        <translation>tronc libre</translation>
+    </message>
+    <message>
+        <source>trunk locked</source>
+        <translation>tronc bloqué</translation>
     </message>
     <message>
         <source>turn on</source>

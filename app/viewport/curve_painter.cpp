@@ -32,6 +32,8 @@ QColor colorOf(SceneCurve::Role role, const Theme& theme) {
       return theme.contact;
     case SceneCurve::Role::kNearMiss:
       return theme.near_miss;
+    case SceneCurve::Role::kMeasure:
+      return theme.force;
   }
   return theme.text2;
 }

@@ -14,12 +14,15 @@ namespace hapticell::app {
 struct OverlayLabel {
   std::uint64_t key = 0;
   Mark mark = Mark::kNone;
-  std::string number;  ///< "6.4 mm", "Contact"
-  std::string names;   ///< "Gripper G2 – Clamp tower B"
-  dvec3 p_WQ{0.0};     ///< What the leader points at.
+  std::string number;   ///< "6.4 mm", "Contact"
+  std::string names;    ///< "Gripper G2 – Clamp tower B"
+  dvec3 p_WQ{0.0};      ///< What the leader points at.
+  std::string title{};  ///< Beside the number; empty: none.
+  int band = -1;        ///< A patch in a score's colour and pattern (0 to 3) in place of the mark.
+  bool operator==(const OverlayLabel&) const = default;
 };
 
-/// At most three: the contact, the nearest free pair, the limit.
+/// Of the snapshot at most three: the contact, the nearest free pair, the limit.
 std::vector<OverlayLabel> overlayLabels(const SceneModel& scene);
 
 /// Length of the force arrow in pixels at 100 %: 40 and 80 a newton, at most 200; 0 below 0.05 N faded out by

@@ -8,41 +8,12 @@
 #include "app/style/units.h"
 #include "app/viewport/curve_painter.h"
 #include "app/viewport/frame.h"
+#include "app/viewport/overlay_boxes.h"
 #include "app/viewport/pen_tags.h"
 #include "app/viewport/stylus_mesh.h"
 
 namespace hapticell::app {
 namespace {
-
-constexpr double kStripHeight = 42.0;
-constexpr double kCellPadding = 14.0;
-
-QPointF point(const glm::dvec2& p) {
-  return {p.x, p.y};
-}
-
-QFont bold15() {
-  return textFont(TextRole::kNumberOverScene);
-}
-
-double textWidth(const QFont& text_font, const QString& text) {
-  return QFontMetricsF(text_font).horizontalAdvance(text);
-}
-
-/// A line with its halo below it.
-void haloLine(QPainter& painter, const QPolygonF& line, const QColor& color, double width, const QColor& halo) {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(halo, width + 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPolyline(line);
-  painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPolyline(line);
-}
-
-void paintBox(QPainter& painter, const QRectF& box, const Theme& theme) {
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.label_box);
-  painter.drawRoundedRect(box, 4, 4);
-}
 
 void paintCubeFace(QPainter& painter, const ViewCubeFace& face, const Theme& theme) {
   QPolygonF outline;
@@ -187,62 +158,6 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
   painter.setOpacity(1.0);
 }
 
-void paintLabel(QPainter& painter, const OverlayLabel& label, const PlacedLabel& place, const Theme& theme) {
-  const QColor color = markColor(label.mark, theme);
-  QPolygonF leader;
-  for (const auto& p : leaderOf(place)) leader << point(p);
-  haloLine(painter, leader, color, 1.2, theme.halo);
-  const QRectF box(point(place.box.min), point(place.box.max));
-  paintBox(painter, box, theme);
-  paintMark(painter, label.mark, QPointF(box.left() + 16, box.top() + 15), 12, theme);
-  painter.setFont(bold15());
-  painter.setPen(theme.text1);
-  const double indent = label.mark == Mark::kNone ? 10.0 : 30.0;
-  painter.drawText(QRectF(box.left() + indent, box.top() + 5, box.width() - indent - 6, 20),
-                   Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(label.number));
-  painter.setFont(textFont(TextRole::kSecond));
-  painter.setPen(theme.text2);
-  painter.drawText(QRectF(box.left() + 10, box.top() + 24, box.width() - 16, 16), Qt::AlignVCenter | Qt::AlignLeft,
-                   QString::fromStdString(label.names));
-}
-
-double cellWidth(const StripCell& cell) {
-  const double value =
-      textWidth(bold15(), QString::fromStdString(cell.value)) + (cell.mark == Mark::kNone ? 0.0 : 20.0);
-  const double meaning = textWidth(textFont(TextRole::kSecond), QString::fromStdString(cell.meaning));
-  // Whole steps of 8, so that the strip does not breathe with every digit.
-  return std::ceil(std::max(value, meaning) / 8.0) * 8.0 + 2.0 * kCellPadding;
-}
-
-void paintStrip(QPainter& painter, const Overlay& overlay) {
-  const Theme& theme = *overlay.theme;
-  const QRectF box = stripBox(overlay.strip, overlay.size);
-  if (box.isEmpty()) return;
-  paintBox(painter, box, theme);
-  double x = box.left();
-  for (const StripCell& cell : overlay.strip) {
-    const double width = cellWidth(cell);
-    if (x > box.left()) {
-      painter.setPen(QPen(theme.line, 1.0));
-      painter.drawLine(QPointF(std::round(x) + 0.5, box.top() + 8), QPointF(std::round(x) + 0.5, box.bottom() - 8));
-    }
-    double text_x = x + kCellPadding;
-    if (cell.mark != Mark::kNone) {
-      paintMark(painter, cell.mark, QPointF(text_x + 6, box.top() + 14), 12, theme);
-      text_x += 20;
-    }
-    painter.setFont(bold15());
-    painter.setPen(theme.text1);
-    painter.drawText(QRectF(text_x, box.top() + 4, width, 20), Qt::AlignVCenter | Qt::AlignLeft,
-                     QString::fromStdString(cell.value));
-    painter.setFont(textFont(TextRole::kSecond));
-    painter.setPen(theme.text2);
-    painter.drawText(QRectF(x + kCellPadding, box.top() + 22, width, 16), Qt::AlignVCenter | Qt::AlignLeft,
-                     QString::fromStdString(cell.meaning));
-    x += width;
-  }
-}
-
 void paintQuietText(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
   const double cell = floorCell(overlay.camera);
@@ -255,14 +170,14 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
                                                      : QObject::tr("  ·  %n parts are made ready", nullptr,
                                                                    static_cast<int>(overlay.missing_parts));
   QPainterPath words;
-  const QRectF strip = stripBox(overlay.strip, overlay.size);
+  const QRectF strip = stripsBox(overlay.strips, overlay.size);
   const bool under_strip = 14 + textWidth(textFont(TextRole::kSecond), grid + missing) + 8 > strip.left();
   const double base = !strip.isEmpty() && under_strip ? strip.top() - 8 : overlay.size.height - 17;
   words.addText(14, base, textFont(TextRole::kSecond), grid + missing);
   painter.strokePath(words, QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.fillPath(words, theme.text2);
   if (overlay.hint.isEmpty()) return;
-  const double above = overlay.strip.empty() ? 34.0 : 28.0 + kStripHeight + 12.0;
+  const double above = strip.isEmpty() ? 34.0 : overlay.size.height - strip.top() + 26.0;
   const double width = textWidth(textFont(TextRole::kSecond), overlay.hint) + 20.0;
   const QRectF box(std::round(0.5 * (overlay.size.width - width)), overlay.size.height - above - 14.0, width, 22);
   paintBox(painter, box, theme);
@@ -307,7 +222,7 @@ void paintHoverName(QPainter& painter, const Overlay& overlay) {
   painter.drawText(hoverBox(overlay), Qt::AlignCenter, overlay.hover_name);
 }
 
-void paintBox(QPainter& painter, const Overlay& overlay) {
+void paintRubberBand(QPainter& painter, const Overlay& overlay) {
   QColor fill = overlay.theme->selection;
   fill.setAlpha(28);
   painter.setBrush(fill);
@@ -317,60 +232,11 @@ void paintBox(QPainter& painter, const Overlay& overlay) {
 
 }  // namespace
 
-QColor markColor(Mark mark, const Theme& theme) {
-  switch (mark) {
-    case Mark::kContact:
-      return theme.contact;
-    case Mark::kNearMiss:
-      return theme.near_miss;
-    case Mark::kLimit:
-      return theme.limit;
-    case Mark::kNone:
-      break;
-  }
-  return theme.text2;
-}
-
-void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size, const Theme& theme) {
-  const double r = 0.5 * size;
-  const QColor color = markColor(mark, theme);
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(color, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
-  if (mark == Mark::kContact) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    painter.drawPolygon(
-        QPolygonF({center + QPointF(0, -r), center + QPointF(r, 0), center + QPointF(0, r), center + QPointF(-r, 0)}));
-  } else if (mark == Mark::kNearMiss) {
-    painter.drawPolygon(
-        QPolygonF({center + QPointF(0, -r * 0.9), center + QPointF(r, r * 0.8), center + QPointF(-r, r * 0.8)}));
-  } else if (mark == Mark::kLimit) {
-    painter.drawLine(center + QPointF(-r, -r), center + QPointF(-r, r));
-    painter.drawLine(center + QPointF(r, -r), center + QPointF(r, r));
-    painter.drawLine(center + QPointF(-r, 0), center + QPointF(r, 0));
-  }
-  painter.restore();
-}
-
-QSizeF labelSize(const OverlayLabel& label) {
-  const double first = 30.0 + textWidth(bold15(), QString::fromStdString(label.number)) + 12.0;
-  const double second = 10.0 + textWidth(textFont(TextRole::kSecond), QString::fromStdString(label.names)) + 10.0;
-  return {std::ceil(std::max(first, second)), 44.0};
-}
-
-QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size) {
-  if (cells.empty()) return {};
-  double width = 0.0;
-  for (const StripCell& cell : cells) width += cellWidth(cell);
-  return {std::round(0.5 * (size.width - width)), size.height - 14.0 - kStripHeight, width, kStripHeight};
-}
-
 std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   const double reach = 2.9 * overlay.cube.halfEdge();
   std::vector<QRectF> pieces{{overlay.cube.center().x - reach, overlay.cube.center().y - reach, 2 * reach, 2 * reach}};
-  pieces.emplace_back(0, overlay.size.height - 100, overlay.size.width, 100);
+  const double bottom = 100.0 + (overlay.strips.size() > 1 ? stripsBox(overlay.strips, overlay.size).height() : 0.0);
+  pieces.emplace_back(0, overlay.size.height - bottom, overlay.size.width, bottom);
   if (overlay.view_strip) pieces.push_back(overlay.view_strip->box().adjusted(-2, -2, 2, 2));
   if (overlay.box) pieces.push_back(overlay.box->adjusted(-2, -2, 2, 2));
   if (!overlay.hover_name.isEmpty()) pieces.push_back(hoverBox(overlay).adjusted(-2, -2, 2, 2));
@@ -378,7 +244,6 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   QRectF curves;
   for (const SceneCurve& curve : overlay.curves) curves = curves.united(curveBox(curve, overlay.camera, overlay.size));
   if (!curves.isEmpty()) pieces.push_back(curves);
-  if (!overlay.scene || !overlay.scene->snapshot()) return pieces;
   QRectF middle;
   const auto add = [&middle](const QPointF& p, double room) {
     middle = middle.united(QRectF(p.x() - room, p.y() - room, 2 * room, 2 * room));
@@ -388,14 +253,16 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
     add(point(place.anchor), 20);
     middle = middle.united(QRectF(point(place.box.min), point(place.box.max)).adjusted(-4, -4, 4, 4));
   }
-  for (const auto& pair : overlay.scene->snapshot()->pairs)
-    for (const dvec3& p_WQ : {pair.p_WA, pair.p_WB})
-      if (const auto p = overlay.camera.project(p_WQ, overlay.size)) add(point(*p), 20);
-  const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
-  if (forceArrowOpacity(snapshot.force_n) > 0.0)
-    if (const auto p = overlay.camera.project(forceArrowStart_W(snapshot), overlay.size)) add(point(*p), 300);
+  if (overlay.scene && overlay.scene->snapshot()) {
+    const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
+    for (const auto& pair : snapshot.pairs)
+      for (const dvec3& p_WQ : {pair.p_WA, pair.p_WB})
+        if (const auto p = overlay.camera.project(p_WQ, overlay.size)) add(point(*p), 20);
+    if (forceArrowOpacity(snapshot.force_n) > 0.0)
+      if (const auto p = overlay.camera.project(forceArrowStart_W(snapshot), overlay.size)) add(point(*p), 300);
+  }
   if (!middle.isEmpty())
-    pieces.push_back(middle.intersected(QRectF(0, 0, overlay.size.width, overlay.size.height - 100)));
+    pieces.push_back(middle.intersected(QRectF(0, 0, overlay.size.width, overlay.size.height - bottom)));
   return pieces;
 }
 
@@ -409,12 +276,12 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
     paintPenTags(painter, overlay);
     paintPairs(painter, overlay);
     paintForce(painter, overlay);
-    for (const PlacedLabel& place : overlay.places)
-      for (const OverlayLabel& label : overlay.labels)
-        if (label.key == place.key) paintLabel(painter, label, place, *overlay.theme);
   }
-  paintStrip(painter, overlay);
-  if (overlay.box) paintBox(painter, overlay);
+  for (const PlacedLabel& place : overlay.places)
+    for (const OverlayLabel& label : overlay.labels)
+      if (label.key == place.key) paintLabel(painter, label, place, *overlay.theme);
+  paintStrips(painter, overlay.strips, overlay.size, *overlay.theme);
+  if (overlay.box) paintRubberBand(painter, overlay);
   if (overlay.view_strip) overlay.view_strip->paint(painter, *overlay.theme, overlay.view_strip_hover);
   paintQuietText(painter, overlay);
   if (!overlay.hover_name.isEmpty()) paintHoverName(painter, overlay);

@@ -6,6 +6,7 @@
 
 #include "app/style/theme.h"
 #include "app/viewport/label_layout.h"
+#include "app/viewport/overlay_boxes.h"
 #include "app/viewport/overlay_labels.h"
 #include "app/viewport/scene_curve.h"
 #include "app/viewport/view_cube.h"
@@ -28,34 +29,25 @@ struct Overlay {
   std::vector<OverlayLabel> labels;
   std::vector<PlacedLabel> places;
   std::vector<SceneCurve> curves;
-  std::vector<StripCell> strip;  ///< Empty: no stylus, no strip.
-  QString hint;                  ///< One quiet line above the strip: what the mouse does now.
+  Strips strips;  ///< The stylus's, the figure's; none: no strip.
+  QString hint;   ///< One quiet line above the strips: what the mouse does now.
   ViewCube cube{{0, 0}, 1};
   std::optional<ViewCubeSpot> cube_hover;
   std::optional<EmptyState> empty;
   const ViewStrip* view_strip = nullptr;
-  int view_strip_hover = -1;      ///< Index of its cell, or -1.
-  std::optional<QRectF> box;      ///< Drawn by the mouse to choose what lies in it,
-  bool box_touching = false;      ///< or what it touches: dashed.
+  int view_strip_hover = -1;  ///< Index of its cell, or -1.
+  std::optional<QRectF> box;  ///< Drawn by the mouse to choose what lies in it,
+  bool box_touching = false;  ///< or what it touches: dashed.
   /// What the pointer is over, and where it came there.
   QString hover_name;
   QPointF hover_place;
   std::size_t missing_parts = 0;  ///< Still being made ready for drawing.
 };
 
-/// Size of a label's box for layout.
-QSizeF labelSize(const OverlayLabel& label);
-/// The strip's box in the viewport; empty for no cells.
-QRectF stripBox(const std::vector<StripCell>& cells, const ViewSize& size);
-
 /// Paints cube, labels, leaders, points, arrow, strip and grid size. Plain QPainter; no widgets, no OpenGL.
 void paintOverlay(QPainter& painter, const Overlay& overlay);
 
 /// Boxes that together hold all that paintOverlay() paints; they may overlap.
 std::vector<QRectF> overlayPieces(const Overlay& overlay);
-
-/// The mark of a state, as everywhere: a filled diamond, an open triangle, an H.
-void paintMark(QPainter& painter, Mark mark, const QPointF& center, double size, const Theme& theme);
-QColor markColor(Mark mark, const Theme& theme);
 
 }  // namespace hapticell::app

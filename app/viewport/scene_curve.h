@@ -10,7 +10,7 @@ namespace hapticell::app {
 
 /// A line drawn over the scene: a guide, an axis, a frame, the outline of what is being picked.
 struct SceneCurve {
-  enum class Role { kGuide, kGuideOff, kSelection, kAxisX, kAxisY, kAxisZ, kLimit, kContact, kNearMiss };
+  enum class Role { kGuide, kGuideOff, kSelection, kAxisX, kAxisY, kAxisZ, kLimit, kContact, kNearMiss, kMeasure };
   enum class Style { kSolid, kDashDot, kDashed };
   std::vector<dvec3> points_W;  ///< One point: a disc.
   Role role = Role::kGuide;

@@ -130,6 +130,11 @@ void SceneModel::setLinkLooks(workcell::EntityId entity, std::map<int, LinkLook>
   ++revision_;
 }
 
+std::map<int, LinkLook> SceneModel::linkLooks(workcell::EntityId entity) const {
+  const auto known = looks_.find(entity);
+  return known == looks_.end() ? std::map<int, LinkLook>{} : known->second;
+}
+
 void SceneModel::setExtras(const std::string& owner, std::vector<RenderItem> extras) {
   if (extras.empty() && !extras_.contains(owner)) return;
   for (RenderItem& item : extras) {
@@ -148,7 +153,6 @@ void SceneModel::setExtras(const std::string& owner, std::vector<RenderItem> ext
 void SceneModel::setSkin(workcell::EntityId entity, Skin skin) {
   for (RenderItem& part : skin.parts) {
     part.bounds_M = part.mesh->bounds();
-    part.color = quietened(part.color);
     part.entity = entity;
   }
   skins_[entity] = std::move(skin);
@@ -165,7 +169,9 @@ void SceneModel::showSkinAlone(workcell::EntityId entity) {
 const SceneModel::Skin* SceneModel::skinOf(const workcell::Entity& entity) const {
   const auto found = skins_.find(entity.id);
   if (found == skins_.end() || found->second.robot != entity.robot) return nullptr;
-  if (looks_.contains(entity.id) || playedOf(entity.id)) return nullptr;
+  if (playedOf(entity.id)) return nullptr;
+  const auto looks = looks_.find(entity.id);
+  if (looks == looks_.end() ? !found->second.looks.empty() : looks->second != found->second.looks) return nullptr;
   if (snapshot_ && snapshot_->held == entity.id) return nullptr;
   const std::vector<double> now = joints(entity);
   const auto same = [](double a, double b) { return std::abs(a - b) < kSeen; };

@@ -44,14 +44,17 @@ class SceneModel {
   /// Shapes beside the document's, kept by `owner` until it gives others (none: takes them away): zones, volumes,
   /// bodies of other sizes. They are not picked; their meshes' bounds are found here.
   void setExtras(const std::string& owner, std::vector<RenderItem> extras);
-  /// One smooth skin in place of a jointed entity's links, as long as its joints are those: parts in the entity's
-  /// frame, each of a colour. Not while it is held, played or in looks of its own. Until `alone` the links are drawn
-  /// too, so that nothing flickers while the skin is made ready.
+  /// Empty where all links have their own colour.
+  std::map<int, LinkLook> linkLooks(workcell::EntityId entity) const;
+  /// One smooth skin in place of a jointed entity's links, as long as its joints and looks are those: parts in the
+  /// entity's frame, each of a colour. Not while it is held or played. Until `alone` the links are drawn too, so that
+  /// nothing flickers while the skin is made ready.
   struct Skin {
     std::shared_ptr<const kinematics::RobotModel> robot;  ///< Whose skin it is: another size needs another.
     std::vector<double> joints;
-    std::vector<RenderItem> parts;  ///< Mesh and colour.
+    std::vector<RenderItem> parts;  ///< Mesh, colour and pattern.
     bool alone = false;
+    std::map<int, LinkLook> looks{};  ///< Of the links as they are in the parts' colours.
   };
   void setSkin(workcell::EntityId entity, Skin skin);
   void showSkinAlone(workcell::EntityId entity);

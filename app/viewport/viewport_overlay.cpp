@@ -16,6 +16,37 @@ std::vector<StripCell> ViewportWidget::spokenNumbers() const {
   return said;
 }
 
+void ViewportWidget::setLabels(const std::string& owner, std::vector<OverlayLabel> labels) {
+  const auto known = labels_.find(owner);
+  if (known == labels_.end() ? labels.empty() : known->second == labels) return;
+  if (labels.empty())
+    labels_.erase(known);
+  else
+    labels_[owner] = std::move(labels);
+  update();
+}
+
+void ViewportWidget::setFigureStrip(std::vector<StripCell> cells) {
+  if (cells == figure_strip_) return;
+  figure_strip_ = std::move(cells);
+  update();
+}
+
+std::vector<OverlayLabel> ViewportWidget::allLabels() const {
+  std::vector<OverlayLabel> all = overlayLabels(scene_);
+  for (const auto& [owner, labels] : labels_) all.insert(all.end(), labels.begin(), labels.end());
+  return all;
+}
+
+Strips ViewportWidget::strips() const {
+  const auto& snapshot = scene_.snapshot();
+  Strips strips;
+  const bool stylus = snapshot && snapshot->connected && (snapshot->forces_on || figure_strip_.empty());
+  if (stylus) strips.push_back(stripCells(*snapshot, strip_));
+  if (!figure_strip_.empty()) strips.push_back(figure_strip_);
+  return strips;
+}
+
 std::vector<SceneCurve> ViewportWidget::allCurves() const {
   std::vector<SceneCurve> all;
   for (const auto& [owner, curves] : curves_) all.insert(all.end(), curves.begin(), curves.end());
@@ -40,8 +71,7 @@ std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLa
     if (anchor) wishes.push_back({label.key, *anchor, {size.width(), size.height()}});
   }
   std::vector<PixelBox> keep_free;
-  const QRectF strip =
-      stripBox(scene_.snapshot() ? stripCells(*scene_.snapshot(), strip_) : std::vector<StripCell>{}, viewSize());
+  const QRectF strip = stripsBox(strips(), viewSize());
   if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
   constexpr double kHintHeight = 44.0, kHintHalfWidth = 320.0;  // It stands above the strip.
   if (!tools_.hint().isEmpty() && !strip.isEmpty())
@@ -66,9 +96,9 @@ Overlay ViewportWidget::makeOverlay() {
   overlay.camera = camera_;
   overlay.size = viewSize();
   overlay.scene = &scene_;
-  overlay.labels = overlayLabels(scene_);
+  overlay.labels = allLabels();
   overlay.places = placeLabels(overlay.labels);
-  if (scene_.snapshot() && scene_.snapshot()->connected) overlay.strip = stripCells(*scene_.snapshot(), strip_);
+  overlay.strips = strips();
   overlay.hint = tools_.hint();
   if (pick_) {
     overlay.hint = pick_->prompt;

@@ -63,7 +63,15 @@ class ViewportWidget : public QOpenGLWidget {
   std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
   /// Lines over the scene, kept by `owner` until it gives others (none: takes them away).
   void setCurves(const std::string& owner, std::vector<SceneCurve> curves);
+  /// Labels beside those of the snapshot, kept by `owner` until it gives others. Their keys must be their own: from
+  /// 100.
+  void setLabels(const std::string& owner, std::vector<OverlayLabel> labels);
   void setStrip(const StripContext& context) { strip_ = context; }
+  /// What a figure's work is told by, in place of the stylus's strip; above it while forces are on. Empty: none.
+  void setFigureStrip(std::vector<StripCell> cells);
+  const std::vector<StripCell>& figureStrip() const { return figure_strip_; }
+  /// All labels that are to be seen, those of the snapshot first.
+  std::vector<OverlayLabel> allLabels() const;
   void setViewStrip(std::vector<ViewStripCell> cells);
   const ViewStrip& viewStrip() const { return view_strip_; }
   /// What the pointer is over, as it is written beside it: "robot · link_3". Empty: nothing.
@@ -136,6 +144,7 @@ class ViewportWidget : public QOpenGLWidget {
   bool wheelOfTouchpad(const QWheelEvent& event);
   bool isMovingCamera() const { return drag_ == Drag::kOrbit || drag_ == Drag::kPan || drag_ == Drag::kZoom; }
   std::vector<SceneCurve> allCurves() const;
+  Strips strips() const;
   bool pressViewStrip(const QMouseEvent& event);
   ViewCube viewCube() const;
   workcell::EntityId entityAt(const QPointF& position);
@@ -169,6 +178,8 @@ class ViewportWidget : public QOpenGLWidget {
   std::optional<PickRequest> pick_;
   std::optional<PickedFeature> pick_hover_;
   std::map<std::string, std::vector<SceneCurve>> curves_;
+  std::map<std::string, std::vector<OverlayLabel>> labels_;
+  std::vector<StripCell> figure_strip_;
   std::optional<EmptyState> empty_;
   bool edges_ = true, motion_ = true;
   std::optional<SectionPlane> section_;

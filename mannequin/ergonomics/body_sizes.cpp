@@ -15,20 +15,8 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr double kRaised = 0.35;                 ///< rad that an upper arm is off the trunk's line.
-constexpr double kBent = 0.45;                   ///< rad of elbow flexion.
-constexpr double kStep = 0.01, kFarthest = 0.6;  ///< m
-
-double reachLeft(const Figure& figure, const FigurePose& pose, const std::array<bool, 2>& active) {
-  double left = 1e9;
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    if (!active[static_cast<std::size_t>(side)]) continue;
-    const dvec3 shoulder = pose[armSegment(side, Segment::kLeftUpperArm)].p_WS;
-    const double distance = glm::length(mannequin::handPose(pose, side).p - shoulder);
-    left = std::min(left, figure.upperArmLength() + figure.forearmLength() - distance);
-  }
-  return std::max(0.0, left);
-}
+constexpr double kRaised = 0.35;  ///< rad that an upper arm is off the trunk's line.
+constexpr double kBent = 0.45;    ///< rad of elbow flexion.
 
 dvec3 feetMiddle(const FigurePose& pose) {
   return 0.5 * (mannequin::footPose(pose, Side::kLeft).p + mannequin::footPose(pose, Side::kRight).p);
@@ -80,6 +68,17 @@ std::array<bool, 2> activeHands(const FigurePose& pose, const Posture& posture) 
   }
   if (!active[0] && !active[1]) active[1] = true;
   return active;
+}
+
+double reachLeft(const Figure& figure, const FigurePose& pose, const std::array<bool, 2>& active) {
+  double left = 1e9;
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    if (!active[static_cast<std::size_t>(side)]) continue;
+    const dvec3 shoulder = pose[armSegment(side, Segment::kLeftUpperArm)].p_WS;
+    const double distance = glm::length(mannequin::handPose(pose, side).p - shoulder);
+    left = std::min(left, figure.upperArmLength() + figure.forearmLength() - distance);
+  }
+  return std::max(0.0, left);
 }
 
 Posture standingAt(const Figure& from, const Posture& posture, const Figure& figure) {
@@ -150,37 +149,6 @@ std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedF
     }
   }
   return scores;
-}
-
-std::optional<BetterPlace> betterPlace(const Figure& figure, const Posture& posture, const WorkTask& task) {
-  const FigurePose pose = mannequin::forwardKinematics(figure, posture);
-  const Rula rula;
-  const int level = rula.levelOf(scorePosture(figure, posture, pose, task).rula());
-  const dvec3 ahead = posture.X_WR.rotate({1.0, 0.0, 0.0});
-  const dvec3 forward = glm::normalize(dvec3(ahead.x, ahead.y, 1e-9)), left = glm::cross(dvec3(0, 0, 1), forward);
-  const std::array<dvec3, 6> ways{dvec3(0, 0, -1), dvec3(0, 0, 1), -forward, forward, left, -left};
-  const mannequin::PostureSolver solver(figure);
-  std::array<Posture, 6> last;
-  last.fill(posture);
-  for (double far = kStep; far < kFarthest; far += kStep) {
-    std::optional<BetterPlace> best;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-      for (const bool turned_alike : {true, false}) {
-        mannequin::PostureTask wanted = taskAt(figure, posture, figure, far * ways[i]);
-        wanted.orientation = {turned_alike, turned_alike};
-        const auto found = solver.solve(wanted, last[i]);
-        if (found.status != mannequin::PostureStatus::kSolved) continue;
-        last[i] = found.posture;
-        const int score =
-            scorePosture(figure, found.posture, mannequin::forwardKinematics(figure, found.posture), task).rula();
-        if (rula.levelOf(score) < level && (!best || score < best->score))
-          best = BetterPlace{far * ways[i], score, found.posture};
-        break;  // Hands may turn only where they cannot be held alike.
-      }
-    }
-    if (best) return best;
-  }
-  return std::nullopt;
 }
 
 }  // namespace hapticell::ergonomics

@@ -23,6 +23,9 @@ struct BodyAtTask {
 /// Which hands do something: raised, or bent; where neither is, the right one.
 std::array<bool, 2> activeHands(const mannequin::FigurePose& pose, const mannequin::Posture& posture);
 
+/// m that the arm's length has left to the grips, of the active arm that has less; 0 where it is straight.
+double reachLeft(const mannequin::Figure& figure, const mannequin::FigurePose& pose, const std::array<bool, 2>& active);
+
 /// The same work done by other bodies: their feet where `posture`'s stand, their grips where its active hands' grips
 /// are (turned alike), all limits and balance kept; the body that is of the figure's own sex and stature as it stands.
 /// Well under a millisecond a body; any thread.
@@ -33,18 +36,6 @@ std::vector<BodyAtTask> atSameTask(const std::vector<mannequin::NamedFigure>& bo
 std::vector<std::vector<int>> scoresByHeight(const std::vector<mannequin::NamedFigure>& bodies,
                                              const mannequin::Figure& figure, const mannequin::Posture& posture,
                                              const WorkTask& task, const std::vector<double>& rises);
-
-/// How the work would have to be moved for a lower action level.
-struct BetterPlace {
-  dvec3 shift_W{0.0};  ///< m, of all active hands' targets.
-  int score = 0;       ///< RULA there.
-  mannequin::Posture posture;
-};
-
-/// The smallest shift of the targets (down, up, nearer, further, to a side; up to 0.6 m in steps of 10 mm) with which
-/// the figure's RULA falls to a lower level; nothing where none does. Some tens of milliseconds: not for Qt's thread.
-std::optional<BetterPlace> betterPlace(const mannequin::Figure& figure, const mannequin::Posture& posture,
-                                       const WorkTask& task);
 
 /// The targets of the active hands, moved by `shift_W`, as a task for the solver; for `figure` in a posture that
 /// stands as it shall.

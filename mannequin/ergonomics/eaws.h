@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace hapticell::ergonomics {
 
@@ -30,11 +31,47 @@ inline constexpr std::size_t kEawsPostureCount = static_cast<std::size_t>(EawsPo
 
 std::string_view nameOf(EawsPosture posture);
 
+/// What decides between the lines.
+struct EawsObservation {
+  double trunk_flexion = 0.0;  ///< Degrees, either way.
+  bool hands_above_head = false;
+  bool elbow_at_shoulder = false;  ///< Or above.
+  bool seated = false;
+  bool kneeling = false;
+  bool walking = false;
+  bool trunk_supported = false;
+};
+
+/// The line of an observed posture: bent from over 20 deg, far from over 60; raised arms count before a bent trunk.
+EawsPosture eawsPosture(const EawsObservation& observed);
+
+/// The posture of the same kind (standing, sitting, kneeling) with the fewest points; itself for the others.
+EawsPosture easiestOfKind(EawsPosture posture);
+
 /// An outline of the posture section of EAWS 1.3.6: points for the share of the cycle (0 to 1) spent in each posture,
 /// linear between the worksheet's columns (5 % to 83 %, its last column beyond). Forces, loads and the upper limbs
 /// have sections of their own that are not covered, and line 14 (kneeling, arms up) is left out because its printed
 /// values are disputed: no complete EAWS score.
 double eawsPosturePoints(const std::array<double, kEawsPostureCount>& shares);
+
+/// One line's part in the points, the costliest first; lines without points are left out.
+struct EawsDriver {
+  EawsPosture posture;
+  double share = 0.0;
+  double points = 0.0;  ///< Of this line.
+  double score = 0.0;   ///< All points, were its share spent in the easiest posture of its kind.
+};
+std::vector<EawsDriver> eawsDrivers(const std::array<double, kEawsPostureCount>& shares);
+
+/// A share of the cycle spent in an easier posture of the same kind instead.
+struct EawsShift {
+  EawsPosture from, to;
+  double share = 0.0;  ///< Moved, rounded up to a thousandth.
+  double score = 0.0;  ///< All points with it and the shifts before it.
+};
+/// What brings the level down: the lines in the order of eawsDrivers(), each whole but the last, which gives only what
+/// is needed. Empty at the least level, or where no shift within the kinds is enough.
+std::vector<EawsShift> eawsNextLevel(const std::array<double, kEawsPostureCount>& shares);
 
 /// 1 green (up to 25 points), 2 yellow (to 50), 3 red.
 int eawsLevel(double points);

@@ -12,7 +12,8 @@ using mannequin::FigurePose;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr double kGravity = 9.80665;  // m/s^2
+constexpr double kGravity = 9.80665;                        // m/s^2
+constexpr std::array<double, 3> kOwnShares{0.5, 0.7, 1.0};  ///< Of an own limit, where its bands end.
 
 /// Horizontal first moment (kg m) of what is gathered, about points given later: mass and mass-weighted place.
 struct Weight {
@@ -57,12 +58,13 @@ Weight carriedBy(const Figure& figure, const FigurePose& pose, Segment root, con
 
 void addLimit(std::string_view method, int hand, double load_kg, const std::array<double, 2>& classes_kg,
               std::vector<ForceLimit>& limits) {
-  ForceLimit limit{method, hand, kGravity * load_kg, std::nullopt, 0};
+  ForceLimit limit{method, hand, kGravity * load_kg};
   for (const double bound : classes_kg) {
     if (load_kg < bound) {
       limit.limit_n = kGravity * bound;
       break;
     }
+    limit.lower_n = kGravity * bound;
     limit.band = bound == classes_kg[0] ? 1 : 3;
   }
   limits.push_back(limit);
@@ -79,8 +81,13 @@ bool addOwnLimit(const Figure& figure, const FigurePose& pose, Side side, const 
   const auto limit = own.limitAt(static_cast<int>(i), grip.z - floor, std::hypot(from_shoulder.x, from_shoulder.y));
   if (!limit) return false;
   const double share = *forces.force_n[i] / *limit;
-  const int band = share <= 0.5 ? 0 : share <= 0.7 ? 1 : share <= 1.0 ? 2 : 3;
-  forces.limits.push_back({"own", static_cast<int>(i), *forces.force_n[i], limit, band});
+  ForceLimit found{"own", static_cast<int>(i), *forces.force_n[i], limit};
+  for (const double bound : kOwnShares) {
+    if (share <= bound) break;
+    ++found.band;
+    found.lower_n = bound * *limit;
+  }
+  forces.limits.push_back(found);
   return true;
 }
 

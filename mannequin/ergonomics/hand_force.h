@@ -14,11 +14,13 @@ namespace hapticell::ergonomics {
 
 /// How near the loads that were entered are to where a method counts them as heavier.
 struct ForceLimit {
-  std::string_view method;        ///< "RULA", "REBA", "OWAS", "own" (the user's table).
-  int hand = -1;                  ///< 0 left, 1 right, -1 both together.
-  double force_n = 0.0;           ///< The weight of the load that was entered.
-  std::optional<double> limit_n;  ///< Where the next class begins, empty in the heaviest; of "own" the limit.
-  int band = 0;                   ///< 0 to 3, of the class that it is in.
+  std::string_view method;          ///< "RULA", "REBA", "OWAS", "own" (the user's table).
+  int hand = -1;                    ///< 0 left, 1 right, -1 both together.
+  double force_n = 0.0;             ///< The weight of the load that was entered.
+  std::optional<double> limit_n{};  ///< Where the next class begins, empty in the heaviest; of "own" the limit.
+  int band = 0;                     ///< 0 to 3, of the class that it is in.
+  std::optional<double>
+      lower_n{};  ///< Under this (own limits: up to this) the next lower class begins; empty in the lowest.
 };
 
 /// What the hands bear in a posture that is held still.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "mannequin/ergonomics/figure_measurement.h"
 #include "mannequin/ergonomics/owas.h"
@@ -45,32 +46,28 @@ Recorded recordedAngles(const mannequin::ClipMap& map, const mannequin::ClipPose
   return recorded;
 }
 
-int rulaScore(const PostureAngles& angles, const MotionTask& task) {
+Rula::Values rulaOf(const PostureAngles& angles, const MotionTask& task) {
   std::vector<std::string_view> unknown;
   auto values = rulaValues(angles, unknown);
   values[Rula::kMuscleUseArm] = values[Rula::kMuscleUseBody] = task.muscle_use;
   values[Rula::kForceArm] = values[Rula::kForceBody] = task.force;
-  std::array<int, Rula::kCount> all{};
-  std::transform(values.begin(), values.end(), all.begin(), [](const auto& value) { return value.value_or(1); });
-  return Rula().score(all);
+  return values;
 }
 
-int rebaScore(const PostureAngles& angles, const MotionTask& task) {
+Reba::Values rebaOf(const PostureAngles& angles, const MotionTask& task) {
   std::vector<std::string_view> unknown;
   auto values = rebaValues(angles, unknown);
   values[Reba::kLoad] = task.load;
   values[Reba::kCoupling] = task.coupling;
   values[Reba::kActivity] = task.activity;
-  std::array<int, Reba::kCount> all{};
-  std::transform(values.begin(), values.end(), all.begin(), [](const auto& value) { return value.value_or(1); });
-  return Reba().score(all);
+  return values;
 }
 
-int owasScore(const OwasPosture& posture) {
-  const auto values = owasValues(posture);
-  std::array<int, Owas::kCount> digits{};
-  std::transform(values.begin(), values.end(), digits.begin(), [](const auto& value) { return *value; });
-  return Owas().score(digits);
+template <class Values>
+int scoreOf(const ScoredMethod& method, const Values& values) {
+  std::array<int, std::tuple_size_v<Values>> all{};
+  std::transform(values.begin(), values.end(), all.begin(), [](const auto& value) { return value.value_or(1); });
+  return method.score(all);
 }
 
 int levelOf(MotionMethod method, int score) {
@@ -97,29 +94,60 @@ class FrameScorer {
     frame.trunk_flexion = recorded.trunk;
     std::copy(std::begin(recorded.elevation), std::end(recorded.elevation), frame.upper_arm_elevation);
     if (method_ == MotionMethod::kOwas) {
-      OwasPosture whole = owasPosture(figure_, posture, pose);
-      whole.trunk_flexion = recorded.trunk;
-      whole.load_kg = task_.load_kg;
-      frame.left = frame.right = frame.score = owasScore(whole);
+      frame.left = frame.right = frame.score = scoreOf(Owas(), owasValues(owasOf(posture, pose, recorded)));
     } else {
-      frame.left = sideScore(posture, pose, Side::kLeft, recorded);
-      frame.right = sideScore(posture, pose, Side::kRight, recorded);
+      frame.left = sideScore(anglesOf(posture, pose, Side::kLeft, recorded));
+      frame.right = sideScore(anglesOf(posture, pose, Side::kRight, recorded));
       frame.score = std::max(frame.left, frame.right);
     }
     frame.level = levelOf(method_, frame.score);
     return frame;
   }
 
+  /// Of one frame: its sub-scores and what would bring them down.
+  void explain(const mannequin::Posture& posture, const Recorded& recorded, MotionScores& scores) const {
+    const auto pose = mannequin::forwardKinematics(figure_, posture);
+    const auto set = [&](const auto& values, MethodAdvice advice) {
+      scores.worst_values.assign(values.begin(), values.end());
+      scores.worst_advice = std::move(advice);
+    };
+    if (method_ == MotionMethod::kOwas) {
+      const OwasPosture whole = owasOf(posture, pose, recorded);
+      return set(owasValues(whole), adviseOwas(whole));
+    }
+    const FrameScore& frame = scores.frames[scores.worst];
+    const auto angles = anglesOf(posture, pose, frame.left > frame.right ? Side::kLeft : Side::kRight, recorded);
+    if (method_ == MotionMethod::kRula) {
+      const auto values = rulaOf(angles, task_);
+      return set(values, adviseAngles(Rula(), angles, values));
+    }
+    const auto values = rebaOf(angles, task_);
+    set(values, adviseAngles(Reba(), angles, values));
+  }
+
  private:
-  int sideScore(const mannequin::Posture& posture, const mannequin::FigurePose& pose, Side side,
-                const Recorded& recorded) const {
+  OwasPosture owasOf(const mannequin::Posture& posture, const mannequin::FigurePose& pose,
+                     const Recorded& recorded) const {
+    OwasPosture whole = owasPosture(figure_, posture, pose);
+    whole.trunk_flexion = recorded.trunk;
+    whole.load_kg = task_.load_kg;
+    return whole;
+  }
+
+  PostureAngles anglesOf(const mannequin::Posture& posture, const mannequin::FigurePose& pose, Side side,
+                         const Recorded& recorded) const {
     MeasuredPosture measured = measure(figure_, posture, pose, side);
     measured.trunk_flexion = std::copysign(recorded.trunk, measured.trunk_flexion);
     measured.upper_arm_flexion = recorded.flexion[static_cast<std::size_t>(side)];
     measured.upper_arm_abduction = recorded.abduction[static_cast<std::size_t>(side)];
     PostureAngles angles = postureAngles(measured);
     angles.arm_supported = false;
-    return method_ == MotionMethod::kRula ? rulaScore(angles, task_) : rebaScore(angles, task_);
+    return angles;
+  }
+
+  int sideScore(const PostureAngles& angles) const {
+    return method_ == MotionMethod::kRula ? scoreOf(Rula(), rulaOf(angles, task_))
+                                          : scoreOf(Reba(), rebaOf(angles, task_));
   }
 
   const mannequin::Figure& figure_;
@@ -158,6 +186,8 @@ Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mann
     scores.frames.push_back(scorer.score(motion->postures[i], recordedAngles(*map, recorded)));
   }
   summarise(scores);
+  mannequin::placeJoints(clip, clip.frames[scores.worst], recorded);
+  scorer.explain(motion->postures[scores.worst], recordedAngles(*map, recorded), scores);
   return scores;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/error.h"
-#include "mannequin/ergonomics/posture_angles.h"
+#include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/figure.h"
 #include "mannequin/motion_clip.h"
 
@@ -38,6 +38,8 @@ struct MotionScores {
   std::map<int, double> share_by_level{};  ///< Of the time, 0 to 1.
   std::map<int, double> share_by_score{};
   std::size_t worst = 0;  ///< The first frame of the highest score (and, of those, the most bent trunk).
+  std::vector<std::optional<int>> worst_values{};  ///< Its sub-scores, of its worse side.
+  MethodAdvice worst_advice{};                     ///< What drives it, and its nearest better posture.
 };
 
 /// Scores each frame of a recorded motion, the worse side counting. Joint angles come from the motion on `figure`;

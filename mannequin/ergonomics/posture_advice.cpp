@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/ergonomics/posture_advice.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "mannequin/ergonomics/reba.h"
+#include "mannequin/ergonomics/rula.h"
 
 namespace hapticell::ergonomics {
 namespace {
@@ -28,95 +30,43 @@ void set(const PostureField& field, PostureAngles& angles, double value) {
   }
 }
 
-double costOf(const PostureField& field, double from, double to) {
-  return field.angle != nullptr ? std::abs(to - from) / 10.0 : 1.0;
-}
-
-/// The values worth trying, nearest first. Seating a standing figure is no correction of its posture.
-std::vector<double> candidates(const PostureField& field, const PostureAngles& angles) {
-  const double from = valueOf(field, angles);
-  std::vector<double> values;
-  if (field.angle == nullptr) {
+/// The values worth trying. Seating a standing figure is no correction of its posture.
+ChangeField changeFieldOf(const PostureField& field, double from) {
+  ChangeField result{field.name, field.flag != nullptr, field.flag != nullptr ? 1.0 : 10.0, from};
+  if (field.flag != nullptr) {
     const double good = field.good_value ? 1.0 : 0.0;
-    if (from != good && field.name != "seated") values.push_back(good);
-    return values;
+    if (from != good && field.name != "seated") result.values.push_back(good);
+    return result;
   }
+  std::vector<double> ends;
   for (const double end : kClassEnds) {
-    if (end != from && end >= field.least && end <= field.greatest) values.push_back(end);
+    if (end >= field.least && end <= field.greatest) ends.push_back(end);
   }
-  std::sort(values.begin(), values.end(),
-            [from](double a, double b) { return std::abs(a - from) < std::abs(b - from); });
-  return values;
+  result.values = nearestFirst(std::move(ends), from);
+  return result;
 }
 
-FieldChange changeOf(const PostureField& field, double from, double to) {
-  return {field.name, field.flag != nullptr, from, to};
-}
-
-/// Of each field the values that matter: of all that score alike alone, the nearest.
-struct Option {
-  const PostureField* field;
-  double from;
-  std::vector<double> values;
-};
-
-class GoalSearch {
- public:
-  GoalSearch(const PostureAngles& angles, const PostureScore& score, const std::function<int(int)>& level_of)
-      : angles_(angles), score_(score), level_of_(level_of) {
-    const auto now = score(angles);
-    if (!now) return;
-    level_ = level_of(*now);
+/// The given fields of a posture as the search knows them, and the way back.
+struct AngleSearch {
+  AngleSearch(const PostureAngles& given, const PostureScore& score_of) : angles(given) {
     for (const PostureField& field : postureFields()) {
-      if (!isGiven(field, angles)) continue;
-      const double from = valueOf(field, angles);
-      auto values = candidates(field, angles);
-      if (values.size() > 5) values.resize(5);
-      if (!values.empty()) options_.push_back({&field, from, std::move(values)});
+      if (!isGiven(field, given)) continue;
+      places.push_back(&field);
+      fields.push_back(changeFieldOf(field, valueOf(field, given)));
     }
+    score = [this, &score_of](std::span<const double> values) -> std::optional<double> {
+      for (std::size_t i = 0; i < values.size(); ++i) set(*places[i], angles, values[i]);
+      const auto found = score_of(angles);
+      return found ? std::optional<double>(*found) : std::nullopt;
+    };
   }
+  AngleSearch(const AngleSearch&) = delete;
+  AngleSearch& operator=(const AngleSearch&) = delete;
 
-  std::optional<PostureGoal> find() {
-    for (std::size_t count = 1; count <= std::min<std::size_t>(4, options_.size()) && !best_; ++count) {
-      tryChanges(0, count, 0.0);
-    }
-    return best_;
-  }
-
- private:
-  void tryChanges(std::size_t first, std::size_t left, double cost) {
-    if (best_ && cost >= best_cost_) return;
-    if (left == 0) {
-      take(cost);
-      return;
-    }
-    for (std::size_t i = first; i + left <= options_.size(); ++i) {
-      const Option& option = options_[i];
-      for (const double to : option.values) {
-        set(*option.field, angles_, to);
-        changes_.push_back(changeOf(*option.field, option.from, to));
-        tryChanges(i + 1, left - 1, cost + costOf(*option.field, option.from, to));
-        changes_.pop_back();
-      }
-      set(*option.field, angles_, option.from);
-    }
-  }
-
-  void take(double cost) {
-    const auto score = score_(angles_);
-    if (!score || level_of_(*score) >= level_) return;
-    best_ = PostureGoal{changes_, *score};
-    best_cost_ = cost;
-  }
-
-  PostureAngles angles_;
-  const PostureScore& score_;
-  const std::function<int(int)>& level_of_;
-  std::vector<Option> options_;
-  std::vector<FieldChange> changes_;
-  int level_ = 0;
-  std::optional<PostureGoal> best_;
-  double best_cost_ = 0.0;
+  PostureAngles angles;
+  std::vector<const PostureField*> places;
+  std::vector<ChangeField> fields;
+  ValuesScore score;
 };
 
 }  // namespace
@@ -149,34 +99,34 @@ const std::vector<PostureField>& postureFields() {
   return kFields;
 }
 
-std::vector<PostureDriver> postureDrivers(const PostureAngles& angles, const PostureScore& score) {
-  std::vector<PostureDriver> drivers;
+PostureScore scoreOfAngles(const ScoredMethod& method, std::span<const std::optional<int>> values) {
+  const bool is_rula = method.name() == "RULA";
+  return [&method, is_rula, given = std::vector<std::optional<int>>(values.begin(), values.end()),
+          complete = std::vector<int>(values.size()),
+          unknown = std::vector<std::string_view>()](const PostureAngles& angles) mutable -> std::optional<int> {
+    const auto score = [&](std::span<const std::optional<int>> of_angles) -> std::optional<int> {
+      for (std::size_t i = 0; i < complete.size(); ++i) {
+        const SubScore& sub_score = method.subScores()[i];
+        if (sub_score.required && !of_angles[i]) return std::nullopt;
+        complete[i] = sub_score.required ? *of_angles[i] : given[i].value_or(sub_score.least);
+      }
+      return method.score(complete);
+    };
+    unknown.clear();
+    return is_rula ? score(rulaValues(angles, unknown)) : score(rebaValues(angles, unknown));
+  };
+}
 
-  const auto now = score(angles);
-  if (!now) return drivers;
-  PostureAngles changed = angles;
-  for (const PostureField& field : postureFields()) {
-    if (!isGiven(field, angles)) continue;
-    const double from = valueOf(field, angles);
-    PostureDriver best{changeOf(field, from, from), *now};
-    for (const double to : candidates(field, angles)) {
-      set(field, changed, to);
-      const auto after = score(changed);
-      if (after && *after < best.score) best = {changeOf(field, from, to), *after};
-    }
-    set(field, changed, from);
-    if (best.score < *now) drivers.push_back(best);
-  }
-  std::stable_sort(drivers.begin(), drivers.end(), [](const PostureDriver& a, const PostureDriver& b) {
-    if (a.score != b.score) return a.score < b.score;
-    return std::abs(a.change.to - a.change.from) < std::abs(b.change.to - b.change.from);
-  });
-  return drivers;
+std::vector<PostureDriver> postureDrivers(const PostureAngles& angles, const PostureScore& score) {
+  AngleSearch search(angles, score);
+  return singleChanges(search.fields, search.score);
 }
 
 std::optional<PostureGoal> nextLevelPosture(const PostureAngles& angles, const PostureScore& score,
                                             const std::function<int(int)>& level_of) {
-  return GoalSearch(angles, score, level_of).find();
+  AngleSearch search(angles, score);
+  return nearestLowerLevel(search.fields, search.score,
+                           [&](double found) { return level_of(static_cast<int>(std::lround(found))); });
 }
 
 }  // namespace hapticell::ergonomics

@@ -3,10 +3,13 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "mannequin/ergonomics/change_search.h"
 #include "mannequin/ergonomics/posture_angles.h"
+#include "mannequin/ergonomics/scored_method.h"
 
 namespace hapticell::ergonomics {
 
@@ -23,28 +26,12 @@ struct PostureField {
 /// All members, in the order of PostureAngles.
 const std::vector<PostureField>& postureFields();
 
-/// A change of one field; for flags 0 and 1.
-struct FieldChange {
-  std::string_view field;
-  bool is_flag = false;
-  double from = 0.0;
-  double to = 0.0;
-};
-
-/// What one change of posture alone would make of the score.
-struct PostureDriver {
-  FieldChange change;
-  int score = 0;
-};
-
-/// The posture nearest to the given one that reaches a lower level.
-struct PostureGoal {
-  std::vector<FieldChange> changes{};
-  int score = 0;
-};
-
 /// Score of a posture; empty where it cannot be scored.
 using PostureScore = std::function<std::optional<int>(const PostureAngles&)>;
+
+/// The score of angles by RULA or REBA, with what beside the angles counts (loads, activity) out of `values`; what is
+/// empty there counts as its least. `method` must outlive it.
+PostureScore scoreOfAngles(const ScoredMethod& method, std::span<const std::optional<int>> values);
 
 /// Changes of single fields that lower the score, largest fall first, then smallest change.
 std::vector<PostureDriver> postureDrivers(const PostureAngles& angles, const PostureScore& score);

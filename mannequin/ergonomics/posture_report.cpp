@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "mannequin/ergonomics/advice_words.h"
 #include "mannequin/ergonomics/hand_force.h"
 #include "mannequin/figure_outline.h"
 
@@ -34,7 +36,7 @@ class Writer {
     report.result = std::to_string(scores_.rula());
     report.result_band = bandOfRula(scores_.rula());
     report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
-    report.blocks.push_back(methods());
+    report.under_result = {methods()};
     if (!input_.bodies.empty()) report.blocks.push_back(bodies());
     report.blocks.push_back(drives());
     if (!input_.history.empty()) report.blocks.push_back(history());
@@ -54,9 +56,10 @@ class Writer {
     report.result = std::to_string(scores_.rula());
     report.result_band = bandOfRula(scores_.rula());
     report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
-    report.blocks.push_back(methods());
+    report.under_result = {methods()};
     if (!input_.history.empty()) report.blocks.push_back(history());
     if (!input_.bodies.empty()) report.blocks.push_back(bodies());
+    report.blocks.push_back(drives());
     if (input_.task.is_lift) report.blocks.push_back(lifting());
     report.blocks.push_back(forces());
     report.blocks.push_back(limits());
@@ -110,35 +113,37 @@ class Writer {
   }
 
   ReportBlock methods() const {
-    ReportBlock block{say("Result"), {}, {say("Method"), say("left"), say("right"), say("Level"), say("Standard")}};
+    ReportBlock block{{}, {}, {say("Method"), say("left"), say("right"), say("Level")}};
     const auto& left = scores_.sides[0];
     const auto& right = scores_.sides[1];
     block.rows.push_back({{"RULA"},
                           {std::to_string(left.rula_score), bandOfRula(left.rula_score)},
                           {std::to_string(right.rula_score), bandOfRula(right.rula_score)},
-                          {rulaAdvice(scores_.rula(), language())},
-                          {"McAtamney & Corlett 1993"}});
+                          {rulaAdvice(scores_.rula(), language())}});
     block.rows.push_back({{"REBA"},
                           {std::to_string(left.reba_score), bandOfReba(left.reba_score)},
                           {std::to_string(right.reba_score), bandOfReba(right.reba_score)},
-                          {rebaAdvice(scores_.reba(), language())},
-                          {"Hignett & McAtamney 2000"}});
-    const Cell owas{std::to_string(scores_.owasCode()), bandOfOwas(scores_.owas_category)};
+                          {rebaAdvice(scores_.reba(), language())}});
     block.rows.push_back(
-        {{"OWAS"}, owas, owas, {owasAdvice(scores_.owas_category, language())}, {"Karhu, Kansi & Kuorinka 1977"}});
+        {{"OWAS"},
+         {std::to_string(scores_.owasCode()), bandOfOwas(scores_.owas_category)},
+         {},
+         {std::to_string(scores_.owas_category) + ", " + owasAdvice(scores_.owas_category, language())}});
     block.rows.push_back({{"EN 1005-4"},
                           zoneCell(left.en1005),
                           zoneCell(right.en1005),
-                          {zoneWord(std::max(left.en1005.worst, right.en1005.worst))},
-                          {"EN 1005-4:2005"}});
+                          {zoneWord(std::max(left.en1005.worst, right.en1005.worst))}});
     block.rows.push_back({{"ISO 11226"},
                           zoneCell(left.iso11226),
                           zoneCell(right.iso11226),
-                          {zoneWord(std::max(left.iso11226.worst, right.iso11226.worst))},
-                          {"ISO 11226:2000"}});
+                          {zoneWord(std::max(left.iso11226.worst, right.iso11226.worst))}});
     const int eaws = eawsLevel(scores_.eaws_points) - 1;
-    const Cell points{format("%.0f", scores_.eaws_points), eaws == 0 ? 0 : eaws == 1 ? 1 : 3};
-    block.rows.push_back({{"EAWS"}, points, points, {say(nameOf(scores_.eaws))}, {say("1.3.6, posture outline only")}});
+    block.rows.push_back({{"EAWS"},
+                          {format("%.0f", scores_.eaws_points), eaws == 0   ? 0
+                                                                : eaws == 1 ? 1
+                                                                            : 3},
+                          {},
+                          {say(nameOf(scores_.eaws))}});
     return block;
   }
 
@@ -168,10 +173,27 @@ class Writer {
   }
 
   ReportBlock drives() const {
-    ReportBlock block{say("What drives the score"), {whySentence(scores_, language())}};
-    if (!input_.advice.empty()) block.lines.push_back(input_.advice);
+    ReportBlock block{say("What drives the score"),
+                      {whySentence(scores_, language())},
+                      {say("Method"), say("Driven by (with that alone)"),
+                       say("Nearest posture of the next lower level"), say("Nearest place of the work")}};
+    for (const PostureMethod method : kPostureMethods) {
+      const MethodAdvice advice = advise(scores_, method, input_.task);
+      const auto& place = input_.places[static_cast<std::size_t>(method)];
+      block.rows.push_back({{std::string(nameOf(method))},
+                            {orNone(driverWords(advice, language(), 2))},
+                            {orNone(nextLevelWords(advice, language()))},
+                            {orNone(place ? placeWords(*place, input_.posture, method, language()) : "")}});
+    }
+    if (const auto lift = lifted())
+      block.rows.push_back({{"NIOSH"},
+                            {orNone(liftingDriverWords(lift->advice))},
+                            {orNone(liftingNextWords(lift->advice, language()))},
+                            {"–"}});
     return block;
   }
+
+  static std::string orNone(const std::string& text) { return text.empty() ? "–" : text; }
 
   ReportBlock history() const {
     ReportBlock block{say("Over the recorded motion"), {}};
@@ -241,23 +263,45 @@ class Writer {
                            Cell{condition}});
   }
 
+  struct Lifted {
+    LiftingTask task;
+    LiftingResult result;
+    LiftingAdvice advice;
+  };
+  /// Empty where the task is no lift, or the equation refuses it.
+  std::optional<Lifted> lifted() const {
+    if (!input_.task.is_lift) return std::nullopt;
+    const auto task = liftOf(input_.figure, pose_, scores_, input_.task);
+    const auto result = task ? lift(*task) : tl::unexpected(task.error());
+    if (!result) return std::nullopt;
+    return Lifted{*task, *result, adviseLift(*task, *result)};
+  }
+
   ReportBlock lifting() const {
     ReportBlock block{say("Lifting"), {}};
-    const auto lift = scoreLift(input_.figure, pose_, scores_, input_.task);
-    if (!lift) {
-      block.lines.push_back("NIOSH: " + lift.error().message());
+    const auto found = lifted();
+    if (!found) {
+      const auto refused = scoreLift(input_.figure, pose_, scores_, input_.task);
+      block.lines.push_back("NIOSH: " + (refused ? std::string() : refused.error().message()));
       return block;
     }
+    const LiftingResult& result = found->result;
     block.lines.push_back("NIOSH (DHHS 94-110, rev. 9/2021): RWL " +
-                          format("%.1f kg", lift->recommended_weight_limit_kg) +
-                          (lift->lifting_index ? ", LI " + format("%.2f", *lift->lifting_index) : std::string()));
-    block.columns = {"HM", "VM", "DM", "AM", "FM", "CM"};
-    block.rows.push_back({{format("%.3f", lift->hm)},
-                          {format("%.3f", lift->vm)},
-                          {format("%.3f", lift->dm)},
-                          {format("%.3f", lift->am)},
-                          {format("%.3f", lift->fm)},
-                          {format("%.3f", lift->cm)}});
+                          format("%.1f kg", result.recommended_weight_limit_kg) +
+                          (result.lifting_index ? ", LI " + format("%.2f", *result.lifting_index) : std::string()));
+    if (const auto next = liftingNextWords(found->advice, language()); !next.empty())
+      block.lines.push_back(say("What would bring it down") + ": " + next);
+    block.columns = {"H", "V", "D", "A", "HM", "VM", "DM", "AM", "FM", "CM"};
+    block.rows.push_back({{format("%.0f cm", found->task.h_cm)},
+                          {format("%.0f cm", found->task.v_cm)},
+                          {format("%.0f cm", found->task.d_cm)},
+                          {format("%.0f°", found->task.asymmetry_deg)},
+                          {format("%.3f", result.hm)},
+                          {format("%.3f", result.vm)},
+                          {format("%.3f", result.dm)},
+                          {format("%.3f", result.am)},
+                          {format("%.3f", result.fm)},
+                          {format("%.3f", result.cm)}});
     return block;
   }
 
@@ -283,7 +327,14 @@ class Writer {
   }
 
   ReportBlock limits() const {
-    return {say("Method and limits of this report"), assumptionsOf(scores_, input_.task, language())};
+    ReportBlock block{say("Method and limits of this report"), assumptionsOf(scores_, input_.task, language())};
+    std::string standards = say("Standards and editions") +
+                            ": RULA McAtamney & Corlett 1993; REBA Hignett & McAtamney 2000;"
+                            " OWAS Karhu, Kansi & Kuorinka 1977; EN 1005-4:2005; ISO 11226:2000; EAWS " +
+                            say("1.3.6, posture outline only");
+    if (input_.task.is_lift) standards += "; NIOSH DHHS 94-110, rev. 9/2021";
+    block.lines.insert(block.lines.begin(), standards + ".");
+    return block;
   }
 
   ReportBlock joints() const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mannequin/ergonomics/better_place.h"
 #include "mannequin/ergonomics/body_sizes.h"
 #include "mannequin/ergonomics/force_table.h"
 #include "mannequin/ergonomics/report.h"
@@ -23,7 +24,7 @@ struct PostureReportInput {
   std::vector<BodyAtTask> bodies{};           ///< Others at the same task; empty: none is shown.
   std::vector<ReportBlock::Strip> history{};  ///< Along a recorded motion.
   double history_seconds = 0.0;
-  std::string advice{};     ///< What would bring the score down.
+  BetterPlaces places{};    ///< Where the work would bring each method's level down.
   ReportPicture scene{};    ///< The figure in its cell.
   ForceTable own_limits{};  ///< Of the hands, from the user's own source.
 };

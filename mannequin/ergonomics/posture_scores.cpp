@@ -61,28 +61,21 @@ void scoreSide(const WorkTask& task, Side side, SideScores& scores, std::vector<
   scores.reba_level = reba.levelOf(scores.reba_score);
 }
 
-EawsPosture eawsOf(const PostureScores& scores, const OwasPosture& whole, const WorkTask& task,
-                   const FigurePose& pose) {
+EawsObservation eawsObservation(const PostureScores& scores, const WorkTask& task, const FigurePose& pose) {
   double hands = -1e9, elbows = -1e9;
   for (const Side side : {Side::kLeft, Side::kRight}) {
     hands = std::max(hands, pose[armSegment(side, Segment::kLeftHand)].p_WS.z);
     elbows = std::max(elbows, pose[armSegment(side, Segment::kLeftForearm)].p_WS.z);
   }
-  const double shoulder = pose[Segment::kLeftUpperArm].p_WS.z;
-  const bool above_head = hands > pose[Segment::kHead].p_WS.z, at_shoulder = elbows > shoulder;
-  const double trunk = std::abs(scores.sides[0].measured.trunk_flexion);
-  if (whole.kneeling) return trunk > 20.0 ? EawsPosture::kKneelBentForward : EawsPosture::kKneelUpright;
-  if (scores.is_seated) {
-    if (above_head) return EawsPosture::kSitHandsAboveHead;
-    if (at_shoulder) return EawsPosture::kSitElbowAtShoulder;
-    if (trunk > 20.0) return EawsPosture::kSitBentForward;
-    return task.trunk_supported ? EawsPosture::kSitBackSupport : EawsPosture::kSitUpright;
-  }
-  if (above_head) return EawsPosture::kStandHandsAboveHead;
-  if (at_shoulder) return EawsPosture::kStandElbowAtShoulder;
-  if (trunk > 60.0) return EawsPosture::kStandBentFar;
-  if (trunk > 20.0) return EawsPosture::kStandBentForward;
-  return task.is_walking ? EawsPosture::kStandAndWalkAlternating : EawsPosture::kStandNoSupport;
+  EawsObservation observed;
+  observed.trunk_flexion = scores.sides[0].measured.trunk_flexion;
+  observed.hands_above_head = hands > pose[Segment::kHead].p_WS.z;
+  observed.elbow_at_shoulder = elbows > pose[Segment::kLeftUpperArm].p_WS.z;
+  observed.seated = scores.is_seated;
+  observed.kneeling = scores.owas_posture.kneeling;
+  observed.walking = task.is_walking;
+  observed.trunk_supported = task.trunk_supported;
+  return observed;
 }
 
 double comfortOf(const Posture& posture) {
@@ -103,6 +96,11 @@ void noteMissing(const WorkTask& task, std::vector<std::string_view>& missing) {
 }
 
 }  // namespace
+
+PostureUse postureUse(const WorkTask& task, Side side) {
+  return {task.repetitions_per_min.value_or(0.0), task.is_static.value_or(false), task.trunk_supported,
+          task.arm_supported[static_cast<std::size_t>(side)]};
+}
 
 Side PostureScores::worseSide() const {
   const int left = 100 * sides[0].rula_score + sides[0].reba_score;
@@ -135,7 +133,8 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
   scores.is_seated = looksSeated(figure, pose);
   std::vector<std::string_view> scratch;
   scratch.reserve(16);
-  OwasPosture whole = owasPosture(figure, posture, pose);
+  OwasPosture& whole = scores.owas_posture;
+  whole = owasPosture(figure, posture, pose);
   whole.seated = scores.is_seated;
   whole.walking = task.is_walking;
   whole.load_kg = task.totalLoad().value_or(0.0);
@@ -149,14 +148,14 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
     one.measured = measure(figure, posture, pose, side);
     one.measured.seated = scores.is_seated;
     scoreSide(task, side, one, scratch);
-    const PostureUse use{task.repetitions_per_min.value_or(0.0), task.is_static.value_or(false), task.trunk_supported,
-                         task.arm_supported[i]};
+    const PostureUse use = postureUse(task, side);
     one.en1005 = en1005(one.measured, scores.gaze_below_horizontal, use);
     one.iso11226 = iso11226(one.measured, scores.head_inclination, use);
   }
   scores.owas = owasValues(whole);
   scores.owas_category = Owas().score(complete(scores.owas));
-  scores.eaws = eawsOf(scores, whole, task, pose);
+  scores.eaws_observation = eawsObservation(scores, task, pose);
+  scores.eaws = eawsPosture(scores.eaws_observation);
   std::array<double, kEawsPostureCount> shares{};
   shares[static_cast<std::size_t>(scores.eaws)] = 1.0;
   scores.eaws_points = eawsPosturePoints(shares);
@@ -165,8 +164,8 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
   return scores;
 }
 
-Expected<LiftingResult> scoreLift(const Figure& figure, const FigurePose& pose, const PostureScores& scores,
-                                  const WorkTask& task) {
+Expected<LiftingTask> liftOf(const Figure& figure, const FigurePose& pose, const PostureScores& scores,
+                             const WorkTask& task) {
   const auto missing = [](const char* what) {
     return makeError({"", what, "not entered", "a value of the task's data", ""});
   };
@@ -196,7 +195,15 @@ Expected<LiftingResult> scoreLift(const Figure& figure, const FigurePose& pose, 
   LiftingConditions conditions;
   conditions.one_handed = !task.load_kg[0] || !task.load_kg[1] || *task.load_kg[0] <= 0.0 || *task.load_kg[1] <= 0.0;
   conditions.seated_or_kneeling = scores.is_seated || scores.owas[Owas::kLegs].value_or(0) == 6;
-  return lift(lift_task, conditions);
+  if (auto good = lift(lift_task, conditions); !good) return tl::unexpected(good.error());
+  return lift_task;
+}
+
+Expected<LiftingResult> scoreLift(const Figure& figure, const FigurePose& pose, const PostureScores& scores,
+                                  const WorkTask& task) {
+  const auto lift_task = liftOf(figure, pose, scores, task);
+  if (!lift_task) return tl::unexpected(lift_task.error());
+  return lift(*lift_task);
 }
 
 int bandOfSubScore(const SubScore& sub_score, int value) {

@@ -32,8 +32,10 @@ struct SideScores {
 /// What all methods say of one posture of a figure at its task.
 struct PostureScores {
   std::array<SideScores, 2> sides;  ///< Left, right.
+  OwasPosture owas_posture;         ///< What OWAS saw.
   Owas::Values owas{};
   int owas_category = 0;
+  EawsObservation eaws_observation;
   EawsPosture eaws = EawsPosture::kStandNoSupport;
   double eaws_points = 0.0;  ///< Of this posture held all the time; an outline, no complete EAWS score.
   double comfort = 1.0;      ///< Share of the 56 joints within their comfort range (our own choice of ranges).
@@ -56,11 +58,17 @@ struct PostureScores {
 PostureScores scorePosture(const mannequin::Figure& figure, const mannequin::Posture& posture,
                            const mannequin::FigurePose& pose, const WorkTask& task);
 
+/// Pace and support of one side's arm and of the trunk, out of the task; what nobody entered counts as none.
+PostureUse postureUse(const WorkTask& task, mannequin::Side side);
+
 /// True where the thighs lie level, the knees are bent and the body is not borne by the feet.
 bool looksSeated(const mannequin::Figure& figure, const mannequin::FigurePose& pose);
 
-/// The lifting equation for a load between the hands as they are now; refused with the reason outside its validity
-/// (one hand, seated or kneeling, inputs that are missing or out of range).
+/// The lift of a load between the hands as they are now, as the lifting equation asks for it; refused with the reason
+/// outside its validity (one hand, seated or kneeling, inputs that are missing or out of range).
+Expected<LiftingTask> liftOf(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
+                             const PostureScores& scores, const WorkTask& task);
+/// What the equation makes of it.
 Expected<LiftingResult> scoreLift(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
                                   const PostureScores& scores, const WorkTask& task);
 

@@ -24,7 +24,7 @@ struct ReportShape {
 
 /// A few lines under a heading, or a table, or coloured strips along one scale.
 struct ReportBlock {
-  std::string heading;
+  std::string heading;               ///< Empty: none is shown.
   std::vector<std::string> lines{};  ///< Text; wrapped.
   struct Cell {
     std::string text;
@@ -56,7 +56,8 @@ struct Report {
   std::vector<ReportBlock> beside{};  ///< Blocks of lines to the picture's right.
   std::string result{};               ///< The one number, "6".
   int result_band = -1;
-  std::string result_words{};  ///< "RULA, change soon"
+  std::string result_words{};               ///< "RULA, change soon"
+  std::vector<ReportBlock> under_result{};  ///< Beside the picture too, under the one number.
   std::vector<ReportBlock> blocks{};
   std::vector<std::string> signatures{};  ///< Words under the lines at the foot.
 };

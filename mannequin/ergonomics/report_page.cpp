@@ -15,8 +15,25 @@ namespace {
 
 constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;  // Points.
 constexpr double kFoot = 96.0;                                       // Kept free for the signatures on the last page.
-constexpr double kPictureWidth = 190.0, kPictureHeight = 218.0, kSceneWidth = 240.0;
+constexpr double kPictureWidth = 190.0, kPictureHeight = 218.0, kSceneWidth = 190.0, kBesideScene = 90.0;
 constexpr double kLeastDensity = 0.66, kManyPagesDensity = 0.85;
+
+/// Makes columns as wide together as `width`: what is left all share; where it is too little the widest give, down to
+/// one width that they have in common.
+void fit(std::vector<double>& widths, double width) {
+  std::vector<double> rising = widths;
+  std::sort(rising.begin(), rising.end());
+  double left = width;
+  for (std::size_t i = 0; i < rising.size(); ++i) {
+    const double each = left / static_cast<double>(rising.size() - i);
+    if (rising[i] > each) {
+      for (double& one : widths) one = std::min(one, each);
+      return;
+    }
+    left -= rising[i];
+  }
+  for (double& one : widths) one += left / static_cast<double>(widths.size());
+}
 
 /// Lays the report out from top to bottom, page after page. With a density below 1 all is drawn smaller by it.
 class PagePainter : protected ReportCanvas {
@@ -76,36 +93,39 @@ class PagePainter : protected ReportCanvas {
     y_ += 14;
   }
 
-  /// The picture at the left, blocks beside it, and the one number.
+  /// The pictures at the left; beside them blocks, the one number, and blocks under it.
   void top() {
     const double start = y_;
-    double left = margin_, right = margin_ + inner_, height = 0.0;
-    if (!report_.picture.empty()) {
-      picture(left, y_, kPictureWidth, kPictureHeight);
-      left += kPictureWidth + 20.0;
-      height = kPictureHeight;
-    }
+    double left = margin_, height = 0.0;
     if (!report_.scene.isEmpty()) {
-      const double width = std::min(kSceneWidth, 0.45 * (right - left));
-      right -= width;
-      height = std::max(height, scene(right, y_, width));
-      right -= 14.0;
+      height = scene(left, y_, kSceneWidth);
+      left += kSceneWidth + 8.0;
     }
-    const double x = left;
-    for (const ReportBlock& block : report_.beside) paintBlock(block, x, right - x);
-    if (!report_.result.empty() || !report_.result_words.empty()) {
-      font(26, true);
-      show(x, y_ + 24, report_.result);
-      double at = x + widthOf(report_.result) + (report_.result.empty() ? 0.0 : 10.0);
-      if (report_.result_band >= 0) {
-        patch(at, y_ + 9, 30, 16, report_.result_band);
-        at += 40;
-      }
-      font(10, true);
-      show(at, y_ + 21, report_.result_words);
-      y_ += 36;
+    if (!report_.picture.empty()) {
+      const double width = report_.scene.isEmpty() ? kPictureWidth : kBesideScene;
+      const double tall = report_.scene.isEmpty() ? kPictureHeight : height;
+      picture(left, y_, width, tall);
+      left += width + 16.0;
+      height = std::max(height, tall);
     }
+    const double width = margin_ + inner_ - left;
+    for (const ReportBlock& block : report_.beside) paintBlock(block, left, width);
+    if (!report_.result.empty() || !report_.result_words.empty()) result(left);
+    for (const ReportBlock& block : report_.under_result) paintBlock(block, left, width);
     y_ = std::max(y_, start + height + 6.0);
+  }
+
+  void result(double x) {
+    font(26, true);
+    show(x, y_ + 24, report_.result);
+    double at = x + widthOf(report_.result) + (report_.result.empty() ? 0.0 : 10.0);
+    if (report_.result_band >= 0) {
+      patch(at, y_ + 9, 30, 16, report_.result_band);
+      at += 40;
+    }
+    font(10, true);
+    show(at, y_ + 21, report_.result_words);
+    y_ += 36;
   }
 
   /// The scene's picture; returns how tall it is drawn.
@@ -158,10 +178,12 @@ class PagePainter : protected ReportCanvas {
   }
 
   void paintBlock(const ReportBlock& block, double x, double width) {
-    font(9.5, true);
-    need(28);
-    show(x, y_ + 9, block.heading);
-    y_ += 14;
+    if (!block.heading.empty()) {
+      font(9.5, true);
+      need(28);
+      show(x, y_ + 9, block.heading);
+      y_ += 14;
+    }
     font(9);
     for (const std::string& line : block.lines) {
       for (const std::string& piece : wrapped(line, width)) {
@@ -204,14 +226,7 @@ class PagePainter : protected ReportCanvas {
         widths[i] = std::max(widths[i], widthOf(row[i].text) + 10.0 + (row[i].band >= 0 ? 22.0 : 0.0));
       }
     }
-    double sum = 0.0;
-    for (const double one : widths) sum += one;
-    // Too wide: the last column gives; else all share what is left.
-    if (sum > width) {
-      widths.back() = std::max(60.0, widths.back() - (sum - width));
-    } else {
-      for (double& one : widths) one += (width - sum) / static_cast<double>(count);
-    }
+    fit(widths, width);
     if (!block.columns.empty()) {
       font(9, true);
       double at = x;

@@ -157,7 +157,7 @@ std::string flowHtml(const ReportBlock& block) {
 }
 
 std::string blockHtml(const ReportBlock& block) {
-  std::string text = "<section><h2>" + escaped(block.heading) + "</h2>";
+  std::string text = block.heading.empty() ? "<section>" : "<section><h2>" + escaped(block.heading) + "</h2>";
   for (const std::string& line : block.lines) text += "<p>" + escaped(line) + "</p>";
   if (block.flows) {
     text += flowHtml(block);
@@ -257,8 +257,9 @@ std::string reportCsv(const Report& report) {
       text += "\n";
     }
   };
-  for (const ReportBlock& block : report.beside) add(block);
-  for (const ReportBlock& block : report.blocks) add(block);
+  for (const auto* blocks : {&report.beside, &report.under_result, &report.blocks}) {
+    for (const ReportBlock& block : *blocks) add(block);
+  }
   return text;
 }
 
@@ -272,8 +273,9 @@ std::string reportJson(const Report& report) {
                               {"result", report.result},
                               {"result_words", report.result_words}};
   json["blocks"] = nlohmann::ordered_json::array();
-  for (const ReportBlock& block : report.beside) json["blocks"].push_back(jsonOf(block));
-  for (const ReportBlock& block : report.blocks) json["blocks"].push_back(jsonOf(block));
+  for (const auto* blocks : {&report.beside, &report.under_result, &report.blocks}) {
+    for (const ReportBlock& block : *blocks) json["blocks"].push_back(jsonOf(block));
+  }
   return json.dump(2) + "\n";
 }
 
@@ -285,7 +287,9 @@ std::string reportHtml(const Report& report) {
           pictureSvg(report.picture) + "</div><div>";
   for (const ReportBlock& block : report.beside) text += blockHtml(block);
   text += "<p><span class=\"result\">" + escaped(report.result) + "</span> " + patch(report.result_band) +
-          escaped(report.result_words) + "</p></div></div>";
+          escaped(report.result_words) + "</p>";
+  for (const ReportBlock& block : report.under_result) text += blockHtml(block);
+  text += "</div></div>";
   for (const ReportBlock& block : report.blocks) text += blockHtml(block);
   text += "<footer>";
   for (const std::string& name : report.signatures) text += "<div>" + escaped(name) + "</div>";

@@ -5,150 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <unordered_map>
+
+#include "mannequin/ergonomics/french_words.h"
 
 namespace hapticell::ergonomics {
 namespace {
 
 using mannequin::Side;
-
-const std::unordered_map<std::string_view, std::string_view>& french() {
-  static const std::unordered_map<std::string_view, std::string_view> words{
-      {"left", "gauche"},
-      {"right", "droit"},
-      {"upper arm", "bras"},
-      {"lower arm", "avant-bras"},
-      {"wrist", "poignet"},
-      {"wrist twist", "torsion du poignet"},
-      {"neck", "cou"},
-      {"trunk", "tronc"},
-      {"legs", "jambes"},
-      {"load", "charge"},
-      {"coupling", "prise"},
-      {"activity", "activité"},
-      {"muscle use, arm", "usage musculaire, bras"},
-      {"muscle use, body", "usage musculaire, corps"},
-      {"force, arm", "effort, bras"},
-      {"force, body", "effort, corps"},
-      {"force", "force"},
-      {"raised", "épaule levée"},
-      {"abducted", "écarté"},
-      {"rotated", "tourné"},
-      {"supported", "soutenu"},
-      {"across or outside", "hors du plan"},
-      {"deviated", "dévié"},
-      {"end of range", "fin de course"},
-      {"mid range", "milieu de course"},
-      {"twisted", "tourné"},
-      {"bent sideways", "incliné de côté"},
-      {"both feet", "deux pieds"},
-      {"one foot", "un pied"},
-      {"seated", "assis"},
-      {"knees", "genoux"},
-      {"not entered", "non saisi"},
-      {"Acceptable", "Acceptable"},
-      {"Look into it", "À examiner"},
-      {"Change soon", "À changer bientôt"},
-      {"Change now", "À changer maintenant"},
-      {"negligible", "négligeable"},
-      {"low", "faible"},
-      {"medium", "moyen"},
-      {"high", "élevé"},
-      {"very high", "très élevé"},
-      {"normal", "normal"},
-      {"soon", "bientôt"},
-      {"as early as possible", "dès que possible"},
-      {"at once", "tout de suite"},
-      {"The %s scores %d: %s.", "Le %s est coté %d : %s."},
-      {"Posture assessment", "Évaluation de la posture"},
-      {"Task assessment", "Évaluation de la tâche"},
-      {"Body", "Corps"},
-      {"Task", "Tâche"},
-      {"Result", "Résultat"},
-      {"Body size", "Corpulence"},
-      {"Driver", "Cause"},
-      {"Reach", "Atteinte"},
-      {"What drives the score", "Ce qui détermine la cote"},
-      {"Sub-scores", "Cotes partielles"},
-      {"Inputs", "Données"},
-      {"Assumptions", "Hypothèses"},
-      {"Method and limits of this report", "Méthode et limites de ce rapport"},
-      {"Source of the posture", "Origine de la posture"},
-      {"Assessed by", "Évalué par"},
-      {"Date", "Date"},
-      {"Signature", "Signature"},
-      {"Page", "Page"},
-      {"of", "sur"},
-      {"woman", "femme"},
-      {"man", "homme"},
-      {"Stature", "Taille"},
-      {"Side", "Côté"},
-      {"Part", "Partie"},
-      {"Score", "Cote"},
-      {"Reason", "Raison"},
-      {"Method", "Méthode"},
-      {"Level", "Niveau"},
-      {"Joint", "Articulation"},
-      {"Joint angles", "Angles des articulations"},
-      {"Zones by part", "Zones par partie"},
-      {"Angle", "Angle"},
-      {"Zone", "Zone"},
-      {"Condition", "Condition"},
-      {"Four bodies at the same task", "Quatre corps à la même tâche"},
-      {"Over the recorded motion", "Au fil du mouvement enregistré"},
-      {"acceptable", "acceptable"},
-      {"conditionally acceptable", "acceptable sous condition"},
-      {"not acceptable", "non acceptable"},
-      {"The score is partial: not entered", "La cote est partielle : non saisi"},
-      {"repetitions", "répétitions"},
-      {"static", "statique"},
-      {"grip", "prise"},
-      {"Standard", "Norme"},
-      {"1.3.6, posture outline only", "1.3.6, esquisse de la posture"},
-      {"As it stands in the cell.", "Comme elle se tient dans la cellule."},
-      {"trunk forward", "tronc en avant"},
-      {"trunk side bend", "tronc, inclinaison latérale"},
-      {"trunk twist", "tronc, torsion"},
-      {"upper arm", "bras"},
-      {"line of sight", "ligne de regard"},
-      {"trunk symmetry", "symétrie du tronc"},
-      {"trunk inclination", "inclinaison du tronc"},
-      {"head inclination", "inclinaison de la tête"},
-      {"upper arm elevation", "élévation du bras"},
-      {"shoulder", "épaule"},
-      {"full trunk support", "tronc entièrement soutenu"},
-      {"fewer than 2 movements a minute", "moins de 2 mouvements par minute"},
-      {"fewer than 2 movements a minute, not held", "moins de 2 mouvements par minute, non tenu"},
-      {"not held longer than the holding time", "pas tenu plus longtemps que la durée de maintien"},
-      {"standing without support", "debout sans appui"},
-      {"arm supported, or fewer than 10 movements a minute", "bras soutenu, ou moins de 10 mouvements par minute"},
-      {"standing and walking in turn", "debout et marchant en alternance"},
-      {"standing, bent forward 20 to 60 deg", "debout, penché de 20 à 60°"},
-      {"standing, bent forward over 60 deg", "debout, penché de plus de 60°"},
-      {"standing, elbow at or above shoulder", "debout, coude à l'épaule ou plus haut"},
-      {"standing, hands above head", "debout, mains au-dessus de la tête"},
-      {"sitting with back support", "assis avec dossier"},
-      {"sitting upright", "assis droit"},
-      {"sitting, bent forward", "assis, penché en avant"},
-      {"sitting, elbow at or above shoulder", "assis, coude à l'épaule ou plus haut"},
-      {"sitting, hands above head", "assis, mains au-dessus de la tête"},
-      {"kneeling or crouching upright", "à genoux ou accroupi, droit"},
-      {"kneeling or crouching, bent forward", "à genoux ou accroupi, penché"},
-      {"lying", "couché"},
-      {"climbing", "grimpant"},
-      {"Lifting", "Levage"},
-      {"Forces on the hands", "Efforts aux mains"},
-      {"Force", "Effort"},
-      {"Limit", "Limite"},
-      {"own table", "table propre"},
-      {"heaviest class", "classe la plus lourde"},
-      {"Own limits:", "Limites propres :"},
-      {"Partial: no own limit of the hands' force is entered for this place.",
-       "Partiel : aucune limite propre de l'effort aux mains n'est entrée pour cet endroit."},
-      {"not reached, short by", "hors d'atteinte, il manque"},
-      {"What would bring it down", "Ce qui l'abaisserait"}};
-  return words;
-}
 
 std::string degrees(double value) {
   char text[32];
@@ -212,11 +75,7 @@ std::string wristReason(const SideScores& s, Language language) {
 }  // namespace
 
 std::string word(std::string_view english, Language language) {
-  if (language == Language::kFrench) {
-    const auto found = french().find(english);
-    if (found != french().end()) return std::string(found->second);
-  }
-  return std::string(english);
+  return std::string(language == Language::kFrench ? french(english) : english);
 }
 
 std::string rulaPart(Rula::Index index, Side side, Language language) {

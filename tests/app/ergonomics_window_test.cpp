@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QListWidget>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -52,7 +53,9 @@ TEST(ErgonomicsDock, ScoresFollowThePosture) {
   page.segment("segmentsMethod", 2);
   EXPECT_EQ(page.rows().size(), 4u) << "OWAS";
   page.segment("segmentsMethod", 3);
-  EXPECT_EQ(page.rows().size(), 10u) << "EN 1005-4 and ISO 11226";
+  EXPECT_EQ(page.rows().size(), 12u) << "EN 1005-4, ISO 11226, the EAWS outline and the joint comfort";
+  EXPECT_TRUE(page.words("labelWhy").contains("EN 1005-4")) << page.words("labelWhy").toStdString();
+  EXPECT_TRUE(page.words("labelWhy").contains("EAWS"));
   page.segment("segmentsMethod", 4);
   EXPECT_EQ(page.rows().size(), 8u) << "no lift, no loads, no own limits in the task: moments of the body itself";
   EXPECT_TRUE(page.rows().back().reason.endsWith("N m"));
@@ -67,6 +70,49 @@ TEST(ErgonomicsDock, TheBetterPostureIsTakenAsOneStep) {
   auto* button = page.find<QPushButton>("buttonShowPosture");
   ASSERT_TRUE(page.until([&] { return button->isEnabled(); }, ErgonomicsPage::kPatience));
   EXPECT_TRUE(page.clickForStep("buttonShowPosture"));
+}
+
+TEST(ErgonomicsScene, LabelsWithAnglesAndTheStripFollowTheFigure) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  ViewportWidget& viewport = page.window().viewport();
+  ASSERT_TRUE(page.until([&] { return viewport.figureStrip().size() == 5; }, ErgonomicsPage::kPatience));
+  const std::string reach = viewport.figureStrip()[2].value;
+  page.bringDock("actionMannequinPanel");
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_overhead"));
+  page.bringDock("actionErgonomics");
+  ASSERT_TRUE(page.until([&] { return viewport.figureStrip().size() == 5 && viewport.figureStrip()[2].value != reach; },
+                         ErgonomicsPage::kPatience));
+  EXPECT_EQ(viewport.figureStrip()[2].meaning, "of reach left");
+  const auto labels = viewport.allLabels();
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_TRUE(labels[0].title.ends_with("shoulder")) << labels[0].title;
+  EXPECT_TRUE(labels[0].number.ends_with("°"));
+  EXPECT_NE(labels[0].names.find("drives RULA"), std::string::npos) << labels[0].names;
+  EXPECT_GE(labels[0].band, 2);
+  page.segment("segmentsMethod", 2);
+  ASSERT_FALSE(viewport.allLabels().empty());
+  EXPECT_NE(viewport.allLabels()[0].names.find("OWAS"), std::string::npos);
+  page.window().findChild<QDockWidget*>("dockErgonomics")->hide();
+  EXPECT_TRUE(page.until([&] { return viewport.allLabels().empty() && viewport.figureStrip().empty(); },
+                         ErgonomicsPage::kPatience));
+}
+
+TEST(ErgonomicsScene, TheSkinOfAFigureAtRestIsInTheColoursOfItsScores) {
+  ErgonomicsPage page;
+  page.window().resize(1100, 640);  // The picture at rest has to be whole.
+  ASSERT_TRUE(page.open());
+  page.bringDock("actionMannequinPanel");
+  ASSERT_TRUE(page.choose("buttonPostures", "posture_overhead"));
+  page.bringDock("actionErgonomics");
+  const auto hatchedSkin = [&] {
+    const auto items = page.window().viewport().scene().items({});
+    const auto links = std::count_if(items.begin(), items.end(), [](const auto& item) { return item.link >= 0; });
+    const auto hatched =
+        std::count_if(items.begin(), items.end(), [](const auto& item) { return item.smooth && item.pattern > 0; });
+    return links == 0 && hatched > 0;
+  };
+  EXPECT_TRUE(page.until(hatchedSkin, 12 * ErgonomicsPage::kPatience));
 }
 
 TEST(ErgonomicsDock, StaysInFrontWhereTheFigureIsChosen) {

@@ -209,6 +209,46 @@ def test_each_score_of_a_posture_lists_what_it_is_made_of(case):
     assert stooped["partial"] and stooped["missing"] == ["load"] and stooped["sub_scores"]["load"] is None and not owas["partial"]
 
 
+LIFT_TASK = {"load_left_kg": 9, "load_right_kg": 9, "repetitions_per_min": 4, "static": False, "grip": "poor", "duration_h": 2, "lift": True,
+             "lift_distance_m": 0.6}
+
+
+def changed(inputs, changes):
+    return dict(inputs, **{change["input"]: change["to"] for change in changes})
+
+
+def test_every_method_says_what_brings_its_next_level_down(case):
+    """What is told is put in again: the command must come to the level that it promised."""
+    figure = ("ergonomics", "posture", "--sex", "female", "--percentile", "50", "--task", json.dumps(LIFT_TASK))
+    for posture in ("overhead", "both_hands_forward"):
+        found = case.run(*figure, "--posture", posture)
+        for side in (found["left"], found["right"]):
+            for method in ("en1005", "iso11226"):
+                zones = side[method]
+                assert ergonomics(case, method, zones["inputs"])["level"] == zones["level"] == 3, (posture, method)
+                assert all(driver["changes"] for driver in zones["drivers"])
+                better = zones["nearest_better_posture"]
+                again = ergonomics(case, method, changed(zones["inputs"], better["changes"]))
+                assert again["level"] == better["level"] < 3 and again["score"] == better["zone"], (posture, method, better)
+        assert set(found["better_places"]) == {"RULA", "REBA", "OWAS", "EN 1005-4", "ISO 11226", "EAWS"}
+        assert found["joint_comfort_drivers"] and found["hand_forces"]["drivers"][0]["lower_class_n"] < 177
+        niosh = found["niosh"]
+        assert niosh["level"] > 1 and niosh["drivers"][0]["value"] == min(d["value"] for d in niosh["drivers"])
+        for way in niosh["next_level"]["any_of"]:
+            again = ergonomics(case, "niosh", changed(niosh["inputs"], [way]))
+            assert again["score"] <= niosh["next_level"]["lifting_index_at_most"], (posture, way)
+    overhead = case.run(*figure, "--posture", "overhead")["eaws_outline"]
+    assert overhead["level"] == 3 and overhead["nearest_better_posture"]["level"] == 1 and overhead["posture_drivers"]
+    stooped = case.run(*figure, "--posture", "stooping")["owas"]
+    assert stooped["nearest_better_posture"]["changes"][0]["input"] in ("trunk_flexion", "knee_flexion")
+    shares = ergonomics(case, "eaws", {"stand_bent": 0.67, "stand_hands_above_head": 0.2})
+    assert shares["drivers"][0]["points"] == 32 and shares["next_level"]["score"] <= 50 and shares["level"] == 3
+    two = {"tasks": [dict(niosh["inputs"]), dict(niosh["inputs"], load_kg=5)]}
+    composite = ergonomics(case, "niosh", two)
+    assert composite["drivers"][0]["task"] == 1 and composite["drivers"][0]["lifting_index"] < composite["score"]
+    assert composite["next_level"]["any_of"]
+
+
 def test_own_limits_of_the_hands_force(case):
     table = case.folder / "limits.csv"
     table.write_text("# source: our physiologist, 2026\nhand,height_from_m,height_to_m,limit_n\nany,0,3,40\nright,1.0,3,30\n")

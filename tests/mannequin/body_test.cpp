@@ -99,6 +99,27 @@ TEST(Body, TheSkinIsCutIntoItsColoursWithoutAGap) {
   EXPECT_LT(areaOf(hands[0].mesh), 0.14);
 }
 
+TEST(Body, TheSkinTakesColoursOfSegmentsInPlaceOfItsClothing) {
+  const Figure figure = *makeFigure({Sex::kFemale, 1.62});
+  const Posture posture = *libraryPosture(figure, "overhead");
+  constexpr std::array<float, 3> kGood{0.5f, 0.7f, 0.8f}, kBad{0.9f, 0.3f, 0.1f};
+  std::vector<std::array<float, 3>> colors(kBodies, kGood);
+  colors[indexOf(Segment::kRightUpperArm)] = kBad;
+  const auto parts = skinParts(figure, posture, 0.02, SkinRegion::kWhole, colors);
+  ASSERT_EQ(parts.size(), 2u);
+  double area = 0.0;
+  for (const SkinPart& part : parts) area += areaOf(part.mesh);
+  EXPECT_NEAR(area, areaOf(skinOf(figure, posture, 0.02).mesh), 1e-9) << "the same skin, cut elsewhere";
+  const auto bad = std::find_if(parts.begin(), parts.end(), [&](const SkinPart& part) { return part.color == kBad; });
+  ASSERT_NE(bad, parts.end());
+  const auto pose = forwardKinematics(figure, posture);
+  const dvec3 shoulder = pose[Segment::kRightUpperArm].p_WS, elbow = pose[Segment::kRightForearm].p_WS;
+  for (const dvec3& vertex : bad->mesh.vertices) {
+    const double along = glm::dot(vertex - shoulder, elbow - shoulder) / glm::dot(elbow - shoulder, elbow - shoulder);
+    EXPECT_LT(glm::length(vertex - shoulder - std::clamp(along, 0.0, 1.0) * (elbow - shoulder)), 0.12);
+  }
+}
+
 TEST(Body, AStraightLegDoesNotSwellAtTheKnee) {
   const Figure figure = *makeFigure({Sex::kMale, 1.755});
   const Posture posture = *libraryPosture(figure, "zero");

@@ -82,6 +82,8 @@ TEST(HandForces, LimitsAreTheMethodsOwnClassesAndNothingIsInvented) {
   EXPECT_NEAR(*forces.limits[0].limit_n, 98.0665, 1e-9);
   EXPECT_NEAR(*forces.limits[1].limit_n, 5.0 * kGravity, 1e-9);
   EXPECT_EQ(forces.limits[2].band, 0);
+  EXPECT_NEAR(*forces.limits[0].lower_n, 2.0 * kGravity, 1e-9) << "what brings it down a class";
+  EXPECT_FALSE(forces.limits[2].lower_n);
   task.load_kg = {12.0, 12.0};
   for (const ForceLimit& limit : handForces(figure, pose, task).limits) {
     EXPECT_FALSE(limit.limit_n);
@@ -107,6 +109,7 @@ TEST(HandForces, OwnLimitsAreThoseOfTheGripsPlaceAndWithoutThemItIsPartial) {
     ++found;
     EXPECT_EQ(*limit.limit_n, limit.hand == 1 ? 40.0 : 50.0);
     EXPECT_EQ(limit.band, limit.hand == 1 ? 2 : 0) << "39.2 of 40 N";
+    EXPECT_NEAR(limit.lower_n.value_or(0.0), limit.hand == 1 ? 28.0 : 0.0, 1e-9);
   }
   EXPECT_EQ(found, 2);
   own.rows.pop_back();

@@ -38,6 +38,19 @@ TEST(Niosh, ManualExampleFour) {
   EXPECT_NEAR(*destination->lifting_index, 1.7, 0.04 * 1.7);
 }
 
+// Manual, example 1: 44 lb, H 23 in, V 15 to 63 in, fair, 0.2 a minute; 16.0 and 14.3 lb by the formulas (the manual
+// prints 16.3 and 14.5 with a rounded HM of .44, and from them an index of 2.7 and 3.0).
+TEST(Niosh, ManualExampleOne) {
+  const double d = (63 - 15) * kCmPerInch;
+  const auto origin = lift(task(44 * kKgPerPound, 23 * kCmPerInch, 15 * kCmPerInch, d, 0, 0.2, 1, Coupling::kFair));
+  EXPECT_NEAR(origin->recommended_weight_limit_kg / kKgPerPound, 16.0, 0.03 * 16.0);
+  EXPECT_NEAR(*origin->lifting_index, 2.7, 0.06 * 2.7);
+  const auto destination =
+      lift(task(44 * kKgPerPound, 23 * kCmPerInch, 63 * kCmPerInch, d, 0, 0.2, 1, Coupling::kFair));
+  EXPECT_NEAR(destination->recommended_weight_limit_kg / kKgPerPound, 14.3, 0.04 * 14.3);
+  EXPECT_NEAR(*destination->lifting_index, 3.0, 0.06 * 3.0);
+}
+
 TEST(Niosh, FrequencyTableHasItsCornersAndIsLinearBetween) {
   EXPECT_DOUBLE_EQ(frequencyMultiplier(0.1, 1, 50), 1.00);
   EXPECT_DOUBLE_EQ(frequencyMultiplier(9, 8, 74.9), 0.0);

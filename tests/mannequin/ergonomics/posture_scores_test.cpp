@@ -177,20 +177,6 @@ TEST(BodySizes, TheFiguresOwnSizeIsAsItStandsAndTheHeightOfNowIsThatOfTheColumns
   }
 }
 
-TEST(BetterPlace, LowersTheLevelWithinReach) {
-  const Figure figure = man();
-  const Posture posture = *mannequin::libraryPosture(figure, "overhead");
-  const auto pose = mannequin::forwardKinematics(figure, posture);
-  const int now = scorePosture(figure, posture, pose, known()).rula();
-  const auto better = betterPlace(figure, posture, known());
-  ASSERT_TRUE(better);
-  EXPECT_LT(Rula().levelOf(better->score), Rula().levelOf(now));
-  EXPECT_LE(glm::length(better->shift_W), 0.6 + 1e-9);
-  EXPECT_TRUE(mannequin::limitViolations(better->posture).empty());
-  const auto there = mannequin::forwardKinematics(figure, better->posture);
-  EXPECT_EQ(scorePosture(figure, better->posture, there, known()).rula(), better->score);
-}
-
 TEST(ScoreWords, NameTheDriverInBothLanguages) {
   const Figure figure = man();
   const auto scores = scoresOf(figure, "overhead", known());

@@ -25,6 +25,7 @@ PostureReportInput inputFor(Language language) {
   input.posture = *mannequin::libraryPosture(input.figure, "overhead");
   input.task = workTaskPresets()[2];
   input.bodies = atSameTask(mannequin::boundaryFigures(), input.figure, input.posture, input.task);
+  input.places = betterPlaces(input.figure, input.posture, input.task);
   input.history = {stripOf("P5 woman", {0, 0, 1, 1, 2, 3, 3, 0})};
   input.history_seconds = 4.0;
   return input;
@@ -52,10 +53,41 @@ TEST(Report, SaysBodyTaskScoresDriversAssumptionsStandardsAndSignature) {
 }
 
 TEST(Report, FrenchHasNoEnglishHeadings) {
-  const Report report = postureReport(inputFor(Language::kFrench));
-  EXPECT_EQ(report.title, "Évaluation de la posture");
-  EXPECT_EQ(report.language, "fr");
-  for (const auto& block : report.blocks) EXPECT_EQ(block.heading.find("Sub-scores"), std::string::npos);
+  PostureReportInput french = inputFor(Language::kFrench), english = inputFor(Language::kEnglish);
+  french.task = english.task = workTaskPresets()[5];  // With a lift.
+  for (const bool of_task : {false, true}) {
+    const Report report = of_task ? taskReport(french) : postureReport(french);
+    const Report other = of_task ? taskReport(english) : postureReport(english);
+    EXPECT_NE(report.title, other.title);
+    EXPECT_EQ(report.language, "fr");
+    ASSERT_EQ(report.blocks.size(), other.blocks.size());
+    for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+      EXPECT_NE(report.blocks[i].heading, other.blocks[i].heading);
+      for (const std::string& column : report.blocks[i].columns) {
+        for (const char* word : {"Nearest", "Driven", "Method", "Reach", "Force", "Level", "Limit "})
+          EXPECT_EQ(column.find(word), std::string::npos) << column;
+      }
+    }
+  }
+}
+
+TEST(Report, EveryMethodHasItsDriversItsNearestPostureAndItsPlace) {
+  PostureReportInput input = inputFor(Language::kEnglish);
+  input.task = workTaskPresets()[5];
+  const Report report = postureReport(input);
+  const auto drives = std::find_if(report.blocks.begin(), report.blocks.end(),
+                                   [](const ReportBlock& block) { return block.heading == "What drives the score"; });
+  ASSERT_NE(drives, report.blocks.end());
+  ASSERT_EQ(drives->rows.size(), 7u) << "six methods and the lift";
+  int places = 0;
+  for (const auto& row : drives->rows) {
+    ASSERT_EQ(row.size(), 4u);
+    places += row[3].text.find("mm") != std::string::npos ? 1 : 0;
+    if (row[0].text == "OWAS") continue;  // 1321 is the least level.
+    EXPECT_NE(row[1].text.find_first_of("0123456789"), std::string::npos) << row[0].text;
+    EXPECT_GT(row[2].text.size(), 5u) << row[0].text;
+  }
+  EXPECT_GE(places, 1);
 }
 
 TEST(Report, TheScenesPictureIsInHtmlAndPdfAndComesBackFromPng) {

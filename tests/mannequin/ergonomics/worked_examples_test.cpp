@@ -142,6 +142,25 @@ TEST(WorkedExamples, RebaPublished) {
   EXPECT_EQ(doctest[Reba::kUpperArm], 2);
   EXPECT_EQ(doctest[Reba::kLowerArm], 1);
   EXPECT_EQ(doctest[Reba::kWrist], 2);
+  const auto sums = assess(Reba(), doctest).evaluation->sums;
+  EXPECT_EQ(sums[0].value, 4) << "table A";
+  EXPECT_EQ(sums[2].value, 2) << "table B";
+}
+
+// Trunk 64, neck 30, arm 95, elbow 90, knees 40, load 2, coupling 1, wrist 2: A 6 + 2, B 5 + 1, C 10.
+TEST(WorkedExamples, RebaWithEverythingInIt) {
+  std::vector<std::string_view> unknown;
+  auto values = rebaValues(plain(95, 90, 20, 30, 64, 40), unknown);
+  values[Reba::kLoad] = 2;
+  values[Reba::kCoupling] = 1;
+  values[Reba::kActivity] = 0;
+  const Assessment assessment = assess(Reba(), values);
+  std::vector<int> sums;
+  for (const auto& sum : assessment.evaluation->sums) sums.push_back(sum.value);
+  EXPECT_EQ(sums, (std::vector<int>{6, 8, 5, 6, 10}));
+  EXPECT_EQ(assessment.score, 10);
+  values[Reba::kActivity] = 3;
+  EXPECT_EQ(assess(Reba(), values).score, 13);
 }
 
 TEST(WorkedExamples, Owas) {

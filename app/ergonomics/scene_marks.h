@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "app/viewport/overlay_labels.h"
+#include "app/viewport/scene_curve.h"
+#include "mannequin/ergonomics/driving_parts.h"
+
+namespace hapticell::app {
+
+class LiveScores;
+class MannequinContext;
+
+/// What the ergonomics say over the scene: labels with the angles at the joints that drive a method's score, the angles
+/// themselves drawn there, and the figure's strip. GUI thread.
+struct SceneMarks {
+  std::vector<OverlayLabel> labels;
+  std::vector<SceneCurve> curves;
+  std::vector<StripCell> strip;
+};
+
+/// Nothing while nothing is scored.
+SceneMarks sceneMarks(const LiveScores& scores, const MannequinContext& context, ergonomics::PostureMethod method);
+
+}  // namespace hapticell::app

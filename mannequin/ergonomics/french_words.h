@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace hapticell::ergonomics {
+
+/// The French of the words of scores and reports; what is not known comes back as it is.
+std::string_view french(std::string_view english);
+
+}  // namespace hapticell::ergonomics
