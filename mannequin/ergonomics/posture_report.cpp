@@ -43,7 +43,7 @@ class Writer {
     report.blocks.push_back(subScores());
     report.blocks.push_back(zones());
     ReportBlock assumed = limits();
-    assumed.lines.push_back(say("Source of the posture") + ": " +
+    assumed.lines.push_back(say("Source of the posture") + colon() +
                             (input_.source == "As it stands in the cell." ? say(input_.source) : input_.source));
     report.blocks.push_back(std::move(assumed));
     report.blocks.push_back(joints());
@@ -69,6 +69,7 @@ class Writer {
  private:
   Language language() const { return input_.language; }
   std::string say(std::string_view english) const { return word(english, language()); }
+  const char* colon() const { return language() == Language::kFrench ? " : " : ": "; }
 
   Report head(std::string_view title) const {
     Report report;
@@ -290,7 +291,7 @@ class Writer {
                           format("%.1f kg", result.recommended_weight_limit_kg) +
                           (result.lifting_index ? ", LI " + format("%.2f", *result.lifting_index) : std::string()));
     if (const auto next = liftingNextWords(found->advice, language()); !next.empty())
-      block.lines.push_back(say("What would bring it down") + ": " + next);
+      block.lines.push_back(say("What would bring it down") + colon() + next);
     block.columns = {"H", "V", "D", "A", "HM", "VM", "DM", "AM", "FM", "CM"};
     block.rows.push_back({{format("%.0f cm", found->task.h_cm)},
                           {format("%.0f cm", found->task.v_cm)},
@@ -328,8 +329,8 @@ class Writer {
 
   ReportBlock limits() const {
     ReportBlock block{say("Method and limits of this report"), assumptionsOf(scores_, input_.task, language())};
-    std::string standards = say("Standards and editions") +
-                            ": RULA McAtamney & Corlett 1993; REBA Hignett & McAtamney 2000;"
+    std::string standards = say("Standards and editions") + colon() +
+                            "RULA McAtamney & Corlett 1993; REBA Hignett & McAtamney 2000;"
                             " OWAS Karhu, Kansi & Kuorinka 1977; EN 1005-4:2005; ISO 11226:2000; EAWS " +
                             say("1.3.6, posture outline only");
     if (input_.task.is_lift) standards += "; NIOSH DHHS 94-110, rev. 9/2021";

@@ -195,10 +195,10 @@ constexpr const char* kStyle =
     "#BCC5CE;vertical-align:top}.strips td{border:0;padding:.6mm 2mm .6mm 0}.strip{width:100%;height:5mm}"
     ".scale{display:flex;justify-content:space-between;color:#45515D}footer{display:flex;gap:12mm;margin-top:16mm}"
     "footer div{flex:1;border-top:.8pt solid #1A2027;padding-top:1mm}@page{size:A4;margin:12mm}"
-    "@media print{body{font-size:7.5pt;margin:0 auto}h2{font-size:8.5pt;margin:2mm 0 .5mm}td,th{padding:.3mm 2mm .3mm "
-    "0}"
-    ".top{margin-top:2mm}.top>div:first-child{flex:none;width:48mm}.figure,.scene{width:48mm;max-height:50mm}p{margin:"
-    "0 0 .4mm}footer{margin-top:8mm}section{break-inside:avoid}}";
+    ".pictures{display:flex;gap:2mm;align-items:flex-start}.top>div:last-child{flex:1}"
+    "@media print{body{font-size:6.8pt;margin:0 auto}h1{font-size:13pt}h2{font-size:7.8pt;margin:1.4mm 0 .3mm}td,th{"
+    "padding:.2mm 2mm .2mm 0}.top{margin-top:2mm;gap:5mm}.scene{width:40mm}.figure{width:22mm;max-height:50mm}.patch{"
+    "width:16px;height:9px}p{margin:0 0 .3mm}footer{margin-top:7mm}section{break-inside:avoid}.result{font-size:17pt}}";
 
 nlohmann::ordered_json jsonOf(const ReportBlock& block) {
   nlohmann::ordered_json json{{"heading", block.heading}};
@@ -283,8 +283,8 @@ std::string reportHtml(const Report& report) {
   std::string text = "<!DOCTYPE html>\n<html lang=\"" + report.language + "\"><head><meta charset=\"utf-8\"><title>" +
                      escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>" + patterns();
   text += "<header><div><h1>" + escaped(report.title) + "</h1>" + escaped(report.subtitle) + "</div><div>" +
-          escaped(report.date) + "</div></header><div class=\"top\"><div>" + sceneHtml(report.scene) +
-          pictureSvg(report.picture) + "</div><div>";
+          escaped(report.date) + "</div></header><div class=\"top\"><div class=\"pictures\">" +
+          sceneHtml(report.scene) + pictureSvg(report.picture) + "</div><div>";
   for (const ReportBlock& block : report.beside) text += blockHtml(block);
   text += "<p><span class=\"result\">" + escaped(report.result) + "</span> " + patch(report.result_band) +
           escaped(report.result_words) + "</p>";
