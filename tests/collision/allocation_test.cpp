@@ -1,31 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "collision/scene.h"
 #include "tests/collision/meshes.h"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-// Replaced for the whole program, so that the tests below see every allocation.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "tests/support/allocation_guard.h"
 
 namespace hapticell::collision {
 namespace {
@@ -53,11 +31,12 @@ TEST(Allocation, warmQueriesDoNotAllocate) {
     const MovedPart motion[] = {{moved, straightMotion(X_WM, X_WNext, *ball)}};
     scene.advance(motion, 0.001);
   };
+  const hapticell::test::AllocationGuard first;
   for (int i = 0; i < 100; ++i) once();  // The lists of near pairs get their memory when parts first come near.
-  const long before = allocations;
-  EXPECT_GT(before, 0) << "the counter counts";
+  EXPECT_GT(first.count(), 0u) << "the guard counts";
+  const hapticell::test::AllocationGuard warm;
   for (int i = 0; i < 200; ++i) once();
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(warm.count(), 0u);
 }
 
 }  // namespace
