@@ -97,7 +97,7 @@ void FigureSkins::look() {
       dressed.since.start();
     } else if (dressed.state == Dressed::State::kMoves && dressed.since.elapsed() > kRestMilliseconds) {
       ask(entity, dressed);
-    } else if (dressed.state == Dressed::State::kReady && host_.viewport().isFinished()) {
+    } else if (dressed.state == Dressed::State::kReady && host_.viewport().hasWhole(dressed.set_at)) {
       dressed.state = Dressed::State::kAlone;
       scene.showSkinAlone(entity.id);
       host_.viewport().refresh();
@@ -119,6 +119,7 @@ void FigureSkins::ask(const workcell::Entity& entity, Dressed& dressed) {
           return;
         found->second.state = Dressed::State::kReady;
         host_.viewport().scene().setSkin(id, std::move(skin));
+        found->second.set_at = host_.viewport().scene().revision();
         host_.viewport().refresh();
       });
 }

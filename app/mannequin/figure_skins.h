@@ -27,6 +27,7 @@ class FigureSkins : public QObject {
     const mannequin::Figure* figure = nullptr;  ///< Only compared.
     std::map<int, LinkLook> looks;
     QElapsedTimer since;
+    std::uint64_t set_at = 0;  ///< Revision of the scene that has the skin.
     enum class State { kMoves, kAsked, kReady, kAlone } state = State::kMoves;
   };
   void ask(const workcell::Entity& entity, Dressed& dressed);

@@ -27,7 +27,7 @@ CapPass::~CapPass() {
 }
 
 bool CapPass::cuts(const DrawContext& context, const RenderItem& item) const {
-  if (!item.mesh || item.over_scene || item.ghost != Ghost::kNone) return false;
+  if (!item.mesh || item.unseen || item.over_scene || item.ghost != Ghost::kNone) return false;
   const geometry::Bounds box = geometry::transformed(item.X_WM, item.bounds_M);
   if (isOutside(context.view.band_from_world, box.center(), box.radius())) return false;
   const dvec3 n = context.frame.section->nhat_W;

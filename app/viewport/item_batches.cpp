@@ -136,7 +136,7 @@ std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_worl
     const RenderItem& item = frame.items[i];
     if (!item.mesh || kindOf(item) != kind) continue;
     GpuMesh* mesh = meshes.of(item);
-    if (!mesh) continue;
+    if (!mesh || item.unseen) continue;
     const dvec3 p_WC = item.X_WM * (item.scale * mesh->bounds().center());
     const double radius = item.scale * mesh->bounds().radius();
     if (isOutside(clip_from_world, p_WC, radius)) continue;
@@ -177,7 +177,7 @@ std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel
   Gathering gathering;
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
-    if (!item.casts_shadow || !item.mesh) continue;
+    if (!item.casts_shadow || !item.mesh || item.unseen) continue;
     GpuMesh* mesh = meshes.of(item);
     if (!mesh) continue;
     const std::size_t step = detailStepFor(mesh->steps(), metres_per_texel / std::max(item.scale, 1e-12), 0.5);

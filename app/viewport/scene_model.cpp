@@ -266,13 +266,11 @@ void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, 
 void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
   const std::size_t first = items.size();
   const Skin* skin = skinOf(entity);
-  const std::size_t first_shape = items.size();
   if (!skin || !skin->alone) appendShapes(entity, placement_W(entity), joints(entity), items);
-  // Under a skin that is got onto the card their lines would come through it.
-  for (std::size_t i = first_shape; skin && i < items.size(); ++i) items[i].smooth = true;
   for (std::size_t i = 0; skin && i < skin->parts.size(); ++i) {
     items.push_back(skin->parts[i]);
     items.back().X_WM = placement_W(entity);
+    items.back().unseen = !skin->alone;  // Drawn with the links it would show through them, and they through it.
   }
   for (std::size_t i = first; i < items.size(); ++i) {
     const int link = items[i].link;

@@ -47,8 +47,8 @@ class SceneModel {
   /// Empty where all links have their own colour.
   std::map<int, LinkLook> linkLooks(workcell::EntityId entity) const;
   /// One smooth skin in place of a jointed entity's links, as long as its joints and looks are those: parts in the
-  /// entity's frame, each of a colour. Not while it is held or played. Until `alone` the links are drawn too, so that
-  /// nothing flickers while the skin is made ready.
+  /// entity's frame, each of a colour. Not while it is held or played. Until `alone` the links are drawn and the
+  /// skin is only got onto the card, so that nothing flickers.
   struct Skin {
     std::shared_ptr<const kinematics::RobotModel> robot;  ///< Whose skin it is: another size needs another.
     std::vector<double> joints;

@@ -70,6 +70,10 @@ bool ViewportWidget::isFinished() const {
   return rest_.isFinished();
 }
 
+bool ViewportWidget::hasWhole(std::uint64_t revision) const {
+  return renderer_ && drawn_revision_ >= revision && renderer_->missingParts() == 0;
+}
+
 void ViewportWidget::showNewPart() {
   dirty_ = true;
   update();

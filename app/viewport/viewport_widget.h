@@ -82,6 +82,8 @@ class ViewportWidget : public QOpenGLWidget {
   /// The picture at rest is refined as far as it will be; from now on nothing is drawn until something changes. Sooner
   /// where a sample is dear (software rendering): a picture takes some seconds of work at the most.
   bool isFinished() const;
+  /// The scene was drawn at this revision or a later one, and all its meshes are on the card.
+  bool hasWhole(std::uint64_t revision) const;
   /// Draws anew only where the strip or a label would say something else than is drawn: a cell at rest costs nothing.
   void refreshNumbers();
   /// All samples of the picture, overlay included, as an image of the widget's size.

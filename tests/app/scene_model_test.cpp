@@ -92,9 +92,12 @@ TEST(SceneModel, ASkinStandsForTheLinksAsLongAsTheJointsAreItsOwn) {
   RenderItem part;
   part.mesh = box();
   scene.setSkin(2, {robot.robot, {0.0}, {part, part}, false});
-  EXPECT_EQ(scene.items({}).size(), 3u) << "the links too, until it is ready";
+  ASSERT_EQ(scene.items({}).size(), 3u);
+  EXPECT_FALSE(scene.items({})[0].unseen) << "the links are seen until it is ready";
+  EXPECT_TRUE(scene.items({})[1].unseen && scene.items({})[2].unseen) << "not both: each would show through the other";
   scene.showSkinAlone(2);
   ASSERT_EQ(scene.items({}).size(), 2u);
+  EXPECT_FALSE(scene.items({})[0].unseen || scene.items({})[1].unseen);
   EXPECT_EQ(scene.items({})[0].entity, 2u);
   scene.setLinkLooks(2, {{1, LinkLook{}}});
   EXPECT_EQ(scene.items({}).size(), 1u) << "a link's own colour wants the link, or a skin in that colour";
