@@ -51,6 +51,7 @@ class MannequinManipulator final : public MannequinBody {
   std::optional<double> reachAlong(const dvec3& outward, double ahead, mannequin::Posture posture,
                                    const Pose& X_WM) const;
   dvec3 wantedHand(const Pose& X_WM) const;
+  dvec3 comfortableNear(const dvec3& seen) const;
   dvec3 beyondComfort(const Pose& X_WM, const Feet& X_WF) const;
   double mindingTheHand(double turn, const Pose& X_WM, const Feet& X_WF) const;
   double turnToFace(const Pose& X_WM, const Feet& X_WF) const;

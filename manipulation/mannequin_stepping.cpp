@@ -24,13 +24,14 @@ constexpr double kWalkingHeight = 0.80, kWalkingUpright = 0.85;  ///< of the leg
 constexpr double kAcross = 0.61, kOutward = 1.05;  ///< rad (35, 60 deg) from ahead within which a hand works.
 constexpr double kUnwound = 2e-3;                  ///< m of one proposal: less is upright.
 constexpr double kComfortableReach = 0.80;         ///< Of the arm, level from over the feet: farther is walked.
-constexpr double kHandTurn = 0.50;                 ///< rad of the hand from how it was taken, seen from the body.
+constexpr double kHandTurn = 0.65;                 ///< rad of the hand from how it was taken, seen from the body.
 constexpr double kBeforeBelly = 0.20, kBehindSide = -0.10;  ///< m ahead of the ankles, where a hand begins to work
-constexpr double kBothReach = 0.80, kBothAhead = 0.25, kBothAside = 0.20;  ///< of the arm; m from between the feet.
+constexpr double kBothReach = 0.80, kBothAhead = 0.30, kBothAside = 0.20;  ///< of the arm; m from between the feet.
 constexpr double kBothTurn = 0.35, kFarAcross = 0.22;                      ///< rad; m to the other side.
 constexpr double kBellySide = 0.10, kBesideBody = 0.25;  ///< so many m to its side, before the body and beside it,
 constexpr double kBellyUpTo = 0.80;                      ///< up to this height; of the stature.
 constexpr double kNear = 0.25;                           ///< m from over the feet where no direction is meant.
+constexpr int kComfortPasses = 8;
 
 /// On the way from one pose to another, no farther than a hand is led at once.
 Pose ahead(const Pose& from, const Pose& to) {
@@ -68,27 +69,38 @@ dvec3 MannequinManipulator::wantedHand(const Pose& X_WM) const {
   return task.held ? (task.held->X_WO * task.held->X_OH[i]).p : task.hands[i]->p;
 }
 
-/// How the feet should be moved, level, for the hand to be where an arm likes to work: not farther than it likes to
-/// reach from over the feet (people step before they lean as far as they can), and not behind the own belly.
-dvec3 MannequinManipulator::beyondComfort(const Pose& X_WM, const Feet& X_WF) const {
+/// A place near `seen`, level, where an arm likes to work: not farther than it likes to reach from its shoulder (people
+/// step before they lean as far as they can), not behind the own belly and not far to the other side. It is put onto
+/// the one bound and the other in turns, since both are convex and have room in common.
+dvec3 MannequinManipulator::comfortableNear(const dvec3& seen) const {
   const double left = driven() == Side::kLeft ? 1.0 : -1.0;
-  const dquat heading = upright(aheadOf(X_WF) + turnToFace(X_WM, X_WF));
-  const dvec3 middle = 0.5 * (X_WF[0].p + X_WF[1].p);
-  const dvec3 seen = glm::conjugate(heading) * ((isBoth() ? X_WM.p : wantedHand(X_WM)) - middle);
-  const double shoulder = isBoth() ? 0.0 : 0.5 * left * figure().body[mannequin::Dimension::kBiacromialBreadth];
-  const dvec3 away(seen.x, seen.y - shoulder, 0.0);
-  const double distance = glm::length(away);
-  const double comfortable =
+  const dvec3 shoulder(0.0, isBoth() ? 0.0 : 0.5 * left * figure().body[mannequin::Dimension::kBiacromialBreadth], 0.0);
+  const double reach =
       (isBoth() ? kBothReach : kComfortableReach) * (figure().upperArmLength() + figure().forearmLength());
-  if (distance > comfortable) return heading * ((1.0 - comfortable / distance) * away);
-  if (seen.z > kBellyUpTo * figure().body[mannequin::Dimension::kStature]) return dvec3(0.0);
+  const bool low = seen.z <= kBellyUpTo * figure().body[mannequin::Dimension::kStature];
   const double beside =
       isBoth() ? 0.0 : std::clamp((left * seen.y - kBellySide) / (kBesideBody - kBellySide), 0.0, 1.0);
   const double least = isBoth() ? kBothAhead : std::lerp(kBeforeBelly, kBehindSide, beside);
-  const double ahead = std::min(0.0, seen.x - least);
-  const double aside =
-      isBoth() ? beyond(seen.y, -kBothAside, kBothAside) : left * std::min(0.0, left * seen.y + kFarAcross);
-  return heading * dvec3(ahead, aside, 0.0);
+  dvec3 place(seen.x, seen.y, 0.0);
+  for (int i = 0; i < kComfortPasses; ++i) {
+    if (low) {
+      place.x = std::max(place.x, least);
+      place.y = isBoth() ? std::clamp(place.y, -kBothAside, kBothAside) : left * std::max(left * place.y, -kFarAcross);
+    }
+    const dvec3 away = place - shoulder;
+    const double distance = glm::length(away);
+    if (distance > reach) place = shoulder + (reach / distance) * away;
+  }
+  return place;
+}
+
+/// How the feet should be moved, level, for the hand to be where an arm likes to work.
+dvec3 MannequinManipulator::beyondComfort(const Pose& X_WM, const Feet& X_WF) const {
+  const dquat heading = upright(aheadOf(X_WF) + turnToFace(X_WM, X_WF));
+  const dvec3 middle = 0.5 * (X_WF[0].p + X_WF[1].p);
+  const dvec3 seen = glm::conjugate(heading) * ((isBoth() ? X_WM.p : wantedHand(X_WM)) - middle);
+  const dvec3 place = comfortableNear(seen);
+  return heading * dvec3(seen.x - place.x, seen.y - place.y, 0.0);
 }
 
 /// How far round the feet should head: after a pelvis that has turned over them; and with the pelvis to face what the
@@ -178,13 +190,17 @@ EntityConfiguration MannequinManipulator::proposeStepping(const Posture& from, c
   const Feet feet = standingFeet(X_WF_, levelled(X_WF_, feetOf(from), figure().sole.ball_x));
   const Posture start = untwisted(from, feet);
   const double most = std::min(kMostStep, kWalkingSpeed * duration_s);
-  // What is far away is gone to: a hand that pulled at it would wring the body.
-  const Pose near = ahead(movedFrame(configurationOf(start)), X_WM);
-  const Posture posture = followStanding(near, feet, start);
   StepWish wish;
   wish.missing_W = beyondComfort(X_WM, feet);
   wish.turn = wishedTurn(X_WM, start, feet);
-  if (!footToLift(X_WF_, feet, wish)) return configurationOf(posture);
+  const bool steps = footToLift(X_WF_, feet, wish).has_value();
+  // What is far away or behind the body is gone to: a hand that pulled at it would wring the body. It waits where it
+  // works well until the feet have come.
+  Pose meant = X_WM;
+  if (steps) meant.p -= wish.missing_W;
+  const Pose near = ahead(movedFrame(configurationOf(start)), meant);
+  const Posture posture = followStanding(near, feet, start);
+  if (!steps) return configurationOf(posture);
   // Who is crouched or turned stands up to walk, and the hand comes after.
   const Feet next = nextFeet(X_WF_, feet, wish, most);
   const bool well = walksWell(posture, feet);
