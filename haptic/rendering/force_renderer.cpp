@@ -77,7 +77,7 @@ void ForceRenderer::noteApplied(const dvec3& force_D, const dvec3& torque_D) {
 }
 
 void ForceRenderer::reset(const Pose& X_DS) {
-  has_set_ = offered_ = contact_ = late_ = false;
+  has_set_ = offered_ = contact_ = late_ = arriving_ = false;
   damper_ = 0.0;
   load_.reset();
   load_D_ = dvec3(0.0);
@@ -191,6 +191,17 @@ void ForceRenderer::updateCoupling(const ProxyStep& solved, double dt) {
   damping_ = contact_ ? damping_ + std::clamp(damping - damping_, -damping_step, damping_step) : damping;
 }
 
+/// What still presses when a contact ends (the zone's edge, an offset) must not lose its damping in one step, nor get
+/// it in one when a proxy that caught up has arrived. A hand that strikes is damped at once.
+void ForceRenderer::updateDamper(bool catches_up, double dt) {
+  arriving_ = contact_ && (catches_up || (arriving_ && damper_ < 1.0));
+  const double step = dt / kDamperFade;
+  if (!contact_ || catches_up)
+    damper_ = std::max(0.0, damper_ - step);
+  else
+    damper_ = arriving_ ? std::min(1.0, damper_ + step) : 1.0;
+}
+
 /// Of the set in use, as far as the stylus is inside its zone.
 dvec3 ForceRenderer::pullOf(const Pose& X_DS) const {
   if (!has_set_) return dvec3(0.0);
@@ -290,7 +301,9 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const bool late = isLate(solved);
   if (late) solved.contact = false;
   const MetricVector proxy_step = takeOutJump(solved, stretch_D, jump, stylus_step, dt);
-  filterVelocities(stylus_step, proxy_step, dt);
+  // A proxy that needs several ticks to come goes by itself: what it drags along by the damper nobody has paid for.
+  const bool catches_up = length(solved.lag_D) > 0.0;
+  filterVelocities(stylus_step, catches_up ? stylus_step : proxy_step, dt);
   decayOffset(solved, stylus_step, dt);
   updateCoupling(solved, dt);
   // What moves the obstacle pays as well as the hand does.
@@ -305,8 +318,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   stylus_ = X_DS;
   contact_ = solved.contact;
   late_ = late;
-  // What still presses when a contact ends (the zone's edge, an offset) must not lose its damping in one step.
-  damper_ = contact_ ? 1.0 : std::max(0.0, damper_ - dt / kDamperFade);
+  updateDamper(catches_up, dt);
 
   last_.applied = last_.wanted = couplingForce(solved);
   last_.limit = kNoLimit;

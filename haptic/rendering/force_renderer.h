@@ -125,6 +125,7 @@ class ForceRenderer {
   void filterVelocities(const MetricVector& stylus_step, const MetricVector& proxy_step, double dt);
   void decayOffset(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
   void updateCoupling(const ProxyStep& solved, double dt);
+  void updateDamper(bool catches_up, double dt);
   void updateSpring(const ProxyStep& solved, const MetricVector& stretch_D, const MetricVector& relative_step,
                     double dt);
   dvec3 pullOf(const Pose& X_DS) const;
@@ -162,8 +163,9 @@ class ForceRenderer {
   PassivityController passivity_;
   SpringRation ration_;
   bool contact_ = false;
-  bool late_ = false;    ///< The proxy comes out of free air after the stylus and has not arrived: nothing presses yet.
-  double damper_ = 0.0;  ///< Share of the coupling's damping that acts.
+  bool late_ = false;  ///< The proxy comes out of free air after the stylus and has not arrived: nothing presses yet.
+  bool arriving_ = false;  ///< The proxy has caught up from far off: its damping comes back by and by.
+  double damper_ = 0.0;    ///< Share of the coupling's damping that acts.
 };
 
 }  // namespace hapticell::haptic

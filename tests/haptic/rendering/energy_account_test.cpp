@@ -160,6 +160,39 @@ TEST(ForceRendererEnergy, aProxyThatIsOnlyLatePullsAtNobody) {
   }
 }
 
+/// The proxy slides on a floor and is held by the edge of a small zone, 38 mm behind a hand that then goes off to a
+/// side; the next set lets it come, some milliseconds long and faster than the hand.
+TEST(ForceRendererEnergy, aProxyThatCatchesUpOnAFloorDragsNobodyAlong) {
+  RendererOptions options;
+  options.damping = 4.0;
+  ForceRenderer renderer(options);
+  renderer.reset(at(0, 0, 0.001));
+  ConstraintSet small = floorSet(1);
+  small.zone_radius = 0.002;
+  renderer.adopt(small);
+  moveTo(renderer, dvec3(0, 0, 0.001), dvec3(0, 0.040, -0.0005));
+  constexpr double kStep = 0.0006;  // m a tick: 0.6 m/s.
+  double x = 0.0, most = 0.0, stepped = 0.0;
+  dvec3 before(0.0);
+  for (int i = 0; i < 60; ++i) {
+    if (i == 30) {
+      EXPECT_LT(renderer.proxy().p.y, 0.0025);
+      ConstraintSet wide = floorSet(2, 0.0, renderer.proxy().p);
+      wide.zone_radius = 0.2;
+      ASSERT_EQ(renderer.adopt(wide), Adoption::kAdopted);
+    }
+    const RenderResult result = renderer.tick(at(x -= kStep, 0.040, -0.0005), kTick);
+    if (i >= 30) {
+      most = std::max(most, result.force_D.y);
+      stepped = std::max(stepped, glm::distance(result.force_D, before));
+    }
+    before = result.force_D;
+  }
+  EXPECT_NEAR(renderer.proxy().p.y, 0.040, 1e-3) << "it has come";
+  EXPECT_LT(most, 0.05) << "N along its way, where the hand does not go";
+  EXPECT_LT(stepped, 0.5) << "N in a millisecond";
+}
+
 TEST(ForceRendererEnergy, dampsWhatAnOverCurvedSetMakes) {
   // The obstacle is told too curved, so that every new set pushes the hand along: the observer sees it, damping
   // answers.
