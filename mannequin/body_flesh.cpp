@@ -12,8 +12,11 @@ namespace {
 
 using S = Segment;
 
-constexpr std::array<float, 3> kShirt{0.32f, 0.45f, 0.60f}, kTrousers{0.23f, 0.25f, 0.30f},
-    kShoes{0.13f, 0.12f, 0.12f};
+constexpr std::array<float, 3> kShirt{0.32f, 0.45f, 0.60f}, kTrousers{0.23f, 0.25f, 0.30f}, kShoes{0.16f, 0.15f, 0.15f};
+
+const dvec3 kTall(1.0, 1.0, 1.45);  ///< Stretch of a roll across the trunk.
+constexpr double kOn = 0.010;       ///< m over which a limb goes on; more would swell it there.
+constexpr double kMuscle = 0.022;   ///< m over which a muscle lies on a limb.
 
 /// Builds the flesh from ANSUR breadths and depths; lengths in shares of the stature's scale k, girths of limbs with
 /// the square root of mass per stature. Shapes are our own choice.
@@ -55,16 +58,17 @@ class Sculptor {
     blob.b.y = -blob.b.y;
     of(segment).blobs.push_back(blob);
   }
+  /// A roll across the trunk. Tall ones that flow into each other over little make a flat front, not a pile of rolls.
   void across(Segment segment, double x, double z, double half_breadth, double radius, const dvec3& stretch) {
     const double reach = std::max(0.0, half_breadth - radius * stretch.y);
-    of(segment).blobs.push_back({{x, -reach, z}, {x, reach, z}, radius, radius, stretch});
+    of(segment).blobs.push_back({{x, -reach, z}, {x, reach, z}, radius, radius, stretch, 0.018 * k_});
   }
 
   void pelvis() {
     of(S::kPelvis) = {{}, 0.05 * k_, -1e9, kTrousers};
     const double depth = 0.62 * belly_ + 0.30 * chest_;
     across(S::kPelvis, 0.004 * k_, 0.000, 0.97 * hip_, depth, {0.92, 1.0, 0.86});
-    across(S::kPelvis, 0.006 * k_, 0.070 * k_, 0.90 * hip_, 0.95 * depth, {0.94, 1.0, 0.80});
+    across(S::kPelvis, 0.006 * k_, 0.070 * k_, 0.90 * hip_, 0.95 * depth, {0.96, 1.0, 1.05});
     pair(S::kPelvis, {{-0.050 * k_, 0.42 * hip_, -0.022 * k_},
                       {-0.048 * k_, 0.42 * hip_, 0.020 * k_},
                       0.082 * g_,
@@ -75,28 +79,29 @@ class Sculptor {
   void back() {
     const double waist = (female_ ? 0.74 : 0.85) * hip_;
     of(S::kLowerBack) = {{}, 0.06 * k_, -1e9, kShirt};
-    across(S::kLowerBack, 0.026 * k_, 0.020 * k_, 0.93 * hip_, 0.84 * belly_, {1.0, 1.0, 0.9});
-    across(S::kLowerBack, 0.026 * k_, 0.095 * k_, waist, 0.84 * belly_, {1.0, 1.0, 0.9});
+    across(S::kLowerBack, 0.026 * k_, 0.020 * k_, 0.93 * hip_, 0.88 * belly_, kTall);
+    across(S::kLowerBack, 0.026 * k_, 0.095 * k_, waist, 0.88 * belly_, kTall);
     of(S::kUpperBack) = {{}, 0.06 * k_, -1e9, kShirt};
     const double rib = (female_ ? 0.76 : 0.80) * shoulder_ + 0.008 * k_;
-    across(S::kUpperBack, 0.018 * k_, -0.010 * k_, waist, 0.86 * belly_, {1.0, 1.0, 0.9});
-    across(S::kUpperBack, 0.016 * k_, 0.085 * k_, rib, 0.84 * chest_, {1.0, 1.0, 0.9});
+    across(S::kUpperBack, 0.018 * k_, -0.010 * k_, waist, 0.89 * belly_, kTall);
+    across(S::kUpperBack, 0.016 * k_, 0.085 * k_, rib, 0.89 * chest_, kTall);
   }
 
   void thorax() {
     of(S::kThorax) = {{}, 0.06 * k_, -1e9, kShirt};
     const double neck = joint(S::kLowerNeck).z;
     const double chest = (female_ ? 0.80 : 0.84) * shoulder_ + 0.008 * k_;
-    across(S::kThorax, 0.030 * k_, -0.045 * k_, chest, 0.88 * chest_, {1.0, 1.0, 0.95});
-    across(S::kThorax, 0.030 * k_, 0.030 * k_, chest, 0.86 * chest_, {1.0, 1.0, 0.95});
+    across(S::kThorax, 0.030 * k_, -0.045 * k_, chest, 0.92 * chest_, {1.0, 1.0, 1.3});
+    across(S::kThorax, 0.030 * k_, 0.030 * k_, chest, 0.89 * chest_, {1.0, 1.0, 1.1});
     across(S::kThorax, 0.026 * k_, 0.50 * neck, 0.84 * shoulder_, 0.60 * chest_, {1.05, 1.0, 0.9});
     of(S::kThorax)
-        .blobs.push_back({{0.012 * k_, 0, 0.60 * neck}, {0.028 * k_, 0, neck}, 0.070 * g_, 0.052 * g_, dvec3(1.0)});
+        .blobs.push_back(
+            {{0.012 * k_, 0, 0.56 * neck}, {0.022 * k_, 0, 0.90 * neck}, 0.066 * g_, 0.050 * g_, dvec3(1.0)});
     // Trapezius, from the neck down to the shoulders.
-    pair(S::kThorax, {{0.010 * k_, 0.025 * k_, 0.98 * neck},
-                      {0.008 * k_, 0.62 * shoulder_, 0.68 * neck},
-                      0.044 * g_,
-                      0.040 * g_,
+    pair(S::kThorax, {{0.004 * k_, 0.022 * k_, 0.88 * neck},
+                      {0.004 * k_, 0.66 * shoulder_, 0.60 * neck},
+                      0.036 * g_,
+                      0.036 * g_,
                       dvec3(1.0)});
     if (female_) {
       pair(S::kThorax, {{0.068 * k_, 0.42 * shoulder_, -0.028 * k_},
@@ -114,7 +119,7 @@ class Sculptor {
   }
 
   void head() {
-    const double neck = (female_ ? 0.050 : 0.058) * k_;
+    const double neck = (female_ ? 0.047 : 0.055) * k_;
     of(S::kLowerNeck) = {{{{0.014 * k_, 0, -0.015 * k_}, {0.010 * k_, 0, 0.055 * k_}, 1.06 * neck, neck, dvec3(1.0)}},
                          0.03 * k_,
                          -1e9,
@@ -145,19 +150,19 @@ class Sculptor {
     Flesh& top = of(armSegment(side, S::kLeftUpperArm));
     top = {{}, 0.05 * k_, -1e9, kShirt};
     top.blobs.push_back(
-        {{0, out * 0.010 * k_, 0.004 * k_}, {0, out * 0.014 * k_, -0.075 * k_}, 0.052 * r, 0.046 * r, dvec3(1.0)});
-    top.blobs.push_back({{0, 0, -0.08 * k_}, {0, 0, -upper}, 0.045 * r, 0.0370 * r, dvec3(1.0)});
+        {{0, out * 0.008 * k_, 0.002 * k_}, {0, out * 0.010 * k_, -0.085 * k_}, 0.053 * r, 0.050 * r, dvec3(1.0)});
+    top.blobs.push_back({{0, 0, -0.07 * k_}, {0, 0, -upper}, 0.0490 * r, 0.0410 * r, dvec3(1.0), 0.020 * k_});
     top.blobs.push_back(
-        {{0.012 * k_, 0, -0.42 * upper}, {0.008 * k_, 0, -0.72 * upper}, 0.036 * r, 0.033 * r, dvec3(1.0)});
+        {{0.014 * k_, 0, -0.42 * upper}, {0.008 * k_, 0, -0.72 * upper}, 0.040 * r, 0.036 * r, dvec3(1.0), kMuscle});
     top.blobs.push_back(
-        {{-0.012 * k_, 0, -0.34 * upper}, {-0.010 * k_, 0, -0.72 * upper}, 0.035 * r, 0.032 * r, dvec3(1.0)});
+        {{-0.014 * k_, 0, -0.34 * upper}, {-0.010 * k_, 0, -0.72 * upper}, 0.040 * r, 0.036 * r, dvec3(1.0), kMuscle});
     Flesh& forearm = of(armSegment(side, S::kLeftForearm));
     forearm = {{}, 0.04 * k_, -1e9, kShirt};
-    forearm.blobs.push_back({{0, 0, 0}, {0, 0, -0.30 * fore}, 0.0370 * r, 0.0410 * r, dvec3(1.0)});
-    forearm.blobs.push_back({{0, 0, -0.30 * fore}, {0, 0, -0.62 * fore}, 0.0410 * r, 0.0335 * r, dvec3(1.0)});
+    forearm.blobs.push_back({{0, 0, 0}, {0, 0, -0.24 * fore}, 0.0410 * r, 0.0445 * r, dvec3(1.0)});
+    forearm.blobs.push_back({{0, 0, -0.24 * fore}, {0, 0, -0.62 * fore}, 0.0445 * r, 0.0365 * r, dvec3(1.0), kOn});
     Flesh& wrist = of(armSegment(side, S::kLeftWrist));
-    wrist = {{{{0, 0, 0.08 * fore}, {0, 0, -0.34 * fore}, 0.0360 * r, 0.0275 * r, dvec3(1.0)},
-              {{0, 0, -0.30 * fore}, {0, 0, -0.50 * fore}, 0.0275 * r, 0.0215 * r, {1.22, 0.94, 1.0}}},
+    wrist = {{{{0, 0, 0.08 * fore}, {0, 0, -0.30 * fore}, 0.0385 * r, 0.0295 * r, dvec3(1.0)},
+              {{0, 0, -0.30 * fore}, {0, 0, -0.50 * fore}, 0.0280 * r, 0.0225 * r, {1.20, 0.96, 1.0}, kOn}},
              0.04 * k_,
              -1e9,
              kSkinColor};
@@ -204,20 +209,26 @@ class Sculptor {
     Flesh& upper = of(legSegment(side, S::kLeftThigh));
     upper = {{}, 0.06 * k_, -1e9, kTrousers};
     upper.blobs.push_back(
-        {{0, out * 0.004 * k_, -0.005 * k_}, {0.004 * k_, 0, -0.45 * thigh}, 0.98 * top, 0.82 * top, dvec3(1.0)});
+        {{0, out * 0.004 * k_, -0.005 * k_}, {0.004 * k_, 0, -0.45 * thigh}, 0.98 * top, 0.84 * top, dvec3(1.0)});
     upper.blobs.push_back(
-        {{0.004 * k_, 0, -0.45 * thigh}, {0.002 * k_, 0, -thigh}, 0.80 * top, 0.0560 * g_, dvec3(1.0)});
-    upper.blobs.push_back({{0.018 * k_, out * 0.010 * k_, -0.28 * thigh},
-                           {0.016 * k_, 0, -0.66 * thigh},
-                           0.76 * top,
-                           0.060 * g_,
-                           dvec3(1.0)});
+        {{0.004 * k_, 0, -0.45 * thigh}, {0.002 * k_, 0, -thigh}, 0.84 * top, 0.0580 * g_, dvec3(1.0), kOn});
+    upper.blobs.push_back({{0.018 * k_, out * 0.008 * k_, -0.24 * thigh},
+                           {0.016 * k_, 0, -0.70 * thigh},
+                           0.80 * top,
+                           0.064 * g_,
+                           dvec3(1.0),
+                           kMuscle});
     Flesh& lower = of(legSegment(side, S::kLeftShank));
     lower = {{}, 0.05 * k_, -1e9, kTrousers};
-    lower.blobs.push_back({{0.004 * k_, 0, 0}, {0.004 * k_, 0, -0.36 * shank}, 0.0550 * g_, 0.050 * g_, dvec3(1.0)});
-    lower.blobs.push_back({{0.002 * k_, 0, -0.36 * shank}, {0, 0, -0.97 * shank}, 0.050 * g_, 0.0370 * g_, dvec3(1.0)});
+    lower.blobs.push_back({{0.004 * k_, 0, 0}, {0.002 * k_, 0, -0.34 * shank}, 0.0570 * g_, 0.0540 * g_, dvec3(1.0)});
     lower.blobs.push_back(
-        {{-0.022 * k_, 0, -0.18 * shank}, {-0.016 * k_, 0, -0.48 * shank}, 0.046 * g_, 0.038 * g_, dvec3(1.0)});
+        {{0.002 * k_, 0, -0.34 * shank}, {0, 0, -0.97 * shank}, 0.0540 * g_, 0.0390 * g_, dvec3(1.0), kOn});
+    lower.blobs.push_back({{-0.020 * k_, 0, -0.16 * shank},
+                           {-0.014 * k_, 0, -0.52 * shank},
+                           0.048 * g_,
+                           0.040 * g_,
+                           dvec3(1.0),
+                           kMuscle});
   }
 
   void foot(Side side) {

@@ -2,12 +2,12 @@
 #include "mannequin/body_skin.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "mannequin/face_shape.h"
 #include "mannequin/hair_shape.h"
 #include "mannequin/rotations.h"
+#include "mannequin/skin_cutter.h"
 #include "mannequin/surface_nets.h"
 
 namespace hapticell::mannequin {
@@ -41,10 +41,38 @@ std::vector<PlacedBody> placeBodies(const Figure& figure, const Posture& posture
   return bodies;
 }
 
+/// Two bodies that no joint joins but that lie on each other by a joint: the crease between them is rounded there.
+struct Crease {
+  std::size_t a = 0, b = 0;
+  double blend = 0.0;  ///< m, at the joint; none at `reach` from it.
+  dvec3 p_W{0.0};
+  double reach = 0.0;
+
+  double blendAt(const dvec3& p) const {
+    const dvec3 off = p - p_W;
+    return blend * std::max(0.0, 1.0 - glm::dot(off, off) / (reach * reach));
+  }
+};
+
+/// Armpits, and between the thighs.
+std::vector<Crease> creasesOf(const std::vector<PlacedBody>& bodies) {
+  constexpr double kArmpit = 0.035, kArmpitReach = 0.28, kThighs = 0.030, kThighsReach = 0.24;  // m
+  const auto at = [&](S segment) { return bodies[indexOf(segment)].place.p_WS; };
+  std::vector<Crease> creases{{indexOf(S::kLeftThigh), indexOf(S::kRightThigh), kThighs,
+                               0.5 * (at(S::kLeftThigh) + at(S::kRightThigh)), kThighsReach}};
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const S arm = armSegment(side, S::kLeftUpperArm);
+    for (const S trunk : {S::kThorax, S::kUpperBack})
+      creases.push_back({indexOf(arm), indexOf(trunk), kArmpit, at(arm), kArmpitReach});
+  }
+  return creases;
+}
+
 /// The figure's skin as a field: bodies blend with the one that carries them.
 class SkinField {
  public:
-  SkinField(const std::vector<Flesh>& flesh, const std::vector<PlacedBody>& bodies) : flesh_(flesh), bodies_(bodies) {}
+  SkinField(const std::vector<Flesh>& flesh, const std::vector<PlacedBody>& bodies)
+      : flesh_(flesh), bodies_(bodies), creases_(creasesOf(bodies)) {}
 
   /// Bodies that matter within `radius` of a point.
   void choose(const dvec3& centre, double radius) {
@@ -66,6 +94,11 @@ class SkinField {
       if (i == 0 || distances_[parent] > 1e8) continue;
       const double k = 0.8 * std::min(flesh_[i].blend, flesh_[parent].blend) * share(outward_[i], outward_[parent]);
       if (k > kLeastBlend) result = std::min(result, blended(distances_[i], distances_[parent], k));
+    }
+    for (const Crease& crease : creases_) {
+      if (std::max(distances_[crease.a], distances_[crease.b]) > 1e8) continue;
+      const double k = crease.blendAt(p) * share(outward_[crease.a], outward_[crease.b]);
+      if (k > kLeastBlend) result = std::min(result, blended(distances_[crease.a], distances_[crease.b], k));
     }
     return result;
   }
@@ -98,6 +131,7 @@ class SkinField {
 
   const std::vector<Flesh>& flesh_;
   const std::vector<PlacedBody>& bodies_;
+  const std::vector<Crease> creases_;
   std::array<double, kBodies> distances_{};
   std::array<dvec3, kBodies> outward_{};
   std::vector<std::size_t> chosen_;
@@ -164,6 +198,12 @@ class PlacedSkin {
     return field_.distances();
   }
 
+  /// How far (m) a point lies over the floor that a body's flesh ends at, along the body's own z.
+  double overFloor(std::size_t body, const dvec3& p) const {
+    const SegmentPlace& place = bodies_[body].place;
+    return glm::dot(place.R_WS[2], p - place.p_WS) - flesh_[body].floor;
+  }
+
   const std::vector<Flesh>& flesh() const { return flesh_; }
 
  private:
@@ -187,19 +227,42 @@ class PlacedSkin {
   SkinField field_;
 };
 
-constexpr double kOverlap = 0.004;  ///< m that a region reaches under its neighbour.
+constexpr double kOverlap = 0.004;  ///< m that hands and head reach under cuffs and collar.
+
+/// Sinks what reaches under the neighbour, so that its edge lies over it: two surfaces in one place would show a ragged
+/// line. `beyond`: m beyond the border, by vertex.
+void sink(geometry::TriangleMesh& mesh, const std::vector<double>& beyond) {
+  constexpr double kSlope = 2.5, kEdge = 0.0006, kMost = 0.003;  // The latter two in m.
+  std::vector<dvec3> normals(mesh.vertices.size(), dvec3(0.0));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const dvec3 normal = glm::cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0));
+    for (const std::uint32_t v : mesh.triangles[t]) normals[v] += normal;
+  }
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const double length = glm::length(normals[v]);
+    if (beyond[v] <= -kEdge || length < 1e-15) continue;
+    mesh.vertices[v] -= std::min(kMost, kSlope * (beyond[v] + kEdge)) / length * normals[v];
+  }
+}
 
 bool isOfHand(std::size_t body, Side side) {
-  if (body < kSegmentCount) return body == indexOf(armSegment(side, S::kLeftHand));
+  // From the cuff on: where what has one colour is of two meshes, a line is seen between them.
+  if (body < kSegmentCount)
+    return body == indexOf(armSegment(side, S::kLeftHand)) || body == indexOf(armSegment(side, S::kLeftWrist));
   return (body - kSegmentCount) / (kDigits * kPhalanges) == static_cast<std::size_t>(side);
 }
 bool isOfHand(std::size_t body) {
   return isOfHand(body, Side::kLeft) || isOfHand(body, Side::kRight);
 }
 
+/// From the collar on.
+bool isOfHead(std::size_t body) {
+  return body == indexOf(S::kHead) || body == indexOf(S::kUpperNeck) || body == indexOf(S::kLowerNeck);
+}
+
 SkinRegion regionOf(std::size_t body) {
   if (isOfHand(body)) return SkinRegion::kHands;
-  return body == indexOf(S::kHead) ? SkinRegion::kHead : SkinRegion::kBody;
+  return isOfHead(body) ? SkinRegion::kHead : SkinRegion::kBody;
 }
 
 /// Which colour each body has, those of other regions apart; the colours in the order of their first body.
@@ -215,89 +278,20 @@ struct Wardrobe {
       if (known == colors.end()) colors.push_back(worn[i]);
     }
   }
-  static constexpr std::size_t kMost = 8, kLeftOut = kMost - 1;
+  static constexpr std::size_t kLeftOut = kMostGroups - 1;
   std::vector<std::array<float, 3>> colors;
   std::array<std::size_t, kBodies> group{};
 };
 
-/// How far a vertex is from each colour's bodies.
-using GroupDistances = std::array<double, Wardrobe::kMost>;
+constexpr std::array<float, 3> kSoles{0.34f, 0.33f, 0.32f};
+constexpr double kSoleThickness = 0.016;  // m
+constexpr std::array kShod = {S::kLeftFoot, S::kLeftToes, S::kRightFoot, S::kRightToes};
 
-std::size_t nearestOf(const GroupDistances& distances) {
-  return static_cast<std::size_t>(std::min_element(distances.begin(), distances.end()) - distances.begin());
+/// Whether shoes are worn in their own colour, and in this region.
+bool hasSoles(const std::vector<std::array<float, 3>>& worn, const std::vector<Flesh>& flesh, SkinRegion region) {
+  if (region != SkinRegion::kWhole && region != SkinRegion::kBody) return false;
+  return std::all_of(kShod.begin(), kShod.end(), [&](S s) { return worn[indexOf(s)] == flesh[indexOf(s)].color; });
 }
-
-/// Cuts a mesh into its colours where two of them are equally near.
-class Cutter {
- public:
-  Cutter(const geometry::TriangleMesh& mesh, const std::vector<GroupDistances>& distances)
-      : mesh_(mesh), distances_(distances), parts_(Wardrobe::kMost) {}
-
-  std::vector<geometry::TriangleMesh> cut() {
-    for (const geometry::Triangle& triangle : mesh_.triangles) add(triangle);
-    return std::move(parts_);
-  }
-
- private:
-  /// A corner of the mesh (`b` as `a`), or the place between two where both
-  /// colours are equally near.
-  using Key = std::pair<std::uint32_t, std::uint32_t>;
-  using Corners = std::array<Key, 3>;
-  static Key at(std::uint32_t vertex) { return {vertex, vertex}; }
-
-  void add(const geometry::Triangle& t) {
-    std::array<std::size_t, 3> own{};
-    for (std::size_t i = 0; i < 3; ++i) own[i] = nearestOf(distances_[t[i]]);
-    if (own[0] == own[1] && own[1] == own[2]) return take(own[0], Corners{at(t[0]), at(t[1]), at(t[2])});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      if (own[j] != own[k] || own[i] == own[j]) continue;  // i stands alone.
-      const Key ij = between(t[i], t[j]), ik = between(t[i], t[k]);
-      take(own[i], Corners{at(t[i]), ij, ik});
-      take(own[j], Corners{ij, at(t[j]), at(t[k])});
-      take(own[j], Corners{ij, at(t[k]), ik});
-      return;
-    }
-    centres_.push_back((mesh_.vertices[t[0]] + mesh_.vertices[t[1]] + mesh_.vertices[t[2]]) / 3.0);
-    const Key centre = at(static_cast<std::uint32_t>(mesh_.vertices.size() + centres_.size() - 1));
-    for (std::size_t i = 0; i < 3; ++i) {  // Three colours meet: each corner keeps what is about it.
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      take(own[i], Corners{at(t[i]), between(t[i], t[j]), centre});
-      take(own[i], Corners{at(t[i]), centre, between(t[i], t[k])});
-    }
-  }
-
-  static Key between(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
-  void take(std::size_t group, const Corners& corners) {
-    geometry::TriangleMesh& part = parts_[group];
-    geometry::Triangle triangle{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [known, is_new] =
-          known_[group].try_emplace(corners[i], static_cast<std::uint32_t>(part.vertices.size()));
-      if (is_new) part.vertices.push_back(placeOf(corners[i]));
-      triangle[i] = known->second;
-    }
-    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
-      part.triangles.push_back(triangle);
-  }
-
-  dvec3 placeOf(const Key& corner) const {
-    const auto [a, b] = corner;
-    if (a >= mesh_.vertices.size()) return centres_[a - mesh_.vertices.size()];
-    if (a == b) return mesh_.vertices[a];
-    const std::size_t of_a = nearestOf(distances_[a]), of_b = nearestOf(distances_[b]);
-    const double at_a = distances_[a][of_a] - distances_[a][of_b], at_b = distances_[b][of_a] - distances_[b][of_b];
-    const double t = at_b - at_a > 1e-12 ? std::clamp(-at_a / (at_b - at_a), 0.02, 0.98) : 0.5;
-    return mesh_.vertices[a] + t * (mesh_.vertices[b] - mesh_.vertices[a]);
-  }
-
-  const geometry::TriangleMesh& mesh_;
-  const std::vector<GroupDistances>& distances_;
-  std::vector<geometry::TriangleMesh> parts_;
-  std::vector<dvec3> centres_;  ///< Of triangles in which three colours meet.
-  std::array<std::map<Key, std::uint32_t>, Wardrobe::kMost> known_;
-};
 
 }  // namespace
 
@@ -318,7 +312,7 @@ std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, do
   PlacedSkin placed(figure, posture);
   geometry::TriangleMesh whole;
   if (region == SkinRegion::kHead) {
-    whole = placed.surface(cell, [](std::size_t body) { return body == indexOf(S::kHead); });
+    whole = placed.surface(cell, isOfHead);
   } else if (region == SkinRegion::kHands) {
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const auto hand = placed.surface(cell, [side](std::size_t body) { return isOfHand(body, side); });
@@ -329,17 +323,31 @@ std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, do
   }
   std::vector<std::array<float, 3>> worn(colors.begin(), colors.end());
   for (std::size_t i = worn.size(); i < kBodies; ++i) worn.push_back(placed.flesh()[i].color);
-  const Wardrobe wardrobe(worn, region);
+  Wardrobe wardrobe(worn, region);
+  const std::size_t soles = wardrobe.colors.size();
+  const bool has_soles = soles < Wardrobe::kLeftOut && hasSoles(worn, placed.flesh(), region);
+  if (has_soles) wardrobe.colors.push_back(kSoles);
   std::vector<GroupDistances> distances(whole.vertices.size());
+  const bool reaches_under = region == SkinRegion::kHands || region == SkinRegion::kHead;
+  const double overlap = reaches_under ? kOverlap : 0.0;
+  std::vector<double> beyond(whole.vertices.size(), 0.0);
   for (std::size_t v = 0; v < whole.vertices.size(); ++v) {
     distances[v].fill(1e9);
     const auto& of_bodies = placed.distancesAt(whole.vertices[v], cell);
     for (std::size_t i = 0; i < kBodies; ++i) {
       double& least = distances[v][wardrobe.group[i]];
-      least = std::min(least, of_bodies[i] + (wardrobe.group[i] == Wardrobe::kLeftOut ? kOverlap : 0.0));
+      least = std::min(least, of_bodies[i] + (wardrobe.group[i] == Wardrobe::kLeftOut ? overlap : 0.0));
     }
+    if (has_soles) {
+      for (const S shod : kShod)
+        distances[v][soles] = std::min(distances[v][soles], of_bodies[indexOf(shod)] - kSoleThickness +
+                                                                placed.overFloor(indexOf(shod), whole.vertices[v]));
+    }
+    const double others = distances[v][Wardrobe::kLeftOut] - overlap;
+    beyond[v] = *std::min_element(distances[v].begin(), distances[v].end() - 1) - others;
   }
-  std::vector<geometry::TriangleMesh> cut = Cutter(whole, distances).cut();
+  if (reaches_under) sink(whole, beyond);
+  std::vector<geometry::TriangleMesh> cut = cutByGroups(whole, distances);
   std::vector<SkinPart> parts;
   for (std::size_t g = 0; g < wardrobe.colors.size(); ++g)
     if (!cut[g].triangles.empty()) parts.push_back({wardrobe.colors[g], std::move(cut[g])});

@@ -14,8 +14,9 @@
 namespace hapticell::mannequin {
 
 /// The whole figure's skin in a posture: one closed surface in the world that
-/// flows over the joints (each body blends with those it is jointed to and with
-/// nothing else), and the body that each vertex belongs to, for its colour.
+/// flows over the joints (each body blends with those it is jointed to, upper
+/// arms by the shoulder with the trunk and thighs by the hip with each other too), and the body that each vertex
+/// belongs to, for its colour.
 /// Made anew for each posture from the placed flesh, so nothing can collapse at
 /// a joint. Takes about a second at 8 mm.
 struct Skin {
@@ -29,8 +30,8 @@ struct SkinPart {
   std::array<float, 3> color{};
   geometry::TriangleMesh mesh;
 };
-/// Which of it: hands, fingers and the head want finer cells than a body. Regions that are not whole reach some
-/// millimetres under their neighbours, so that no line is seen between them.
+/// Which of it: hands from the cuffs on and the head from the collar on want finer cells than a body. They reach
+/// some millimetres under what is worn there, so that no gap is seen.
 enum class SkinRegion { kWhole, kBody, kHands, kHead };
 /// `colors`: one for each body (kBodies) in place of its clothing; none: as clothed.
 std::vector<SkinPart> skinParts(const Figure& figure, const Posture& posture, double cell, SkinRegion region,

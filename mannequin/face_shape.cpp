@@ -15,11 +15,11 @@ constexpr double kEyeRadius = 0.0122;                              // m, of a ma
 constexpr double kIris = 0.50, kPupil = 0.20;                      // rad about the line of sight.
 constexpr double kOverWhite = 1.010, kOverIris = 1.016;            // Of the eye's radius.
 constexpr double kLid = 1.075, kLidEdge = 1.02;                    // Of the eye's radius.
-constexpr double kUpperLid = 0.44, kLowerLid = -0.34;              // rad, in the middle.
+constexpr double kUpperLid = 0.34, kLowerLid = -0.27;              // rad, in the middle.
 constexpr double kCorner = 1.10;                                   // rad to the side where both lids meet.
 constexpr double kLidFrom = -1.45, kLidTo = 1.45, kLidEnd = 1.35;  // rad
 constexpr std::array<float, 3> kWhite{0.90f, 0.89f, 0.87f}, kIrisColor{0.33f, 0.24f, 0.17f},
-    kBlack{0.05f, 0.05f, 0.06f}, kLips{0.70f, 0.47f, 0.42f};
+    kBlack{0.05f, 0.05f, 0.06f}, kLips{0.62f, 0.42f, 0.38f};
 
 dvec3 onSphere(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
@@ -94,20 +94,58 @@ dvec3 onFace(const HeadMeasures& m, const Flesh& head, double y, double z) {
   return p;
 }
 
-/// A rope along places on the face, sunk in by `sunk` m.
-geometry::TriangleMesh rope(const HeadMeasures& m, const Flesh& head, const std::vector<glm::dvec3>& places,
-                            double sunk) {
-  Flesh flesh{{}, 0.003, -1e9, {}, {}};
-  std::vector<dvec3> points;
-  for (const auto& yzr : places) {
-    dvec3 p = onFace(m, head, yzr.x, yzr.y);
-    p.x -= sunk;
-    points.push_back(p);
-  }
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    flesh.blobs.push_back(
-        {points[i], points[i + 1], m.size() * places[i].z, m.size() * places[i + 1].z, {0.8, 1.0, 1.0}});
-  return bodyMesh(flesh, 0.0016);
+/// A strip that lies on the face between two lines across it, over y from `from` to `to`, as thick as `thick(across,
+/// up)` says (both 0 .. 1), m; it ends under the skin.
+template <typename Lower, typename Upper, typename Thick>
+geometry::TriangleMesh strip(const HeadMeasures& m, const Flesh& head, double from, double to, const Lower& lower,
+                             const Upper& upper, const Thick& thick) {
+  constexpr std::uint32_t kColumns = 28, kRows = 8;
+  return sheet(kColumns, kRows, [&](double across, double up) {
+    const double y = from + across * (to - from), low = lower(y);
+    dvec3 p = onFace(m, head, y, low + up * (upper(y) - low));
+    p.x += m.size() * thick(across, up);
+    return p;
+  });
+}
+
+/// Both lips: the upper one with its bow, the lower one fuller; they meet in a fold.
+geometry::TriangleMesh lips(const HeadMeasures& m, const Flesh& head) {
+  constexpr double kHalf = 0.0245, kMouth = -0.0665, kUnder = -0.0006;  // m
+  const double full = m.female ? 1.2 : 1.0;
+  const auto inside = [](double y) { return std::max(0.0, 1.0 - y * y / (kHalf * kHalf)); };
+  const auto fold = [&](double y) { return kMouth - 0.0008 * (1.0 - inside(y)); };
+  const auto bow = [&](double y) {
+    return fold(y) + full * (0.0066 * std::pow(inside(y), 0.8) - 0.0015 * std::exp(-y * y / (0.0042 * 0.0042)));
+  };
+  const auto bottom = [&](double y) { return fold(y) - full * 0.0090 * std::pow(inside(y), 0.85); };
+  const auto bulge = [&](double most) {
+    return [=](double across, double up) {
+      const double ends = 1.0 - std::pow(std::abs(2.0 * across - 1.0), 3.0);
+      return kUnder + full * most * ends * std::sqrt(std::sin(M_PI * up));
+    };
+  };
+  geometry::TriangleMesh mesh = strip(m, head, -kHalf, kHalf, fold, bow, bulge(0.0042));
+  geometry::append(mesh, strip(m, head, -kHalf, kHalf, bottom, fold, bulge(0.0048)), Pose::identity());
+  return mesh;
+}
+
+/// A brow, thinner outwards.
+geometry::TriangleMesh brow(const HeadMeasures& m, const Flesh& head, double out) {
+  const double wide = m.female ? 0.0040 : 0.0058;  // m
+  const auto along = [](double y) { return std::clamp((std::abs(y) - 0.0130) / 0.0365, 0.0, 1.0); };
+  const auto middle = [&](double y) {
+    const double s = along(y);
+    return 0.0162 + 0.0175 * s - 0.0195 * s * s;
+  };
+  const auto half = [&](double y) {
+    const double s = along(y);
+    return 0.5 * wide * std::min(1.0, 8.0 * s + 0.35) * (1.0 - 0.85 * s * s);
+  };
+  const auto hairs = [](double, double up) { return -0.0004 + 0.0014 * std::sqrt(std::sin(M_PI * up)); };
+  const double inner = out * 0.0130, outer = out * 0.0495;
+  return strip(
+      m, head, std::min(inner, outer), std::max(inner, outer), [&](double y) { return middle(y) - half(y); },
+      [&](double y) { return middle(y) + half(y); }, hairs);
 }
 
 }  // namespace
@@ -126,33 +164,16 @@ std::vector<FacePiece> eyePieces(const Figure& figure) {
 std::vector<FacePiece> facePieces(const Figure& figure) {
   const HeadMeasures m(figure);
   const Flesh head = headFlesh(figure);
-  FacePiece skin{kSkinColor, {}}, brows{kHairColor, {}}, lips{kLips, {}};
-  const double thick = m.female ? 0.0024 : 0.0034;
+  FacePiece skin{kSkinColor, {}}, brows{kHairColor, {}}, mouth{kLips, {}};
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const double out = outwardSign(side);
     geometry::append(skin.mesh, lids(eyeCentre(figure, side), m.size() * kEyeRadius), Pose::identity());
-    geometry::append(brows.mesh,
-                     rope(m, head,
-                          {{out * 0.0135, 0.0170, thick},
-                           {out * 0.0270, 0.0205, thick},
-                           {out * 0.0390, 0.0205, 0.8 * thick},
-                           {out * 0.0480, 0.0160, 0.4 * thick}},
-                          0.0010),
-                     Pose::identity());
+    geometry::append(brows.mesh, brow(m, head, outwardSign(side)), Pose::identity());
   }
-  const std::vector<glm::dvec3> upper{{-0.0235, -0.0650, 0.0016},
-                                      {-0.0090, -0.0615, 0.0036},
-                                      {0.0, -0.0625, 0.0032},
-                                      {0.0090, -0.0615, 0.0036},
-                                      {0.0235, -0.0650, 0.0016}};
-  const std::vector<glm::dvec3> lower{
-      {-0.0225, -0.0660, 0.0016}, {-0.0080, -0.0710, 0.0044}, {0.0080, -0.0710, 0.0044}, {0.0225, -0.0660, 0.0016}};
-  geometry::append(lips.mesh, rope(m, head, upper, 0.0013), Pose::identity());
-  geometry::append(lips.mesh, rope(m, head, lower, 0.0018), Pose::identity());
+  mouth.mesh = lips(m, head);
   std::vector<FacePiece> pieces;
   pieces.push_back(std::move(skin));
   pieces.push_back(std::move(brows));
-  pieces.push_back(std::move(lips));
+  pieces.push_back(std::move(mouth));
   return pieces;
 }
 

@@ -59,6 +59,7 @@ geometry::TriangleMesh hairMesh(const Figure& figure, double cell) {
   const Flesh bed = hairBed(m);
   const Line& line = m.female ? kLong : kShort;
   const double sides = m.female ? 0.010 : 0.005, top = 0.013;  // m thick.
+  constexpr double kRoots = 0.035;                             // m over which it gets as thick as that.
   GridField field{bed.bounds(), cell, {}};
   field.bounds.min -= dvec3(0.02);
   field.bounds.max += dvec3(0.02);
@@ -67,10 +68,13 @@ geometry::TriangleMesh hairMesh(const Figure& figure, double cell) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const dvec3 p = (points[i] - m.origin) / m.scale;
       const double up = std::clamp(p.z / 0.07, 0.0, 1.0);
-      const double thick = sides + (top - sides) * up * up * (3.0 - 2.0 * up);
       // Lower at the middle of the forehead than at the temples.
-      const double ahead = p.x + (p.x > 0.02 ? 5.0 * p.y * p.y : 0.0);
-      values[i] = -blended(-(bed.distance(points[i]) - thick), 0.7 * (p.z - lineAt(line, ahead)), 0.018);
+      const double ahead = p.x + (p.x > 0.02 ? 5.0 * p.y * p.y : 0.0), above = p.z - lineAt(line, ahead);
+      // Thin where it begins, or it would be a helmet's rim.
+      const double begins = std::clamp(above / kRoots, 0.0, 1.0), root = m.female ? 0.55 : 0.30;
+      const double thick =
+          (sides + (top - sides) * up * up * (3.0 - 2.0 * up)) * (root + (1.0 - root) * begins * (2.0 - begins));
+      values[i] = -blended(-(bed.distance(points[i]) - thick), 0.7 * above, 0.008);
     }
   };
   return surfaceOf(field);

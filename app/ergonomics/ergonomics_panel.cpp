@@ -27,6 +27,7 @@ using ergonomics::ColourMethod;
 using ergonomics::PostureMethod;
 
 namespace {
+constexpr int kShowMilliseconds = 100;
 constexpr int kLoadTab = 4;
 }
 
@@ -134,7 +135,9 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   connect(search, &QPushButton::clicked, this, &ErgonomicsPanel::searchWanted);
   connect(show_posture_, &QPushButton::clicked, this, &ErgonomicsPanel::takeBetterPosture);
   connect(columns_, &ScoreColumns::chose, this, &ErgonomicsPanel::bodyChosen);
-  connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showScores);
+  connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showSoon);
+  late_.setSingleShot(true);
+  connect(&late_, &QTimer::timeout, this, &ErgonomicsPanel::showScores);
   connect(&scores_, &LiveScores::adviceChanged, this, &ErgonomicsPanel::showAdvice);
   showScores();
 }
@@ -164,7 +167,17 @@ void ErgonomicsPanel::chooseOwnLimits() {
     context_.host().messages().tell(Severity::kProblem, tr("The limits were not read"), shown(read.error().message()));
 }
 
+void ErgonomicsPanel::showSoon() {
+  if (late_.isActive()) return;
+  const qint64 since = since_shown_.isValid() ? since_shown_.elapsed() : kShowMilliseconds;
+  if (since >= kShowMilliseconds || scores_.isEmpty())
+    showScores();
+  else
+    late_.start(static_cast<int>(kShowMilliseconds - since));
+}
+
 void ErgonomicsPanel::showScores() {
+  since_shown_.start();
   const bool any = !scores_.isEmpty();
   empty_->setVisible(!any);
   content_->setVisible(any);

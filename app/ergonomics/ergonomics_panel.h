@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 #include <vector>
 
@@ -42,6 +44,8 @@ class ErgonomicsPanel : public QWidget {
 
  private:
   void showScores();
+  /// At most ten times a second: numbers that change faster are not read, and cost frames while a hand is drawn.
+  void showSoon();
   void showAdvice();
   void takeBetterPosture();
   QString whyText() const;
@@ -63,6 +67,8 @@ class ErgonomicsPanel : public QWidget {
   HeightStrips* heights_;
   QCheckBox* all_bodies_;
   QPushButton *show_posture_, *task_, *limits_;
+  QElapsedTimer since_shown_;
+  QTimer late_;
 };
 
 }  // namespace hapticell::app

@@ -90,10 +90,10 @@ ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, co
   });
 }
 
-ergonomics::Report ReportPanel::report() const {
+ergonomics::PostureReportInput ReportPanel::input() const {
   ergonomics::PostureReportInput input;
   const workcell::Entity* entity = context_.entity();
-  if (scores_.isEmpty() || !entity) return {};
+  if (scores_.isEmpty() || !entity) return input;
   input.language = language_->currentIndex() == 1 ? ergonomics::Language::kFrench : ergonomics::Language::kEnglish;
   const QLocale locale(input.language == ergonomics::Language::kFrench ? QLocale::French : QLocale::English);
   input.subtitle = (context_.host().documentModel().title() + ", " + shown(entity->name)).toStdString();
@@ -109,7 +109,16 @@ ergonomics::Report ReportPanel::report() const {
   input.scene = scene_;
   input.history = motion_.strips();
   input.history_seconds = motion_.seconds();
-  return kind_->current() == 1 ? ergonomics::taskReport(input) : ergonomics::postureReport(input);
+  return input;
+}
+
+bool ReportPanel::isOfTask() const {
+  return kind_->current() == 1;
+}
+
+ergonomics::Report ReportPanel::report() const {
+  if (scores_.isEmpty() || !context_.entity()) return {};
+  return isOfTask() ? ergonomics::taskReport(input()) : ergonomics::postureReport(input());
 }
 
 bool ReportPanel::write(const QString& path) {
@@ -162,11 +171,11 @@ void ReportPanel::chooseFile() {
 }
 
 void ReportPanel::drawLater() {
-  if (isSeen(*this) && !wait_.isActive()) wait_.start();
+  if (isSeen(*this)) wait_.start();
 }
 
 void ReportPanel::draw() {
-  if (scores_.isEmpty()) {
+  if (scores_.isEmpty() || !context_.entity()) {
     page_->setText(tr("Nobody to report on: add a mannequin."));
     return;
   }
@@ -182,7 +191,9 @@ void ReportPanel::draw() {
   };
   runBeside(
       this,
-      [report = report(), page = shown_page_, width = static_cast<int>(ratio * std::max(200, page_->width() - 4))] {
+      [input = input(), of_task = isOfTask(), page = shown_page_,
+       width = static_cast<int>(ratio * std::max(200, page_->width() - 4))] {
+        const ergonomics::Report report = of_task ? ergonomics::taskReport(input) : ergonomics::postureReport(input);
         Drawn drawn;
         drawn.pages = ergonomics::reportPages(report);
         drawn.picture = ergonomics::drawReportPage(report, std::min(page, drawn.pages), width);

@@ -35,7 +35,11 @@ class ReportPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  /// All that the page is made of, as it stands now.
+  ergonomics::PostureReportInput input() const;
+  bool isOfTask() const;
   void draw();
+  /// Once nothing has changed for a moment: a page that changes while a hand is drawn is not read, and costs frames.
   void drawLater();
   void chooseFile();
   /// Takes the picture of the figure in its cell anew, smooth or quick.

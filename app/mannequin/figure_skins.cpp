@@ -17,7 +17,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRestMilliseconds = 500;                                  // Then it is dressed.
-constexpr double kCell = 0.010, kHandCell = 0.004, kHeadCell = 0.0045;  // m
+constexpr double kCell = 0.010, kHandCell = 0.003, kHeadCell = 0.0045;  // m
 
 /// The look of each body; none where its link has none.
 std::vector<std::optional<LinkLook>> looksOfBodies(const kinematics::RobotModel& model,
@@ -65,6 +65,10 @@ SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<doub
   for (const auto& [cell, region] :
        {std::pair{kCell, Region::kBody}, {kHandCell, Region::kHands}, {kHeadCell, Region::kHead}})
     add(mannequin::skinParts(*entity.figure, posture, cell, region, colors));
+  // What belongs to the face follows the part that the face is, and has no border with it.
+  const auto& of_head = colors[mannequin::indexOf(mannequin::Segment::kHead)];
+  std::stable_partition(parts.begin(), parts.end(), [&](const auto& part) { return part.color != of_head; });
+  const std::size_t of_body = parts.size();
   add(mannequin::faceParts(*entity.figure, posture));
   for (mannequin::SkinPart& part : parts) {
     RenderItem item;
@@ -74,6 +78,7 @@ SceneModel::Skin makeSkin(const workcell::Entity& entity, const std::vector<doub
     item.color = scored == of_bodies.end() ? quietened(part.color) : part.color;
     item.pattern = scored == of_bodies.end() ? std::uint8_t{0} : (*scored)->pattern;
     item.smooth = true;
+    item.borderless = skin.parts.size() >= of_body;
     skin.parts.push_back(std::move(item));
   }
   return skin;

@@ -8,7 +8,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr std::size_t kFewTriangles = 400;  // Nothing is won below.
+constexpr std::size_t kFewTriangles = 100;  // Nothing is won below.
 constexpr std::size_t kQuarter = 4;
 constexpr float kMostError = 0.1f;       // Of the mesh's size, for collapsing.
 constexpr double kWorthwhile = 0.6;      // A step must have at most this share of the one before.

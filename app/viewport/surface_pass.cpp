@@ -67,6 +67,16 @@ FrameView viewOf(const Frame& frame) {
 SurfacePass::SurfacePass(Gl& gl)
     : gl_(gl), programs_("surface", "surface", {"SHADOWED", "HATCHED", "GHOST", "SECTIONED", "SOFT"}), uses_(gl) {}
 
+namespace {
+
+/// By which an item is known in the id buffer: its place, or that of the item it has no border with.
+std::uint32_t identityOf(const std::vector<RenderItem>& items, std::uint32_t index) {
+  while (index > 0 && items[index].borderless && items[index - 1].entity == items[index].entity) --index;
+  return index + 1;
+}
+
+}  // namespace
+
 void SurfacePass::fill(const std::vector<ItemBatch>& batches, const DrawContext& context) {
   std::vector<ItemInstance> uses;
   for (const ItemBatch& batch : batches) {
@@ -75,7 +85,7 @@ void SurfacePass::fill(const std::vector<ItemBatch>& batches, const DrawContext&
       ItemInstance& use = uses.emplace_back();
       setRows(use, context.view.view_from_world * worldFromDrawn(batch, item));
       use.albedo = linear(item.color);
-      use.id = item.ghost != Ghost::kNone ? 0u : (index + 1) | item.state << 24;
+      use.id = item.ghost != Ghost::kNone ? 0u : identityOf(context.frame.items, index) | item.state << 24;
     }
   }
   uses_.fill(uses);

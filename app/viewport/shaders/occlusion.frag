@@ -28,14 +28,17 @@ vec3 normalAt(vec2 at, vec3 p, vec2 texel) {
 }
 
 void main() {
-  float depth = depthAt(place);
+  // At half the size a pixel's middle lies where four texels meet, and rounding would choose another one in some columns
+  // and rows: lines over the whole picture. The middle of one of them it is.
+  vec2 texel = 1.0 / vec2(textureSize(depth_map, 0));
+  vec2 here = (floor(place / texel - 0.25) + 0.5) * texel;
+  float depth = depthAt(here);
   if (depth >= 1.0) {
     openness = vec4(1.0);
     return;
   }
-  vec2 texel = 1.0 / vec2(textureSize(depth_map, 0));
-  vec3 p = viewAt(place, depth);
-  vec3 n = normalAt(place, p, texel);
+  vec3 p = viewAt(here, depth);
+  vec3 n = normalAt(here, p, texel);
   p += 0.004 * radius * n;
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy + 5.588238 * turn, vec2(0.06711056, 0.00583715))));
   float closed = 0.0;
