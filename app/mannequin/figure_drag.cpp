@@ -22,9 +22,23 @@ constexpr double kStands = 2e-5;   // m: steps that bring less than this
 constexpr int kIdleSteps = 6;      // one after the other are the last.
 constexpr double kLook = 2e-3;     // m: what is nearer when the way ends is in the way.
 
-double missing(const Pose& X_WM, const Pose& X_WTarget) {
-  const Twist left = difference(X_WTarget, X_WM);
-  return glm::length(left.linear) + kLever * glm::length(left.angular);
+/// The arm that a hand goes along with.
+struct Forearm {
+  std::shared_ptr<const mannequin::Figure> figure;
+  mannequin::Segment segment = mannequin::Segment::kRightWrist;
+  glm::dquat q_FM{1.0, 0.0, 0.0, 0.0};  ///< The moved frame's turn against it, kept.
+
+  glm::dquat turnAt(const manipulation::EntityConfiguration& stands) const {
+    const auto posture = mannequin::toPosture(*figure, {stands.X_WE, stands.joints});
+    return mannequin::forwardKinematics(*figure, posture)[segment].pose().q;
+  }
+};
+
+std::optional<Forearm> forearmOf(const workcell::Entity& entity, manipulation::MovedBy::Kind kind) {
+  using Kind = manipulation::MovedBy::Kind;
+  if (kind != Kind::kLeftHand && kind != Kind::kRightHand) return std::nullopt;
+  const auto side = kind == Kind::kLeftHand ? mannequin::Side::kLeft : mannequin::Side::kRight;
+  return Forearm{entity.figure, mannequin::armSegment(side, mannequin::Segment::kLeftWrist)};
 }
 
 }  // namespace
@@ -35,6 +49,7 @@ struct FigureDrag::Work {
   std::shared_ptr<const manipulation::PreparedScene> prepared;
   std::unique_ptr<manipulation::HeldEntity> held;
   manipulation::MotionMapping mapping;
+  std::optional<Forearm> forearm;  ///< None: the target says how the frame turns.
   Pose X_WTarget;
   double nearest_yet = 1e9;  ///< m that was missing at the best,
   int idle_steps = 0;        ///< and since when it was not bettered.
@@ -52,7 +67,7 @@ struct FigureDrag::Work {
     Reach reach;
     for (int step = 0; step < kMostSteps && !reach.arrived; ++step) {
       const auto answer = held->follow(stride(), mapping, nullptr);
-      const double left = missing(held->movedFrame(), X_WTarget);
+      const double left = missing();
       idle_steps = left > nearest_yet - kStands ? idle_steps + 1 : 0;
       nearest_yet = std::min(nearest_yet, left);
       reach.arrived = left < kArrived || idle_steps >= kIdleSteps;
@@ -63,13 +78,20 @@ struct FigureDrag::Work {
     return reach;
   }
 
+  double missing() const {
+    const Twist left = difference(X_WTarget, held->movedFrame());
+    return glm::length(left.linear) + (forearm ? 0.0 : kLever * glm::length(left.angular));
+  }
+
   /// What the next step wants: a piece of the way; all of it where pieces do not help any more.
   Pose stride() const {
     const Pose X_WM = held->movedFrame();
-    const Twist left = difference(X_WTarget, X_WM);
+    Pose X_WT = X_WTarget;
+    if (forearm) X_WT.q = forearm->turnAt(held->accepted()) * forearm->q_FM;
+    const Twist left = difference(X_WT, X_WM);
     const double parts = std::max(glm::length(left.linear) / kStride, glm::length(left.angular) / kTurn);
-    if (parts <= 1.0 || idle_steps > kIdleSteps / 2) return X_WTarget;
-    return interpolate(X_WM, X_WTarget, 1.0 / parts);
+    if (parts <= 1.0 || idle_steps > kIdleSteps / 2) return X_WT;
+    return interpolate(X_WM, X_WT, 1.0 / parts);
   }
 
   std::string nearest() {
@@ -98,7 +120,7 @@ FigureDrag::~FigureDrag() {
   pool_.waitForDone();
 }
 
-void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_by) {
+void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_by, Turn turn) {
   const workcell::Entity* entity = context_.entity();
   if (open_ || !entity || !context_.isFree()) return;
   entity_ = entity->id;
@@ -114,13 +136,19 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
   const workcell::PairDefaults defaults{configuration.manipulation.safety_distance,
                                         configuration.manipulation.near_miss};
   manipulation::HoldOptions options{moved_by, entity->on_contact, entity->force_class};
-  pool_.start([this, work = work_, id = entity_, options, defaults, entities = document.snapshotEntities(),
+  const auto forearm = turn == Turn::kWithTheForearm ? forearmOf(*entity, moved_by.kind) : std::nullopt;
+  pool_.start([this, work = work_, id = entity_, options, defaults, forearm, entities = document.snapshotEntities(),
                policy = workcell::PairPolicy{document.state().pair_sets, document.state().pair_rules}] {
     work->prepared = manipulation::PreparedScene::prepare(entities, policy, defaults, work->prepared.get());
     auto held = manipulation::HeldEntity::take(work->prepared, id, {}, options, work->configuration);
     QString problem;
     if (held) {
       work->held = std::move(*held);
+      work->forearm = forearm;
+      if (forearm) {
+        const glm::dquat q_WF = forearm->turnAt(work->held->accepted());
+        work->forearm->q_FM = glm::conjugate(q_WF) * work->held->movedFrame().q;
+      }
       work->mapping = {};
       work->mapping.anchor(work->held->movedFrame(), work->held->movedFrame());
     } else {

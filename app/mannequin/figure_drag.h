@@ -22,8 +22,14 @@ class FigureDrag : public QObject {
   explicit FigureDrag(MannequinContext& context, QObject* parent = nullptr);
   ~FigureDrag() override;
 
+  /// How the moved frame turns on its way.
+  enum class Turn {
+    kAsWanted,        ///< As moveTo() says.
+    kWithTheForearm,  ///< Of one hand: the wrist stays as it is bent, so that the arm finds its way; only the place
+                      ///< counts.
+  };
   /// Takes the mannequin as it stands. `text` names the step.
-  void begin(const QString& text, const manipulation::MovedBy& moved_by);
+  void begin(const QString& text, const manipulation::MovedBy& moved_by, Turn turn = Turn::kAsWanted);
   /// Where the moved frame shall be; the newest counts, and is reached even when end() follows at once.
   void moveTo(const Pose& X_WM);
   /// Ends it where it stands; `keep` false takes all back.

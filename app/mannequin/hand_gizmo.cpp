@@ -88,7 +88,7 @@ bool HandGizmo::press(const PointerEvent& event) {
   moved_by.frame.clear();
   figure_.begin(
       tr("Draw the %1 of %2").arg(nameOfHeld(kind()).toLower(), QString::fromStdString(context_.entity()->name)),
-      moved_by);
+      moved_by, handle->turns ? FigureDrag::Turn::kAsWanted : FigureDrag::Turn::kWithTheForearm);
   showNow();
   return true;
 }

@@ -18,6 +18,7 @@
 #include "app/panels/joint_row.h"
 #include "app/style/icon.h"
 #include "geometry/shapes.h"
+#include "mannequin/forward_kinematics.h"
 #include "tests/app/mannequin_page.h"
 #include "tests/support/test_data.h"
 
@@ -285,15 +286,26 @@ TEST(MannequinGizmo, EndsWhereTheMouseLetGoHoweverLittleOfTheWayWasHeard) {
   }
 }
 
+TEST(MannequinGizmo, AHandLiftedByItsArrowBendsTheElbowAndNotTheBack) {
+  MannequinPage page;
+  HandArrow hand(page);
+  const dvec3 start = hand.grip();
+  ASSERT_TRUE(hand.drag(0.30, 8));
+  EXPECT_LT(glm::length(hand.grip() - start - dvec3(0.0, 0.0, 0.30)), 0.005);
+  const auto pose = mannequin::forwardKinematics(*page.selected()->figure, page.posture());
+  const dvec3 back = pose[mannequin::Segment::kThorax].p_WS - pose[mannequin::Segment::kPelvis].p_WS;
+  EXPECT_LT(std::acos(glm::normalize(back).z), 10.0 * M_PI / 180.0);
+}
+
 TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {
   MannequinPage page;
   page.window().resize(700, 500);  // The picture at rest has to be whole, twice.
   ASSERT_TRUE(page.addMannequin());
   const auto drawn = [&] { return page.window().viewport().scene().items({}).size(); };
-  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 12 * MannequinPage::kPatience))
-      << "trousers, shirt, skin, shoes, hair, lips, whites, irises and pupils: " << drawn();
+  ASSERT_TRUE(page.until([&] { return drawn() == 10; }, 12 * MannequinPage::kPatience))
+      << "trousers, shirt, skin, shoes, soles, hair, lips, whites, irises and pupils: " << drawn();
   ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
-  ASSERT_TRUE(page.until([&] { return drawn() == 9; }, 12 * MannequinPage::kPatience))
+  ASSERT_TRUE(page.until([&] { return drawn() == 10; }, 12 * MannequinPage::kPatience))
       << "and again in the next posture";
 }
 
