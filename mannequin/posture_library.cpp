@@ -145,7 +145,7 @@ std::vector<LibraryPosture> makeLibrary() {
                       {"vc7_flexion", -6}},
                      28.0));
   all.push_back(make("kneeling", {{"both_hip_flexion", 4},
-                                  {"both_knee_flexion", 104},
+                                  {"both_knee_flexion", 110},
                                   {"both_talocrural_plantar_flexion", 8},
                                   {"both_metatarsal_extension", 70},
                                   {"both_shoulder_flexion", 25},

@@ -87,6 +87,12 @@ TEST(FrameMeter, CountsTheFramesOfTheLastSecond) {
   EXPECT_DOUBLE_EQ(meter.worstSeconds(), 0.014);
 }
 
+TEST(DetailGovernor, LeavesAFigureItsShapeHoweverSlowTheMachine) {
+  DetailGovernor governor(0.05);
+  for (int i = 0; i < 200; ++i) governor.frameTook(1.0, governor.mostTriangles());
+  EXPECT_GE(governor.mostTriangles(), 90u * 100u) << "ninety bodies of a hundred triangles";
+}
+
 TEST(DetailGovernor, WhatWasFarTooSlowIsNotTriedAgainSoon) {
   DetailGovernor governor(0.05);
   governor.frameTook(1.0);

@@ -89,6 +89,24 @@ TEST_F(ScenePicture, PartsOfOneMeshAreOneCallAndLookAsIfDrawnOneByOne) {
   EXPECT_LT(test::meanSquareError(together, apart), 1e-6);
 }
 
+TEST_F(ScenePicture, OcclusionLeavesNoLinesOverASmoothSurface) {
+  frame_.width = 1600;
+  frame_.height = 900;
+  frame_.edges = false;
+  add(shared(geometry::makeSphere(1.0, 120)), {0.0, 0.0, 1.0});
+  frame_.items.front().smooth = true;
+  frame_.items.front().casts_shadow = false;
+  frame_.camera = frame_.camera.fitted(frame_.bounds_W, {1600, 900});
+  const QImage picture = draw(4);
+  const auto meanOfRow = [&](int y) {
+    double sum = 0.0;
+    for (int x = 780; x < 880; ++x) sum += qGray(picture.pixel(x, y));
+    return sum / 100.0;
+  };
+  for (int y = 130; y < 300; ++y)  // The sphere's upper side, where only light falls.
+    EXPECT_NEAR(meanOfRow(y), 0.5 * (meanOfRow(y - 2) + meanOfRow(y + 2)), 0.7) << y;
+}
+
 TEST_F(ScenePicture, DrawnInPiecesItIsTheSame) {
   const Mesh bolt = shared(geometry::makeCylinder(0.04, 0.3, 48));
   for (int i = 0; i < 40; ++i) add(bolt, {0.15 * (i % 8) - 0.5, 0.15 * (i / 8) - 0.3, 0.3});
@@ -158,6 +176,7 @@ TEST_F(ScenePicture, FarPartsHaveFewTrianglesAndLookTheSame) {
   frame_.camera.target_W = {0, 0, 0.5};
   frame_.camera.distance = 8.0;
   const QImage picture = draw(4);
+  picture.save("/tmp/looks/occ.png");
   const std::size_t whole = frame_.items[0].mesh->triangles.size();
   EXPECT_LT(renderer_->lastCount().triangles, whole / 3) << "faces and shadow";
   const auto few = shared(geometry::makeSphere(0.5, 64));

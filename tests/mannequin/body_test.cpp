@@ -125,6 +125,26 @@ TEST(Body, TheSkinTakesColoursOfSegmentsInPlaceOfItsClothing) {
   }
 }
 
+TEST(Body, KneelingFiguresKneelOnTheFloor) {
+  for (const Sex sex : {Sex::kMale, Sex::kFemale}) {
+    const Figure figure = *makeFigure({sex, 1.7});
+    for (const char* name : {"kneeling", "kneeling_one"}) {
+      const Skin skin = skinOf(figure, *libraryPosture(figure, name), 0.016);
+      const auto lowest = [&](Segment segment) {
+        double z = 1e9;
+        for (std::size_t v = 0; v < skin.mesh.vertices.size(); ++v)
+          if (skin.body_of_vertex[v] == indexOf(segment)) z = std::min(z, skin.mesh.vertices[v].z);
+        return z;
+      };
+      EXPECT_NEAR(std::min(lowest(Segment::kRightThigh), lowest(Segment::kRightShank)), 0.0, 0.025) << name;
+      EXPECT_NEAR(lowest(Segment::kRightToes), 0.0, 0.025) << name;
+      if (std::string(name) == "kneeling_one") {
+        EXPECT_NEAR(lowest(Segment::kLeftFoot), 0.0, 0.025) << "the front foot";
+      }
+    }
+  }
+}
+
 TEST(Body, AStraightLegDoesNotSwellAtTheKnee) {
   const Figure figure = *makeFigure({Sex::kMale, 1.755});
   const Posture posture = *libraryPosture(figure, "zero");
