@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mannequin/body_solver.h"
 #include "mannequin/posture_seeds.h"
@@ -22,7 +23,8 @@ constexpr int kBriefSteps = 2;
 constexpr double kComfortSlack = 4e-4;       ///< m^2, 20 mm: what closed-form arms make good again.
 constexpr double kTickTurn = 0.6 * kDegree;  ///< Per iteration; three make a tick.
 constexpr double kMostTickTurn = 1.8 * kDegree;
-constexpr double kComfortableStretch = 0.985;
+constexpr double kComfortableStretch = 0.985, kStraight = 0.9999;
+constexpr double kLeastTickShare = 0.05;  ///< Of the way to the hand that arms alone go in a tick.
 constexpr StepLimits kRelaxing{1.2 * kDegree, 1e-2, 0.5};
 constexpr int kRefusals = 6;
 
@@ -150,27 +152,68 @@ PostureResult PostureSolver::solve(const PostureTask& task, const Posture& start
 
 namespace {
 
-/// Hands met by the arms alone, each joint turning no more than a tick allows; false when that is not possible.
+SegmentPlace between(const SegmentPlace& from, const SegmentPlace& to, double share) {
+  const dvec3 turn = rotationVector(glm::quat_cast(to.R_WS * glm::transpose(from.R_WS)));
+  return {glm::mat3_cast(quaternionFromRotationVector(share * turn)) * from.R_WS,
+          from.p_WS + share * (to.p_WS - from.p_WS)};
+}
+
+/// How an arm meets its hand from the present trunk, its elbow going by `swing` (rad) at most towards where it likes to
+/// be; nothing where it had to stretch farther than `longest` (of its length), or its limits do not let it.
+std::optional<ArmAngles> armTo(const Figure& figure, Side side, const FigurePose& pose, const SegmentPlace& hand,
+                               double longest, double swing) {
+  const ArmProblem problem(figure, side, pose[S::kThorax], pose[armSegment(side, S::kLeftClavicle)], hand);
+  if (problem.stretch() > longest) return std::nullopt;
+  double swivel = problem.swivelOf(pose[armSegment(side, S::kLeftForearm)].p_WS);
+  if (swing > 0.0) {
+    const double wish = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * M_PI);
+    swivel += std::clamp(wish, -swing, swing);
+  }
+  const ArmAngles arm = problem.at(swivel);
+  if (arm.violation > 0.0 || arm.missing > 1e-9) return std::nullopt;
+  return arm;
+}
+
+/// Distance from the shoulder to where the wrist is, or would be, over the arm's length.
+double stretchTo(const Figure& figure, Side side, const FigurePose& pose, const SegmentPlace& hand) {
+  const dvec3 arm = hand.p_WS - pose[armSegment(side, S::kLeftUpperArm)].p_WS;
+  return glm::length(arm) / (figure.upperArmLength() + figure.forearmLength());
+}
+
+/// The most that a joint of the arm turns, as a share of what a tick allows.
+double turnsOfATick(const BodyState& state, Side side, const ArmAngles& arm) {
+  const dmat3& R = state.balls[static_cast<std::size_t>(side)];
+  const double turned = glm::length(rotationVector(glm::quat_cast(arm.R_ClavicleUpperArm * glm::transpose(R))));
+  const double flexed = arm.elbow - state.angles[indexOf(armDof(side, Dof::kLeftElbowFlexion))];
+  const double rolled = arm.pronation - state.angles[indexOf(armDof(side, Dof::kLeftPronation))];
+  return std::max({turned, std::abs(flexed), std::abs(rolled) / 3.0}) / kMostTickTurn;
+}
+
+/// Hands met by the arms alone, each joint turning no more than a tick allows. One that is drawn in may be met in
+/// part: a nearly straight arm must bend far for little, and the trunk would else bend for it. False when arms alone do
+/// not do.
 bool followWithArms(const Figure& figure, const ResolvedTask& task, BodySolver& solver) {
   BodyState state = solver.state();
+  const FigurePose& pose = solver.pose();
   for (std::size_t i = 0; i < 2; ++i) {
     if (!task.has_hand[i]) continue;
     if (!task.has_orientation[i]) return false;
     const Side side = static_cast<Side>(i);
-    const FigurePose& pose = solver.pose();
-    const ArmProblem problem(figure, side, pose[S::kThorax], pose[armSegment(side, S::kLeftClavicle)], task.hands[i]);
-    if (problem.stretch() > kComfortableStretch) return false;
-    const double swivel = problem.swivelOf(pose[armSegment(side, S::kLeftForearm)].p_WS);
-    const double wish = std::remainder(problem.preferredSwivelNear(swivel, 0.35) - swivel, 2.0 * M_PI);
-    const ArmAngles arm = problem.at(swivel + std::clamp(wish, -0.5 * kDegree, 0.5 * kDegree));
-    if (arm.violation > 0.0 || arm.missing > 1e-9) return false;
-    const dmat3& R = solver.state().balls[i];
-    const double turned = glm::length(rotationVector(glm::quat_cast(arm.R_ClavicleUpperArm * glm::transpose(R))));
-    const double flexed = arm.elbow - state.angles[indexOf(armDof(side, Dof::kLeftElbowFlexion))];
-    const double rolled = arm.pronation - state.angles[indexOf(armDof(side, Dof::kLeftPronation))];
-    if (turned > kMostTickTurn || std::abs(flexed) > kMostTickTurn || std::abs(rolled) > 3.0 * kMostTickTurn)
-      return false;
-    setArm(state, side, arm);
+    const SegmentPlace& hand = pose[armSegment(side, S::kLeftHand)];
+    const double stretch = stretchTo(figure, side, pose, hand);
+    const double longest = std::clamp(stretch, kComfortableStretch, kStraight);
+    const bool drawn_in = stretchTo(figure, side, pose, task.hands[i]) < stretch;
+    std::optional<ArmAngles> arm = armTo(figure, side, pose, task.hands[i], longest, 0.5 * kDegree);
+    double share = 1.0;
+    while (arm) {
+      const double turns = turnsOfATick(state, side, *arm);
+      if (turns <= 1.0) break;
+      share *= std::min(0.5, 0.9 / turns);
+      if (!drawn_in || share < kLeastTickShare) return false;
+      arm = armTo(figure, side, pose, between(hand, task.hands[i], share), kStraight, 0.0);
+    }
+    if (!arm) return false;
+    setArm(state, side, *arm);
   }
   BodySolver moved = solver;
   moved.set(state);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "bench/mannequin_goals.h"
 #include "mannequin/limb_inverse.h"
@@ -167,6 +168,34 @@ TEST(PostureSolver, ADraggedHandSwingsTheElbowAndNeverThrowsIt) {
   const Drag both = drag(figure, whole, true, 6, 53);
   EXPECT_LT(both.biggest_step, 2.1 * kDegrees);
   EXPECT_LT(both.foot, 3e-4);
+}
+
+/// A hanging hand drawn straight up, its turn kept: a nearly straight arm bends far for little, and must do that.
+TEST(PostureSolver, AHangingHandDrawnUpBendsItsArmAndNotTheTrunk) {
+  const Figure figure = man();
+  const PostureSolver solver(figure);
+  Posture posture = *libraryPosture(figure, "standing");
+  const FigurePose first = forwardKinematics(figure, posture);
+  const Pose hanging = handPose(first, Side::kRight);
+  PostureTask task;
+  task.hands[1] = hanging;
+  constexpr double kUp = 0.10;
+  double biggest_step = 0.0;
+  for (int t = 1; t <= 150; ++t) {
+    task.hands[1]->p.z = hanging.p.z + std::min(kUp, 1e-3 * t);
+    const Posture before = std::exchange(posture, solver.follow(task, posture).posture);
+    biggest_step = std::max(biggest_step, armStep(forwardKinematics(figure, before), forwardKinematics(figure, posture),
+                                                  before, posture, Side::kRight));
+  }
+  const FigurePose pose = forwardKinematics(figure, posture);
+  EXPECT_LT(errorOf(figure, posture, Side::kRight, *task.hands[1]), 1e-4);
+  EXPECT_LT(angleBetween(pose[Segment::kThorax].R_WS[2], first[Segment::kThorax].R_WS[2]), 2.0 * kDegrees);
+  EXPECT_LT(biggest_step, 2.1 * kDegrees);
+  // By the cosine rule, from a shoulder that stays.
+  const double a = figure.upperArmLength(), b = figure.forearmLength();
+  const double reach = glm::distance(task.hands[1]->p, first[Segment::kRightUpperArm].p_WS);
+  EXPECT_NEAR(posture[armDof(Side::kRight, Dof::kLeftElbowFlexion)],
+              std::acos((reach * reach - a * a - b * b) / (2.0 * a * b)), 2.0 * kDegrees);
 }
 
 TEST(PostureSolver, OutOfReachItStopsAtFullReachAndSaysWhatIsMissing) {
