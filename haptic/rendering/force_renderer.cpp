@@ -194,7 +194,7 @@ void ForceRenderer::updateCoupling(const ProxyStep& solved, double dt) {
 /// What still presses when a contact ends (the zone's edge, an offset) must not lose its damping in one step, nor get
 /// it in one when a proxy that caught up has arrived. A hand that strikes is damped at once.
 void ForceRenderer::updateDamper(bool catches_up, double dt) {
-  arriving_ = contact_ && (catches_up || (arriving_ && damper_ < 1.0));
+  arriving_ = catches_up || (arriving_ && contact_ && damper_ < 1.0);
   const double step = dt / kDamperFade;
   if (!contact_ || catches_up)
     damper_ = std::max(0.0, damper_ - step);

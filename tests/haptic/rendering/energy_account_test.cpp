@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "haptic/rendering/passivity.h"
@@ -160,37 +161,52 @@ TEST(ForceRendererEnergy, aProxyThatIsOnlyLatePullsAtNobody) {
   }
 }
 
-/// The proxy slides on a floor and is held by the edge of a small zone, 38 mm behind a hand that then goes off to a
-/// side; the next set lets it come, some milliseconds long and faster than the hand.
-TEST(ForceRendererEnergy, aProxyThatCatchesUpOnAFloorDragsNobodyAlong) {
+struct CaughtUp {
+  double along = 0.0;    ///< N, the most along the proxy's way, where the hand does not go.
+  double stepped = 0.0;  ///< N, the most in a millisecond.
+  dvec3 proxy{0.0};
+};
+
+/// The edge of a small zone, `height` (m) over a floor, holds the proxy 38 mm behind a hand that presses there and then
+/// goes off to a side at 0.6 m/s; the next set lets it come, some milliseconds long and faster than the hand.
+CaughtUp catchUp(double height) {
   RendererOptions options;
   options.damping = 4.0;
   ForceRenderer renderer(options);
-  renderer.reset(at(0, 0, 0.001));
-  ConstraintSet small = floorSet(1);
+  renderer.reset(at(0, 0, height + 0.001));
+  ConstraintSet small = floorSet(1, 0.0, dvec3(0, 0, height));
   small.zone_radius = 0.002;
   renderer.adopt(small);
-  moveTo(renderer, dvec3(0, 0, 0.001), dvec3(0, 0.040, -0.0005));
-  constexpr double kStep = 0.0006;  // m a tick: 0.6 m/s.
-  double x = 0.0, most = 0.0, stepped = 0.0;
+  constexpr double kPressed = -0.0005, kAway = 0.040, kStep = 0.0006;  // m; the last one a tick.
+  moveTo(renderer, dvec3(0, 0, height + 0.001), dvec3(0, kAway, kPressed));
+  CaughtUp caught;
   dvec3 before(0.0);
-  for (int i = 0; i < 60; ++i) {
-    if (i == 30) {
-      EXPECT_LT(renderer.proxy().p.y, 0.0025);
-      ConstraintSet wide = floorSet(2, 0.0, renderer.proxy().p);
-      wide.zone_radius = 0.2;
-      ASSERT_EQ(renderer.adopt(wide), Adoption::kAdopted);
-    }
-    const RenderResult result = renderer.tick(at(x -= kStep, 0.040, -0.0005), kTick);
-    if (i >= 30) {
-      most = std::max(most, result.force_D.y);
-      stepped = std::max(stepped, glm::distance(result.force_D, before));
+  for (int i = 1; i <= 60; ++i) {
+    const RenderResult result = renderer.tick(at(-kStep * i, kAway, kPressed), kTick);
+    if (i > 30) {
+      caught.along = std::max(caught.along, result.force_D.y);
+      caught.stepped = std::max(caught.stepped, glm::distance(result.force_D, before));
     }
     before = result.force_D;
+    if (i != 30) continue;
+    EXPECT_LT(renderer.proxy().p.y, 0.0025);
+    ConstraintSet wide = floorSet(2, 0.0, renderer.proxy().p);
+    wide.zone_radius = 0.2;
+    EXPECT_EQ(renderer.adopt(wide), Adoption::kAdopted);
   }
-  EXPECT_NEAR(renderer.proxy().p.y, 0.040, 1e-3) << "it has come";
-  EXPECT_LT(most, 0.05) << "N along its way, where the hand does not go";
-  EXPECT_LT(stepped, 0.5) << "N in a millisecond";
+  caught.proxy = renderer.proxy().p;
+  return caught;
+}
+
+TEST(ForceRendererEnergy, aProxyThatCatchesUpDragsNobodyAlong) {
+  // Along the floor; and through the air to it, where besides the pull of the zone's edge (0.8 N) ends.
+  for (const auto& [height, most_step] : {std::pair(0.0, 0.5), std::pair(0.004, 0.8)}) {
+    const CaughtUp caught = catchUp(height);
+    EXPECT_NEAR(caught.proxy.y, 0.040, 1e-3) << "it has come";
+    EXPECT_NEAR(caught.proxy.z, 0.0, 1e-5);
+    EXPECT_LT(caught.along, 0.05) << height;
+    EXPECT_LT(caught.stepped, most_step) << height;
+  }
 }
 
 TEST(ForceRendererEnergy, dampsWhatAnOverCurvedSetMakes) {
