@@ -113,6 +113,7 @@ FigureDrag::FigureDrag(MannequinContext& context, QObject* parent)
     : QObject(parent), context_(context), work_(std::make_shared<Work>()) {
   pool_.setMaxThreadCount(1);
   work_->configuration = context.host().configuration();
+  connect(&context_, &MannequinContext::documentChanged, this, &FigureDrag::forgetReach);
 }
 
 FigureDrag::~FigureDrag() {
@@ -124,6 +125,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
   const workcell::Entity* entity = context_.entity();
   if (open_ || !entity || !context_.isFree()) return;
   entity_ = entity->id;
+  kind_ = moved_by.kind;
   open_ = true;
   ending_ = under_way_ = false;
   keep_ = true;
@@ -218,6 +220,16 @@ void FigureDrag::refuse(const QString& why) {
   context_.host().messages().tell(Severity::kWarning, tr("The mannequin cannot be drawn so"), why);
   keep_ = false;
   finish();
+}
+
+void FigureDrag::forgetReach() {
+  if (open_ || !reach_) return;
+  const workcell::Entity* entity = context_.host().documentModel().document().find(entity_);
+  if (entity && entity->figure &&
+      glm::length(movedFrame_W(*entity, {entity->X_WE, entity->joints}, kind_).p - reach_->X_WM.p) < kStands)
+    return;
+  reach_.reset();
+  emit moved();
 }
 
 void FigureDrag::finish() {

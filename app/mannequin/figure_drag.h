@@ -58,9 +58,12 @@ class FigureDrag : public QObject {
   void take(const manipulation::EntityConfiguration& stands, const Reach& reach);
   void refuse(const QString& why);
   void finish();
+  /// Forgets how the last motion ended once the figure stands otherwise (undo, a posture).
+  void forgetReach();
   MannequinContext& context_;
   std::shared_ptr<Work> work_;
   workcell::EntityId entity_ = 0;
+  manipulation::MovedBy::Kind kind_ = manipulation::MovedBy::Kind::kDefault;
   std::optional<Pose> wanted_;
   std::optional<Reach> reach_;
   bool open_ = false, busy_ = false, under_way_ = false, ending_ = false, keep_ = true;

@@ -271,6 +271,7 @@ TEST(MannequinGizmo, DrawsTheHandByTheMouseAndSaysWhatIsMissing) {
   ASSERT_TRUE(hand.drag(1.2, 8));
   EXPECT_TRUE(page.words("labelReach").contains(" short of the target")) << page.words("labelReach").toStdString();
   page.trigger("actionUndo");
+  EXPECT_FALSE(page.words("labelReach").contains(" short of the target")) << page.words("labelReach").toStdString();
   page.trigger("actionUndo");
   EXPECT_LT(glm::length(hand.grip() - start), 1e-9);
 }
