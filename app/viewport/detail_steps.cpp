@@ -8,7 +8,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr std::size_t kFewTriangles = 100;  // Nothing is won below.
+// Nothing is won below; what is large keeps its shape.
+constexpr std::size_t kFewTriangles = 100, kFewOfLarge = 600, kLeastShare = 24;
 constexpr std::size_t kQuarter = 4;
 constexpr float kMostError = 0.1f;       // Of the mesh's size, for collapsing.
 constexpr double kWorthwhile = 0.6;      // A step must have at most this share of the one before.
@@ -59,7 +60,8 @@ void addDetailSteps(DisplayMesh& mesh) {
   const double extent = extentOf(mesh);
   std::vector<std::uint32_t> from = mesh.indices;
   std::size_t last_count = from.size();
-  while (last_count / 3 > kFewTriangles) {
+  const std::size_t few = std::clamp(last_count / 3 / kLeastShare, kFewTriangles, kFewOfLarge);
+  while (last_count / 3 > few) {
     Coarser step = coarser(mesh, from, last_count / 3 / kQuarter, kMostError, collapse);
     if (static_cast<double>(step.indices.size()) > kWorthwhile * static_cast<double>(last_count)) break;
     append(mesh, step, extent, last_count);
