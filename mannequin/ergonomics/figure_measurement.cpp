@@ -44,6 +44,12 @@ TrunkFrame trunkFrame(const FigurePose& pose) {
   return trunk;
 }
 
+/// What arithmetic leaves of nought is nought: a neck that is 1e-15 deg behind it would be scored as in extension.
+double cleaned(double degrees) {
+  constexpr double kLeft = 1e-6;
+  return std::abs(degrees) < kLeft ? 0.0 : degrees;
+}
+
 /// Turn about the vertical, forward bend and side bend of one frame in another, degrees: what its forward axis does,
 /// and its left axis.
 struct Bends {
@@ -52,8 +58,9 @@ struct Bends {
 Bends bendsOf(const dmat3& R) {
   const dvec3 forward = R * dvec3(1, 0, 0);
   const dvec3 left = R * dvec3(0, 1, 0);
-  return {kDegrees * std::asin(std::clamp(-forward.z, -1.0, 1.0)), kDegrees * std::asin(std::clamp(left.z, -1.0, 1.0)),
-          kDegrees * std::atan2(forward.y, forward.x)};
+  return {cleaned(kDegrees * std::asin(std::clamp(-forward.z, -1.0, 1.0))),
+          cleaned(kDegrees * std::asin(std::clamp(left.z, -1.0, 1.0))),
+          cleaned(kDegrees * std::atan2(forward.y, forward.x))};
 }
 
 dmat3 relative(const FigurePose& pose, Segment base, Segment moved) {

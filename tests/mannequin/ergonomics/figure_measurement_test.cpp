@@ -32,6 +32,17 @@ TEST(FigureMeasurement, StandingStraightIsNothing) {
   EXPECT_FALSE(m.wrist_past_midline);
 }
 
+TEST(FigureMeasurement, AStraightNeckIsNotInExtensionHoweverTheBodyIsTurned) {
+  Posture posture;
+  for (int i = 0; i < 200; ++i) {
+    const double turn = 0.37 * i;
+    posture.X_WR.q = glm::angleAxis(turn, glm::normalize(dvec3(0.2 * std::sin(turn), 0.3 * std::cos(turn), 1.0)));
+    posture[Dof::kVl1LeftTurn] = 0.1 * std::sin(turn);
+    posture[Dof::kVl5Flexion] = 0.2 * std::cos(turn);
+    EXPECT_EQ(measured(posture).neck_flexion, 0.0) << i;
+  }
+}
+
 TEST(FigureMeasurement, EachJointMovesItsOwnMeasure) {
   Posture posture;
   posture[Dof::kRightShoulderFlexion] = 70.0 * kRadians;
