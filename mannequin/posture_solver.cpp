@@ -202,8 +202,11 @@ bool followWithArms(const Figure& figure, const ResolvedTask& task, BodySolver& 
     const SegmentPlace& hand = pose[armSegment(side, S::kLeftHand)];
     const double stretch = stretchTo(figure, side, pose, hand);
     const double longest = std::clamp(stretch, kComfortableStretch, kStraight);
-    const bool drawn_in = stretchTo(figure, side, pose, task.hands[i]) < stretch;
-    std::optional<ArmAngles> arm = armTo(figure, side, pose, task.hands[i], longest, 0.5 * kDegree);
+    const double wanted_stretch = stretchTo(figure, side, pose, task.hands[i]);
+    const bool drawn_in = wanted_stretch < stretch;
+    // Hardly bent, an elbow has no swivel worth looking for.
+    const double swing = wanted_stretch <= kComfortableStretch ? 0.5 * kDegree : 0.0;
+    std::optional<ArmAngles> arm = armTo(figure, side, pose, task.hands[i], longest, swing);
     double share = 1.0;
     while (arm) {
       const double turns = turnsOfATick(state, side, *arm);
