@@ -55,8 +55,9 @@ void HeightStrips::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(theme.force, 1.6, style));
     painter.drawLine(QPointF(place(rise), -2), QPointF(place(rise), area.bottom() + 3));
     painter.setPen(theme.text1);
-    const double x = std::clamp(place(rise) - 50.0, area.left() - 20.0, width() - 100.0);
-    painter.drawText(QRectF(x, area.bottom() + 4 + 15 * line, 100, 15), Qt::AlignCenter, words);
+    const double wide = painter.fontMetrics().horizontalAdvance(words) + 8.0;
+    const double x = std::clamp(place(rise) - 0.5 * wide, 0.0, std::max(0.0, width() - wide));
+    painter.drawText(QRectF(x, area.bottom() + 4 + 15 * line, wide, 15), Qt::AlignCenter, words);
   };
   const auto height = [&](double rise) { return lengthText(advice->target_height + rise, 0); };
   mark(0.0, tr("now %1").arg(height(0.0)), Qt::SolidLine, 0);

@@ -70,10 +70,10 @@ void ScoreColumns::paintEvent(QPaintEvent*) {
   const Theme& theme = themeOf(palette());
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
-  const auto label = [&](int top, const QString& text) {
-    painter.drawText(QRectF(0, top, kLabels - 6, 3 * kLine), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+  const auto label = [&](int top, const QString& text, int lines = 3) {
+    painter.drawText(QRectF(0, top, kLabels - 6, lines * kLine), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
   };
-  label(kPicture + 4, tr("Same task, four bodies"));
+  label(kPicture + 4, tr("Same task, four bodies"), 5);
   label(kDriverTop, tr("Driver"));
   label(kRebaTop, tr("REBA"));
   label(kRebaTop + kLine + 2, tr("OWAS"));
