@@ -5,6 +5,7 @@
 #include <string>
 
 #include "manipulation/manipulation_command.h"
+#include "workcell/entity.h"
 
 namespace hapticell::app {
 
@@ -16,6 +17,8 @@ class HoldChoice : public QObject {
   using Kind = manipulation::MovedBy::Kind;
   using QObject::QObject;
   Kind kind() const { return kind_; }
+  /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
+  static Kind usual(const workcell::Entity& entity) { return entity.figure ? Kind::kRightHand : Kind::kDefault; }
   const std::string& frame() const { return frame_; }  ///< For kFrame: its name.
   /// What else counts for a robot.
   struct Robot {

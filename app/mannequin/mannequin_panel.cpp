@@ -317,11 +317,13 @@ void MannequinPanel::showNow() {
 
 void MannequinPanel::showHolding() {
   const HoldChoice& choice = context_.host().holdChoice();
-  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i]->setChecked(choice.kind() == kKinds[i]);
+  const bool chosen = std::find(kKinds.begin(), kKinds.end(), choice.kind()) != kKinds.end();
+  const Kind kind = chosen || !context_.entity() ? choice.kind() : HoldChoice::usual(*context_.entity());
+  for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i]->setChecked(kind == kKinds[i]);
   const std::array<bool, 4> on{choice.locks().trunk, choice.locks().pelvis, choice.locks().feet, choice.locks().seat};
   for (std::size_t i = 0; i < locks_.size(); ++i) locks_[i]->setChecked(on[i]);
   two_hands_->setCurrent(choice.locks().hands_apart ? 0 : 1);
-  sketch_->setHeld(bodiesOf(choice.kind()));
+  sketch_->setHeld(bodiesOf(kind));
 }
 
 void MannequinPanel::showHands() {

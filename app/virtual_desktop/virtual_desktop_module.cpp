@@ -137,14 +137,15 @@ void VirtualDesktopModule::openCheck(VirtualDesktopPanel& panel) {
 void VirtualDesktopModule::chooseFirstRobot() {
   VirtualDesktopSettings settings = controller_->settings();
   settings.entity = 0;
+  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
   for (const auto& entity : host_->documentModel().document().state().entities) {
     if (!entity->robot || entity->locked) continue;
     settings.entity = entity->id;
     settings.on_contact = entity->on_contact;
     settings.force_class = entity->force_class;
+    settings.moved_by = HoldChoice::usual(*entity);
     break;
   }
-  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
   controller_->change(settings);
   const bool in_front = dock_ && isInFront(*dock_);
   host_->selection().set(settings.entity);
@@ -164,7 +165,7 @@ void VirtualDesktopModule::followSelection(workcell::EntityId entity) {
   settings.entity = entity;
   settings.on_contact = chosen->on_contact;
   settings.force_class = chosen->force_class;
-  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
+  settings.moved_by = HoldChoice::usual(*chosen);
   controller_->change(settings);
 }
 

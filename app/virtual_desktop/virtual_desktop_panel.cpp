@@ -223,8 +223,8 @@ void VirtualDesktopPanel::addHeld(QVBoxLayout& column) {
   connect(entity_, &QComboBox::activated, this, [this](int index) {
     change([&](auto& settings) {
       settings.entity = entity_->itemData(index).toULongLong();
-      settings.moved_by = Kind::kDefault;
       const workcell::Entity* entity = host_.documentModel().document().find(settings.entity);
+      settings.moved_by = entity ? HoldChoice::usual(*entity) : Kind::kDefault;
       if (entity) settings.on_contact = entity->on_contact, settings.force_class = entity->force_class;
       if (entity) host_.selection().set(entity->id);
     });

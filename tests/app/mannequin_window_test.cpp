@@ -53,6 +53,8 @@ TEST(MannequinDock, WhatIsHeldAndLockedGoesToTheStylus) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
   HoldChoice& choice = page.window().holdChoice();
+  EXPECT_TRUE(page.window().findChild<QAbstractButton*>("hold2")->isChecked())
+      << "the right hand, where its arrows are";
   const Kind kinds[]{Kind::kWhole, Kind::kLeftHand, Kind::kRightHand, Kind::kBothHands, Kind::kHead};
   for (int i = 0; i < 5; ++i) {
     page.click(QStringLiteral("hold%1").arg(i));
