@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
