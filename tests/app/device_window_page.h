@@ -113,13 +113,14 @@ class DevicePage : public OwnUser, public CellPage {
   }
   const std::optional<manipulation::SceneSnapshot>& snapshot() { return window().viewport().scene().snapshot(); }
   std::optional<manipulation::SecondStylusState> second() { return snapshot() ? snapshot()->second : std::nullopt; }
-  /// Waits until the stylus stands still; of two, both, beside each other.
+  /// Waits until the stylus is connected and stands still; of two, both, beside each other.
   testing::AssertionResult stylusesRest(bool both = true) {
     std::uint64_t seen = 0;
     dvec3 last_first{0.0}, last_second{0.0};
     int rests = 0;
     const auto rest = [&] {
-      if (!snapshot() || snapshot()->step == seen) return rests > 10;
+      if (!snapshot() || !snapshot()->connected) return false;
+      if (snapshot()->step == seen) return rests > 10;
       if (both && !(second() && second()->connected)) return false;
       seen = snapshot()->step;
       const dvec3 first_at = snapshot()->X_WStylus.p;
