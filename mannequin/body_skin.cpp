@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/hollows.h"
 #include "mannequin/face_shape.h"
 #include "mannequin/hair_shape.h"
 #include "mannequin/rotations.h"
@@ -168,8 +169,9 @@ class PlacedSkin {
   PlacedSkin(const Figure& figure, const Posture& posture)
       : flesh_(fleshOf(figure)), bodies_(placeBodies(figure, posture, flesh_)), field_(flesh_, bodies_) {}
 
+  /// The whole; what closes in upon itself within the body (between thighs and belly) is left out.
   geometry::TriangleMesh surface(double cell) {
-    return surface(cell, [](std::size_t) { return true; });
+    return geometry::withoutHollows(surface(cell, [](std::size_t) { return true; }));
   }
 
   /// The surface about some of the bodies.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <numeric>
 #include <random>
 
@@ -18,8 +17,7 @@
 namespace hapticell::mannequin {
 namespace {
 
-/// Number of connected pieces of a mesh that are seen from outside: hollows within (as between thighs and belly) are
-/// closed surfaces turned inside out.
+/// Number of connected pieces of a mesh.
 std::size_t piecesOf(const geometry::TriangleMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -31,12 +29,9 @@ std::size_t piecesOf(const geometry::TriangleMesh& mesh) {
     parent[root(t[0])] = root(t[1]);
     parent[root(t[1])] = root(t[2]);
   }
-  std::map<std::uint32_t, double> volumes;  // Times six.
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    volumes[root(mesh.triangles[t][0])] +=
-        glm::dot(mesh.corner(t, 0), glm::cross(mesh.corner(t, 1), mesh.corner(t, 2)));
-  return static_cast<std::size_t>(
-      std::count_if(volumes.begin(), volumes.end(), [](const auto& piece) { return piece.second > 0.0; }));
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < parent.size(); ++v) count += parent[v] == v ? 1 : 0;
+  return count;
 }
 
 TEST(Body, EverySegmentIsAClosedSolidAboutItsCentreOfMass) {
