@@ -176,7 +176,6 @@ TEST_F(ScenePicture, FarPartsHaveFewTrianglesAndLookTheSame) {
   frame_.camera.target_W = {0, 0, 0.5};
   frame_.camera.distance = 8.0;
   const QImage picture = draw(4);
-  picture.save("/tmp/looks/occ.png");
   const std::size_t whole = frame_.items[0].mesh->triangles.size();
   EXPECT_LT(renderer_->lastCount().triangles, whole / 3) << "faces and shadow";
   const auto few = shared(geometry::makeSphere(0.5, 64));
