@@ -19,6 +19,8 @@ class HoldChoice : public QObject {
   Kind kind() const { return kind_; }
   /// What is taken where nobody has chosen: of a mannequin its right hand, where its arrows are.
   static Kind usual(const workcell::Entity& entity) { return entity.figure ? Kind::kRightHand : Kind::kDefault; }
+  /// What of a mannequin is taken: what was chosen where that is a mannequin's, else the usual.
+  Kind kindFor(const workcell::Entity& mannequin) const { return kind_ < Kind::kWhole ? usual(mannequin) : kind_; }
   const std::string& frame() const { return frame_; }  ///< For kFrame: its name.
   /// What else counts for a robot.
   struct Robot {

@@ -30,10 +30,9 @@ HandGizmo::HandGizmo(MannequinContext& context, FigureDrag& drag, QObject* paren
 HandGizmo::~HandGizmo() = default;
 
 Kind HandGizmo::kind() const {
-  const Kind chosen = context_.host().holdChoice().kind();
-  const bool ours = chosen == Kind::kLeftHand || chosen == Kind::kRightHand || chosen == Kind::kBothHands ||
-                    chosen == Kind::kHead || chosen == Kind::kWhole;
-  return ours ? chosen : Kind::kRightHand;
+  const HoldChoice& choice = context_.host().holdChoice();
+  const workcell::Entity* entity = context_.entity();
+  return entity ? choice.kindFor(*entity) : choice.kind();
 }
 
 Pose HandGizmo::frame_W() const {

@@ -317,8 +317,8 @@ void MannequinPanel::showNow() {
 
 void MannequinPanel::showHolding() {
   const HoldChoice& choice = context_.host().holdChoice();
-  const bool chosen = std::find(kKinds.begin(), kKinds.end(), choice.kind()) != kKinds.end();
-  const Kind kind = chosen || !context_.entity() ? choice.kind() : HoldChoice::usual(*context_.entity());
+  const workcell::Entity* entity = context_.entity();
+  const Kind kind = entity ? choice.kindFor(*entity) : choice.kind();
   for (std::size_t i = 0; i < holds_.size(); ++i) holds_[i]->setChecked(kind == kKinds[i]);
   const std::array<bool, 4> on{choice.locks().trunk, choice.locks().pelvis, choice.locks().feet, choice.locks().seat};
   for (std::size_t i = 0; i < locks_.size(); ++i) locks_[i]->setChecked(on[i]);
