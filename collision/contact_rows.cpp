@@ -18,6 +18,7 @@ constexpr std::size_t kMostCopies = 9;  // of a group, for surfaces with several
 constexpr double kCorner = 1e-4;        // m below a surface,
 constexpr double kJustAbove = 2e-5;     // or above its boundary: near enough to a corner to need its bisector
 constexpr double kRoughRing = 5e-5;     // m
+constexpr double kAtApex = 0.01;        // of the reach
 constexpr double kTie = 1e-9;           // m: which of two equals is kept must not hang on rounding
 
 /// Curvature of the surface that a ball's centre runs on.
@@ -26,21 +27,25 @@ double offsetCurvature(double k, double radius) {
   return scale > 1e-6 ? k / scale : 0.0;
 }
 
-/// The cone's own quadric, exact on its side of the apex: (rho^2 cos^2 - h^2 sin^2) / (2 rho cos) at the foot's rho.
-/// Nothing where the foot is at the apex or beyond.
-std::optional<dmat3> coneQuadric(const BallQuery& ball, const SurfaceShape& cone, const dvec3& apex) {
-  const double sine = std::sin(cone.half_angle), cosine = std::cos(cone.half_angle);
-  const dvec3 v = ball.p_M - apex;
-  const double h = glm::dot(v, cone.axis_M);
-  const double along = glm::length(v - h * cone.axis_M) * sine + h * cosine;  // of the foot, from the apex
-  if (along < 0.01 * ball.reach) return std::nullopt;
-  const dmat3 axis = glm::outerProduct(cone.axis_M, cone.axis_M);
-  return cone.side / (along * sine * cosine) * (cosine * cosine * (dmat3(1.0) - axis) - sine * sine * axis);
-}
-
 /// A ball's centre runs on the same cone with its apex moved along the axis.
 dvec3 apexOf(const SurfaceShape& cone, double offset) {
   return cone.p_M - cone.side * offset / std::sin(cone.half_angle) * cone.axis_M;
+}
+
+/// How far from the apex the foot of the ball's centre lies, m; nothing where it is at the apex or beyond.
+std::optional<double> footAlong(const BallQuery& ball, const SurfaceShape& cone, double offset) {
+  const dvec3 v = ball.p_M - apexOf(cone, offset);
+  const double h = glm::dot(v, cone.axis_M);
+  const double along = glm::length(v - h * cone.axis_M) * std::sin(cone.half_angle) + h * std::cos(cone.half_angle);
+  if (along < kAtApex * ball.reach) return std::nullopt;
+  return along;
+}
+
+/// The cone's own quadric, exact on its side of the apex: (rho^2 cos^2 - h^2 sin^2) / (2 rho cos) at the foot's rho.
+dmat3 coneQuadric(const SurfaceShape& cone, double along) {
+  const double sine = std::sin(cone.half_angle), cosine = std::cos(cone.half_angle);
+  const dmat3 axis = glm::outerProduct(cone.axis_M, cone.axis_M);
+  return cone.side / (along * sine * cosine) * (cosine * cosine * (dmat3(1.0) - axis) - sine * sine * axis);
 }
 
 ContactRow rowOf(const BallQuery& ball, const SurfaceShape& shape, double offset) {
@@ -55,7 +60,9 @@ ContactRow rowOf(const BallQuery& ball, const SurfaceShape& shape, double offset
   const dvec3 t2 = glm::cross(view.nhat_M, view.t1_M);
   dmat3 M = k1 * glm::outerProduct(view.t1_M, view.t1_M) + k2 * glm::outerProduct(t2, t2) +
             kn * glm::outerProduct(view.nhat_M, view.nhat_M);
-  if (shape.type == SurfaceType::kCone) M = coneQuadric(ball, shape, apexOf(shape, offset)).value_or(M);
+  if (shape.type == SurfaceType::kCone) {
+    if (const auto along = footAlong(ball, shape, offset)) M = coneQuadric(shape, *along);
+  }
   const dmat3 R = ball.X_WM.R();
   row.M_W = R * M * glm::transpose(R);
   row.bend = std::max(std::abs(k1), std::abs(k2));
@@ -144,9 +151,16 @@ void addBisector(const BallQuery& ball, std::vector<ContactRow>& rows) {
   rows.push_back(row);
 }
 
-/// The quadric of a ring is not good for all of the reach.
+/// A cone has no quadric where it is seen from behind its apex.
+static bool isRough(const BallQuery& ball, const SurfaceShape& cone, double offset) {
+  return !ball.rough && cone.type == SurfaceType::kCone && !footAlong(ball, cone, offset);
+}
+
+/// Nor does that of a ring hold for all of the reach.
 static bool isRough(const BallQuery& ball, const SurfaceElement& element, const ContactRow& row) {
-  if (ball.rough_rings || element.shape.type != SurfaceType::kTorus || row.bend == 0.0) return false;
+  if (ball.rough || row.bend == 0.0) return false;
+  if (element.shape.side < 0.0 && isRough(ball, element.shape, ball.radius)) return true;
+  if (element.shape.type != SurfaceType::kTorus) return false;
   const dmat3 R = ball.X_WM.R();
   return ringDeviation(ball, element, glm::transpose(R) * row.M_W * R) > kRoughRing;
 }
@@ -168,7 +182,7 @@ Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& el
     const double value = elementValue(element, ball.p_M, ball.radius);
     if (value < -ball.reach && !(deepest < -ball.reach && name == best)) continue;
     ContactRow row = rowOf(ball, element.shape, ball.radius);
-    if (isRough(ball, element, row)) return Telling::kRoughRing;
+    if (isRough(ball, element, row)) return Telling::kRough;
     row.element = name;
     // Where facets stand in front of a hollow, what the exact check of the motion allows ends there.
     row.gap -= element.raised;
@@ -178,10 +192,15 @@ Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& el
         if (element.shape.type == SurfaceType::kCone) endAtApex(ball, element.shape, ball.radius, group.rows);
       }
       for (std::size_t k = 0; k < element.trims.size(); ++k) {
-        ContactRow end = rowOf(ball, element.trims[k].surface, ball.radius * element.trims[k].per_radius);
+        const ElementTrim& trim = element.trims[k];
+        ContactRow end = rowOf(ball, trim.surface, ball.radius * trim.per_radius);
         end.element = name;
         end.kind = static_cast<std::uint32_t>(k + 1);
-        if (end.gap >= -ball.reach) group.rows.push_back(end);
+        if (end.gap < -ball.reach) continue;
+        if (isRough(ball, trim.surface, ball.radius * trim.per_radius)) return Telling::kRough;
+        group.rows.push_back(end);
+        if (trim.surface.type == SurfaceType::kCone)
+          endAtApex(ball, trim.surface, ball.radius * trim.per_radius, group.rows);
       }
       continue;
     }

@@ -43,7 +43,7 @@ struct BallQuery {
   double boundary = 0.0;                ///< m: the distance that may be felt as contact.
   double reach = 0.0;                   ///< Rows deeper than that and groups freer than that are left out.
   const SignatureCell* cell = nullptr;  ///< Whose own elements the lists may name; null: none.
-  bool rough_rings = true;              ///< A ring's quadric will do however far it is off within the reach.
+  bool rough = true;                    ///< Quadrics will do however far they are off within the reach.
 
   const SurfaceElement& element(std::uint32_t name) const {
     return cell != nullptr ? cell->element(model, name) : model.elements()[name];
@@ -53,7 +53,8 @@ struct BallQuery {
 enum class Telling : std::uint8_t {
   kTold,
   kTooManyEnds,  ///< Surfaces with several ends would take too many groups.
-  kRoughRing,    ///< A ring's quadric is off by more than 0.05 mm within the reach, and rough_rings is not set.
+  kRough,        ///< `rough` is not set, and within the reach a ring's quadric is off by more than 0.05 mm, or a hollow
+                 ///< cone is seen from behind its apex, whence no quadric tells it.
 };
 
 /// Appends the groups of one list of elements (one or, where a surface has several ends, more), `like` with rows. What

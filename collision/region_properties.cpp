@@ -154,7 +154,7 @@ std::optional<SurfaceShape> chordPlane(const SurfaceRegion& region, const std::v
 }
 
 /// Through the ends of the arc in the meridian, turned about the axis: a cone, a plane or a cylinder; positive where
-/// the arc is.
+/// the arc is if it is convex, where it is not if it is concave.
 std::optional<SurfaceShape> ringTrim(const RecognisedSurface& surface, const SurfaceRegion& region,
                                      const std::vector<BorderEdge>& border) {
   const SurfaceShape& s = region.shape;
@@ -201,7 +201,7 @@ std::optional<SurfaceShape> ringTrim(const RecognisedSurface& surface, const Sur
   const dvec3 n = s.axis_M;
   const dvec3 e = glm::normalize(glm::cross(n, std::abs(n.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   const dvec3 on_arc = s.p_M + (s.major_radius + middle.x) * e + middle.y * n;
-  if (signedDistance(trim, on_arc) < 0.0) {
+  if ((signedDistance(trim, on_arc) < 0.0) == (s.side > 0.0)) {
     if (trim.type == SurfaceType::kPlane) {
       trim.axis_M = -trim.axis_M;
     } else {

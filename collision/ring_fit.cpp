@@ -60,13 +60,11 @@ double ringDeviation(const BallQuery& ball, const SurfaceElement& element, const
     return std::abs(value) / std::max(0.2, glm::length(slope));
   };
   double worst = 0.0;
-  for (int i = 0; i < kWays; ++i) {
-    const double turn = 2.0 * std::numbers::pi * i / kWays;
-    const double along = most_along * std::cos(turn), round = most_round * std::sin(turn);
+  const auto follow = [&](const auto& placeAt) {
     double inside = 0.0, outside = 0.0;
     for (int k = 1; k <= kSteps; ++k) {
       const double share = static_cast<double>(k) / kSteps;
-      const dvec3 q = ring.at(share * along, share * round);
+      const dvec3 q = placeAt(share);
       if (!counts(q)) {
         outside = outside > inside ? outside : share;
         continue;
@@ -77,7 +75,7 @@ double ringDeviation(const BallQuery& ball, const SurfaceElement& element, const
     // It grows outwards, so the last place that counts says most.
     for (int k = 0; k < kHalvings && outside > inside; ++k) {
       const double middle = 0.5 * (inside + outside);
-      const dvec3 q = ring.at(middle * along, middle * round);
+      const dvec3 q = placeAt(middle);
       if (counts(q)) {
         worst = std::max(worst, deviation(q));
         inside = middle;
@@ -85,6 +83,18 @@ double ringDeviation(const BallQuery& ball, const SurfaceElement& element, const
         outside = middle;
       }
     }
+  };
+  for (int i = 0; i < kWays; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / kWays;
+    const double along = most_along * std::cos(turn), round = most_round * std::sin(turn);
+    follow([&](double share) { return ring.at(share * along, share * round); });
+  }
+  if (counts(foot)) return worst;
+  // The element is elsewhere on the tube, and ways from the foot may pass it by: along the ring at all of its height.
+  for (int i = 0; i < kWays; ++i) {
+    const double round = most_round * (2.0 * i / (kWays - 1) - 1.0);
+    follow([&](double share) { return ring.at(share * most_along, round); });
+    follow([&](double share) { return ring.at(-share * most_along, round); });
   }
   return worst;
 }

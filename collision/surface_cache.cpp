@@ -12,7 +12,7 @@ namespace hapticell::collision {
 namespace {
 
 /// Raised whenever recognition gives other surfaces.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr char kMagic[8] = {'H', 'C', 'S', 'U', 'R', 'F', '\r', '\n'};
 
 struct Header {

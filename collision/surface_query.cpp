@@ -79,12 +79,12 @@ bool SurfaceQuery::addBall(const Meeting& meeting, const dvec3& p_W, double radi
   ball.cell = &cell;
   new_work_ += cache.takeWork();
   if (cell.overfull || (cell.free_form && may_fall_back_)) return false;
-  ball.rough_rings = rough_rings_;
+  ball.rough = rough_allowed_;
   for (std::size_t i = 0; i < cell.groups.size(); ++i) {
     work_ += cell.groups[i].size();
     const Telling telling = appendGroups(ball, cell.groups[i], like, groups_);
     if (telling == Telling::kTold) continue;
-    rough_ = telling == Telling::kRoughRing;
+    rough_ = telling == Telling::kRough;
     return false;
   }
   facets_ = facets_ || cell.facets;
@@ -225,7 +225,7 @@ ZoneContact SurfaceQuery::entryOf(const ContactGroup& group, const ContactRow& r
 bool SurfaceQuery::gather(double radius) {
   groups_.clear();
   facets_ = rough_ = false;
-  rough_rings_ = radius <= options_.needed_radius;
+  rough_allowed_ = radius <= options_.needed_radius;
   const double scale = radius / options_.radius;
   for (std::uint32_t m = 0; m < moving_.size(); ++m) {
     if (moving_[m].surfaces == nullptr) continue;

@@ -82,8 +82,8 @@ class SurfaceQuery {
   std::vector<ContactGroup> groups_;
   std::vector<TrianglePair> rod_pairs_;
   bool facets_ = false;
-  bool rough_ = false;        ///< A ring was told too roughly.
-  bool rough_rings_ = false;  ///< At this radius they may be.
+  bool rough_ = false;          ///< A ring was told too roughly.
+  bool rough_allowed_ = false;  ///< At this radius they may be.
   bool may_fall_back_ = false;
   std::size_t new_work_ = 0;
   std::size_t work_ = 0;

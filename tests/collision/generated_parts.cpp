@@ -227,6 +227,21 @@ GeneratedPart bracket(double fillet) {
                   fillet > 0.0 ? std::vector<double>{fillet} : std::vector<double>{});
 }
 
+/// A boss on a disc with a blind hole: rounded at its foot and at the hole's floor, rings that are hollow.
+GeneratedPart boss() {
+  Outline o{{{0, 0}}, {}};
+  o.lineTo({0.03, 0}, SurfaceType::kPlane);
+  o.lineTo({0.03, 0.010}, SurfaceType::kCylinder);
+  o.lineTo({0.016, 0.010}, SurfaceType::kPlane);
+  o.arc({0.016, 0.014}, -0.5 * kPi, 10, SurfaceType::kTorus);
+  o.lineTo({0.012, 0.03}, SurfaceType::kCylinder);
+  o.lineTo({0.008, 0.03}, SurfaceType::kPlane);
+  o.lineTo({0.008, 0.018}, SurfaceType::kCylinder);
+  o.arc({0.005, 0.018}, -0.5 * kPi, 10, SurfaceType::kTorus);
+  o.lineTo({0, 0.015}, SurfaceType::kPlane);
+  return turned("boss", o, 44, {0.03, 0.012, 0.008, 0.004, 0.003});
+}
+
 GeneratedPart groove() {
   Outline o{{{-0.02, 0}}, {}};
   for (const dvec2& p : {dvec2(0.02, 0), dvec2(0.02, 0.012), dvec2(0.003, 0.012), dvec2(0.003, 0.008),
@@ -247,6 +262,7 @@ std::vector<GeneratedPart> generatedParts() {
                                    ball(),
                                    bracket(0.0),
                                    bracket(0.008),
+                                   boss(),
                                    groove()};
   return parts;
 }

@@ -16,7 +16,7 @@ struct GeneratedPart {
   std::vector<double> radii;                  ///< Of its cylinders, spheres and tubes (m), each once.
 };
 
-/// Boxes with rounded edges, plate with bores, shaft, torus, sphere, brackets, groove: sizes of 20 to 120 mm.
+/// Boxes with rounded edges, plate with bores, shaft, torus, sphere, brackets, boss, groove: sizes of 20 to 120 mm.
 std::vector<GeneratedPart> generatedParts();
 GeneratedPart generatedPart(const std::string& name);
 

@@ -26,6 +26,7 @@ using collision::ContactGroup;
 using collision::ContactRow;
 using collision::SignatureCache;
 using collision::SurfaceModel;
+using collision::SurfaceType;
 
 /// A row's value at another place, as the force loop reckons it: the surface's quadric through its foot.
 double valueAt(const ContactRow& row, const dvec3& q) {
@@ -60,6 +61,7 @@ struct PointReport {
   int points = 0, free = 0, walls = 0, holes = 0, exact_walls = 0, exact_holes = 0;
   double least_zone = 1e9;  ///< Of those told, m.
   double depth = 0.0;       ///< Largest error of a wall or hole, m.
+  int deep = 0;             ///< Walls and holes by more than the quadric of a ring may be off.
   std::size_t most_entries = 0, overfull = 0, left_out = 0, shrunk = 0;
   double ms = 0.0;
 };
@@ -67,19 +69,19 @@ struct PointReport {
 bool tell(const SurfaceModel& model, const collision::SignatureCell& cell, const dvec3& p, double zone,
           std::vector<ContactGroup>& groups) {
   BallQuery ball{model, Pose{}, p, 0.0, 0.0, zone, &cell};
-  ball.rough_rings = false;
+  ball.rough = false;
   return std::all_of(cell.groups.begin(), cell.groups.end(), [&](const auto& elements) {
     return appendGroups(ball, elements, {}, groups) == collision::Telling::kTold;
   });
 }
 
 /// A point body at random free places; the set it gets there against random points 0.1 mm off the surface within the
-/// zone.
-PointReport tryPoints(const SurfaceModel& model, int count, double zone, bool in_known_regions = false) {
-  constexpr double kOff = 1e-4;
+/// zone. Each draw is a statement of its own, so that every compiler draws the same.
+PointReport tryPoints(const SurfaceModel& model, int count, double zone, unsigned seed, bool in_known_regions = false) {
+  constexpr double kOff = 1e-4, kRing = 5e-5;
   PointReport report;
   const auto& surface = model.surface();
-  std::mt19937 random(7);
+  std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::vector<double> areas;
   for (std::uint32_t t = 0; t < surface.mesh.triangles.size(); ++t) areas.push_back(collision::areaOf(surface.mesh, t));
@@ -93,8 +95,8 @@ PointReport tryPoints(const SurfaceModel& model, int count, double zone, bool in
   const std::clock_t start = std::clock();
   while (report.points < count) {
     const auto first = pick(random);
-    const dvec3 p =
-        onSurface(first) + zone * 0.6 * uniform(random) * surface.normals[first] + 2e-4 * surface.normals[first];
+    const dvec3 under = onSurface(first);
+    const dvec3 p = under + (zone * 0.6 * uniform(random) + 2e-4) * surface.normals[first];
     if (model.collider().contains(p)) continue;
     // As ContactFinder does: what this zone cannot tell is asked in a smaller one.
     double radius = zone;
@@ -126,7 +128,8 @@ PointReport tryPoints(const SurfaceModel& model, int count, double zone, bool in
     std::discrete_distribution<std::size_t> pick_near(weights.begin(), weights.end());
     for (int tries = 0, i = 0; tries < 400 && i < 25; ++tries) {
       const auto t = near[pick_near(random)];
-      const dvec3 q = onSurface(t) + (uniform(random) < 0.5 ? -kOff : kOff) * surface.normals[t];
+      const dvec3 on = onSurface(t);
+      const dvec3 q = on + (uniform(random) < 0.5 ? -kOff : kOff) * surface.normals[t];
       if (glm::length(q - p) > radius ||
           std::abs(collision::nearestPoint(model.collider(), q, kOff).distance) < 0.5 * kOff)
         continue;
@@ -141,6 +144,7 @@ PointReport tryPoints(const SurfaceModel& model, int count, double zone, bool in
       report.walls += wall;
       report.holes += hole;
       if (wall || hole) report.depth = std::max(report.depth, std::abs(value));
+      report.deep += (wall || hole) && std::abs(value) > kRing;
     }
   }
   report.ms = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -155,17 +159,34 @@ void print(const std::string& name, double zone, const PointReport& r) {
       r.most_entries, r.overfull, r.shrunk, 1e3 * r.least_zone, r.ms);
 }
 
+/// Ends included: one that is turned round leaves nothing of its surface.
+TEST(SurfaceContacts, EveryFacetIsOnItsOwnElement) {
+  for (const GeneratedPart& part : generatedParts()) {
+    const auto model = SurfaceModel::build(part.mesh);
+    const auto& mesh = model->surface().mesh;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& element = model->elements()[model->elementOf(t)];
+      const dvec3 middle = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+      ASSERT_NEAR(collision::elementValue(element, middle, 0.0), 0.0, 1e-6 + 2.0 * element.sagitta)
+          << part.name << ", triangle " << t;
+    }
+  }
+}
+
 TEST(SurfaceContacts, NeitherWallsNorHolesOnGeneratedParts) {
   for (const GeneratedPart& part : generatedParts()) {
     const auto model = SurfaceModel::build(part.mesh);
-    for (const double zone : {0.005, 0.015}) {
-      const PointReport report = tryPoints(*model, zone < 0.01 ? 10000 : 3000, zone);
-      print(part.name, zone, report);
-      EXPECT_EQ(report.exact_walls, 0) << part.name;
-      EXPECT_EQ(report.exact_holes, 0) << part.name;
-      EXPECT_EQ(report.overfull, 0u) << part.name;
-      EXPECT_EQ(report.holes, 0) << part.name;
-      EXPECT_EQ(report.walls, 0) << part.name;
+    const bool rings = std::count(part.truth.begin(), part.truth.end(), SurfaceType::kTorus) > 0;
+    for (const unsigned seed : {7u, 8u, 9u}) {
+      for (const double zone : {0.005, 0.015}) {
+        const PointReport report = tryPoints(*model, zone < 0.01 ? 10000 : 3000, zone, seed);
+        print(part.name, zone, report);
+        EXPECT_EQ(report.exact_walls, 0) << part.name;
+        EXPECT_EQ(report.exact_holes, 0) << part.name;
+        EXPECT_EQ(report.overfull, 0u) << part.name;
+        EXPECT_EQ(report.deep, 0) << part.name;
+        EXPECT_LE(report.walls + report.holes, rings ? 0.001 * report.points : 0.0) << part.name;
+      }
     }
   }
 }
@@ -182,11 +203,13 @@ TEST(SurfaceContacts, HardlyAnyWallsOrHolesOnRealParts) {
     const auto mesh = workcell::readMesh(file, options, diagnostics);
     ASSERT_TRUE(mesh.has_value());
     const auto model = SurfaceModel::build(*mesh);
-    const PointReport report = tryPoints(*model, 10000, 0.002, true);
-    print(path, 0.002, report);
-    EXPECT_GE(report.points, 10000) << path;
-    EXPECT_LE(report.exact_walls + report.exact_holes, 0.001 * report.points) << path;
-    EXPECT_LE(report.walls + report.holes, 0.001 * report.points) << path;
+    for (const unsigned seed : {7u, 8u}) {
+      const PointReport report = tryPoints(*model, 10000, 0.002, seed, true);
+      print(path, 0.002, report);
+      EXPECT_GE(report.points, 10000) << path;
+      EXPECT_LE(report.exact_walls + report.exact_holes, 0.001 * report.points) << path;
+      EXPECT_LE(report.walls + report.holes, 0.001 * report.points) << path;
+    }
   }
 }
 
