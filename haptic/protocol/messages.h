@@ -30,7 +30,8 @@ struct HapticState {
   double force_ramp = 0.0;         ///< 0 .. 1 while it opens.
   double motor_temperature = 0.0;  ///< 0 cold .. 1 at the limit.
   bool device_fault = false;       ///< The device cannot be read or commanded; the force is zero.
-  bool client_stalled = false;     ///< The controlling client lives but has sent no set for 2 s: the force fades.
+  bool client_stalled =
+      false;  ///< The controlling client has sent no set that could be taken for 2 s: the force fades.
 };
 
 /// The server's figures, about ten times a second.

@@ -24,6 +24,7 @@ constexpr double kControllerFilter = 40.0;                   // Hz: it damps mor
 constexpr double kSoft = 1000.0;                             // N/m.
 constexpr double kDampingLimit = 8.0;                        // N s/m an entry can ask for.
 constexpr double kOldestAge = 1.0;                           // s that a moving obstacle is foreseen.
+constexpr double kOrderLasts = 2.5;                          // s that a set's number shuts lower ones out.
 constexpr double kDamperFade = 0.01;                         // s.
 constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
 constexpr double kMostMade = 0.36e-3;                        // J within a second: then nothing unpaid up to kSoft.
@@ -98,7 +99,8 @@ void ForceRenderer::reset(const Pose& X_DS) {
 
 Adoption ForceRenderer::adopt(const ConstraintSet& set, double age) {
   if (!isWellFormed(set)) return Adoption::kMalformed;
-  if (has_set_ && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
+  const bool counts = has_set_ && since_adoption_ < kOrderLasts;
+  if (counts && set.sequence < sets_[current_].set.sequence) return Adoption::kOutdated;
   if (started_ && lengthOf(metricDifference(proxy_, set.X_DR)) >= kTrustedShare * set.zone_radius)
     return Adoption::kOutsideZone;
   sets_[1 - current_].take(set);

@@ -57,7 +57,7 @@ struct RenderResult {
 enum class Adoption : std::uint8_t {
   kAdopted,
   kMalformed,    ///< Not isWellFormed().
-  kOutdated,     ///< Older than the one in use.
+  kOutdated,     ///< Older than the one in use, which was taken within the last 2.5 s.
   kOutsideZone,  ///< The proxy is not inside its zone: the old set stays.
 };
 

@@ -9,20 +9,20 @@ namespace hapticell::haptic {
 
 /// The limits of one device and the times of the stages. Values that make no sense are replaced by these defaults.
 struct SafetyOptions {
-  double peak_force = 6.4;        ///< N.
-  double continuous_force = 1.4;  ///< N the motors bear for ever.
-  double peak_torque = 0.0;       ///< N m; 0: no turning is driven. Derated like the force, by the same share.
-  double slew = 1000.0;           ///< N/s: 1 N in a millisecond; of a torque times kRotationLever.
-  double thermal_time = 30.0;     ///< Time constant of the motors, s.
-  double gate_force = 0.2;        ///< The gate opens only below this wanted force (torque: times the lever), N,
-  int gate_ticks = 3;             ///< and only after more than so many ticks of it.
-  double ramp_time = 0.8;         ///< From closed to open, s.
-  double ramp_damping = 2.0;      ///< N s/m at the ramp's beginning, falling to 0.
-  double silence_limit = 0.6;     ///< Silent link: held so long, s,
-  double silence_decay = 0.18;    ///< then to zero in this time, s.
+  double peak_force = 6.4;         ///< N.
+  double continuous_force = 1.4;   ///< N the motors bear for ever.
+  double peak_torque = 0.0;        ///< N m; 0: no turning is driven. Derated like the force, by the same share.
+  double slew = 1000.0;            ///< N/s: 1 N in a millisecond; of a torque times kRotationLever.
+  double thermal_time = 30.0;      ///< Time constant of the motors, s.
+  double gate_force = 0.2;         ///< The gate opens only below this wanted force (torque: times the lever), N,
+  int gate_ticks = 3;              ///< and only after more than so many ticks of it.
+  double ramp_time = 0.8;          ///< From closed to open, s.
+  double ramp_damping = 2.0;       ///< N s/m at the ramp's beginning, falling to 0.
+  double silence_limit = 0.6;      ///< Silent link: held so long, s,
+  double silence_decay = 0.18;     ///< then to zero in this time, s.
   double set_silence_limit = 2.0;  ///< A client that lives but says nothing of contacts: held so long, s,
   double set_silence_decay = 0.5;  ///< then to zero in this time, s.
-  double close_decay = 0.04;      ///< Socket closed, or forces switched off: to zero in this time, s.
+  double close_decay = 0.04;       ///< Socket closed, or forces switched off: to zero in this time, s.
 };
 
 /// What the chain hears each tick.
@@ -34,7 +34,7 @@ struct SafetyInput {
   bool enabled = false;               ///< The explicit enable of the controlling client (Esc clears it).
   bool link_open = true;              ///< A controlling client is connected.
   double link_silence = 0.0;          ///< Seconds since its last word.
-  double set_silence = 0.0;           ///< Seconds since its last constraint set.
+  double set_silence = 0.0;           ///< Seconds since its last constraint set that was taken.
   double reported_temperature = 0.0;  ///< Of the device, 0 .. 1 at the limit; 0 where it does not tell.
 };
 

@@ -183,7 +183,7 @@ void ClientTable::tellOfStall(bool stalled) {
   if (stalled == stalled_) return;
   stalled_ = stalled;
   if (controller_ == nullptr) return;
-  report(controller_->name + (stalled ? " lives but has sent no constraint set for 2 s: the force fades."
+  report(controller_->name + (stalled ? " lives but has sent no constraint set that could be taken for 2 s: the force fades."
                                       : " sends constraint sets again: the force returns through the engage gate."));
 }
 

@@ -151,11 +151,12 @@ void ForceLoop::takeMessages(std::int64_t now) noexcept {
     renderer_.setOptions(wanted);
   }
   if (const ConstraintSet* set = take(sets_)) {
-    last_set_ns_ = now;
     // What moves has gone on since: the client's stamp is in this loop's clock.
     const double age = set->stamp_ns != 0 ? kSecondsPerNanosecond * static_cast<double>(now - set->stamp_ns) : 0.0;
-    if (renderer_.adopt(*set, age) == Adoption::kAdopted && set->stamp_ns != 0) {
-      statistics_.addSetAge(now - set->stamp_ns);
+    // One that is refused is none: what is rendered only grows older.
+    if (renderer_.adopt(*set, age) == Adoption::kAdopted) {
+      last_set_ns_ = now;
+      if (set->stamp_ns != 0) statistics_.addSetAge(now - set->stamp_ns);
     }
   }
   takeHandTarget();

@@ -114,6 +114,45 @@ TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_fo
   EXPECT_LT(session.max_step, 0.1);
 }
 
+TEST(ForceLoop, sets_that_are_refused_keep_no_force_alive) {
+  constexpr std::uint64_t kFarAhead = std::uint64_t{1} << 62;
+  VirtualSession session({}, 1000.0, SafetyOptions{}.set_silence_limit);
+  const auto saySets = [&](int ticks, double height_step = 0.0) {
+    for (int i = 0; i < ticks; ++i) {
+      if (height_step != 0.0) session.holdAt(0.005 + height_step * i);
+      if (i % 50 == 0) session.link().sendSet(floorSet(++session.sets_said));
+      session.run(1);
+    }
+  };
+  session.holdAt(0.005);
+  session.link().sendControl({.forces_enabled = true});
+  saySets(1500);
+  saySets(150, -1e-4);
+  saySets(1000);
+  session.link().sendSet(floorSet(kFarAhead));  // "From the future": all that follow are older.
+  session.run(1);
+  saySets(1000);
+  ASSERT_EQ(session.state().adopted_set, kFarAhead);
+  ASSERT_GT(session.force(), 2.0);
+  session.max_step = 0.0;
+  saySets(1495);
+  EXPECT_EQ(session.state().adopted_set, kFarAhead);
+  EXPECT_TRUE(session.state().client_stalled);
+  EXPECT_LT(session.force(), 0.05) << "what is pressed on may be long gone";
+
+  // By then none is shut out any more, and the force comes back as after any silence.
+  saySets(105);
+  EXPECT_EQ(session.state().adopted_set, session.sets_said);
+  EXPECT_FALSE(session.state().client_stalled);
+  EXPECT_EQ(session.force(), 0.0);
+  session.holdAt(0.005);
+  saySets(2000);
+  saySets(150, -1e-4);
+  saySets(1000);
+  EXPECT_GT(session.force(), 2.0);
+  EXPECT_LT(session.max_step, 0.1);
+}
+
 TEST(ForceLoop, short_silences_are_not_felt) {
   VirtualSession session;
   session.press();

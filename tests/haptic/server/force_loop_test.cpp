@@ -129,6 +129,8 @@ TEST(ForceLoop, the_client_may_ask_for_another_stiffness) {
 TEST(ForceLoop, an_outdated_set_and_one_elsewhere_change_nothing) {
   VirtualSession session;
   session.press();
+  session.link().sendSet(floorSet(1));  // Anew: its number counts for 2.5 s.
+  session.run(200);
   session.link().sendSet(floorSet(0, 0.004));
   session.run(200);
   EXPECT_EQ(session.state().adopted_set, 1u);
