@@ -10,7 +10,8 @@ namespace {
 constexpr std::uint32_t kBlock = 16;
 
 std::uint32_t spread(double fraction) {
-  auto bits = static_cast<std::uint32_t>(std::clamp(fraction, 0.0, 1.0) * 1023.0);
+  // A plane without an edge has no place: no number.
+  auto bits = fraction > 0.0 ? static_cast<std::uint32_t>(std::min(fraction, 1.0) * 1023.0) : 0u;
   bits = (bits | (bits << 16)) & 0x030000FFu;
   bits = (bits | (bits << 8)) & 0x0300F00Fu;
   bits = (bits | (bits << 4)) & 0x030C30C3u;

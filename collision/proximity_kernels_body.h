@@ -269,7 +269,7 @@ HAPTICELL_INLINE V cornersAbove(Face<V>& face, const Vector<V>* other, V best) {
     face.barycentric[c][1] = t;
     const V squared = face.height[c] * face.height[c] * inverse;
     const auto inside = (s >= -kTolerance) & (t >= -kTolerance) & (s + t <= 1 + kTolerance) & (trusted > V{});
-    best = inside & (squared < best) ? squared : best;
+    best = (inside & (squared < best)) ? squared : best;
   }
   return best;
 }

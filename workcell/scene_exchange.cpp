@@ -59,7 +59,7 @@ class Reader {
     return require(n <= rest_.size() / smallest) ? static_cast<std::size_t>(n) : 0;
   }
   void take(void* data, std::size_t size) {
-    if (!require(size <= rest_.size())) return;
+    if (!require(size <= rest_.size()) || size == 0) return;
     std::memcpy(data, rest_.data(), size);
     rest_.remove_prefix(size);
   }

@@ -77,9 +77,9 @@ void StateEdit::releaseAllFrom(const std::string& name) {
 
 void StateEdit::dropFromPairSets(const std::string& name) {
   std::erase_if(state_.pair_sets, [&](PairSet& set) {
-    const bool emptied = (std::erase(set.first, name) > 0 && set.first.empty()) |
-                         (std::erase(set.second, name) > 0 && set.second.empty());
-    return emptied;
+    const bool first_emptied = std::erase(set.first, name) > 0 && set.first.empty();
+    const bool second_emptied = std::erase(set.second, name) > 0 && set.second.empty();
+    return first_emptied || second_emptied;
   });
 }
 

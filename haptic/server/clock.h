@@ -36,7 +36,7 @@ class VirtualClock final : public Clock {
 inline constexpr double kSecondsPerNanosecond = 1e-9;
 
 inline constexpr std::int64_t toNanoseconds(double seconds) {
-  return static_cast<std::int64_t>(seconds * 1e9 + 0.5);
+  return static_cast<std::int64_t>(seconds * 1e9 + (seconds < 0 ? -0.5 : 0.5));
 }
 
 }  // namespace hapticell::haptic

@@ -203,7 +203,8 @@ TEST(Face, EyesSitInTheirSocketsAndAreSeenFromAhead) {
       const Figure figure = *makeFigure({sex, stature});
       const Flesh head = headFlesh(figure);
       double radius = 0.0;
-      for (const dvec3& v : eyePieces(figure)[0].mesh.vertices) radius = std::max(radius, glm::length(v));
+      const auto eyes = eyePieces(figure);
+      for (const dvec3& v : eyes[0].mesh.vertices) radius = std::max(radius, glm::length(v));
       EXPECT_NEAR(radius, 0.012, 0.002) << "an eye is 24 mm wide";
       for (const Side side : {Side::kLeft, Side::kRight}) {
         const dvec3 eye = eyeCentre(figure, side);
