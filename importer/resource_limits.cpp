@@ -6,6 +6,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "geometry/sanitizers.h"
+
 namespace hapticell::importer {
 
 namespace {
@@ -25,7 +27,7 @@ void limitResources(std::uint64_t bytes, std::uint64_t seconds) {
   if (::getppid() == 1) ::_exit(1);  // The parent was gone before it was asked for.
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, 2 * seconds);  // Of all threads together; the parent counts the time that passes.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !HAPTICELL_SANITIZED
   limit(RLIMIT_AS, bytes);  // The sanitizers reserve terabytes.
 #else
   static_cast<void>(bytes);
