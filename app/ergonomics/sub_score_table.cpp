@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ergonomics/sub_score_table.h"
 
+#include <QFontMetrics>
 #include <QPainter>
+#include <algorithm>
 
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/score_painting.h"
@@ -10,7 +12,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLine = 22, kName = 106, kNumber = 22, kPatch = 22;
+constexpr int kLine = 22, kLeastName = 106, kNumber = 22, kPatch = 22;
+constexpr double kMostName = 0.6;  // Of a column.
 
 using Row = SubScoreTable::Row;
 
@@ -114,11 +117,18 @@ QSize SubScoreTable::sizeHint() const {
   return {420, kLine * static_cast<int>((rows_.size() + 1) / 2)};
 }
 
+double SubScoreTable::nameWidth() const {
+  const QFontMetrics metrics(textFont(TextRole::kSecond));
+  int widest = kLeastName;
+  for (const Row& row : rows_) widest = std::max(widest, metrics.horizontalAdvance(row.name) + 8);
+  return std::min(1.0 * widest, std::max(1.0 * kLeastName, kMostName * (0.5 * width() - 12.0)));
+}
+
 void SubScoreTable::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const Theme& theme = themeOf(palette());
-  const double half = 0.5 * width();
+  const double half = 0.5 * width(), name = nameWidth();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     const double x = i % 2 == 0 ? 0.0 : half + 6.0, top = kLine * static_cast<double>(i / 2);
@@ -131,13 +141,13 @@ void SubScoreTable::paintEvent(QPaintEvent*) {
       painter.drawText(QRectF(left, top, span, kLine), align | Qt::AlignVCenter,
                        painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(span)));
     };
-    text(x, kName - 4, row.name, Qt::AlignLeft);
+    text(x, name - 4, row.name, Qt::AlignLeft);
     painter.setPen(theme.text1);
     painter.setFont(textFont(TextRole::kSection));
-    text(x + kName, kNumber - 6, row.number, Qt::AlignRight);
-    if (row.band >= 0) paintBand(painter, QRectF(x + kName + kNumber, top + 6, 15, 10), row.band, theme);
+    text(x + name, kNumber - 6, row.number, Qt::AlignRight);
+    if (row.band >= 0) paintBand(painter, QRectF(x + name + kNumber, top + 6, 15, 10), row.band, theme);
     painter.setFont(textFont(TextRole::kSecond));
-    const double left = x + kName + kNumber + kPatch;
+    const double left = x + name + kNumber + kPatch;
     text(left, std::max(10.0, x + wide - left), row.reason, Qt::AlignLeft);
   }
 }

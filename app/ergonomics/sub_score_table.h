@@ -27,6 +27,9 @@ class SubScoreTable : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// Pixels for the names: what the longest needs, but not more than leaves room for the reasons.
+  double nameWidth() const;
+
   std::vector<Row> rows_;
 };
 

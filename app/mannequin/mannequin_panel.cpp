@@ -50,6 +50,17 @@ std::vector<std::size_t> bodiesOf(Kind kind) {
   return bodies;
 }
 
+/// What a hand may take, likely things first: what it has, then what may be moved, then what is locked.
+std::vector<const workcell::Entity*> solidsToTake(const workcell::DocumentState& state, const std::string& carrier) {
+  std::vector<const workcell::Entity*> solids;
+  for (const auto& one : state.entities)
+    if (one->mesh) solids.push_back(one.get());
+  const auto rest = std::stable_partition(
+      solids.begin(), solids.end(), [&](const workcell::Entity* solid) { return solid->attachment.to == carrier; });
+  std::stable_partition(rest, solids.end(), [](const workcell::Entity* solid) { return !solid->locked; });
+  return solids;
+}
+
 }  // namespace
 
 MannequinPanel::MannequinPanel(MannequinContext& context, FigureDrag& drag, QWidget* parent)
@@ -191,7 +202,10 @@ void MannequinPanel::addHands(QVBoxLayout& column) {
     context_.host().holdChoice().setLocks(locks);
   });
   connect(carry_, &QPushButton::clicked, this, &MannequinPanel::carry);
-  connect(part_, &QComboBox::activated, this, &MannequinPanel::showHands);
+  connect(part_, &QComboBox::activated, this, [this] {
+    part_chosen_ = true;
+    showHands();
+  });
 }
 
 void MannequinPanel::addReach(QVBoxLayout& column) {
@@ -329,16 +343,13 @@ void MannequinPanel::showHolding() {
 void MannequinPanel::showHands() {
   const workcell::Entity* entity = context_.entity();
   if (!entity) return;
-  const auto& entities = context_.host().documentModel().document().state().entities;
-  std::vector<const workcell::Entity*> solids;
-  for (const auto& one : entities)
-    if (one->mesh) solids.push_back(one.get());
+  const auto solids = solidsToTake(context_.host().documentModel().document().state(), entity->name);
   bool same = part_->count() == static_cast<int>(solids.size());
   for (std::size_t i = 0; same && i < solids.size(); ++i)
     same = part_->itemData(static_cast<int>(i)).toULongLong() == solids[i]->id &&
            part_->itemText(static_cast<int>(i)).toStdString() == solids[i]->name;
   if (!same) {
-    const qulonglong before = part_->currentData().toULongLong();
+    const qulonglong before = part_chosen_ ? part_->currentData().toULongLong() : 0;
     part_->clear();
     for (const workcell::Entity* solid : solids)
       part_->addItem(QString::fromStdString(solid->name), static_cast<qulonglong>(solid->id));

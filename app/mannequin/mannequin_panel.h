@@ -78,6 +78,7 @@ class MannequinPanel : public QWidget {
   Segmented *grasp_, *two_hands_;
   QSlider* curl_;
   QComboBox* part_;
+  bool part_chosen_ = false;  ///< By the user: it stays when others come or change places.
   QPushButton *carry_, *postures_, *mirror_, *swap_;
   JointList* joints_;
   QVBoxLayout* drawings_;

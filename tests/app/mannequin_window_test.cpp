@@ -220,6 +220,22 @@ TEST(MannequinDock, TakesAPartIntoTheHandAndLetsItGo) {
   EXPECT_TRUE(hand().to.empty());
 }
 
+TEST(MannequinDock, OffersToTheHandWhatMayBeMovedBeforeWhatIsLocked) {
+  MannequinPage page;
+  workcell::Entity bench = table();
+  bench.locked = true;
+  page.add(bench);
+  ASSERT_TRUE(page.addMannequin());
+  workcell::Entity housing = table();
+  housing.name = "Housing";
+  page.add(housing);
+  page.settle();
+  auto* parts = page.find<QComboBox>("comboCarried");
+  ASSERT_EQ(parts->count(), 2);
+  EXPECT_EQ(parts->currentText(), "Housing");
+  EXPECT_EQ(parts->itemText(1).toStdString(), bench.name);
+}
+
 TEST(MannequinDock, AJointIsDraggedWithinItsLimitsAsOneStep) {
   MannequinPage page;
   ASSERT_TRUE(page.addMannequin());
