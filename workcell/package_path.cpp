@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <vector>
 
+#include "workcell/file_content.h"
+#include "workcell/xml_text.h"
+
 namespace hapticell::workcell {
 
 namespace {
@@ -38,8 +41,11 @@ bool isPackage(const fs::path& folder, const std::string& name) {
   const fs::path manifest = folder / "package.xml";
   std::error_code ignored;
   if (!isFile(manifest) || fs::file_size(manifest, ignored) > kLargestManifest) return false;
+  const auto content = readFileContent(manifest);
+  if (!content) return false;
   TiXmlDocument document;
-  if (!document.LoadFile(manifest.c_str())) return false;
+  document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  if (document.Error()) return false;
   const TiXmlElement* root = document.RootElement();
   const TiXmlElement* element = root ? root->FirstChildElement("name") : nullptr;
   const char* text = element ? element->GetText() : nullptr;

@@ -18,6 +18,7 @@
 #include "workcell/package_path.h"
 #include "workcell/scene_batch.h"
 #include "workcell/text_cursor.h"
+#include "workcell/xml_text.h"
 
 namespace hapticell::workcell {
 
@@ -48,7 +49,7 @@ Expected<TiXmlElement*> parse(const fs::path& file, TiXmlDocument& document) {
   if (depthOf(*content) > kDeepest || content->find('\0') != std::string::npos) {
     return makeError({file.string(), "", "XML nested deeper than 200, or bytes that are no text", "SDF", ""});
   }
-  document.Parse(content->c_str(), nullptr, TIXML_ENCODING_UTF8);
+  document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     return makeError({file.string(), "line " + std::to_string(document.ErrorRow()), document.ErrorDesc(), "XML", ""});
   }

@@ -9,6 +9,7 @@
 
 #include "workcell/file_content.h"
 #include "workcell/text_cursor.h"
+#include "workcell/xml_text.h"
 
 namespace hapticell::workcell {
 
@@ -157,7 +158,7 @@ Expected<void> readSrdf(const fs::path& file, RobotModel& model, Diagnostics& di
   };
   if (content->find('\0') != std::string::npos) return refuse(0, "a NUL byte", "XML text");
   TiXmlDocument document;
-  document.Parse(content->c_str(), nullptr, TIXML_ENCODING_UTF8);
+  document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error())
     return refuse(document.ErrorRow(), std::string("XML that does not parse (") + document.ErrorDesc() + ")", "SRDF");
   const TiXmlElement* robot = document.RootElement();

@@ -14,6 +14,7 @@
 
 #include "workcell/urdf_shapes.h"
 #include "workcell/urdf_structure.h"
+#include "workcell/xml_text.h"
 
 namespace hapticell::workcell {
 
@@ -151,9 +152,13 @@ Expected<RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& di
 
 Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem::path& path, Diagnostics& diagnostics,
                                   ImportMonitor* monitor, RobotContent content) {
-  const auto structure = checkUrdfStructure(text, path.string());
+  const XmlText sound = soundXmlText(text);
+  if (sound.replaced > 0)
+    diagnostics.warn("line " + std::to_string(sound.line) + ": text that is no UTF-8; question marks stand for " +
+                     std::to_string(sound.replaced) + " bytes");
+  const auto structure = checkUrdfStructure(sound.text, path.string());
   if (!structure) return makeError(structure.error());
-  const auto source = parse(text, path.string());
+  const auto source = parse(sound.text, path.string());
   if (!source) return makeError(source.error());
   RobotModel model;
   model.name = structure->robot_name;

@@ -7,6 +7,7 @@
 #include <QSaveFile>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/host/host.h"
 #include "app/host/message_log.h"
@@ -42,8 +43,9 @@ ContactLogPage::ContactLogPage(Host& host, QWidget* parent) : QWidget(parent), h
   table->setAccessibleName(tr("Log of contacts"));
   setUpPairTable(*table, model_);
   QHeaderView* header = table->horizontalHeader();
+  header->ensurePolished();  // Its font decides how wide a heading is.
   const int widths[ContactLogModel::kColumns]{88, 132, 160, 160, 88, 72, 72};
-  for (int i = 0; i < ContactLogModel::kColumns; ++i) header->resizeSection(i, widths[i]);
+  for (int i = 0; i < ContactLogModel::kColumns; ++i) header->resizeSection(i, std::max(widths[i], header->sectionSizeHint(i)));
   header->setSectionResizeMode(ContactLogModel::kMoved, QHeaderView::Stretch);
   header->setSectionResizeMode(ContactLogModel::kAgainst, QHeaderView::Stretch);
   column->addWidget(table, 1);

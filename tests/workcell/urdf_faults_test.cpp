@@ -125,6 +125,29 @@ TEST(UrdfFaults, DeepNestingIsRefusedBeforeAnyParserRecurses) {
   EXPECT_THAT(model.error().message(), HasSubstr("nested"));
 }
 
+TEST(UrdfFaults, TextThatIsNoUtf8IsReadAndTold) {
+  const hapticell::test::TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- pi\xE8"
+      "ce -->\n" +
+      robotText(linkText("a"));
+  const auto model = readUrdf(folder.write("latin.urdf", text), diagnostics);
+  ASSERT_TRUE(model) << model.error().message();
+  ASSERT_EQ(diagnostics.warnings.size(), 1u);
+  EXPECT_THAT(diagnostics.warnings[0], HasSubstr("line 2: text that is no UTF-8"));
+}
+
+/// TinyXML 2.6.2 went on behind the end of such a text.
+TEST(UrdfFaults, ATextThatEndsWithinACharacterIsRefused) {
+  const hapticell::test::TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?><robot " + std::string(300, '\xF2');
+  const auto model = readUrdf(folder.write("cut.urdf", text), diagnostics);
+  ASSERT_FALSE(model);
+  EXPECT_THAT(model.error().message(), HasSubstr("XML that does not parse"));
+}
+
 TEST(UrdfFaults, BrokenMeshNamesTheMeshFile) {
   const hapticell::test::TemporaryFolder folder;
   folder.write("cut.stl", test::tetrahedronStl().substr(0, 150));
