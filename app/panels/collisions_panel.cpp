@@ -164,7 +164,8 @@ void CollisionsPanel::makeTable() {
   QHeaderView* header = table_->horizontalHeader();
   header->ensurePolished();  // Its font decides how wide a heading is.
   const int widths[PairTableModel::kColumns]{112, 160, 160, 168, 88, 88, 60};
-  for (int i = 0; i < PairTableModel::kColumns; ++i) header->resizeSection(i, std::max(widths[i], header->sectionSizeHint(i)));
+  for (int i = 0; i < PairTableModel::kColumns; ++i)
+    header->resizeSection(i, std::max(widths[i], header->sectionSizeHint(i)));
   header->setSectionResizeMode(PairTableModel::kMoved, QHeaderView::Stretch);
   header->setSectionResizeMode(PairTableModel::kAgainst, QHeaderView::Stretch);
   table_->viewport()->installEventFilter(new NamesFirst(*table_));

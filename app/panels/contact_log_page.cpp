@@ -45,7 +45,8 @@ ContactLogPage::ContactLogPage(Host& host, QWidget* parent) : QWidget(parent), h
   QHeaderView* header = table->horizontalHeader();
   header->ensurePolished();  // Its font decides how wide a heading is.
   const int widths[ContactLogModel::kColumns]{88, 132, 160, 160, 88, 72, 72};
-  for (int i = 0; i < ContactLogModel::kColumns; ++i) header->resizeSection(i, std::max(widths[i], header->sectionSizeHint(i)));
+  for (int i = 0; i < ContactLogModel::kColumns; ++i)
+    header->resizeSection(i, std::max(widths[i], header->sectionSizeHint(i)));
   header->setSectionResizeMode(ContactLogModel::kMoved, QHeaderView::Stretch);
   header->setSectionResizeMode(ContactLogModel::kAgainst, QHeaderView::Stretch);
   column->addWidget(table, 1);

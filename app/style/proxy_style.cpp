@@ -168,7 +168,7 @@ QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option
       result.setHeight(qMax(result.height(), kRowHeight));
       break;
     case CT_HeaderSection:
-      result.setHeight(kFieldHeight);
+      result = QSize(result.width() + 2 * kHeaderMargin, kFieldHeight);
       break;
     case CT_ToolButton: {
       const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
@@ -368,7 +368,7 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
     case CE_HeaderLabel:
       if (const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option)) {
         QStyleOptionHeader label = *header;
-        label.rect.adjust(4, -4, -4, 4);
+        label.rect.adjust(kHeaderMargin, -4, -kHeaderMargin, 4);
         QProxyStyle::drawControl(element, &label, painter, widget);
         return;
       }

@@ -9,6 +9,7 @@
 namespace hapticell::app {
 
 constexpr int kFieldHeight = 26;
+constexpr int kHeaderMargin = 4;  ///< Either side of a heading.
 constexpr int kRowHeight = 24;
 constexpr double kRadius = 4.0;
 

@@ -53,7 +53,7 @@ const std::unordered_map<std::string_view, std::string_view>& dictionary() {
       {"soon", "bientôt"},
       {"as early as possible", "dès que possible"},
       {"at once", "tout de suite"},
-      {"The %s scores %d: %s.", "Le %s est coté %d : %s."},
+      {"The %s scores %d: %s.", "Cause : %s, note %d (%s)."},
       {"Posture assessment", "Évaluation de la posture"},
       {"Task assessment", "Évaluation de la tâche"},
       {"Body", "Corps"},
