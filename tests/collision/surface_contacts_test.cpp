@@ -26,7 +26,6 @@ using collision::ContactGroup;
 using collision::ContactRow;
 using collision::SignatureCache;
 using collision::SurfaceModel;
-using collision::SurfaceType;
 
 /// A row's value at another place, as the force loop reckons it: the surface's quadric through its foot.
 double valueAt(const ContactRow& row, const dvec3& q) {
@@ -176,7 +175,8 @@ TEST(SurfaceContacts, EveryFacetIsOnItsOwnElement) {
 TEST(SurfaceContacts, NeitherWallsNorHolesOnGeneratedParts) {
   for (const GeneratedPart& part : generatedParts()) {
     const auto model = SurfaceModel::build(part.mesh);
-    const bool rings = std::count(part.truth.begin(), part.truth.end(), SurfaceType::kTorus) > 0;
+    // Its hollow rings are told to 0.05 mm, as all rings; of the others no sample shows it.
+    const bool hollow_rings = part.name == "boss";
     for (const unsigned seed : {7u, 8u, 9u}) {
       for (const double zone : {0.005, 0.015}) {
         const PointReport report = tryPoints(*model, zone < 0.01 ? 10000 : 3000, zone, seed);
@@ -185,7 +185,7 @@ TEST(SurfaceContacts, NeitherWallsNorHolesOnGeneratedParts) {
         EXPECT_EQ(report.exact_holes, 0) << part.name;
         EXPECT_EQ(report.overfull, 0u) << part.name;
         EXPECT_EQ(report.deep, 0) << part.name;
-        EXPECT_LE(report.walls + report.holes, rings ? 0.001 * report.points : 0.0) << part.name;
+        EXPECT_LE(report.walls + report.holes, hollow_rings ? 0.001 * report.points : 0.0) << part.name;
       }
     }
   }

@@ -79,13 +79,7 @@ TEST(ForceLoop, after_a_silence_the_force_comes_back_through_the_gate_only) {
 
 TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_force) {
   VirtualSession session({}, 1000.0, SafetyOptions{}.set_silence_limit);
-  const auto saySets = [&](int ticks, double height_step = 0.0) {
-    for (int i = 0; i < ticks; ++i) {
-      if (height_step != 0.0) session.holdAt(0.005 + height_step * i);
-      if (i % 100 == 0) session.link().sendSet(floorSet(++session.sets_said));
-      session.run(1);
-    }
-  };
+  const auto saySets = [&](int ticks, double height_step = 0.0) { session.saySets(ticks, 100, height_step); };
   session.holdAt(0.005);
   session.link().sendControl({.forces_enabled = true});
   saySets(1500);
@@ -117,13 +111,7 @@ TEST(ForceLoop, a_client_that_lives_but_says_no_set_for_two_seconds_loses_its_fo
 TEST(ForceLoop, sets_that_are_refused_keep_no_force_alive) {
   constexpr std::uint64_t kFarAhead = std::uint64_t{1} << 62;
   VirtualSession session({}, 1000.0, SafetyOptions{}.set_silence_limit);
-  const auto saySets = [&](int ticks, double height_step = 0.0) {
-    for (int i = 0; i < ticks; ++i) {
-      if (height_step != 0.0) session.holdAt(0.005 + height_step * i);
-      if (i % 50 == 0) session.link().sendSet(floorSet(++session.sets_said));
-      session.run(1);
-    }
-  };
+  const auto saySets = [&](int ticks, double height_step = 0.0) { session.saySets(ticks, 50, height_step); };
   session.holdAt(0.005);
   session.link().sendControl({.forces_enabled = true});
   saySets(1500);

@@ -57,6 +57,16 @@ struct VirtualSession {
 
   void holdAt(double height) { link_->sendHandTarget({true, Pose::translation(dvec3(0.0, 0.0, height)), 0}); }
 
+  /// So many ticks, with a new set of the floor at every `period`-th. With a `height_step` the hand goes by so much, m,
+  /// in each, from 5 mm above the floor on.
+  void saySets(int ticks, int period, double height_step = 0.0) {
+    for (int i = 0; i < ticks; ++i) {
+      if (height_step != 0.0) holdAt(0.005 + height_step * i);
+      if (i % period == 0) link_->sendSet(floorSet(++sets_said));
+      run(1);
+    }
+  }
+
   /// Forces on, gate and ramp run through, in free air 5 mm above the floor.
   void engage() {
     holdAt(0.005);
