@@ -46,6 +46,7 @@ Color meanColor(std::span<const Color> colors) {
   for (const Color& color : colors) {
     for (std::size_t k = 0; k < 3; ++k) mean[k] += color[k] / static_cast<float>(colors.size());
   }
+  for (float& channel : mean) channel = std::min(channel, 1.0f);  // Rounded, ten tenths are more than one.
   return mean;
 }
 

@@ -42,7 +42,7 @@ std::string_view TextCursor::nextWord() {
     line_.remove_prefix(std::min(line_.find_first_not_of(kBlanks), line_.size()));
     std::string_view word = line_.substr(0, line_.find_first_of(kBlanks));
     line_.remove_prefix(word.size());
-    const bool goes_on = continuation_ == Continuation::kBackslash && word.ends_with('\\') &&
+    const bool goes_on = continuation_ == Continuation::kBackslash && word.ends_with('\\') && !word.starts_with('#') &&
                          line_.find_first_not_of(kBlanks) == std::string_view::npos;
     if (!goes_on) return word;
     word.remove_suffix(1);

@@ -16,7 +16,8 @@ namespace hapticell::workcell {
 /// separated by blanks and tabs. The text must outlive the cursor.
 class TextCursor {
  public:
-  enum class Continuation { kNone, kBackslash };  ///< kBackslash: a line that ends with '\' goes on in the next (OBJ).
+  /// kBackslash: a line that ends with '\' goes on in the next (OBJ), but for a comment's '#' that ends with one.
+  enum class Continuation { kNone, kBackslash };
 
   explicit TextCursor(std::string_view text, Continuation continuation = Continuation::kNone);
 

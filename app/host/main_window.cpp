@@ -191,7 +191,7 @@ void MainWindow::connectSelection() {
       action->setEnabled(!selection_.all().empty());
     viewport_->refresh();
   });
-  constexpr auto kMore = Qt::ControlModifier | Qt::ShiftModifier;
+  static constexpr auto kMore = Qt::ControlModifier | Qt::ShiftModifier;
   connect(viewport_, &ViewportWidget::picked, this, [this](workcell::EntityId entity, Qt::KeyboardModifiers held) {
     held& kMore ? selection_.toggle(entity) : selection_.set(entity);
   });

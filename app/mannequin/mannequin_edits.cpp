@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "mannequin/body_request_text.h"
 #include "mannequin/figure_model.h"
@@ -91,13 +90,6 @@ Expected<workcell::Entity> newMannequin(const mannequin::BodyRequest& request, c
     entity->name = "Operator " + std::to_string(number);
   }
   return entity;
-}
-
-std::string bodyText(const mannequin::Figure& figure) {
-  char text[80];
-  std::snprintf(text, sizeof text, "%s, %.0f mm, %.0f kg", figure.sex == mannequin::Sex::kMale ? "man" : "woman",
-                1000.0 * figure.body[mannequin::Dimension::kStature], figure.totalMass());
-  return text;
 }
 
 const char* handLink(mannequin::Side side) {

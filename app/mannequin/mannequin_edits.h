@@ -35,9 +35,6 @@ Expected<std::vector<workcell::Command>> resizeCommands(const workcell::Entity& 
 Expected<workcell::Entity> newMannequin(const mannequin::BodyRequest& request, const Pose& X_WE,
                                         const std::vector<std::string>& taken);
 
-/// "female, 1525 mm, 53 kg".
-std::string bodyText(const mannequin::Figure& figure);
-
 /// Link of a hand, for what it carries.
 const char* handLink(mannequin::Side side);
 

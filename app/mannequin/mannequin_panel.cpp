@@ -36,6 +36,13 @@ using mannequin::Side;
 
 constexpr std::array<Kind, 5> kKinds{Kind::kWhole, Kind::kLeftHand, Kind::kRightHand, Kind::kBothHands, Kind::kHead};
 
+QString bodyText(const mannequin::Figure& figure) {
+  const QString text = figure.sex == mannequin::Sex::kMale ? MannequinPanel::tr("Man, %1 mm, %2 kg")
+                                                           : MannequinPanel::tr("Woman, %1 mm, %2 kg");
+  return text.arg(std::lround(1000.0 * figure.body[mannequin::Dimension::kStature]))
+      .arg(std::lround(figure.totalMass()));
+}
+
 /// Bodies of what is held, for the sketch.
 std::vector<std::size_t> bodiesOf(Kind kind) {
   using S = mannequin::Segment;
@@ -313,7 +320,7 @@ void MannequinPanel::showMannequin() {
   content_->setVisible(entity != nullptr);
   if (!entity) return;
   name_->setText(QString::fromStdString(entity->name));
-  body_->setText(QString::fromStdString(bodyText(*entity->figure)));
+  body_->setText(bodyText(*entity->figure));
   sketch_->setFigure(entity->figure);
   showNow();
 }

@@ -39,7 +39,7 @@ class NamesFirst : public QObject {
     if (event->type() != QEvent::Resize) return false;
     constexpr int kWithNearMiss = 700, kWithOnContact = 610;  // Pixels.
     const int width = static_cast<QResizeEvent*>(event)->size().width();
-    table_.setColumnHidden(PairTableModel::kNearMiss, width < kWithNearMiss);
+    table_.setColumnHidden(PairTableModel::kNearMissWithin, width < kWithNearMiss);
     table_.setColumnHidden(PairTableModel::kOnContact, width < kWithOnContact);
     return false;
   }

@@ -183,7 +183,7 @@ QVariant PairTableModel::words(const PairRow& at, int column) const {
     case kDistance:
       if (!at.checked) return tr("not checked");
       return at.distance ? QString::fromStdString(millimetres(*at.distance)) : tr("not near");
-    case kNearMiss:
+    case kNearMissWithin:
       return at.checked ? QString::fromStdString(millimetres(at.near_miss)) : QStringLiteral("—");
     case kOnContact:
       return at.checked ? onContactName(at.on_contact) : QStringLiteral("—");
@@ -208,7 +208,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       return at.own_on_contact;
     case Qt::TextAlignmentRole:
       return static_cast<int>(
-          (index.column() == kDistance || index.column() == kNearMiss ? Qt::AlignRight : Qt::AlignLeft) |
+          (index.column() == kDistance || index.column() == kNearMissWithin ? Qt::AlignRight : Qt::AlignLeft) |
           Qt::AlignVCenter);
     case Qt::ToolTipRole:
       if (index.column() == kOnContact && at.checked)
@@ -229,7 +229,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
 QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole)
-    return static_cast<int>((section == kDistance || section == kNearMiss ? Qt::AlignRight : Qt::AlignLeft) |
+    return static_cast<int>((section == kDistance || section == kNearMissWithin ? Qt::AlignRight : Qt::AlignLeft) |
                             Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   const QString names[kColumns]{tr("State"),     tr("Moved"),      tr("Against"), tr("Distance"),

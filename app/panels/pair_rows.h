@@ -56,7 +56,7 @@ QString onContactName(workcell::OnContact on_contact);
 class PairTableModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kState, kMoved, kAgainst, kDistance, kNearMiss, kOnContact, kCheck, kColumns };
+  enum Column { kState, kMoved, kAgainst, kDistance, kNearMissWithin, kOnContact, kCheck, kColumns };
   enum Role {
     kMarkRole = Qt::UserRole,
     kShareRole,

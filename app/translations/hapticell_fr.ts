@@ -3161,6 +3161,10 @@ Licence Apache 2.0</translation>
         <translation>Homme</translation>
     </message>
     <message>
+        <source>Man, %1 mm, %2 kg</source>
+        <translation>Homme, %1 mm, %2 kg</translation>
+    </message>
+    <message>
         <source>Mannequin</source>
         <translation>Mannequin</translation>
     </message>
@@ -6195,6 +6199,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Woman</source>
         <translation>Femme</translation>
+    </message>
+    <message>
+        <source>Woman, %1 mm, %2 kg</source>
+        <translation>Femme, %1 mm, %2 kg</translation>
     </message>
     <message>
         <source>Work</source>

@@ -83,9 +83,9 @@ TEST(CollisionsPanel, ANarrowTableKeepsTheNames) {
   CollisionsPage page;
   page.measureAtRest();
   QTableView& table = *page.pairs();
-  EXPECT_FALSE(table.isColumnHidden(PairTableModel::kNearMiss));
+  EXPECT_FALSE(table.isColumnHidden(PairTableModel::kNearMissWithin));
   table.resize(660, table.height());
-  EXPECT_TRUE(table.isColumnHidden(PairTableModel::kNearMiss));
+  EXPECT_TRUE(table.isColumnHidden(PairTableModel::kNearMissWithin));
   EXPECT_FALSE(table.isColumnHidden(PairTableModel::kOnContact));
   table.resize(480, table.height());
   EXPECT_TRUE(table.isColumnHidden(PairTableModel::kOnContact));

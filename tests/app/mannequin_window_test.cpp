@@ -82,6 +82,7 @@ TEST(MannequinDock, SizeIsChosenTypedAndUndone) {
   EXPECT_NEAR(page.stature(), 1.680, 1e-6);
   ASSERT_TRUE(page.typeForStep("fieldMass", "80"));
   EXPECT_NEAR(page.selected()->figure->totalMass(), 80.0, 1e-6);
+  EXPECT_EQ(page.find<QLabel>("labelBody")->text(), "Woman, 1680 mm, 80 kg");
   const auto& figure = *page.selected()->figure;
   EXPECT_NEAR(page.posture().X_WR.p.z, mannequin::onFloor(figure, page.posture()).X_WR.p.z, 1e-6) << "on the floor";
   for (int i = 0; i < 3; ++i) page.trigger("actionUndo");

@@ -5,6 +5,10 @@
 
 namespace hapticell::test {
 
+/// Whether the two below do anything: not beneath clang's thread sanitizer. A test that needs them skips where not.
+bool allocationsAreCounted();
+inline constexpr const char* kNotCounted = "beneath clang's thread sanitizer allocations are not counted";
+
 /// Counts what the calling thread takes from the heap while it lives.
 ///
 /// Link hapticell_allocation_guard: it replaces operator new for the whole test program. Guards may nest; each sees the

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "geometry/mass_properties.h"
 #include "geometry/shapes.h"
 #include "tests/support/test_data.h"
@@ -102,6 +104,23 @@ TEST(ObjParts, colourOfTheVerticesGoesOverTheMaterial) {
   const auto damaged = partsOfText(readObj, tetrahedron(1, 0, " 0.5 nan 1"), notes);
   EXPECT_FALSE(damaged.at(0).color.has_value());
   EXPECT_THAT(notes.warnings, ElementsAre(HasSubstr("4 vertices have a colour that is no numbers")));
+}
+
+// Found by the fuzz target: ten tenths, each rounded, were more than one.
+TEST(ObjParts, theMeanColourOfAPolygonIsNoBrighterThanItsCorners) {
+  std::string text, face = "f";
+  for (int k = 1; k <= 18; ++k) {
+    const double angle = 0.3 * k;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0 1 " +
+            (k % 2 ? "1" : "0") + " 0\n";
+    face += " " + std::to_string(k);
+    if (k < 3) continue;
+    Diagnostics notes;
+    const auto parts = partsOfText(readObj, text + face + "\n", notes);
+    ASSERT_TRUE(parts.at(0).color.has_value()) << k;
+    EXPECT_LE((*parts[0].color)[0], 1.0f) << k;
+    EXPECT_TRUE(isNear(parts[0].color, 1.0f, static_cast<float>((k + 1) / 2) / static_cast<float>(k), 0.0f)) << k;
+  }
 }
 
 TEST(ObjParts, anObjectOfSeveralColoursIsAnAssemblyWhereItsPiecesStandApart) {

@@ -12,6 +12,7 @@
 #include "tests/support/test_data.h"
 #include "tests/workcell/mesh_text.h"
 #include "workcell/length_unit.h"
+#include "workcell/mesh_formats.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -169,6 +170,17 @@ TEST(ObjReader, readsPolygonsNegativeIndicesColoursAndContinuation) {
   EXPECT_EQ(mesh.triangles.size(), 5u);
   // The L is concave: ears keep its area of 4, a fan would not.
   EXPECT_NEAR(geometry::massProperties(mesh).area, 4.5, 1e-12);
+}
+
+// Found by the fuzz target: the comment was read to beyond the text's end, or took the next line with it.
+TEST(ObjReader, aCommentDoesNotGoOnBehindABackslash) {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* comment : {"#\\", "#---\\", "# from C:\\"}) {
+    EXPECT_EQ(parsed(std::string(comment) + "\n" + three, "a.obj").vertices.size(), 3u) << comment;
+    EXPECT_EQ(parsed(three + comment, "a.obj").vertices.size(), 3u) << comment;
+    Diagnostics notes;
+    EXPECT_THAT(readObj(comment, notes)->mesh.vertices, testing::IsEmpty()) << comment;
+  }
 }
 
 TEST(ObjReader, acceptsAVertexAfterItsFace) {

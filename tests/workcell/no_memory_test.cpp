@@ -59,6 +59,7 @@ std::size_t failsHarmlessly(Document& document, const Change& change, std::size_
 }
 
 TEST(NoMemory, EveryCommandAndUndoingItIsDoneWholeOrNotAtAll) {
+  if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   Document document = test::cellOfEverything();
   for (const CommandMaker& make : test::oneOfEach(document)) {
     const Command command = make(document);
@@ -71,6 +72,7 @@ TEST(NoMemory, EveryCommandAndUndoingItIsDoneWholeOrNotAtAll) {
 }
 
 TEST(NoMemory, AnImportIsTakenBack) {
+  if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   Document document = test::cellOfEverything();
   const std::vector<Entity> parts{test::makeSolid("part"), test::makeSolid("nut"), test::makeSolid("bolt")};
   const auto import = [&parts](Document& changed) {
@@ -81,6 +83,7 @@ TEST(NoMemory, AnImportIsTakenBack) {
 }
 
 TEST(NoMemory, SavingLeavesTheOldFile) {
+  if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "kept.hcell";
   const auto bytes = [&file] {

@@ -34,6 +34,7 @@ ConstraintSet boreOfRows(std::uint64_t sequence) {
 }
 
 TEST(AllocationGuard, seesAnAllocation) {
+  if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   const AllocationGuard guard;
   const auto number = std::make_unique<int>(3);
   EXPECT_EQ(guard.count(), 1u);
@@ -41,6 +42,7 @@ TEST(AllocationGuard, seesAnAllocation) {
 }
 
 TEST(ForceLoop, allocatesNothingInTenThousandTicks) {
+  if (!test::allocationsAreCounted()) GTEST_SKIP() << test::kNotCounted;
   const auto renderer = std::make_unique<ForceRenderer>();
   const auto sets = std::make_unique<TripleBuffer<ConstraintSet>>();
   SafetyChain chain;
