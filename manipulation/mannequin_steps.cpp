@@ -31,6 +31,9 @@ constexpr int kHeelTries = 5;
 constexpr double kHeelStep = 0.15;  ///< rad
 constexpr int kPelvisPasses = 6;
 constexpr double kLeastShare = 1e-3;  ///< Of a way that is gone at all.
+constexpr double kLittleBent = 1e-3;  ///< rad beyond its limits that a leg is helped out of by a pelvis that rises,
+constexpr double kRise = 0.5;         ///< so many m for a rad: a bent leg's ankle turns by 2 to 4 rad a metre.
+constexpr int kRises = 3;
 
 double headingOf(const dquat& q) {
   const dvec3 ahead = q * dvec3(1.0, 0.0, 0.0);
@@ -200,33 +203,51 @@ FootPlaces puttingDown(const FootPlaces& taken, const FootPlaces& now) {
 
 namespace {
 
-/// Puts a leg under the pelvis in closed form; false where its limits do not let it.
-bool setLeg(const mannequin::Figure& figure, mannequin::Side side, const Pose& foot, mannequin::Posture& posture) {
+constexpr double kNoLeg = 1e3;  ///< rad
+
+/// Puts a leg under the pelvis in closed form; where its limits do not let it, what it is beyond them is returned (rad,
+/// kNoLeg: it is too short or too long), and the posture is as it was.
+double setLeg(const mannequin::Figure& figure, mannequin::Side side, const Pose& foot, mannequin::Posture& posture) {
   using mannequin::Dof;
   const mannequin::SegmentPlace pelvis{glm::mat3_cast(posture.X_WR.q), posture.X_WR.p};
   const auto leg = mannequin::legInverse(figure, side, pelvis, {glm::mat3_cast(foot.q), foot.p});
-  if (leg.violation > 0.0 || leg.missing > 1e-9) return false;
+  if (leg.missing > 1e-9) return kNoLeg;
+  if (leg.violation > 0.0) return leg.violation;
   mannequin::setBallRotation(posture, legDof(side, Dof::kLeftHipFlexion), leg.R_PelvisThigh);
   posture[legDof(side, Dof::kLeftKneeFlexion)] = leg.knee;
   posture[legDof(side, Dof::kLeftAnklePlantarFlexion)] = leg.plantar_flexion;
   posture[legDof(side, Dof::kLeftAnkleInversion)] = leg.inversion;
-  return true;
+  return 0.0;
 }
 
 /// The same; the heel of a lifted foot may rise where the ankle bends no farther, and the foot with it, so that the
 /// toes stay above the floor.
-bool standLeg(const mannequin::Figure& figure, mannequin::Side side, bool lifted, Pose& foot,
-              mannequin::Posture& posture) {
+double standLeg(const mannequin::Figure& figure, mannequin::Side side, bool lifted, Pose& foot,
+                mannequin::Posture& posture) {
   const Pose flat = foot;
   const dvec3 ball(figure.sole.ball_x, 0.0, 0.0);
+  double beyond = 0.0;
   for (int i = 0; i <= (lifted ? kHeelTries : 0); ++i) {
     const double pitch = i * kHeelStep;
     foot.q = flat.q * quaternionFromRotationVector({0.0, pitch, 0.0});
     foot.p = flat * ball - foot.q * ball;
-    if (setLeg(figure, side, foot, posture)) return true;
+    beyond = setLeg(figure, side, foot, posture);
+    if (beyond == 0.0) return 0.0;
   }
   foot = flat;
-  return false;
+  return beyond;
+}
+
+/// Both legs; what the worse of them is beyond its limits, which leaves the posture half set.
+double standLegs(const mannequin::Figure& figure, FootPlaces& feet, mannequin::Posture& posture) {
+  const double floor = std::min(feet[0].p.z, feet[1].p.z);
+  double worst = 0.0;
+  for (const mannequin::Side side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+    Pose& foot = feet[static_cast<std::size_t>(side)];
+    worst = std::max(worst, standLeg(figure, side, foot.p.z > floor + kOnFloor, foot, posture));
+    if (worst > kLittleBent) break;
+  }
+  return worst;
 }
 
 }  // namespace
@@ -250,26 +271,23 @@ std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mann
       if (length > longest) posture.X_WR.p += (1.0 - longest / length) * down;
     }
   }
-  for (const Side side : {Side::kLeft, Side::kRight}) {
-    const std::size_t i = static_cast<std::size_t>(side);
-    const bool lifted = to[i].p.z > std::min(to[0].p.z, to[1].p.z) + kOnFloor;
-    if (!standLeg(figure, side, lifted, to[i], posture)) return std::nullopt;
-  }
+  if (standLegs(figure, to, posture) > 0.0) return std::nullopt;
   return posture;
 }
 
 mannequin::Posture stoodOn(const mannequin::Figure& figure, const mannequin::Posture& start,
                            const mannequin::Posture& there, const FootPlaces& feet) {
   for (double share = 1.0; share >= kLeastShare; share *= 0.5) {
-    FootPlaces places = feet;
     mannequin::Posture posture = share < 1.0 ? mannequin::interpolate(start, there, share) : there;
-    bool stands = true;
-    for (const mannequin::Side side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
-      const std::size_t i = static_cast<std::size_t>(side);
-      const bool lifted = feet[i].p.z > std::min(feet[0].p.z, feet[1].p.z) + kOnFloor;
-      stands = stands && standLeg(figure, side, lifted, places[i], posture);
+    // The solver has feet where they stand to within a tenth of a micron, and an ankle at its limit is beyond it by as
+    // little here: without this it would be stuck there.
+    for (int i = 0; i <= kRises; ++i) {
+      FootPlaces places = feet;
+      const double beyond = standLegs(figure, places, posture);
+      if (beyond == 0.0) return posture;
+      if (beyond > kLittleBent) break;
+      posture.X_WR.p.z += kRise * beyond;
     }
-    if (stands) return posture;
   }
   return start;
 }

@@ -206,8 +206,8 @@ QRect ProxyStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
     const int range = qMax(1, bar->maximum - bar->minimum);
     const int handle =
         bar->maximum > bar->minimum
-            ? qBound(28, static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep)),
-                     length)
+            ? qMin(length,
+                   qMax(28, static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep))))
             : length;
     const int start =
         sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - handle, bar->upsideDown);

@@ -54,16 +54,18 @@ QString Units::angleUnit() const {
 }
 
 Units unitsNow() {
-  const QVariantList list = qApp ? qApp->property(kProperty).toList() : QVariantList();
+  const QCoreApplication* application = QCoreApplication::instance();
+  const QVariantList list = application ? application->property(kProperty).toList() : QVariantList();
   if (list.size() != 5) return {};
   return {static_cast<Units::Length>(list[0].toInt()), static_cast<Units::Angle>(list[1].toInt()), list[2].toInt(),
           list[3].toInt(), list[4].toInt()};
 }
 
 void setUnitsNow(const Units& units) {
-  if (!qApp || units == unitsNow()) return;
-  qApp->setProperty(kProperty, QVariantList{static_cast<int>(units.length), static_cast<int>(units.angle),
-                                            units.length_decimals, units.angle_decimals, units.force_decimals});
+  QCoreApplication* application = QCoreApplication::instance();
+  if (!application || units == unitsNow()) return;
+  application->setProperty(kProperty, QVariantList{static_cast<int>(units.length), static_cast<int>(units.angle),
+                                                   units.length_decimals, units.angle_decimals, units.force_decimals});
   for (QWidget* widget : QApplication::allWidgets()) {
     if (auto* field = qobject_cast<ValueField*>(widget)) field->unitsChanged();
     widget->update();

@@ -28,6 +28,8 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
 }
 
 ViewportWidget::~ViewportWidget() {
+  // The context ends in the base's destructor, when there is no viewport any more to clear up.
+  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
   makeCurrent();
   renderer_.reset();
   doneCurrent();

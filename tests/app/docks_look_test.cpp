@@ -9,11 +9,13 @@
 #include <QLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyleOption>
 #include <QToolButton>
 
 #include "app/host/language.h"
 #include "app/panels/joint_row.h"
 #include "app/style/fonts.h"
+#include "app/style/proxy_style.h"
 #include "app/style/theme.h"
 #include "geometry/shapes.h"
 #include "tests/app/mannequin_page.h"
@@ -168,6 +170,20 @@ TEST(Docks, ShowAllOfTheirWordsAndLieBesideEachOther) {
   }
   findings.removeDuplicates();
   EXPECT_TRUE(findings.isEmpty()) << findings.join('\n').toStdString();
+}
+
+TEST(ScrollBar, HandleIsNoLongerThanABarWithoutRoom) {
+  const ProxyStyle style;
+  QStyleOptionSlider bar;
+  bar.rect = QRect(0, 0, 10, 20);
+  bar.orientation = Qt::Vertical;
+  bar.maximum = 400;
+  bar.pageStep = 20;
+  for (const int position : {0, 150, 400}) {
+    bar.sliderPosition = position;
+    const QRect handle = style.subControlRect(QStyle::CC_ScrollBar, &bar, QStyle::SC_ScrollBarSlider, nullptr);
+    EXPECT_TRUE(bar.rect.contains(handle)) << handle.top() << " to " << handle.bottom();
+  }
 }
 
 }  // namespace
