@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kMessageMilliseconds = 8000;
 constexpr int kRateWidth = 152;
+constexpr int kRatesMilliseconds = 500;  ///< Quicker nobody reads them, and each painting composes the whole window.
 
 }  // namespace
 
@@ -42,12 +43,16 @@ void StatusLine::setSentence(Mark mark, const QString& sentence) {
 void StatusLine::setRates(const Rates& rates) {
   const bool full = rates.haptic_full == rates_.haptic_full && rates.collision_full == rates_.collision_full &&
                     rates.window_full == rates_.window_full;
+  const bool began =
+      (rates.haptic_hz > 0.0) != (rates_.haptic_hz > 0.0) || (rates.collision_hz > 0.0) != (rates_.collision_hz > 0.0);
+  if (full && !began && rates_shown_.isValid() && !rates_shown_.hasExpired(kRatesMilliseconds)) return;
   const bool haptic = haptic_.take(rates.haptic_hz), collision = collision_.take(rates.collision_hz);
   if (!window_.take(rates.window_hz) && !haptic && !collision && full) return;
   rates_ = rates;
   rates_.haptic_hz = haptic_.shown();
   rates_.collision_hz = collision_.shown();
   rates_.window_hz = window_.shown();
+  rates_shown_.start();
   update();
 }
 

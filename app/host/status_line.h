@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QStatusBar>
 #include <QTimer>
 
@@ -21,7 +22,7 @@ class StatusLine : public QStatusBar {
     double haptic_full = 1000.0, collision_full = 1000.0, window_full = 60.0;
   };
   void setSentence(Mark mark, const QString& sentence);
-  /// Shown anew where they differ visibly.
+  /// Shown anew where they differ visibly, twice a second at most; at once where a loop begins or ends.
   void setRates(const Rates& rates);
   void setDevice(const QString& text);
   void setSound(const QString& text, bool on);
@@ -41,6 +42,7 @@ class StatusLine : public QStatusBar {
   Severity severity_ = Severity::kInformation;
   static constexpr double kShare = 0.05;  ///< A rate is shown anew when it differs by so much.
   Rates rates_;
+  QElapsedTimer rates_shown_;
   SteadyNumber haptic_{kShare}, collision_{kShare}, window_{kShare};
   QTimer message_timer_;
 };

@@ -195,37 +195,11 @@ QRect ProxyStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
     const QRect r = option->rect;
     if (part == SC_ComboBoxEditField) return r.adjusted(8, 1, -24, -1);
     if (part == SC_ComboBoxArrow) return QRect(r.right() - 23, r.top(), 22, r.height());
+    if (part == SC_ComboBoxListBoxPopup) return choiceList(r, qobject_cast<const QComboBox*>(widget));
   }
   if (control == CC_ScrollBar) {
-    if (part == SC_ScrollBarAddLine || part == SC_ScrollBarSubLine) return {};
     const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
-    if (!bar) return {};
-    const bool vertical = bar->orientation == Qt::Vertical;
-    const QRect groove = bar->rect;
-    const int length = vertical ? groove.height() : groove.width();
-    const int range = qMax(1, bar->maximum - bar->minimum);
-    const int handle =
-        bar->maximum > bar->minimum
-            ? qMin(length,
-                   qMax(28, static_cast<int>(static_cast<qint64>(length) * bar->pageStep / (range + bar->pageStep))))
-            : length;
-    const int start =
-        sliderPositionFromValue(bar->minimum, bar->maximum, bar->sliderPosition, length - handle, bar->upsideDown);
-    switch (part) {
-      case SC_ScrollBarGroove:
-        return groove;
-      case SC_ScrollBarSlider:
-        return vertical ? QRect(groove.left(), start, groove.width(), handle)
-                        : QRect(start, groove.top(), handle, groove.height());
-      case SC_ScrollBarSubPage:
-        return vertical ? QRect(groove.left(), 0, groove.width(), start)
-                        : QRect(0, groove.top(), start, groove.height());
-      case SC_ScrollBarAddPage:
-        return vertical ? QRect(groove.left(), start + handle, groove.width(), length - start - handle)
-                        : QRect(start + handle, groove.top(), length - start - handle, groove.height());
-      default:
-        return {};
-    }
+    return bar ? scrollBarPart(*bar, part) : QRect();
   }
   return QProxyStyle::subControlRect(control, option, part, widget);
 }

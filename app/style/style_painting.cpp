@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/style/style_painting.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QPainterPath>
 #include <QRegularExpression>
 #include <QToolButton>
@@ -11,6 +13,9 @@
 
 namespace hapticell::app {
 namespace {
+
+constexpr int kLeastHandle = 28;                    ///< px of a scroll bar.
+constexpr int kListMargin = 16, kWidestList = 480;  ///< px of a combo box's list.
 
 bool has(const QStyleOption* option, QStyle::StateFlag flag) {
   return option->state.testFlag(flag);
@@ -184,6 +189,39 @@ void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QR
   const QRect bar = option->orientation == Qt::Vertical ? handle.adjusted(3, 1, -3, -1) : handle.adjusted(1, 3, -1, -3);
   const double radius = std::min(bar.width(), bar.height()) / 2.0;
   drawBox(painter, bar, hover ? theme.text3 : theme.line, QColor(), radius);
+}
+
+QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part) {
+  const bool vertical = bar.orientation == Qt::Vertical;
+  const QRect groove = bar.rect;
+  const int length = vertical ? groove.height() : groove.width();
+  const int range = qMax(1, bar.maximum - bar.minimum);
+  const int share = static_cast<int>(static_cast<qint64>(length) * bar.pageStep / (range + bar.pageStep));
+  const int handle = bar.maximum > bar.minimum ? qMin(length, qMax(kLeastHandle, share)) : length;
+  const int start =
+      QStyle::sliderPositionFromValue(bar.minimum, bar.maximum, bar.sliderPosition, length - handle, bar.upsideDown);
+  const auto along = [&](int from, int size) {
+    return vertical ? QRect(groove.left(), from, groove.width(), size)
+                    : QRect(from, groove.top(), size, groove.height());
+  };
+  switch (part) {
+    case QStyle::SC_ScrollBarGroove:
+      return groove;
+    case QStyle::SC_ScrollBarSlider:
+      return along(start, handle);
+    case QStyle::SC_ScrollBarSubPage:
+      return along(0, start);
+    case QStyle::SC_ScrollBarAddPage:
+      return along(start + handle, length - start - handle);
+    default:
+      return {};
+  }
+}
+
+QRect choiceList(const QRect& field, const QComboBox* box) {
+  if (box == nullptr) return field;
+  const int words = box->view()->sizeHintForColumn(box->modelColumn()) + kListMargin;
+  return QRect(field.left(), field.top(), qMax(field.width(), qMin(words, kWidestList)), field.height());
 }
 
 }  // namespace hapticell::app

@@ -6,6 +6,8 @@
 #include <QRect>
 #include <QStyleOption>
 
+class QComboBox;
+
 namespace hapticell::app {
 
 constexpr int kFieldHeight = 26;
@@ -36,6 +38,13 @@ QString plainTabText(const QString& text);
 
 /// The little triangle of combo boxes and menus, pointing down.
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);
+
+/// A part of a scroll bar without buttons, whose handle is 28 px long or more where there is room; empty: it has none.
+QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part);
+
+/// Where a combo box at `field` opens its list: as wide as the words in it, within reason, and as itself. `box` may be
+/// null.
+QRect choiceList(const QRect& field, const QComboBox* box);
 
 /// A narrow scroll bar without buttons.
 void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QRect& handle);

@@ -101,7 +101,7 @@ class Writer {
   ReportBlock task() const {
     const WorkTask& task = input_.task;
     const bool fr = language() == Language::kFrench;
-    ReportBlock block{say("Task"), {task.name}};
+    ReportBlock block{say("Task"), {task.name == WorkTask{}.name ? say("Task") : task.name}};
     block.lines.push_back((fr ? "Charge gauche " : "Load left ") + known(task.load_kg[0], "%.1f kg") +
                           (fr ? ", droite " : ", right ") + known(task.load_kg[1], "%.1f kg"));
     block.lines.push_back((fr ? "Répétitions " : "Repetitions ") + known(task.repetitions_per_min, "%.1f / min") +

@@ -36,6 +36,17 @@ class ReportCanvas {
     cairo_set_font_size(cr_, size);
   }
 
+  /// Letters as wide on a small picture of a page as on paper, so that lines break alike.
+  void exactWidths() {
+    struct End {
+      void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
+    };
+    const std::unique_ptr<cairo_font_options_t, End> options(cairo_font_options_create());
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_set_font_options(cr_, options.get());
+  }
+
   double widthOf(const std::string& text) {
     cairo_text_extents_t extents;
     cairo_text_extents(cr_, text.c_str(), &extents);

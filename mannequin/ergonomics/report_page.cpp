@@ -66,6 +66,7 @@ class PagePainter : protected ReportCanvas {
     y_ = margin_;
     cairo_save(cr_);
     cairo_scale(cr_, density_, density_);
+    exactWidths();
     cairo_set_source_rgb(cr_, 1, 1, 1);
     cairo_paint(cr_);
     ink();
@@ -227,17 +228,30 @@ class PagePainter : protected ReportCanvas {
       }
     }
     fit(widths, width);
-    if (!block.columns.empty()) {
-      font(9, true);
-      double at = x;
-      for (std::size_t i = 0; i < block.columns.size(); ++i) {
-        show(at, y_ + 9, block.columns[i]);
-        at += widths[i];
-      }
-      y_ += 13;
-      rule(x, width, 0.9, 0.1);
-    }
+    if (!block.columns.empty()) tableHead(block.columns, widths, x, width);
     for (const auto& row : block.rows) tableRow(row, widths, x, width);
+  }
+
+  void tableHead(const std::vector<std::string>& columns, const std::vector<double>& widths, double x, double width) {
+    font(9, true);
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      cells.push_back(wrapped(columns[i], widths[i] - 8.0));
+      lines = std::max(lines, cells.back().size());
+    }
+    const double height = 1.5 + 11.5 * static_cast<double>(lines);
+    need(height + 2);
+    font(9, true);  // A page that begins has its own.
+    double at = x;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      // On the rule, as tables have them.
+      const double first = y_ + 9.0 + 11.5 * static_cast<double>(lines - cells[i].size());
+      for (std::size_t k = 0; k < cells[i].size(); ++k) show(at, first + 11.5 * static_cast<double>(k), cells[i][k]);
+      at += widths[i];
+    }
+    y_ += height;
+    rule(x, width, 0.9, 0.1);
   }
 
   void tableRow(const std::vector<ReportBlock::Cell>& row, const std::vector<double>& widths, double x, double width) {

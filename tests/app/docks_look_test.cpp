@@ -172,6 +172,18 @@ TEST(Docks, ShowAllOfTheirWordsAndLieBesideEachOther) {
   EXPECT_TRUE(findings.isEmpty()) << findings.join('\n').toStdString();
 }
 
+TEST(ChoiceList, IsAsWideAsTheWordsInItAndNoNarrowerThanItsField) {
+  QComboBox box;
+  box.addItems({"a", "Some words that the field has no room for"});
+  QStyleOptionComboBox option;
+  for (const int width : {60, 900}) {
+    option.rect = QRect(0, 0, width, 26);
+    const QRect list = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxListBoxPopup, &box);
+    EXPECT_GE(list.width(), box.fontMetrics().horizontalAdvance(box.itemText(1)));
+    EXPECT_GE(list.width(), width);
+  }
+}
+
 TEST(ScrollBar, HandleIsNoLongerThanABarWithoutRoom) {
   const ProxyStyle style;
   QStyleOptionSlider bar;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A window in which nothing changes paints nothing: counted, not timed.
 #include <QPaintEvent>
+#include <QTest>
 #include <QTimer>
 #include <map>
 
+#include "app/host/status_line.h"
 #include "app/style/steady_number.h"
 #include "tests/app/cell_page.h"
 
@@ -25,6 +27,10 @@ class PaintCount : public QObject {
     std::string text;
     for (const auto& [name, times] : count_) text += (text.empty() ? "" : ", ") + name + ' ' + std::to_string(times);
     return text;
+  }
+  int times(const std::string& name) const {
+    const auto found = count_.find(name);
+    return found == count_.end() ? 0 : found->second;
   }
 
  private:
@@ -70,6 +76,23 @@ TEST(IdleWindow, PaintsNothing) {
     if (painted_last.empty()) break;
   }
   EXPECT_EQ(painted_last, "");
+}
+
+TEST(StatusLine, RatesThatDanceArePaintedNowAndThenOnly) {
+  StatusLine line;
+  line.resize(1200, 26);
+  line.setVisible(true);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&line));
+  const PaintCount painted;
+  StatusLine::Rates rates;
+  rates.haptic_hz = rates.window_hz = 60.0;
+  for (int i = 0; i < 60; ++i) {
+    rates.collision_hz = i % 2 == 0 ? 500.0 : 900.0;
+    line.setRates(rates);
+    QTest::qWait(10);
+  }
+  EXPECT_GT(painted.times("statusLine"), 0);
+  EXPECT_LT(painted.times("statusLine"), 20) << "they differ by far 60 times";
 }
 
 TEST(SteadyNumber, StaysWhileItDiffersLittleAndNeverHidesAZero) {

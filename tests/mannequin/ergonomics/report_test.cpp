@@ -132,6 +132,27 @@ TEST(Report, PdfIsWrittenAndItsPagesAreDrawn) {
   EXPECT_LT(static_cast<std::size_t>(inked), page.pixels.size() / 3);
 }
 
+TEST(Report, LongHeadingsOfATableStayInTheirColumns) {
+  Report report;
+  std::string words;
+  for (int i = 0; i < 12; ++i) words += "heading ";
+  ReportBlock table{"Table", {}, {words, words, words, words}};
+  table.rows.push_back({{"a"}, {"b"}, {"c"}, {"d"}});
+  report.blocks.push_back(table);
+  for (const int width : {300, 1200}) {
+    const ReportPicture page = drawReportPage(report, 1, width);
+    const int column = page.width * 98 / 100;  // In the margin.
+    for (int y = 0; y < page.height; ++y)
+      EXPECT_GT(page.pixels[static_cast<std::size_t>(y * page.width + column)] & 0xFFu, 0xF0u) << y;
+  }
+}
+
+TEST(Report, ATaskWithoutANameOfItsOwnIsCalledByTheReportsLanguage) {
+  auto input = inputFor(Language::kFrench);
+  input.task.name = WorkTask{}.name;
+  EXPECT_EQ(reportCsv(postureReport(input)).find("Task"), std::string::npos);
+}
+
 TEST(Report, RefusesOtherEndingsAndFoldersThatAreNotThere) {
   const Report report = taskReport(inputFor(Language::kEnglish));
   const auto other = writeReport(report, "report.doc");
