@@ -107,7 +107,11 @@ void Layouts::keep() {
 
 bool Layouts::bringBack() {
   const QByteArray state = settings_.value("layout/" + current_).toByteArray();
-  if (state.isEmpty() || !window_.restoreState(state, kVersion)) return false;
+  if (state.isEmpty()) return false;
+  // Docks that were made since it was kept are not in it, and Qt would leave them as the layout before had them.
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
+    if (!dock->isFloating()) dock->hide();
+  if (!window_.restoreState(state, kVersion)) return false;
   raiseLater(settings_.value("layout_front/" + current_).toStringList());
   return true;
 }

@@ -329,8 +329,11 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
       const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
       if (!button) break;
       QStyleOptionButton copy = *button;
-      const bool on = copy.state.testFlag(State_On) || (widget && widget->property("main").toBool());
-      if (on && copy.state.testFlag(State_Enabled)) copy.palette.setColor(QPalette::ButtonText, theme.on_text);
+      const bool main = widget && widget->property("main").toBool();
+      if ((main || copy.state.testFlag(State_On)) && copy.state.testFlag(State_Enabled)) {
+        copy.palette.setColor(QPalette::ButtonText, theme.on_text);
+        if (main) copy.icon = inOneColor(copy.icon, copy.iconSize, theme.on_text);
+      }
       QProxyStyle::drawControl(element, &copy, painter, widget);
       return;
     }

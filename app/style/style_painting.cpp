@@ -191,6 +191,17 @@ void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QR
   drawBox(painter, bar, hover ? theme.text3 : theme.line, QColor(), radius);
 }
 
+QIcon inOneColor(const QIcon& icon, const QSize& size, const QColor& color) {
+  if (icon.isNull()) return icon;
+  constexpr qreal kSharp = 2.0;  // Enough for screens of twice the pixels.
+  QPixmap shape = icon.pixmap(size, kSharp);
+  QPainter painter(&shape);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+  painter.fillRect(QRect(QPoint(), size), color);
+  painter.end();
+  return QIcon(shape);
+}
+
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part) {
   const bool vertical = bar.orientation == Qt::Vertical;
   const QRect groove = bar.rect;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QIcon>
 #include <QPainter>
 #include <QRect>
 #include <QStyleOption>
@@ -38,6 +39,9 @@ QString plainTabText(const QString& text);
 
 /// The little triangle of combo boxes and menus, pointing down.
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);
+
+/// An icon's shape in a colour of the ground that it is drawn on; none stays none.
+QIcon inOneColor(const QIcon& icon, const QSize& size, const QColor& color);
 
 /// A part of a scroll bar without buttons, whose handle is 28 px long or more where there is room; empty: it has none.
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part);

@@ -145,6 +145,23 @@ TEST(LayoutsInTheWindow, EachIsAsItWasLeft) {
   EXPECT_TRUE(page.find<QDockWidget>("dockMove")->isHidden()) << "as it is drawn";
 }
 
+TEST(LayoutsInTheWindow, ADockThatWasMadeLaterStaysOutOfTheLayoutsBefore) {
+  CellPage page;
+  page.window().layouts().choose("teach");
+  page.window().layouts().choose("move");
+  auto* late = new QDockWidget("late", &page.window());
+  late->setObjectName("dockLate");
+  page.window().addDockWidget(Qt::RightDockWidgetArea, late);
+  late->show();
+  page.window().layouts().choose("teach");
+  CellPage::settle();
+  EXPECT_TRUE(late->isHidden());
+  EXPECT_TRUE(page.find<QDockWidget>("dockRobot")->toggleViewAction()->isChecked()) << "what it had is there";
+  page.window().layouts().choose("move");
+  CellPage::settle();
+  EXPECT_FALSE(late->isHidden());
+}
+
 bool comesToFront(MainWindow& window, const char* name) {
   const auto* dock = window.findChild<QDockWidget*>(name);
   return dock && CellPage::until([dock] { return isInFront(*dock); }, 30000);
