@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <system_error>
@@ -145,9 +146,11 @@ class C3dReader {
 
   /// Counts, scale, rate and unit, from the parameters where they are, else from the header.
   Expected<void> readLayout() {
-    markers_ = static_cast<std::size_t>(number("POINT:USED").value_or(*bytes_.word(2)));
-    if (markers_ == 0) return fail(2, "no points", "at least one marker");
-    if (markers_ > kMostMarkers) return fail(2, std::to_string(markers_) + " points", "at most 10000");
+    const double markers = number("POINT:USED").value_or(*bytes_.word(2));
+    if (!(markers >= 1.0)) return fail(2, "no points", "at least one marker");
+    if (markers > static_cast<double>(kMostMarkers))
+      return fail(2, std::to_string(std::llround(markers)) + " points", "at most 10000");
+    markers_ = static_cast<std::size_t>(markers);
     analog_ = *bytes_.word(4);
     const auto scale = number("POINT:SCALE");
     const auto header_scale = bytes_.real(12);

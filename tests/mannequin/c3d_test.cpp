@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "mannequin/marker_clip.h"
@@ -60,7 +61,9 @@ class C3dText {
 };
 
 /// Two markers, three frames, x = frame, y = marker, z = 100 frame + marker; the second is not seen in frame 1.
-std::string smallFile(int processor, bool real, const char* up = "+Z", const std::string& unit = "mm") {
+/// `used`: how many points the parameters state as a real number, where they do.
+std::string smallFile(int processor, bool real, const char* up = "+Z", const std::string& unit = "mm",
+                      std::optional<float> used = {}) {
   C3dText file(processor);
   file.byte(2);
   file.byte(0x50);
@@ -83,6 +86,11 @@ std::string smallFile(int processor, bool real, const char* up = "+Z", const std
   file.parameter(1, "LABELS", -1, {6, 2}, labels);
   file.parameter(1, "UNITS", -1, {static_cast<int>(unit.size())}, units);
   file.parameter(1, "Y_SCREEN", -1, {2}, screen);
+  if (used) {
+    C3dText count(processor);
+    count.real(*used);
+    file.parameter(1, "USED", 4, {1}, count);
+  }
   file.byte(0);
   file.byte(0);
   file.fillTo(1024);
@@ -153,6 +161,16 @@ TEST(C3d, RefusesWhatDoesNotFit) {
   refused(16, 0, "points in the header");
   for (std::size_t size : {0u, 1u, 511u, 520u, 1000u, 1030u})
     EXPECT_FALSE(parseC3d(std::string_view(sound).substr(0, size), "cut.c3d")) << size;
+}
+
+TEST(C3d, RefusesCountsThatAreNone) {
+  EXPECT_TRUE(parseC3d(smallFile(84, true, "+Z", "mm", 2.0f), "two.c3d"));
+  for (const auto& [used, words] :
+       {std::pair(-8.4e11f, "no points"), {0.5f, "no points"}, {9e11f, "points; expected at most"}}) {
+    const auto clip = parseC3d(smallFile(84, true, "+Z", "mm", used), "bad.c3d");
+    ASSERT_FALSE(clip) << used;
+    EXPECT_NE(clip.error().message().find(words), std::string::npos) << clip.error().message();
+  }
 }
 
 RC_GTEST_PROP(C3d, SurvivesAnyChangedByte, ()) {
