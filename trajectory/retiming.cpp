@@ -6,6 +6,7 @@
 
 #include "trajectory/motion_spline.h"
 #include "trajectory/simplification.h"
+#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 
@@ -13,6 +14,8 @@ namespace {
 
 /// What counts as standing still when a path is laid.
 constexpr PathTolerance kStill{1e-6, 1e-6};
+constexpr double kMostFrames = 1e7;  ///< Of the result.
+constexpr double kMostLooks = 1e6;   ///< At the limits' use.
 
 struct Piece {
   std::size_t first, last;
@@ -130,7 +133,8 @@ class Retimer {
     auto timing = options_.limits.jerk.empty() ? timeOptimal(path, options_.limits, {options_.grid_points})
                                                : jerkLimited(path, options_.limits, {options_.grid_points});
     if (timing) {
-      const LimitUse use = limitUse(path, *timing, options_.limits, 1e-3);
+      const double dt = std::max(1e-3, timing->duration() / kMostLooks);
+      const LimitUse use = limitUse(path, *timing, options_.limits, dt);
       result_.report.use.velocity = std::max(result_.report.use.velocity, use.velocity);
       result_.report.use.acceleration = std::max(result_.report.use.acceleration, use.acceleration);
       result_.report.use.jerk = std::max(result_.report.use.jerk, use.jerk);
@@ -164,8 +168,12 @@ class Retimer {
     noteDeviation(piece, ways, motion);
     const auto timing = timingOf(piece, ways, motion);
     if (!timing) return tl::unexpected(timing.error());
-    const double duration = timing->duration();
-    const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(duration / options_.sample_s)));
+    const double duration = timing->duration(), frames = std::ceil(duration / options_.sample_s);
+    if (!(options_.sample_s > 0.0) || !(frames <= kMostFrames)) {
+      return makeError({"", "sample", shortestText(options_.sample_s) + " s for " + shortestText(duration) + " s",
+                        "a positive one, at most ten million frames", "Take a longer one, or a higher speed."});
+    }
+    const auto count = static_cast<std::size_t>(std::max(1.0, frames));
     std::size_t before = 0;
     for (std::size_t i = 0; i <= count; ++i) {
       const double t = duration * static_cast<double>(i) / static_cast<double>(count);

@@ -13,6 +13,8 @@ namespace hapticell::trajectory {
 
 namespace {
 
+constexpr double kMostNanoseconds = 9e18;  ///< That a 64-bit count holds.
+
 std::string list(std::span<const double> values) {
   std::string text = "[";
   for (std::size_t i = 0; i < values.size(); ++i) text += (i == 0 ? "" : ", ") + shortestText(values[i]);
@@ -117,6 +119,9 @@ class Reader {
     const auto number = parseNumber(line.substr(begin, end == std::string::npos ? end : end - begin));
     if (!number || *number != std::floor(*number) || std::abs(*number) > 1e10) {
       return fault("a time that is no whole number", "whole seconds and nanoseconds");
+    }
+    if (std::abs(static_cast<double>(nanoseconds_) + static_cast<double>(unit_ns) * *number) > kMostNanoseconds) {
+      return fault("a time of " + shortestText(*number) + " s", "at most 9e9 s");
     }
     nanoseconds_ += unit_ns * static_cast<std::int64_t>(*number);
     return {};

@@ -82,8 +82,9 @@ Tremor estimateTremor(const Trajectory& trajectory) {
   Tremor tremor;
   if (trajectory.size() < 8 || trajectory.duration() <= 0.0) return tremor;
   const double dt = trajectory.duration() / static_cast<double>(trajectory.size() - 1);
-  const auto half = static_cast<std::size_t>(std::round(0.5 * kTremorWindow / dt));
-  if (half < 2 || 2 * half + 1 > trajectory.size()) return tremor;
+  const double frames = std::round(0.5 * kTremorWindow / dt);
+  if (!(frames >= 2.0) || 2.0 * frames + 1.0 > static_cast<double>(trajectory.size())) return tremor;
+  const auto half = static_cast<std::size_t>(frames);
   std::vector<dvec3> points;
   for (const auto& frame : trajectory.frames()) points.push_back(frame.X_WT.p);
   tremor.position = roughness(points, half, dt);

@@ -28,7 +28,7 @@ double smoothnessOf(const Trajectory& motion) {
   if (motion.size() < 4 || !(way > 1e-6) || !(time > 0.0)) return 0.0;
   // A hand's noise at the recording's rate is no roughness: looked at in 60 steps a second at most.
   Trajectory even;
-  const std::size_t steps = std::clamp<std::size_t>(static_cast<std::size_t>(60.0 * time), 8, 60000);
+  const std::size_t steps = static_cast<std::size_t>(std::clamp(60.0 * time, 8.0, 60000.0));
   for (std::size_t i = 0; i <= steps; ++i) {
     const double t = motion[0].t + time * static_cast<double>(i) / static_cast<double>(steps);
     even.addFrame({t, motion.poseAt(t)});

@@ -154,6 +154,20 @@ TEST(Retiming, RestsAtDwellsAndPassesStillFramesOver) {
   EXPECT_NEAR(result->report.duration_after, 2 * 0.75 + 1.5, 0.02);
 }
 
+TEST(Retiming, RefusesMoreFramesThanAnybodyHasRoomFor) {
+  Trajectory far;
+  for (int i = 0; i < 12; ++i) far.addFrame({0.1 * i, Pose::translation({1e12 * i, 0.0, 0.0})});
+  RetimingOptions options;
+  options.mode = TimingMode::kConstantSpeed;
+  const auto slow = retimed(far, options);
+  ASSERT_FALSE(slow.has_value());
+  EXPECT_NE(slow.error().message().find("ten million frames"), std::string::npos) << slow.error().message();
+  Trajectory near;
+  for (int i = 0; i < 12; ++i) near.addFrame({0.1 * i, Pose::translation({0.01 * i, 0.0, 0.0})});
+  options.sample_s = 0.0;
+  EXPECT_FALSE(retimed(near, options).has_value());
+}
+
 TEST(Retiming, RefusesAMotionThatIsNone) {
   Trajectory still;
   for (int i = 0; i < 5; ++i) still.addFrame({0.1 * i, test::gestureAt(1.0)});

@@ -59,6 +59,14 @@ TEST(Smoothing, MeetsFramesSetByHandAndCarriesJointsAlong) {
   EXPECT_NEAR(smooth.trajectory.joints(300)[0], std::sin(3.0), 5e-4);
 }
 
+TEST(Smoothing, LooksForNoTremorWhereTimeHardlyGoesOrRuns) {
+  for (const double step : {1e-300, 1e300}) {
+    Trajectory odd;
+    for (int i = 0; i < 12; ++i) odd.addFrame({step * i, gestureAt(0.1 * i)});
+    EXPECT_EQ(estimateTremor(odd).position, 0.0) << step;
+  }
+}
+
 TEST(Smoothing, LeavesFewFramesAlone) {
   Trajectory one;
   one.addFrame({0.0, gestureAt(0.0)});

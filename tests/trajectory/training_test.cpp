@@ -68,6 +68,15 @@ TEST(ScoreRun, TheExpertHimselfHasAllPoints) {
   EXPECT_LT(score.mean_deviation, 1e-4);
 }
 
+TEST(ScoreRun, HasPointsForARunOfAnyLengthOfTime) {
+  const Trajectory expert = recordedGesture(6.0, 100, 0.0);
+  Trajectory eternal;
+  for (const auto& frame : expert.frames()) eternal.addFrame({1e300 * frame.t, frame.X_WT});
+  const double points = scoreRun(expert, eternal).points;
+  EXPECT_GE(points, 0.0);
+  EXPECT_LT(points, 100.0);
+}
+
 TEST(ScoreRun, KnowsAShiftedSlowShakyRun) {
   const Trajectory expert = recordedGesture(6.0, 100, 0.0);
   const Trajectory aside = transformed(expert, Pose::translation({0.004, 0, 0}));

@@ -98,6 +98,17 @@ TEST_F(TrajectoryFiles, RosNamesItsJointsBeforeItsPoints) {
       << read.error().message();
 }
 
+TEST_F(TrajectoryFiles, RosTimesThatNoCountHoldsAreRefused) {
+  const std::string head = "joint_names: [a]\npoints:\n- positions: [1]\n  time_from_start:\n";
+  for (const std::string times :
+       {"    sec: 9900000000\n", "    sec: 4000000000\n    sec: 4000000000\n    sec: 4000000000\n",
+        "    sec: -9900000000\n"}) {
+    const auto read = readTrajectory(write("d.yaml", head + times));
+    ASSERT_FALSE(read.has_value()) << times;
+    EXPECT_NE(read.error().message().find("at most 9e9 s"), std::string::npos) << read.error().message();
+  }
+}
+
 TEST_F(TrajectoryFiles, NumbersDoNotFollowTheLocale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, locale);
