@@ -8,8 +8,14 @@ namespace hapticell {
 
 namespace {
 
+constexpr double kFarthest = 1e12;  ///< m: what is squared on the way is finite then.
+
 bool finite(double value) {
   return std::isfinite(value);
+}
+
+bool isNear(double coordinate) {
+  return std::abs(coordinate) <= kFarthest;  // Nor is what is no number.
 }
 
 }  // namespace
@@ -21,7 +27,7 @@ Pose Pose::inverse() const {
 
 bool Pose::isValid() const {
   const bool all_finite =
-      finite(p.x) && finite(p.y) && finite(p.z) && finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
+      isNear(p.x) && isNear(p.y) && isNear(p.z) && finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z);
   return all_finite && std::abs(glm::dot(q, q) - 1.0) < 2e-6;
 }
 

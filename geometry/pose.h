@@ -29,7 +29,7 @@ struct Pose {
   /// Maps a free vector (a direction, a force) from B to A.
   dvec3 rotate(const dvec3& v_B) const { return q * v_B; }
 
-  /// True when all seven numbers are finite and the quaternion is a unit one within 1e-6.
+  /// True when all seven numbers are finite, p within 1e12 m and the quaternion a unit one within 1e-6.
   bool isValid() const;
 };
 

@@ -113,7 +113,11 @@ void FieldReader::read(const char* key, Pose& target) {
   if (!value) return;
   FieldReader fields(*value, place_ + ", \"" + key + "\"", error_);
   std::vector<double> p, q;
-  if (fields.readNumbers("position", 3, p)) target.p = {p[0], p[1], p[2]};
+  if (fields.readNumbers("position", 3, p)) {
+    target.p = {p[0], p[1], p[2]};
+    if (!Pose::translation(target.p).isValid())
+      return fields.fail("position", "a place too far away", "metres, at most 1e12");
+  }
   if (!fields.readNumbers("quaternion", 4, q)) return;
   dquat turned(q[0], q[1], q[2], q[3]);
   constexpr double kNearlyUnit = 0.01;  // Hand-written ones are rounded; others are mistakes.

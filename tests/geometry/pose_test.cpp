@@ -63,6 +63,8 @@ TEST(Pose, interpolateMeetsBothEndsAndTheMiddle) {
 TEST(Pose, isValidRefusesWhatIsNotAPose) {
   EXPECT_TRUE(Pose::identity().isValid());
   EXPECT_FALSE((Pose{{NAN, 0.0, 0.0}, dquat(1.0, 0.0, 0.0, 0.0)}).isValid());
+  EXPECT_TRUE((Pose::translation({0.0, -1e12, 0.0}).isValid()));
+  EXPECT_FALSE((Pose::translation({0.0, 0.0, -2e12}).isValid()));
   EXPECT_FALSE((Pose{{0.0, 0.0, 0.0}, dquat(0.9, 0.0, 0.0, 0.0)}).isValid());
 }
 

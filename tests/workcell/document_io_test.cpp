@@ -216,6 +216,7 @@ TEST(DocumentText, namesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(ball + R"("mass": -1})")), HasSubstr("a mass that is none"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"quaternion": [2, 0, 0, 0]}})")), HasSubstr("of length 1"));
   EXPECT_THAT(refused(document(ball + R"("placement": {"position": [2, 0]}})")), HasSubstr("3 numbers"));
+  EXPECT_THAT(refused(document(ball + R"("placement": {"position": [0, -1e200, 0]}})")), HasSubstr("at most 1e12"));
   EXPECT_THAT(refused(document(ball + R"("on_contact": "bounce"})")), HasSubstr("one of stop, slide, pass"));
   EXPECT_THAT(refused(document(ball + R"("kind": "robot"})")), HasSubstr("solid, as its file is"));
   EXPECT_THAT(refused(document(R"({"source": {"file": "sphere:0.1"}})")), HasSubstr("entity 1: no \"name\""));

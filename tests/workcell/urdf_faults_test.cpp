@@ -66,6 +66,10 @@ INSTANTIATE_TEST_SUITE_P(
               robotText(kTwoLinks + linkText("c") + jointText("j", "a", "b") + jointText("k", "a", "c") +
                         jointText("l", "c", "b")),
               {"line 8", "'b'", "'j'", "'l'"}},
+        Fault{"FarAway",
+              robotText(kTwoLinks + "<joint name=\"j\" type=\"fixed\"><origin xyz=\"1e200 0 0\"/><parent link=\"a\"/>"
+                                    "<child link=\"b\"/></joint>"),
+              {"joint 'j'", "origin"}},
         Fault{"UnknownParent", robotText(kTwoLinks + jointText("j", "ghost", "b")), {"line 5", "'ghost'"}},
         Fault{"UnknownChild", robotText(kTwoLinks + jointText("j", "a", "ghost")), {"line 5", "'ghost'"}},
         Fault{"TwoLinksOfAName", robotText(kTwoLinks + linkText("a")), {"line 5", "'a'", "line 3"}},
