@@ -22,7 +22,8 @@ class HapticLink {
   virtual LinkState linkState() const = 0;
   virtual std::string problem() const = 0;                      ///< A sentence while not connected.
   virtual std::optional<DeviceDescription> device() const = 0;  ///< Once connected.
-  virtual std::optional<HapticState> latestState() = 0;         ///< Newest since the last call, if any.
+  /// Newest since the last call, if any; its buttons are also those that were pressed between the calls, however short.
+  virtual std::optional<HapticState> latestState() = 0;
   virtual std::optional<ServerStatistics> latestStatistics() = 0;
   virtual void sendSet(const ConstraintSet& set) = 0;  ///< Newest wins; older unsent ones are dropped.
   virtual void sendControl(const HapticControl& control) = 0;

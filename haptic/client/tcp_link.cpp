@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "haptic/client/message_stream.h"
+#include "haptic/client/press_latch.h"
 #include "haptic/client/secure_stream.h"
 #include "haptic/protocol/heartbeat.h"
 #include "haptic/rendering/triple_buffer.h"
@@ -98,6 +99,7 @@ class TcpLink::Connection {
   }
 
   TripleBuffer<HapticState> states;
+  PressLatch presses;
   TripleBuffer<ServerStatistics> statistics;
   TripleBuffer<ConstraintSet> sets;
   TripleBuffer<HapticControl> controls;
@@ -195,7 +197,10 @@ class TcpLink::Connection {
     if (const auto* welcome = std::get_if<Welcome>(&message)) return hearWelcome(*welcome);
     if (const auto* refusal = std::get_if<Refusal>(&message)) return lose(refusal->sentence, LinkState::kRefused);
     if (!welcomed_) return;
-    if (const auto* state = std::get_if<HapticState>(&message)) states.write(*state);
+    if (const auto* state = std::get_if<HapticState>(&message)) {
+      presses.hear(state->buttons);
+      states.write(*state);
+    }
     if (const auto* figures = std::get_if<ServerStatistics>(&message)) statistics.write(*figures);
     if (const auto* condition = std::get_if<DeviceCondition>(&message)) {
       const std::scoped_lock lock(mutex_);
@@ -214,6 +219,7 @@ class TcpLink::Connection {
     sets.update();
     controls.update();
     targets.update();
+    presses.forget();
     controls_stylus_ = welcome.kind == ClientKind::kController;
     welcomed_ = true;
     ++connections;
@@ -330,7 +336,9 @@ std::uint64_t TcpLink::connections() const {
 }
 
 std::optional<HapticState> TcpLink::latestState() {
-  return Connection::newest(connection_->states);
+  std::optional<HapticState> newest = Connection::newest(connection_->states);
+  if (newest) newest->buttons = connection_->presses.take(newest->buttons);
+  return newest;
 }
 
 std::optional<ServerStatistics> TcpLink::latestStatistics() {

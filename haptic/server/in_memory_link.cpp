@@ -89,7 +89,10 @@ void InMemoryLink::sendState() {
 
 void InMemoryLink::receiveAtClient() {
   while (receive(to_client_, at_client_)) {
-    if (const auto* state = std::get_if<HapticState>(&at_client_)) newest_state_ = *state;
+    if (const auto* state = std::get_if<HapticState>(&at_client_)) {
+      presses_.hear(state->buttons);
+      newest_state_ = *state;
+    }
     if (const auto* statistics = std::get_if<ServerStatistics>(&at_client_)) newest_statistics_ = *statistics;
   }
 }
@@ -108,6 +111,7 @@ std::optional<DeviceDescription> InMemoryLink::device() const {
 
 std::optional<HapticState> InMemoryLink::latestState() {
   receiveAtClient();
+  if (newest_state_) newest_state_->buttons = presses_.take(newest_state_->buttons);
   return std::exchange(newest_state_, std::nullopt);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "haptic/client/haptic_link.h"
+#include "haptic/client/press_latch.h"
 #include "haptic/protocol/codec.h"
 #include "haptic/server/force_loop.h"
 
@@ -82,6 +83,7 @@ class InMemoryLink final : public HapticLink {
   Pipe to_server_, to_client_;
   Message at_server_, at_client_;
   std::optional<HapticState> newest_state_;
+  PressLatch presses_;
   std::optional<ServerStatistics> newest_statistics_;
   bool connected_ = false, silent_ = false;
   std::int64_t next_heartbeat_ = 0;

@@ -49,6 +49,33 @@ TEST(TcpLink, connects_and_hears_the_device_states_and_statistics) {
   })) << "heart-beats come by themselves";
 }
 
+TEST(TcpLink, a_press_between_two_looks_is_seen_once) {
+  LiveServer server;
+  TcpLink link(to(server.port()));
+  ASSERT_TRUE(connects(link));
+  TcpLinkOptions options = to(server.port());
+  options.kind = ClientKind::kWatcher;
+  TcpLink watcher(options);
+  const auto watched = [&](std::uint32_t buttons) {
+    return eventuallyState(watcher, [&](const HapticState& state) { return state.buttons == buttons; });
+  };
+  ASSERT_TRUE(eventuallyState(link, [](const HapticState& state) { return state.buttons == 0; }));
+  // Pressed and let go while nobody looks.
+  link.sendHandTarget({.holding = true, .buttons = 1});
+  ASSERT_TRUE(watched(1));
+  link.sendHandTarget({.holding = true, .buttons = 0});
+  ASSERT_TRUE(watched(0));
+  ASSERT_TRUE(watched(0));
+  int pressed = 0;
+  std::uint64_t first = 0;
+  ASSERT_TRUE(eventuallyState(link, [&](const HapticState& state) {
+    if (first == 0) first = state.tick;
+    pressed += state.buttons == 1 ? 1 : 0;
+    return state.tick > first + 200;
+  }));
+  EXPECT_EQ(pressed, 1);
+}
+
 TEST(TcpLink, hears_how_the_device_is_and_asks_for_its_calibration) {
   DeviceCare care;
   care.tell({.calibrated = false, .calibration = {"Put the stylus into its inkwell."}});

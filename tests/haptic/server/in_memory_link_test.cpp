@@ -34,6 +34,37 @@ TEST(InMemoryLink, a_state_arrives_after_the_latency_and_only_once) {
   EXPECT_EQ(session.link().latestState()->tick, 31u) << "the newest that has arrived, the others are dropped";
 }
 
+TEST(InMemoryLink, a_press_between_two_looks_is_seen_once) {
+  VirtualSession session;
+  session.run(5);
+  EXPECT_EQ(session.link().latestState()->buttons, 0u);
+  session.link().sendHandTarget({.holding = true, .buttons = 1});
+  session.run(30);
+  session.link().sendHandTarget({.holding = true, .buttons = 0});
+  session.run(30);
+  EXPECT_EQ(session.link().latestState()->buttons, 1u) << "it was let go long ago";
+  session.run(1);
+  EXPECT_EQ(session.link().latestState()->buttons, 0u);
+  // One that is held is over with it.
+  session.link().sendHandTarget({.holding = true, .buttons = 1});
+  session.run(30);
+  EXPECT_EQ(session.link().latestState()->buttons, 1u);
+  session.link().sendHandTarget({.holding = true, .buttons = 0});
+  session.run(30);
+  EXPECT_EQ(session.link().latestState()->buttons, 0u);
+}
+
+TEST(PressLatch, ForgetsWhatWasPressedBeforeAnotherConnection) {
+  PressLatch latch;
+  latch.hear(1);
+  latch.forget();
+  EXPECT_EQ(latch.take(0), 0u);
+  latch.hear(1);
+  EXPECT_EQ(latch.take(1), 1u);
+  EXPECT_EQ(latch.take(1), 1u);
+  EXPECT_EQ(latch.take(0), 0u);
+}
+
 TEST(InMemoryLink, a_set_reaches_the_loop_after_the_latency) {
   VirtualSession session({.latency = 0.020});
   session.run(100);
