@@ -53,7 +53,7 @@ void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequi
   busy_ = true;
   emit changed();
   runBeside(
-      this, [path = path.toStdString(), figure, task] { return read(path, *figure, task); },
+      this, [path = path.toStdString(), figure = std::move(figure), task] { return read(path, *figure, task); },
       [this, path](Expected<std::shared_ptr<const Motion>> motion) {
         busy_ = false;
         if (motion) {

@@ -15,7 +15,6 @@
 namespace hapticell::app {
 namespace {
 
-using mannequin::Side;
 using Kind = HoldChoice::Kind;
 
 constexpr std::uint64_t kFirstKey = 100;  ///< Of the labels, one a part.

@@ -17,7 +17,7 @@ constexpr double kMostName = 0.6;  // Of a column.
 
 using Row = SubScoreTable::Row;
 
-QString capital(std::string text) {
+QString capital(const std::string& text) {
   QString result = shown(text);
   if (!result.isEmpty()) result[0] = result[0].toUpper();
   return result;
@@ -131,7 +131,8 @@ void SubScoreTable::paintEvent(QPaintEvent*) {
   const double half = 0.5 * width(), name = nameWidth();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
-    const double x = i % 2 == 0 ? 0.0 : half + 6.0, top = kLine * static_cast<double>(i / 2);
+    const std::size_t line = i / 2;
+    const double x = i % 2 == 0 ? 0.0 : half + 6.0, top = kLine * static_cast<double>(line);
     const double wide = half - 12.0;
     painter.setPen(QPen(theme.line, 1));
     painter.drawLine(QPointF(x, top + kLine - 0.5), QPointF(x + wide, top + kLine - 0.5));

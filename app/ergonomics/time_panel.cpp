@@ -200,7 +200,7 @@ void ScoreHistory::setFrame(int frame) {
 void ScoreHistory::chooseAt(double x) {
   if (motion_.isEmpty()) return;
   const double share = std::clamp((x - area().left()) / area().width(), 0.0, 1.0);
-  emit frameChosen(static_cast<int>(share * (motion_.frames() - 1) + 0.5));
+  emit frameChosen(static_cast<int>(std::lround(share * (motion_.frames() - 1))));
 }
 
 void ScoreHistory::mousePressEvent(QMouseEvent* event) {

@@ -77,6 +77,7 @@ bool MotionMemory::goBack(double seconds) {
   if (ordered.empty()) return false;
   std::stable_sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<workcell::Command> commands;
+  commands.reserve(ordered.size());
   for (auto& [depth, command] : ordered) commands.push_back(std::move(command));
   going_back_ = true;
   const bool done = document_.executeAll(tr("Go back %1 s").arg(seconds), commands);

@@ -90,7 +90,7 @@ Expected<void> write(const QImage& picture, const QString& output) {
 TurnVideo::TurnVideo(RenderCommand command, SceneModel scene, Camera camera, PictureRenderer renderer)
     : command_(std::move(command)),
       scene_(std::move(scene)),
-      camera_(camera),
+      camera_(std::move(camera)),
       renderer_(std::move(renderer)),
       // Most formats of video want even sides.
       size_(command_.size.width() & ~1, command_.size.height() & ~1),

@@ -27,7 +27,12 @@ inline Pose pose() {
   const auto part = [] { return *rc::gen::inRange(-1000, 1000) * 1e-3; };
   dquat q(part(), part(), part(), part());
   if (glm::dot(q, q) < 1e-6) q = dquat(1.0, 0.0, 0.0, 0.0);
-  return {vector(), glm::normalize(q)};
+  // Places are bounded, others are refused (Pose::isValid()).
+  const auto place = [] {
+    const double value = number();
+    return std::abs(value) <= 1e12 ? value : 0.5;
+  };
+  return {{place(), place(), place()}, glm::normalize(q)};
 }
 
 template <std::size_t N>
@@ -139,7 +144,8 @@ inline ClientKind kind() {
 inline Message message() {
   switch (*rc::gen::inRange(0, 11)) {
     case 0:
-      return Hello{*rc::gen::arbitrary<std::uint32_t>(), kind(), *rc::gen::arbitrary<bool>(), text(), *rc::gen::arbitrary<bool>()};
+      return Hello{*rc::gen::arbitrary<std::uint32_t>(), kind(), *rc::gen::arbitrary<bool>(), text(),
+                   *rc::gen::arbitrary<bool>()};
     case 1:
       return Welcome{*rc::gen::arbitrary<std::uint32_t>(), kind(), 1.0 * *rc::gen::inRange(1, 4000), device()};
     case 2:
@@ -151,7 +157,9 @@ inline Message message() {
     case 5:
       return statistics();
     case 6:
-      return HapticControl{*rc::gen::arbitrary<bool>(), notNegative(), notNegative(),
+      return HapticControl{*rc::gen::arbitrary<bool>(),
+                           notNegative(),
+                           notNegative(),
                            {notNegative(), notNegative(), notNegative(), vector()}};
     case 7:
       return HandTarget{*rc::gen::arbitrary<bool>(), pose(), *rc::gen::arbitrary<std::uint32_t>()};
