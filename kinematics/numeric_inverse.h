@@ -22,7 +22,8 @@ namespace hapticell::kinematics {
 /// same: answers repeat. Const methods keep no state and may run in several threads at once.
 class NumericInverse final : public InverseModel {
  public:
-  /// For the tool centre point X_LT on `tip_link` of `model`. The model is read, not kept. Errors: see Chain::create().
+  /// For the tool centre point X_LT on `tip_link` of `model`. The model is read, not kept. Errors: see Chain::create(),
+  /// and a tool that is no pose.
   static Expected<std::unique_ptr<NumericInverse>> create(const RobotModel& model, int tip_link, const Pose& X_LT = {},
                                                           double lever_m = 0.25);
 

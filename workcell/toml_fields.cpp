@@ -144,6 +144,7 @@ void TomlFields::readPose(Pose& target, double unit) {
     target.q = glm::normalize(glm::angleAxis(rpy[2], dvec3(0, 0, 1)) * glm::angleAxis(rpy[1], dvec3(0, 1, 0)) *
                               glm::angleAxis(rpy[0], dvec3(1, 0, 0)));
   }
+  if (!target.isValid()) failKey("position", "a place too far away", "at most 1e12 m");
 }
 
 void TomlFields::readRows(const char* key, std::size_t count, std::vector<std::vector<double>>& rows) {

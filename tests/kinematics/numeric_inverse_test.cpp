@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "tests/kinematics/test_robots.h"
@@ -187,6 +188,12 @@ TEST(NumericInverse, ComesBackWithTheElbowOnItsSide) {
     EXPECT_EQ(solution.status, InverseStatus::kSolved);
     EXPECT_LT(largestStep(solution.q, q), 1e-4);
   }
+}
+
+TEST(NumericInverse, RefusesAToolThatIsNoPose) {
+  const RobotModel model = test::kr120();
+  for (const double place : {1e200, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_FALSE(NumericInverse::create(model, model.defaultTip(), Pose::translation({0.0, place, 0.0})));
 }
 
 TEST(NumericInverse, KeepsWhatTheTipDoesNotNeed) {

@@ -69,6 +69,7 @@ TEST(RobotToml, FaultsAreToldInOneSentenceWithFileAndLine) {
        "do not meet"},
       {kHead + "[hexapod]\nbase = [[0,0,0]]\nplatform = [[0,0,0]]\nhome = {}\n" + kSix, "1 and 1 hinges"},
       {kHead + "[urdf]\nfile = \"nowhere.urdf\"\n", "nowhere.urdf"},
+      {kHead + kOpw + kSix + "[[tool]]\nname = \"gun\"\nposition = [1e200, 0, 0]\n", "a place too far away"},
   };
   for (const Fault& fault : faults) {
     const std::string said = refused("robot.toml", fault.text);
