@@ -328,13 +328,8 @@ void ProxyStyle::drawControl(ControlElement element, const QStyleOption* option,
     case CE_PushButtonLabel: {
       const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
       if (!button) break;
-      QStyleOptionButton copy = *button;
-      const bool main = widget && widget->property("main").toBool();
-      if ((main || copy.state.testFlag(State_On)) && copy.state.testFlag(State_Enabled)) {
-        copy.palette.setColor(QPalette::ButtonText, theme.on_text);
-        if (main) copy.icon = inOneColor(copy.icon, copy.iconSize, theme.on_text);
-      }
-      QProxyStyle::drawControl(element, &copy, painter, widget);
+      const QStyleOptionButton label = buttonLabel(*button, widget);
+      QProxyStyle::drawControl(element, &label, painter, widget);
       return;
     }
     case CE_HeaderSection: {

@@ -27,6 +27,18 @@ QColor blended(const QColor& a, const QColor& b, double share) {
                           static_cast<float>(a.blueF() + (b.blueF() - a.blueF()) * share));
 }
 
+/// An icon's shape in a colour of the ground that it is drawn on; none stays none.
+QIcon inOneColor(const QIcon& icon, const QSize& size, const QColor& color) {
+  if (icon.isNull()) return icon;
+  constexpr qreal kSharp = 2.0;  // Enough for screens of twice the pixels.
+  QPixmap shape = icon.pixmap(size, kSharp);
+  QPainter painter(&shape);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+  painter.fillRect(QRect(QPoint(), size), color);
+  painter.end();
+  return QIcon(shape);
+}
+
 }  // namespace
 
 void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius) {
@@ -191,15 +203,14 @@ void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QR
   drawBox(painter, bar, hover ? theme.text3 : theme.line, QColor(), radius);
 }
 
-QIcon inOneColor(const QIcon& icon, const QSize& size, const QColor& color) {
-  if (icon.isNull()) return icon;
-  constexpr qreal kSharp = 2.0;  // Enough for screens of twice the pixels.
-  QPixmap shape = icon.pixmap(size, kSharp);
-  QPainter painter(&shape);
-  painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
-  painter.fillRect(QRect(QPoint(), size), color);
-  painter.end();
-  return QIcon(shape);
+QStyleOptionButton buttonLabel(const QStyleOptionButton& button, const QWidget* widget) {
+  QStyleOptionButton label = button;
+  const bool main = widget && widget->property("main").toBool();
+  if ((!main && !has(&button, QStyle::State_On)) || !has(&button, QStyle::State_Enabled)) return label;
+  const QColor color = themeOf(button.palette).on_text;
+  label.palette.setColor(QPalette::ButtonText, color);
+  if (main) label.icon = inOneColor(label.icon, label.iconSize, color);
+  return label;
 }
 
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QColor>
-#include <QIcon>
 #include <QPainter>
 #include <QRect>
 #include <QStyleOption>
@@ -40,8 +39,9 @@ QString plainTabText(const QString& text);
 /// The little triangle of combo boxes and menus, pointing down.
 void drawChevron(QPainter* painter, const QRect& rect, const QColor& color);
 
-/// An icon's shape in a colour of the ground that it is drawn on; none stays none.
-QIcon inOneColor(const QIcon& icon, const QSize& size, const QColor& color);
+/// How a button's label is drawn: the letters of what is on, and the icon of a main button too, in the colour that
+/// stands on theirs.
+QStyleOptionButton buttonLabel(const QStyleOptionButton& button, const QWidget* widget);
 
 /// A part of a scroll bar without buttons, whose handle is 28 px long or more where there is room; empty: it has none.
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A window in which nothing changes paints nothing: counted, not timed.
+#include <QElapsedTimer>
 #include <QPaintEvent>
 #include <QTest>
 #include <QTimer>
@@ -84,6 +85,8 @@ TEST(StatusLine, RatesThatDanceArePaintedNowAndThenOnly) {
   line.setVisible(true);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&line));
   const PaintCount painted;
+  QElapsedTimer clock;
+  clock.start();
   StatusLine::Rates rates;
   rates.haptic_hz = rates.window_hz = 60.0;
   for (int i = 0; i < 60; ++i) {
@@ -92,7 +95,8 @@ TEST(StatusLine, RatesThatDanceArePaintedNowAndThenOnly) {
     QTest::qWait(10);
   }
   EXPECT_GT(painted.times("statusLine"), 0);
-  EXPECT_LT(painted.times("statusLine"), 20) << "they differ by far 60 times";
+  // Twice a second, and what the window system asks for at its beginning; a machine that stalls takes more time.
+  EXPECT_LT(painted.times("statusLine"), 5 + clock.elapsed() / 500) << "they differ by far 60 times";
 }
 
 TEST(SteadyNumber, StaysWhileItDiffersLittleAndNeverHidesAZero) {
