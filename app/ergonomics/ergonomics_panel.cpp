@@ -29,15 +29,44 @@ using ergonomics::PostureMethod;
 namespace {
 constexpr int kShowMilliseconds = 100;
 constexpr int kLoadTab = 4;
+
+QVBoxLayout* makeRows(QWidget* page) {
+  auto* rows = new QVBoxLayout(page);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(8);
+  return rows;
 }
+
+QLabel* makeWords(const char* name, bool faint) {
+  QLabel* words = makeLabel({}, TextRole::kSecond, faint);
+  words->setObjectName(name);
+  words->setWordWrap(true);
+  return words;
+}
+
+}  // namespace
 
 ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, QWidget* parent)
     : QWidget(parent), context_(context), scores_(scores) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 10);
   column->setSpacing(8);
-  empty_ = new QWidget;
-  auto* nothing = new QVBoxLayout(empty_);
+  empty_ = makeEmptyPage();
+  column->addWidget(empty_);
+  content_ = new QWidget;
+  auto* parts = new QVBoxLayout(content_);
+  parts->setContentsMargins(0, 0, 0, 0);
+  parts->setSpacing(8);
+  for (QWidget* part : {makeMethodRows(), makeWhyBox(), makeFigures()}) parts->addWidget(part);
+  column->addWidget(content_);
+  column->addStretch(1);
+  listen();
+  showScores();
+}
+
+QWidget* ErgonomicsPanel::makeEmptyPage() {
+  auto* page = new QWidget;
+  auto* nothing = new QVBoxLayout(page);
   auto* words = makeLabel(tr("No mannequin is in the cell, so there is nobody to score."), TextRole::kText, true);
   words->setWordWrap(true);
   auto* add = new QPushButton(tr("Add mannequin"));
@@ -45,38 +74,40 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   connect(add, &QPushButton::clicked, this, &ErgonomicsPanel::addWanted);
   nothing->addWidget(words);
   nothing->addWidget(add, 0, Qt::AlignLeft);
-  column->addWidget(empty_);
-  content_ = new QWidget;
-  auto* rows = new QVBoxLayout(content_);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(8);
-  column->addWidget(content_);
-  column->addStretch(1);
+  return page;
+}
+
+QWidget* ErgonomicsPanel::makeMethodRows() {
+  auto* page = new QWidget;
+  auto* rows = makeRows(page);
   methods_ = new Segmented({tr("RULA"), tr("REBA"), tr("OWAS"), tr("EN, ISO"), tr("Load")});
   methods_->setObjectName("segmentsMethod");
   methods_->setCurrent(0);
-  task_ = new QPushButton(tr("Task data…"));
-  task_->setObjectName("buttonTaskData");
-  auto* report = new QPushButton(tr("Report…"));
-  report->setObjectName("buttonReport");
   methods_->button(3)->setToolTip(
       tr("EN 1005-4 and ISO 11226: zones and holding times of the parts; the outline of EAWS; joint comfort"));
   methods_->button(kLoadTab)->setToolTip(
       tr("The lifting equation and what the hands bear; the colours stay those of RULA"));
-  rows->addWidget(methods_);
-  rows->addWidget(sideBySide({task_, report}));
-  live_ = makeLabel({}, TextRole::kSecond, true);
-  live_->setObjectName("labelLive");
-  live_->setWordWrap(true);
-  rows->addWidget(live_);
+  auto* task = new QPushButton(tr("Task data…"));
+  task->setObjectName("buttonTaskData");
+  connect(task, &QPushButton::clicked, this, &ErgonomicsPanel::taskWanted);
+  auto* report = new QPushButton(tr("Report…"));
+  report->setObjectName("buttonReport");
+  connect(report, &QPushButton::clicked, this, &ErgonomicsPanel::reportWanted);
+  live_ = makeWords("labelLive", true);
   columns_ = new ScoreColumns(scores_);
-  rows->addWidget(columns_);
   all_bodies_ = new QCheckBox(tr("Show all four in the scene"));
   all_bodies_->setObjectName("checkAllBodies");
   all_bodies_->setProperty("switch", true);
   all_bodies_->setToolTip(tr("As ghosts at the same task; a column shows its body alone"));
+  rows->addWidget(methods_);
+  rows->addWidget(sideBySide({task, report}));
+  rows->addWidget(live_);
+  rows->addWidget(columns_);
   rows->addWidget(all_bodies_);
-  connect(all_bodies_, &QCheckBox::toggled, this, [this] { emit bodyChosen(chosenBody()); });
+  return page;
+}
+
+QWidget* ErgonomicsPanel::makeWhyBox() {
   auto* box = new QFrame;
   box->setFrameShape(QFrame::StyledPanel);
   auto* inside = new QVBoxLayout(box);
@@ -94,35 +125,38 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
   show_posture_->setProperty("main", true);
   auto* search = new QPushButton(tr("Search the workplace…"));
   search->setObjectName("buttonSearchWorkplace");
+  connect(search, &QPushButton::clicked, this, &ErgonomicsPanel::searchWanted);
   buttons->addWidget(show_posture_);
   buttons->addWidget(search);
   buttons->addStretch(1);
   inside->addLayout(buttons);
-  rows->addWidget(box);
-  sums_ = makeLabel({}, TextRole::kSecond, true);
-  sums_->setObjectName("labelSums");
-  sums_->setWordWrap(true);
+  return box;
+}
+
+QWidget* ErgonomicsPanel::makeFigures() {
+  auto* page = new QWidget;
+  auto* rows = makeRows(page);
   table_title_ = makeLabel({}, TextRole::kSecond, true);
-  rows->addWidget(table_title_);
   sub_scores_ = new SubScoreTable;
-  rows->addWidget(sub_scores_);
-  rows->addWidget(sums_);
+  sums_ = makeWords("labelSums", true);
   limits_ = new QPushButton(tr("Own limits of the hands…"));
   limits_->setObjectName("buttonOwnLimits");
   limits_->setToolTip(tr("A table of the forces that a hand may exert, of your own source; none are shipped"));
+  lift_ = makeWords("labelLift", false);
+  missing_ = makeWords("labelPartial", false);
+  heights_ = new HeightStrips(scores_);
+  rows->addWidget(table_title_);
+  rows->addWidget(sub_scores_);
+  rows->addWidget(sums_);
   rows->addWidget(limits_, 0, Qt::AlignLeft);
-  connect(limits_, &QPushButton::clicked, this, &ErgonomicsPanel::chooseOwnLimits);
-  lift_ = makeLabel({}, TextRole::kSecond);
-  lift_->setObjectName("labelLift");
-  lift_->setWordWrap(true);
   rows->addWidget(lift_);
-  missing_ = makeLabel({}, TextRole::kSecond);
-  missing_->setObjectName("labelPartial");
-  missing_->setWordWrap(true);
   rows->addWidget(missing_);
   rows->addWidget(makeLabel(tr("Height of the work and RULA, four bodies"), TextRole::kSecond, true));
-  heights_ = new HeightStrips(scores_);
   rows->addWidget(heights_);
+  return page;
+}
+
+void ErgonomicsPanel::listen() {
   connect(methods_, &Segmented::chosen, this, [this](int i) {
     shows_load_ = i == kLoadTab;
     method_ = shows_load_ ? ColourMethod::kRula : static_cast<ColourMethod>(i);
@@ -130,16 +164,14 @@ ErgonomicsPanel::ErgonomicsPanel(MannequinContext& context, LiveScores& scores, 
     showScores();
     emit methodChanged();
   });
-  connect(task_, &QPushButton::clicked, this, &ErgonomicsPanel::taskWanted);
-  connect(report, &QPushButton::clicked, this, &ErgonomicsPanel::reportWanted);
-  connect(search, &QPushButton::clicked, this, &ErgonomicsPanel::searchWanted);
+  connect(all_bodies_, &QCheckBox::toggled, this, [this] { emit bodyChosen(chosenBody()); });
   connect(show_posture_, &QPushButton::clicked, this, &ErgonomicsPanel::takeBetterPosture);
+  connect(limits_, &QPushButton::clicked, this, &ErgonomicsPanel::chooseOwnLimits);
   connect(columns_, &ScoreColumns::chose, this, &ErgonomicsPanel::bodyChosen);
-  connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showSoon);
   late_.setSingleShot(true);
   connect(&late_, &QTimer::timeout, this, &ErgonomicsPanel::showScores);
+  connect(&scores_, &LiveScores::changed, this, &ErgonomicsPanel::showSoon);
   connect(&scores_, &LiveScores::adviceChanged, this, &ErgonomicsPanel::showAdvice);
-  showScores();
 }
 
 bool ErgonomicsPanel::showsAllBodies() const {
@@ -191,46 +223,52 @@ void ErgonomicsPanel::showScores() {
   columns_->update();
   sub_scores_->setRows(shows_load_ ? loadRows(scores_) : subScoreRows(scores, method_));
   table_title_->setText(shows_load_ ? tr("Lift (NIOSH) and forces on the hands") : tr("Sub-scores of the worse side"));
-  QString sums;
-  if (shows_load_) {
-    sums = tr("A method's limit is where its next class begins; moments hold the arms' own weight.") + ' ';
-    sums += scores_.ownLimits().isEmpty() ? tr("No table of strength is shipped; yours can be read in.")
-                                          : tr("Own limits: %1").arg(shown(scores_.ownLimits().source));
-  } else if (method_ == ColourMethod::kRula || method_ == ColourMethod::kReba) {
-    const bool rula = method_ == ColourMethod::kRula;
-    const ergonomics::Rula by_rula;
-    const ergonomics::Reba by_reba;
-    const ergonomics::ScoredMethod* method = &by_rula;
-    if (!rula) method = &by_reba;
-    std::vector<int> values;
-    const auto& side = scores.worse();
-    for (std::size_t i = 0; i < method->subScores().size(); ++i)
-      values.push_back(rula ? side.rula[i].value_or(method->subScores()[i].least)
-                            : side.reba[i].value_or(method->subScores()[i].least));
-    const auto evaluation = method->evaluate(values);
-    for (const auto& sum : evaluation.sums)
-      sums += QString::fromLatin1(sum.name.data(), static_cast<qsizetype>(sum.name.size())).replace('_', ' ') +
-              QStringLiteral(" %1, ").arg(sum.value);
-    sums += tr("final %1. Bound rule: an inner boundary belongs to the lower class.").arg(evaluation.score);
-  }
+  const QString sums = sumsText();
   sums_->setText(sums);
   sums_->setVisible(!sums.isEmpty());
   limits_->setVisible(shows_load_);
   lift_->setVisible(scores_.task().is_lift);
-  if (scores_.task().is_lift) {
-    const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
-    const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores, scores_.task());
-    lift_->setText(!lift                 ? tr("NIOSH: %1").arg(shown(lift.error().message()))
-                   : lift->lifting_index ? tr("NIOSH: limit %1 kg, lifting index %2")
-                                               .arg(lift->recommended_weight_limit_kg, 0, 'f', 1)
-                                               .arg(*lift->lifting_index, 0, 'f', 2)
-                                         : tr("NIOSH: no load is acceptable here"));
-  }
+  if (scores_.task().is_lift) lift_->setText(liftText());
   QStringList missing;
   for (const auto& name : scores.missing) missing << shown(ergonomics::word(name, shownLanguage()));
   missing_->setText(tr("The scores are partial: %1 not entered. Task data… completes them.").arg(missing.join(", ")));
   missing_->setVisible(!missing.isEmpty());
   showAdvice();
+}
+
+QString ErgonomicsPanel::sumsText() const {
+  if (shows_load_) {
+    return tr("A method's limit is where its next class begins; moments hold the arms' own weight.") + ' ' +
+           (scores_.ownLimits().isEmpty() ? tr("No table of strength is shipped; yours can be read in.")
+                                          : tr("Own limits: %1").arg(shown(scores_.ownLimits().source)));
+  }
+  if (method_ != ColourMethod::kRula && method_ != ColourMethod::kReba) return {};
+  const bool rula = method_ == ColourMethod::kRula;
+  const ergonomics::Rula by_rula;
+  const ergonomics::Reba by_reba;
+  const ergonomics::ScoredMethod* method = &by_rula;
+  if (!rula) method = &by_reba;
+  std::vector<int> values;
+  const auto& side = scores_.scores().worse();
+  for (std::size_t i = 0; i < method->subScores().size(); ++i)
+    values.push_back(rula ? side.rula[i].value_or(method->subScores()[i].least)
+                          : side.reba[i].value_or(method->subScores()[i].least));
+  const auto evaluation = method->evaluate(values);
+  QString sums;
+  for (const auto& sum : evaluation.sums)
+    sums += QString::fromLatin1(sum.name.data(), static_cast<qsizetype>(sum.name.size())).replace('_', ' ') +
+            QStringLiteral(" %1, ").arg(sum.value);
+  return sums + tr("final %1. Bound rule: an inner boundary belongs to the lower class.").arg(evaluation.score);
+}
+
+QString ErgonomicsPanel::liftText() const {
+  const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
+  const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores_.scores(), scores_.task());
+  if (!lift) return tr("NIOSH: %1").arg(shown(lift.error().message()));
+  if (!lift->lifting_index) return tr("NIOSH: no load is acceptable here");
+  return tr("NIOSH: limit %1 kg, lifting index %2")
+      .arg(lift->recommended_weight_limit_kg, 0, 'f', 1)
+      .arg(*lift->lifting_index, 0, 'f', 2);
 }
 
 ergonomics::PostureMethod ErgonomicsPanel::labelledMethod() const {

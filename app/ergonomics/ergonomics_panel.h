@@ -43,7 +43,15 @@ class ErgonomicsPanel : public QWidget {
   void bodyChosen(int body);
 
  private:
+  // What the panel is made of, from above.
+  QWidget* makeEmptyPage();
+  QWidget* makeMethodRows();
+  QWidget* makeWhyBox();
+  QWidget* makeFigures();
+  void listen();
   void showScores();
+  QString sumsText() const;
+  QString liftText() const;
   /// At most ten times a second: numbers that change faster are not read, and cost frames while a hand is drawn.
   void showSoon();
   void showAdvice();
@@ -66,7 +74,7 @@ class ErgonomicsPanel : public QWidget {
   SubScoreTable* sub_scores_;
   HeightStrips* heights_;
   QCheckBox* all_bodies_;
-  QPushButton *show_posture_, *task_, *limits_;
+  QPushButton *show_posture_, *limits_;
   QElapsedTimer since_shown_;
   QTimer late_;
 };

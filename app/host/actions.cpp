@@ -36,6 +36,20 @@ QAction* makeAction(QObject* parent, const ActionFace& face) {
 }
 
 Actions::Actions(QMainWindow& window) {
+  makeActions(window);
+  for (QAction* action : {perspective, edges, section, side_docks, dark, light, select, move, rotate, snap})
+    action->setCheckable(true);
+  for (QAction* action : {perspective, edges, side_docks, select}) action->setChecked(true);
+  auto* tools = new QActionGroup(&window);
+  for (QAction* action : {select, move, rotate}) tools->addAction(action);
+  auto* themes = new QActionGroup(&window);
+  themes->addAction(dark);
+  themes->addAction(light);
+  fillMenus(window);
+  fillToolBar(window);
+}
+
+void Actions::makeActions(QMainWindow& window) {
   const auto make = [&window](const ActionFace& face) {
     QAction* action = makeAction(&window, face);
     window.addAction(action);
@@ -92,15 +106,9 @@ Actions::Actions(QMainWindow& window) {
   first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
   reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
   about = make({"actionAbout", tr("About HaptiCell"), {}, {}, {}});
-  for (QAction* action : {perspective, edges, section, side_docks, dark, light, select, move, rotate, snap})
-    action->setCheckable(true);
-  for (QAction* action : {perspective, edges, side_docks, select}) action->setChecked(true);
-  auto* tools = new QActionGroup(&window);
-  for (QAction* action : {select, move, rotate}) tools->addAction(action);
-  auto* themes = new QActionGroup(&window);
-  themes->addAction(dark);
-  themes->addAction(light);
+}
 
+void Actions::fillMenus(QMainWindow& window) {
   QMenu* file = topMenu(window, "menuFile", tr("File"));
   file->addActions({new_cell, open});
   recent = file->addMenu(tr("Open recent"));
@@ -142,7 +150,9 @@ Actions::Actions(QMainWindow& window) {
   help_menu->addActions({help, scene_text, first_page});
   help_menu->addSeparator();
   help_menu->addAction(about);
+}
 
+void Actions::fillToolBar(QMainWindow& window) {
   tool_bar = window.addToolBar(tr("Tools"));
   tool_bar->setObjectName("toolMain");
   tool_bar->setMovable(false);

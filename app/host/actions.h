@@ -38,6 +38,11 @@ struct Actions {
   QAction *about, *settings, *help, *scene_text, *first_page, *reset_layout;
   QMenu *recent, *view, *insert, *collision, *applications, *windows, *help_menu;
   QToolBar* tool_bar;
+
+ private:
+  void makeActions(QMainWindow& window);
+  void fillMenus(QMainWindow& window);
+  void fillToolBar(QMainWindow& window);
 };
 
 }  // namespace hapticell::app

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -363,47 +362,6 @@ QPixmap MainWindow::picture() {
   QPainter painter(&whole);
   painter.drawImage(viewport_->mapTo(this, QPoint(0, 0)), scene);
   return whole;
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (recording_.isRecording()) {
-    event->ignore();
-    return whenRecorded([this] { close(); });
-  }
-  if (!mayDiscard()) {
-    event->ignore();
-    return;
-  }
-  layouts_.store();
-  files_->autosaver().discard();
-  if (modules_)
-    for (Module* module : modules_->modules()) module->stop();
-  event->accept();
-}
-
-void MainWindow::whenRecorded(const std::function<void()>& then) {
-  if (!recording_.isRecording()) return then();
-  constexpr int kLongestMilliseconds = 2000;  // A module that does not answer must not keep the window open.
-  auto* once = new QTimer(this);
-  once->setSingleShot(true);
-  connect(once, &QTimer::timeout, this, [once, then] {
-    once->deleteLater();
-    then();
-  });
-  // After those that take the recording into the cell, which were connected before.
-  connect(&recording_, &RecordingHub::recorded, once, [once] { once->start(0); });
-  once->start(kLongestMilliseconds);
-  recording_.stop();
-}
-
-void MainWindow::endNow() {
-  whenRecorded([this] {
-    layouts_.store();
-    files_->autosaver().save();
-    if (modules_)
-      for (Module* module : modules_->modules()) module->stop();
-    QCoreApplication::exit(0);  // quit() would ask the window whether it may close.
-  });
 }
 
 }  // namespace hapticell::app

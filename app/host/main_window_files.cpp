@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opening, saving, importing: everything of the window that asks for a file.
+// Opening, saving, importing, closing: everything of the window that asks for a file or keeps what is not in one yet.
 #include <QAbstractButton>
 #include <QAction>
+#include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QTimer>
 #include <QUrl>
 #include <algorithm>
 
@@ -167,6 +170,47 @@ bool MainWindow::mayDiscard() {
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   const int answer = question.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (recording_.isRecording()) {
+    event->ignore();
+    return whenRecorded([this] { close(); });
+  }
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  layouts_.store();
+  files_->autosaver().discard();
+  if (modules_)
+    for (Module* module : modules_->modules()) module->stop();
+  event->accept();
+}
+
+void MainWindow::whenRecorded(const std::function<void()>& then) {
+  if (!recording_.isRecording()) return then();
+  constexpr int kLongestMilliseconds = 2000;  // A module that does not answer must not keep the window open.
+  auto* once = new QTimer(this);
+  once->setSingleShot(true);
+  connect(once, &QTimer::timeout, this, [once, then] {
+    once->deleteLater();
+    then();
+  });
+  // After those that take the recording into the cell, which were connected before.
+  connect(&recording_, &RecordingHub::recorded, once, [once] { once->start(0); });
+  once->start(kLongestMilliseconds);
+  recording_.stop();
+}
+
+void MainWindow::endNow() {
+  whenRecorded([this] {
+    layouts_.store();
+    files_->autosaver().save();
+    if (modules_)
+      for (Module* module : modules_->modules()) module->stop();
+    QCoreApplication::exit(0);  // quit() would ask the window whether it may close.
+  });
 }
 
 }  // namespace hapticell::app
