@@ -14,7 +14,6 @@ namespace hapticell::cli {
 
 namespace {
 
-using manipulation::PathCheckResult;
 using manipulation::PathFinding;
 using nlohmann::ordered_json;
 

@@ -49,7 +49,8 @@ struct Task {
 };
 
 float leavesOf(std::size_t count) {
-  return static_cast<float>((count + kLeafSize - 1) / kLeafSize);
+  const std::size_t leaves = (count + kLeafSize - 1) / kLeafSize;
+  return static_cast<float>(leaves);
 }
 
 /// What all nodes of one build share.
@@ -198,7 +199,7 @@ class NodeBuilder {
       const auto better = [&](int than, auto measure) {
         return than < 0 || measure(part) > measure(parts[static_cast<std::size_t>(than)]);
       };
-      if (part.count > kLeafSize * kTreeWidth) {
+      if (part.count > std::size_t{kLeafSize} * kTreeWidth) {
         if (better(largest, [](const Part& p) { return p.extent.surface(); })) largest = i;
       } else if (better(fewest, [](const Part& p) { return -leavesOf(p.count); })) {
         fewest = i;

@@ -165,6 +165,85 @@ static bool isRough(const BallQuery& ball, const SurfaceElement& element, const 
   return ringDeviation(ball, element, glm::transpose(R) * row.M_W * R) > kRoughRing;
 }
 
+/// The rows of a hollow element: its own, and those of its ends as alternatives.
+static Telling appendHollow(const BallQuery& ball, std::uint32_t name, const ContactRow& row, ContactGroup& group) {
+  const SurfaceElement& element = ball.element(name);
+  if (row.gap >= -ball.reach || element.trims.empty()) {
+    group.rows.push_back(row);
+    if (element.shape.type == SurfaceType::kCone) endAtApex(ball, element.shape, ball.radius, group.rows);
+  }
+  for (std::size_t k = 0; k < element.trims.size(); ++k) {
+    const ElementTrim& trim = element.trims[k];
+    const double offset = ball.radius * trim.per_radius;
+    ContactRow end = rowOf(ball, trim.surface, offset);
+    end.element = name;
+    end.kind = static_cast<std::uint32_t>(k + 1);
+    if (end.gap < -ball.reach) continue;
+    if (isRough(ball, trim.surface, offset)) return Telling::kRough;
+    group.rows.push_back(end);
+    if (trim.surface.type == SurfaceType::kCone) endAtApex(ball, trim.surface, offset, group.rows);
+  }
+  return Telling::kTold;
+}
+
+/// The row of an element that is none, with its only end; several ends are left to copyForEnds().
+static void appendConvex(const BallQuery& ball, std::uint32_t name, ContactRow row, ContactGroup& group,
+                         std::vector<Ended>& ended) {
+  const SurfaceElement& element = ball.element(name);
+  Ended ends{group.rows.size(), {}};
+  for (std::size_t k = 0; k < element.trims.size(); ++k) {
+    const ElementTrim& trim = element.trims[k];
+    if (signedDistance(trim.surface, ball.p_M) - ball.radius * trim.per_radius <= ball.reach) ends.trims.push_back(k);
+  }
+  const bool ring = element.shape.type == SurfaceType::kTorus;
+  if (ends.trims.size() == 1 && !ring) setTrim(ball, element.trims[ends.trims.front()], row);
+  if (ends.trims.size() > 1 || (ring && !ends.trims.empty())) ended.push_back(ends);
+  group.rows.push_back(row);
+  if (element.shape.type == SurfaceType::kCone) endAtApex(ball, element.shape, ball.radius, group.rows);
+}
+
+/// A ring's end is a surface itself: A or (f and t) is (A or f) and (A or t). This is the second of them.
+static ContactGroup endOfRing(const BallQuery& ball, const Ended& ends, const ContactGroup& group) {
+  const SurfaceElement& element = ball.element(group.rows[ends.row].element);
+  const ElementTrim& trim = element.trims[ends.trims.front()];
+  const double offset = ball.radius * trim.per_radius;
+  ContactRow end = rowOf(ball, trim.surface, offset);
+  end.element = group.rows[ends.row].element;
+  end.kind = 1;
+  ContactGroup result = group;
+  result.rows[ends.row] = end;
+  result.id = mixedId(group.id, 50);
+  if (trim.surface.type == SurfaceType::kCone) {
+    std::vector<ContactRow> ending{end};
+    endAtApex(ball, trim.surface, offset, ending);
+    result.rows[ends.row] = ending.front();
+    result.rows.insert(result.rows.end(), ending.begin() + 1, ending.end());
+  }
+  return result;
+}
+
+/// A or (f and t1 and t2) is (A or (f and t1)) and (A or (f and t2)).
+static std::vector<ContactGroup> copyForEnds(const BallQuery& ball, const Ended& ends,
+                                             std::vector<ContactGroup> copies) {
+  std::vector<ContactGroup> next;
+  const SurfaceElement& element = ball.element(copies.front().rows[ends.row].element);
+  for (ContactGroup& copy : copies) {
+    if (element.shape.type == SurfaceType::kTorus) {
+      next.push_back(endOfRing(ball, ends, copy));
+      next.push_back(std::move(copy));
+      continue;
+    }
+    for (const std::size_t k : ends.trims) {
+      next.push_back(copy);
+      ContactRow& row = next.back().rows[ends.row];
+      setTrim(ball, ball.element(row.element).trims[k], row);
+      row.kind = static_cast<std::uint32_t>(k + 1);
+      next.back().id = mixedId(copy.id, k);
+    }
+  }
+  return next;
+}
+
 Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& elements, const ContactGroup& like,
                      std::vector<ContactGroup>& groups) {
   ContactGroup group = like;
@@ -172,8 +251,7 @@ Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& el
   double deepest = -1e300;
   std::uint32_t best = elements.front();
   for (const auto name : elements) {
-    const SurfaceElement& element = ball.element(name);
-    const double value = elementValue(element, ball.p_M, ball.radius);
+    const double value = elementValue(ball.element(name), ball.p_M, ball.radius);
     if (value > ball.reach) return Telling::kTold;
     if (value > deepest) deepest = value, best = name;
   }
@@ -186,69 +264,15 @@ Telling appendGroups(const BallQuery& ball, const std::vector<std::uint32_t>& el
     row.element = name;
     // Where facets stand in front of a hollow, what the exact check of the motion allows ends there.
     row.gap -= element.raised;
-    if (element.shape.side < 0.0) {
-      if (row.gap >= -ball.reach || element.trims.empty()) {
-        group.rows.push_back(row);
-        if (element.shape.type == SurfaceType::kCone) endAtApex(ball, element.shape, ball.radius, group.rows);
-      }
-      for (std::size_t k = 0; k < element.trims.size(); ++k) {
-        const ElementTrim& trim = element.trims[k];
-        ContactRow end = rowOf(ball, trim.surface, ball.radius * trim.per_radius);
-        end.element = name;
-        end.kind = static_cast<std::uint32_t>(k + 1);
-        if (end.gap < -ball.reach) continue;
-        if (isRough(ball, trim.surface, ball.radius * trim.per_radius)) return Telling::kRough;
-        group.rows.push_back(end);
-        if (trim.surface.type == SurfaceType::kCone)
-          endAtApex(ball, trim.surface, ball.radius * trim.per_radius, group.rows);
-      }
-      continue;
-    }
-    Ended ends{group.rows.size(), {}};
-    for (std::size_t k = 0; k < element.trims.size(); ++k) {
-      const ElementTrim& trim = element.trims[k];
-      if (signedDistance(trim.surface, ball.p_M) - ball.radius * trim.per_radius <= ball.reach) ends.trims.push_back(k);
-    }
-    const bool ring = element.shape.type == SurfaceType::kTorus;
-    if (ends.trims.size() == 1 && !ring) setTrim(ball, element.trims[ends.trims.front()], row);
-    if (ends.trims.size() > 1 || (ring && !ends.trims.empty())) ended.push_back(ends);
-    group.rows.push_back(row);
-    if (element.shape.type == SurfaceType::kCone) endAtApex(ball, element.shape, ball.radius, group.rows);
+    if (element.shape.side >= 0.0)
+      appendConvex(ball, name, row, group, ended);
+    else if (const Telling told = appendHollow(ball, name, row, group); told != Telling::kTold)
+      return told;
   }
-  // A or (f and t1 and t2) is (A or (f and t1)) and (A or (f and t2)).
   std::vector<ContactGroup> copies{std::move(group)};
   for (const Ended& ends : ended) {
     if (copies.size() * std::max<std::size_t>(2, ends.trims.size()) > kMostCopies) return Telling::kTooManyEnds;
-    std::vector<ContactGroup> next;
-    const SurfaceElement& element = ball.element(copies.front().rows[ends.row].element);
-    for (ContactGroup& copy : copies) {
-      if (element.shape.type == SurfaceType::kTorus) {
-        // A ring's end is a surface itself: A or (f and t) is (A or f) and (A or t).
-        const ElementTrim& trim = element.trims[ends.trims.front()];
-        ContactRow end = rowOf(ball, trim.surface, ball.radius * trim.per_radius);
-        end.element = copy.rows[ends.row].element;
-        end.kind = 1;
-        next.push_back(copy);
-        next.back().rows[ends.row] = end;
-        next.back().id = mixedId(copy.id, 50);
-        if (trim.surface.type == SurfaceType::kCone) {
-          std::vector<ContactRow> ending{end};
-          endAtApex(ball, trim.surface, ball.radius * trim.per_radius, ending);
-          next.back().rows[ends.row] = ending.front();
-          next.back().rows.insert(next.back().rows.end(), ending.begin() + 1, ending.end());
-        }
-        next.push_back(std::move(copy));
-        continue;
-      }
-      for (const std::size_t k : ends.trims) {
-        next.push_back(copy);
-        ContactRow& row = next.back().rows[ends.row];
-        setTrim(ball, ball.element(row.element).trims[k], row);
-        row.kind = static_cast<std::uint32_t>(k + 1);
-        next.back().id = mixedId(copy.id, k);
-      }
-    }
-    copies = std::move(next);
+    copies = copyForEnds(ball, ends, std::move(copies));
   }
   for (ContactGroup& copy : copies) {
     dropDominated(copy.rows, ball.reach);

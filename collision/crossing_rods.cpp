@@ -53,7 +53,7 @@ void appendAlong(const PlacedRod& a, const PlacedRod& b, double reach, const Con
     const double gap = distance - a.radius - b.radius;
     if (gap > reach || gap < -kDeepest) return;
     ContactGroup group = like;
-    group.id = mixedId(like.id, static_cast<std::uint64_t>(end + 1));
+    group.id = mixedId(like.id, static_cast<std::uint64_t>(end) + 1);
     ContactRow row = planeRow(n, gap, p, 0);
     row.bend = 1.0 / (a.radius + b.radius);
     row.M_W = row.bend * (dmat3(1.0) - glm::outerProduct(way, way));

@@ -64,6 +64,7 @@ std::vector<dvec3> nearestFirst(const std::vector<dvec3>& samples) {
 std::vector<dvec3> samplesFor(const std::vector<PieceGroup>& groups, double reach) {
   static const std::vector<dvec3> kBall = ballSamples(400);
   std::vector<dvec3> samples;
+  samples.reserve(kBall.size());
   for (const dvec3& s : kBall) samples.push_back(reach * s);
   std::size_t directions = 0;
   for (const PieceGroup& group : groups) directions += group.directions.size();

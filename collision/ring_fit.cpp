@@ -60,11 +60,11 @@ double ringDeviation(const BallQuery& ball, const SurfaceElement& element, const
     return std::abs(value) / std::max(0.2, glm::length(slope));
   };
   double worst = 0.0;
-  const auto follow = [&](const auto& placeAt) {
+  const auto follow = [&](const auto& place) {
     double inside = 0.0, outside = 0.0;
     for (int k = 1; k <= kSteps; ++k) {
       const double share = static_cast<double>(k) / kSteps;
-      const dvec3 q = placeAt(share);
+      const dvec3 q = place(share);
       if (!counts(q)) {
         outside = outside > inside ? outside : share;
         continue;
@@ -75,7 +75,7 @@ double ringDeviation(const BallQuery& ball, const SurfaceElement& element, const
     // It grows outwards, so the last place that counts says most.
     for (int k = 0; k < kHalvings && outside > inside; ++k) {
       const double middle = 0.5 * (inside + outside);
-      const dvec3 q = placeAt(middle);
+      const dvec3 q = place(middle);
       if (counts(q)) {
         worst = std::max(worst, deviation(q));
         inside = middle;

@@ -48,9 +48,9 @@ std::vector<Signature> minimal(std::vector<Signature> all) {
   std::sort(all.begin(), all.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.count() < b.count(); });
   std::vector<Signature> kept;
-  for (Signature& one : all) {
+  for (const Signature& one : all) {
     const bool implied = std::any_of(kept.begin(), kept.end(), [&](const auto& k) { return one.contains(k); });
-    if (!implied) kept.push_back(std::move(one));
+    if (!implied) kept.push_back(one);
     if (kept.size() > kMostGroups) break;
   }
   return kept;

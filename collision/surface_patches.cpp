@@ -151,6 +151,7 @@ std::vector<std::vector<std::uint32_t>> SurfaceGraph::components() const {
   for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i)
     by_root[rootOf(parent, mesh_.triangles[i][0])].push_back(i);
   std::vector<std::vector<std::uint32_t>> result;
+  result.reserve(by_root.size());
   for (auto& [root, triangles] : by_root) result.push_back(std::move(triangles));
   return result;
 }

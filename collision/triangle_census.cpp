@@ -2,9 +2,9 @@
 #include "collision/triangle_census.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace hapticell::collision {
 
@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-std::uint64_t hashOf(const std::uint64_t* words) {
+using Words = std::array<std::uint64_t, 3>;
+
+std::uint64_t hashOf(const Words& words) {
   std::uint64_t hash = 0x9E3779B97F4A7C15ull;
-  for (int i = 0; i < 3; ++i) {
-    hash = (hash ^ words[i]) * 0xC2B2AE3D27D4EB4Full;
+  for (const std::uint64_t word : words) {
+    hash = (hash ^ word) * 0xC2B2AE3D27D4EB4Full;
     hash ^= hash >> 29;
   }
   return hash;
@@ -42,6 +44,11 @@ class FirstOfEqual {
  private:
   std::vector<std::uint32_t> slots_;
 };
+
+/// Equal for what is the same bit for bit: -0 is not 0.
+Words bitsOf(const dvec3& p) {
+  return {std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y), std::bit_cast<std::uint64_t>(p.z)};
+}
 
 bool isFinite(const dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -70,7 +77,7 @@ CountedTriangles countTriangles(const geometry::TriangleMesh& mesh) {
       continue;
     }
     const geometry::Triangle corners = sorted(t);
-    const std::uint64_t words[3] = {corners[0], corners[1], corners[2]};
+    const Words words = {corners[0], corners[1], corners[2]};
     if (first.find(t, hashOf(words), [&](std::uint32_t other) { return sorted(other) == corners; }) != t) {
       ++counted.census.duplicate;
       continue;
@@ -87,11 +94,9 @@ geometry::TriangleMesh shareVertices(const geometry::TriangleMesh& mesh) {
   std::vector<std::uint32_t> new_index(mesh.vertices.size());
   geometry::TriangleMesh shared;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    std::uint64_t words[3];
-    std::memcpy(words, &mesh.vertices[v], sizeof(words));
-    const std::uint32_t same = first.find(v, hashOf(words), [&](std::uint32_t other) {
-      return std::memcmp(&mesh.vertices[v], &mesh.vertices[other], sizeof(dvec3)) == 0;
-    });
+    const Words words = bitsOf(mesh.vertices[v]);
+    const std::uint32_t same =
+        first.find(v, hashOf(words), [&](std::uint32_t other) { return bitsOf(mesh.vertices[other]) == words; });
     if (same == v) {
       new_index[v] = static_cast<std::uint32_t>(shared.vertices.size());
       shared.vertices.push_back(mesh.vertices[v]);

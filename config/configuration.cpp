@@ -136,7 +136,8 @@ std::vector<Setting> settings(const Configuration& configuration) {
     all.push_back({key, toText(value), flag ? "true, false" : rangeText(limits)});
   });
   for (const auto& [driver, values] : configuration.drivers) {
-    for (const auto& [key, value] : values) all.push_back({"driver." + driver + "." + key, value, "any text"});
+    const std::string before = "driver." + driver + ".";
+    for (const auto& [key, value] : values) all.push_back({before + key, value, "any text"});
   }
   return all;
 }

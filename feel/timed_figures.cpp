@@ -48,8 +48,9 @@ std::vector<workcell::Entity> crowdedCell() {
   const auto ball = std::make_shared<const geometry::TriangleMesh>(geometry::makeSphere(0.04, kBallSegments));
   std::vector<workcell::Entity> entities{solid(1, "table", table, {0, 0, -0.05}), solid(2, "box", box, {0, 0, 0.035})};
   for (int i = 0; i < kBallsOnSide * kBallsOnSide; ++i) {
-    const dvec3 p(0.2 * (i % kBallsOnSide) - 1.3, 0.2 * (i / kBallsOnSide) - 1.3, 0.04);
-    entities.push_back(solid(static_cast<workcell::EntityId>(3 + i), "ball " + std::to_string(i + 1), ball, p));
+    const int column = i % kBallsOnSide, row = i / kBallsOnSide;
+    const dvec3 p(0.2 * column - 1.3, 0.2 * row - 1.3, 0.04);
+    entities.push_back(solid(static_cast<workcell::EntityId>(i) + 3, "ball " + std::to_string(i + 1), ball, p));
   }
   return entities;
 }
@@ -160,8 +161,10 @@ std::vector<double> leastOfWalks(RenderingWay& way, const std::vector<Constraint
 
 std::vector<Figure> tickFigures(int ticks) {
   std::mt19937_64 random(5);
+  constexpr std::size_t kSets = 32;
   std::vector<ConstraintSet> sets;
-  for (int i = 0; i < 32; ++i) sets.push_back(crowdedSet(random));
+  sets.reserve(kSets);
+  while (sets.size() < kSets) sets.push_back(crowdedSet(random));
   const auto proxy = std::make_unique<ProxyWay>(haptic::RendererOptions{});
   const auto plane = std::make_unique<ClassicWay>(haptic::RendererOptions{});
   std::vector<double> ours = leastOfWalks(*proxy, sets, ticks), classic = leastOfWalks(*plane, sets, ticks);

@@ -53,10 +53,10 @@ bool inTriangle(const dvec2& p, const dvec2& a, const dvec2& b, const dvec2& c) 
 /// True when the corner `at` of what is left can be cut off: convex, and no other corner inside the ear.
 bool isEar(std::span<const dvec2> outline, const std::vector<std::uint32_t>& left, std::size_t at) {
   const std::size_t n = left.size();
-  const dvec2 a = outline[left[(at + n - 1) % n]], b = outline[left[at]], c = outline[left[(at + 1) % n]];
+  const dvec2 &a = outline[left[(at + n - 1) % n]], &b = outline[left[at]], &c = outline[left[(at + 1) % n]];
   if (turn(a, b, c) <= 0.0) return false;
   for (std::size_t k = 2; k + 1 < n; ++k) {
-    const dvec2 p = outline[left[(at + k) % n]];
+    const dvec2& p = outline[left[(at + k) % n]];
     if (p == a || p == b || p == c) continue;
     if (inTriangle(p, a, b, c)) return false;
   }

@@ -62,7 +62,7 @@ void closureJacobian(const RobotModel& model, const std::vector<double>& q, int 
     x[k] = q[k];
     for (int i = 0; i < 3; ++i) {
       J(static_cast<std::size_t>(i), k) = t.linear[i] / (2.0 * kStep);
-      J(static_cast<std::size_t>(i + 3), k) = t.angular[i] / (2.0 * kStep);
+      J(static_cast<std::size_t>(i) + 3, k) = t.angular[i] / (2.0 * kStep);
     }
   }
 }

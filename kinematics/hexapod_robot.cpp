@@ -228,10 +228,11 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
     slide.velocity = joints[i].velocity;
     addLink(leg + "_lower", 0, hinge);
     addLink(leg + "_upper", static_cast<int>(model.links.size()) - 1, slide);
-    if (!(home[i] > 1e-9))
-      return makeError({"", place + ", " + leg, "hinges that fall together", "a leg with a length", ""});
+    std::string at = place;
+    at.append(", ").append(leg);
+    if (!(home[i] > 1e-9)) return makeError({"", at, "hinges that fall together", "a leg with a length", ""});
     if (home[i] < slide.lower || home[i] > slide.upper) {
-      return makeError({"", place + ", " + leg, "a length of " + std::to_string(home[i]) + " m at home",
+      return makeError({"", at, "a length of " + std::to_string(home[i]) + " m at home",
                         std::to_string(slide.lower) + " to " + std::to_string(slide.upper) + " m, its limits", ""});
     }
   }

@@ -98,7 +98,7 @@ void geometricJacobian(const RobotModel& model, const std::vector<Pose>& X_BL, i
       const dvec3 linear = prismatic ? axis : glm::cross(axis, p_BQ - X_BJ.p);
       for (int i = 0; i < 3; ++i) {
         J(static_cast<std::size_t>(i), static_cast<std::size_t>(drive.variable)) += linear[i];
-        if (!prismatic) J(static_cast<std::size_t>(i + 3), static_cast<std::size_t>(drive.variable)) += axis[i];
+        if (!prismatic) J(static_cast<std::size_t>(i) + 3, static_cast<std::size_t>(drive.variable)) += axis[i];
       }
     }
     index = model.links[static_cast<std::size_t>(joint.parent_link)].parent_joint;

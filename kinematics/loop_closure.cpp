@@ -223,6 +223,7 @@ Expected<int> variableNamed(const RobotModel& tree, const std::string& name) {
 /// Leaves only the set joints as variables of the model.
 void keepVariables(RobotModel& model, const std::vector<int>& actuated) {
   std::vector<int> moving;
+  moving.reserve(actuated.size());
   for (const int variable : actuated) moving.push_back(model.moving[static_cast<std::size_t>(variable)]);
   for (Joint& joint : model.joints) joint.variable = -1;
   for (std::size_t k = 0; k < moving.size(); ++k)

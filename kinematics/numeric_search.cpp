@@ -51,7 +51,8 @@ std::vector<std::size_t> NumericInverse::seedsNear(const Pose& X_BT) const {
 
 // Points about the start, the first ones nearest: what one descent from the start itself passed by.
 ChainPositions NumericInverse::aboutStart(const ChainPositions& x_start, std::size_t index) const {
-  const double radius = kNearEnough * static_cast<double>(1 + index / 4);
+  const std::size_t ring = 1 + index / 4;
+  const double radius = kNearEnough * static_cast<double>(ring);
   ChainPositions x = x_start;
   for (std::size_t i = 0; i < chain_.size(); ++i) {
     const double lower = seeds_.front().x[i];

@@ -15,7 +15,8 @@ namespace {
 struct Depth {
   int moving = 0;
   int joints = 0;
-  friend auto operator<=>(const Depth&, const Depth&) = default;
+  friend auto operator<=>(const Depth&,
+                          const Depth&) = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 here.
 };
 
 Depth depthOf(const RobotModel& model, int link) {

@@ -13,7 +13,6 @@ namespace hapticell::manipulation {
 namespace {
 
 using workcell::Entity;
-using workcell::EntityKind;
 using workcell::ForceClass;
 using workcell::OnContact;
 

@@ -65,7 +65,8 @@ TargetSight sightOfTarget(const PreparedScene& scene, const workcell::Entity& ma
   int seen = 0;
   for (int i = 0; i < 27; ++i) {
     // A little inside the box, so that a corner that is only the box's counts like the part beside it.
-    const dvec3 share(0.1 + 0.4 * (i % 3), 0.1 + 0.4 * (i / 3 % 3), 0.1 + 0.4 * (i / 9));
+    const int x = i % 3, y = i / 3 % 3, z = i / 9;
+    const dvec3 share(0.1 + 0.4 * x, 0.1 + 0.4 * y, 0.1 + 0.4 * z);
     const dvec3 way = box.min + share * (box.max - box.min) - middle.p_WEyes;
     double own = 1.0;
     for (const Placed& placed : targets) own = std::min(own, meets(placed, middle.p_WEyes, way));

@@ -17,9 +17,7 @@
 namespace hapticell::manipulation {
 namespace {
 
-using ergonomics::BodyAtTask;
 using mannequin::Posture;
-using mannequin::Side;
 using workcell::Entity;
 using workcell::EntityId;
 

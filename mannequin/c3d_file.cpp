@@ -79,7 +79,7 @@ class C3dReader {
       if (!length || !number) return fail(at, "the end of the file", "the parameters' end");
       const std::size_t letters = static_cast<std::size_t>(std::abs(static_cast<std::int8_t>(*length)));
       if (letters == 0) break;
-      const int group = static_cast<std::int8_t>(*number);
+      const int group = static_cast<int>(static_cast<std::int8_t>(*number));
       const std::string name = upper(bytes_.text(at + 2, letters));
       const std::size_t link = at + 2 + letters;
       const auto step = bytes_.word(link);
@@ -106,7 +106,7 @@ class C3dReader {
     const auto type = bytes_.byte(at), dimensions = bytes_.byte(at + 1);
     if (!type || !dimensions) return std::nullopt;
     Parameter parameter;
-    parameter.type = static_cast<std::int8_t>(*type);
+    parameter.type = static_cast<int>(static_cast<std::int8_t>(*type));
     if (parameter.type != -1 && parameter.type != 1 && parameter.type != 2 && parameter.type != 4) return std::nullopt;
     constexpr std::size_t kMostCounted = 1 << 24;
     for (std::size_t k = 0; k < *dimensions; ++k) {

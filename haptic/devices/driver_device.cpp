@@ -74,9 +74,9 @@ struct DriverDevice::Worker {
     sched_param priority{};
     priority.sched_priority = kWorkerPriority;
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
-    driver::Problem problem = session.open();
+    const driver::Problem problem = session.open();
     const bool good = problem.status == driver::Status::kOk;
-    opened.set_value(std::move(problem));
+    opened.set_value(problem);
     int silent = 0;
     while (good && !stopping.load(std::memory_order_acquire)) {
       if (waitForTick())

@@ -30,16 +30,15 @@ bool isWellFormed(const Constraint& c) {
   return allFinite(c.gradient) && allFinite(c.curvature) && allFinite(c.trim_gradient) &&
          allFinite(std::array{c.velocity_D.x, c.velocity_D.y, c.velocity_D.z}) &&
          allFinite(std::array{c.gap, c.trim_gap, c.stiffness, c.damping, c.friction, c.reach}) && c.stiffness >= 0.0 &&
-         c.reach >= 0.0 &&
-         c.damping >= 0.0 && c.friction >= 0.0;
+         c.reach >= 0.0 && c.damping >= 0.0 && c.friction >= 0.0;
 }
 
 }  // namespace
 
 double evaluate(const Constraint& constraint, const Vector6& xi) {
-  const Vector6 Bxi = multiply(constraint.curvature, xi);
+  const Vector6 B_xi = multiply(constraint.curvature, xi);
   double value = constraint.gap;
-  for (std::size_t i = 0; i < 6; ++i) value += (constraint.gradient[i] + 0.5 * Bxi[i]) * xi[i];
+  for (std::size_t i = 0; i < 6; ++i) value += (constraint.gradient[i] + 0.5 * B_xi[i]) * xi[i];
   return value;
 }
 
@@ -50,11 +49,11 @@ Vector6 gradientAt(const Constraint& constraint, const Vector6& xi) {
 }
 
 double evaluateWithGradient(const Constraint& constraint, const Vector6& xi, Vector6& gradient) {
-  const Vector6 Bxi = multiply(constraint.curvature, xi);
+  const Vector6 B_xi = multiply(constraint.curvature, xi);
   double value = constraint.gap;
   for (std::size_t i = 0; i < 6; ++i) {
-    value += (constraint.gradient[i] + 0.5 * Bxi[i]) * xi[i];
-    gradient[i] = constraint.gradient[i] + Bxi[i];
+    value += (constraint.gradient[i] + 0.5 * B_xi[i]) * xi[i];
+    gradient[i] = constraint.gradient[i] + B_xi[i];
   }
   return value;
 }

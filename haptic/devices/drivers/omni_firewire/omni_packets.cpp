@@ -42,10 +42,10 @@ std::optional<OmniReading> readOmniPacket(std::span<const std::uint8_t> bytes) {
 
 std::array<std::uint8_t, 16> makeOmniPacket(const dvec3& commands, bool motors, bool light) {
   std::array<std::uint8_t, 16> bytes{};
-  for (int i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3; ++i) {
     const double wanted = motors && std::isfinite(commands[i]) ? std::clamp(commands[i], -1.0, 1.0) : 0.0;
     const int value = std::clamp(kZero + static_cast<int>(std::lround(wanted * (kMost - kZero))), 0, kMost);
-    put(bytes, static_cast<std::size_t>(2 * i), static_cast<unsigned>(value));
+    put(bytes, 2 * i, static_cast<unsigned>(value));
   }
   put(bytes, 6, static_cast<unsigned>(kStatus | (light ? kLight : 0) | (motors ? kMotors : 0)));
   return bytes;
