@@ -89,8 +89,8 @@ Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajecto
     EntityConfiguration at{entity.X_WE, entity.joints};
     const auto joints = trajectory.joints(i);
     for (std::size_t j = 0; j < joints.size(); ++j) at.joints[(*columns)[j]] = joints[j];
-    Trajectory::Frame frame =
-        trajectory[i];  // NOLINT(performance-unnecessary-copy-initialization): one `change` sets it.
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): one `change` sets it.
+    Trajectory::Frame frame = trajectory[i];
     change(**arm, at, frame);
     std::vector<double> changed;
     for (const std::size_t column : *columns) changed.push_back(at.joints[column]);
