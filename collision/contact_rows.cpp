@@ -186,7 +186,7 @@ static Telling appendHollow(const BallQuery& ball, std::uint32_t name, const Con
   return Telling::kTold;
 }
 
-/// The row of an element that is none, with its only end; several ends are left to copyForEnds().
+/// The row of an element that is not hollow, with its only end; several ends are left to copyForEnds().
 static void appendConvex(const BallQuery& ball, std::uint32_t name, ContactRow row, ContactGroup& group,
                          std::vector<Ended>& ended) {
   const SurfaceElement& element = ball.element(name);
