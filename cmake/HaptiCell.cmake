@@ -33,7 +33,7 @@ target_compile_options(hapticell_warnings INTERFACE
 
 # For what has a precompiled header: with one, g++ 12 gives other names to that overlap.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-  set(HAPTICELL_PRECOMPILED_WARNINGS -Wno-stringop-overflow -Wno-array-bounds)
+  set(HAPTICELL_PRECOMPILED_WARNINGS -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 endif()
 
 # Linked by whatever includes asio, Boost's or its own: it decides by what a source included before it whether it allocates
@@ -45,12 +45,27 @@ target_compile_definitions(hapticell_asio INTERFACE ASIO_DISABLE_STD_ALIGNED_ALL
 # For sources that call what dlsym() finds: C functions, of whose types clang's -fsanitize=function knows nothing.
 set(HAPTICELL_CALLS_FOUND_SYMBOLS $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=function>)
 
-# hapticell_add_library(NAME SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...])
+# What most sources without Qt include, parsed once for all libraries. The preset `dev` does without, so that each source
+# still names what it uses.
+find_package(glm REQUIRED)
+find_package(tl-expected REQUIRED)
+set(HAPTICELL_COMMON_HEADERS <glm/glm.hpp> <glm/gtc/quaternion.hpp> <tl/expected.hpp> <algorithm> <array> <cmath> <cstdint>
+  <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <optional> <span> <string> <string_view> <utility> <vector>)
+add_library(hapticell_common_headers OBJECT EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/cmake/common_headers.cpp")
+target_compile_definitions(hapticell_common_headers PRIVATE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)  # As geometry's.
+target_link_libraries(hapticell_common_headers PRIVATE glm::glm tl::expected hapticell_warnings)
+target_precompile_headers(hapticell_common_headers PRIVATE ${HAPTICELL_COMMON_HEADERS})
+add_executable(hapticell_program_headers EXCLUDE_FROM_ALL "${PROJECT_SOURCE_DIR}/cmake/program_headers.cpp")  # A program's flags are others.
+target_compile_definitions(hapticell_program_headers PRIVATE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+target_link_libraries(hapticell_program_headers PRIVATE glm::glm tl::expected hapticell_warnings)
+target_precompile_headers(hapticell_program_headers PRIVATE ${HAPTICELL_COMMON_HEADERS})
+
+# hapticell_add_library(NAME SOURCES ... [HEADERS ...] [PUBLIC libs...] [PRIVATE libs...] [PRECOMPILED <headers>...])
 #
 # A library with the alias hapticell::NAME. Headers are found as "folder/file.h" from the project's root, and as
-# <folder/file.h> under include/hapticell once installed.
+# <folder/file.h> under include/hapticell once installed. Sources with flags of their own skip what is precompiled.
 function(hapticell_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE;PRECOMPILED" ${ARGN})
   set(target hapticell_${name})
   add_library(${target} STATIC ${ARG_SOURCES} ${ARG_HEADERS})
   add_library(hapticell::${name} ALIAS ${target})
@@ -59,6 +74,12 @@ function(hapticell_add_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/hapticell>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:hapticell_warnings>)
+  target_compile_options(${target} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
+  if(ARG_PRECOMPILED)  # Besides the common ones; such a library parses its own.
+    target_precompile_headers(${target} PRIVATE ${HAPTICELL_COMMON_HEADERS} ${ARG_PRECOMPILED})
+  else()
+    target_precompile_headers(${target} REUSE_FROM hapticell_common_headers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY HAPTICELL_LIBRARIES ${target})
   foreach(header IN LISTS ARG_HEADERS)
     cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
@@ -72,4 +93,6 @@ function(hapticell_add_executable name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} hapticell_warnings)
+  target_compile_options(${name} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
+  target_precompile_headers(${name} REUSE_FROM hapticell_program_headers)
 endfunction()

@@ -34,8 +34,7 @@ LibraryPosture make(const char* name, std::initializer_list<Angle> angles, doubl
   return entry;
 }
 
-std::vector<LibraryPosture> makeLibrary() {
-  std::vector<LibraryPosture> all;
+void addAtRest(std::vector<LibraryPosture>& all) {
   all.push_back(make("zero", {}));
   all.push_back(make("standing", {{"both_shoulder_abduction", 9},
                                   {"both_shoulder_flexion", 4},
@@ -71,6 +70,9 @@ std::vector<LibraryPosture> makeLibrary() {
                                 {"both_thumb_flexion", 15},
                                 {"vc7_flexion", 6},
                                 {"vc4_flexion", 5}}));
+}
+
+void addAtWork(std::vector<LibraryPosture>& all) {
   all.push_back(make("overhead", {{"both_sternoclavicular_elevation", 26},
                                   {"both_shoulder_flexion", 122},
                                   {"both_shoulder_abduction", 14},
@@ -117,6 +119,9 @@ std::vector<LibraryPosture> makeLibrary() {
                       {"r_talocrural_plantar_flexion", -14},
                       {"vl5_flexion", 4}},
                      10.0));
+}
+
+void addLowDown(std::vector<LibraryPosture>& all) {
   all.push_back(make("stooping",
                      {{"both_hip_flexion", 62},
                       {"both_knee_flexion", 12},
@@ -164,6 +169,13 @@ std::vector<LibraryPosture> makeLibrary() {
                                       {"both_elbow_flexion", 55},
                                       {"both_fingers_curl", 30},
                                       {"both_radioulnar_pronation", 25}}));
+}
+
+std::vector<LibraryPosture> makeLibrary() {
+  std::vector<LibraryPosture> all;
+  addAtRest(all);
+  addAtWork(all);
+  addLowDown(all);
   return all;
 }
 

@@ -62,7 +62,7 @@ std::vector<fs::path> filesOf(const std::string& line, const fs::path& folder, D
     const auto file = find(std::string(word), folder);
     if (file) files.push_back(*file);
     if (!file) {
-      diagnostics.warn("its colours are missing: the material file " + quoted(std::string_view(line)) + " is not beside it");
+      diagnostics.warn("its colours are missing: the material file " + inQuotes(line) + " is not beside it");
       break;
     }
   }
@@ -106,7 +106,7 @@ std::map<std::string, Color> readObjMaterials(const fs::path& obj_file, const st
     for (const fs::path& file : filesOf(line, folder, diagnostics)) {
       if (!done.insert(file).second) continue;
       if (fs::file_size(file, fault) > kMostBytes || fault) {
-        diagnostics.warn("the material file " + quoted(std::string_view(file.filename().string())) + " is longer than 16 MB; not read");
+        diagnostics.warn("the material file " + inQuotes(file.filename().string()) + " is longer than 16 MB; not read");
         continue;
       }
       const auto content = readFileContent(file);

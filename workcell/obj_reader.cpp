@@ -42,7 +42,7 @@ class ObjReader {
         readComment(keyword);
       } else if (!keyword.empty() && !readName(keyword) && !isIgnored(keyword)) {
         ++unknown_[std::string(keyword.substr(0, 20))];
-        if (unknown_.size() > 50) return makeError({"", cursor_.place(), quoted(keyword), "an OBJ statement", ""});
+        if (unknown_.size() > 50) return makeError({"", cursor_.place(), inQuotes(keyword), "an OBJ statement", ""});
       }
       if (!done) return makeError(done.error());
     }
@@ -103,7 +103,7 @@ class ObjReader {
 
   void report(Diagnostics& diagnostics) const {
     for (const auto& [keyword, lines] : unknown_) {
-      diagnostics.warn(std::to_string(lines) + " lines beginning with " + quoted(keyword) + " were not understood");
+      diagnostics.warn(std::to_string(lines) + " lines beginning with " + inQuotes(keyword) + " were not understood");
     }
     vertex_colors_.report("vertices", diagnostics);
   }
@@ -128,7 +128,7 @@ class ObjReader {
       const std::optional<double> value = parseNumber(word);
       if (!value) {
         return makeError({"", place,
-                          word.empty() ? "a vertex with fewer than three coordinates" : "vertex with " + quoted(word),
+                          word.empty() ? "a vertex with fewer than three coordinates" : "vertex with " + inQuotes(word),
                           "three numbers with '.' as decimal point", ""});
       }
       point[axis] = *value;
@@ -147,7 +147,7 @@ class ObjReader {
       const std::optional<std::int64_t> index = parseInteger(vertex);
       if (!index || *index == 0) {
         return makeError(
-            {"", place, "face corner " + quoted(word), "a vertex number (1 is the first, -1 the last so far)", ""});
+            {"", place, "face corner " + inQuotes(word), "a vertex number (1 is the first, -1 the last so far)", ""});
       }
       const auto known = static_cast<std::int64_t>(soup_.vertices.size());
       const std::int64_t absolute = *index < 0 ? known + *index : *index - 1;
@@ -164,7 +164,7 @@ class ObjReader {
   }
 
   Error outOfRange(const std::string& place, const std::string& index) const {
-    return {"", place, "vertex number " + quoted(index),
+    return {"", place, "vertex number " + inQuotes(index),
             "one of the " + std::to_string(soup_.vertices.size()) + " vertices",
             "The file is damaged: export it again."};
   }

@@ -91,7 +91,7 @@ class OffReader {
   Expected<Counts> readHeader() {
     if (!nextFilledLine()) return makeError({"", "", "no text", "'OFF'", ""});
     if (!word_.ends_with("OFF") || word_.find_first_of("4n") != std::string_view::npos) {
-      return makeError({"", cursor_.place(), quoted(word_), "'OFF', 'COFF' or 'NOFF' in three dimensions", ""});
+      return makeError({"", cursor_.place(), inQuotes(word_), "'OFF', 'COFF' or 'NOFF' in three dimensions", ""});
     }
     has_colors_ = word_.find('C') != std::string_view::npos;
     has_normals_ = word_.find('N') != std::string_view::npos;
@@ -124,7 +124,7 @@ class OffReader {
       const std::optional<double> value = parseNumber(word_);
       if (!value) {
         return makeError({"", cursor_.place(),
-                          word_.empty() ? "a vertex with fewer than three coordinates" : quoted(word_),
+                          word_.empty() ? "a vertex with fewer than three coordinates" : inQuotes(word_),
                           "three numbers with '.' as decimal point", ""});
       }
       point[axis] = *value;
@@ -140,14 +140,14 @@ class OffReader {
   Expected<void> readFace() {
     const std::optional<std::int64_t> corners = parseInteger(word_);
     if (!corners || *corners < 0) {
-      return makeError({"", cursor_.place(), quoted(word_), "the number of the face's corners", ""});
+      return makeError({"", cursor_.place(), inQuotes(word_), "the number of the face's corners", ""});
     }
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view word = nextWord();
       const std::optional<std::int64_t> index = parseInteger(word);
       if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= soup_.vertices.size()) {
         return makeError({"", cursor_.place(),
-                          word.empty() ? "a face with too few corners" : "face corner " + quoted(word),
+                          word.empty() ? "a face with too few corners" : "face corner " + inQuotes(word),
                           "a vertex number below " + std::to_string(soup_.vertices.size()), ""});
       }
       soup_.corners.push_back(static_cast<std::uint32_t>(*index));

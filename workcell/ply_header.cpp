@@ -66,7 +66,7 @@ class HeaderReader {
       } else if (keyword == "property") {
         done = readProperty(words);
       } else {
-        done = makeError({"", place(), quoted(keyword), "'element', 'property', 'comment' or 'end_header'", ""});
+        done = makeError({"", place(), inQuotes(keyword), "'element', 'property', 'comment' or 'end_header'", ""});
       }
       if (!done) return makeError(done.error());
     }
@@ -117,7 +117,7 @@ class HeaderReader {
     } else if (keyword == "format" && encoding == "binary_big_endian") {
       header_.encoding = PlyEncoding::kBigEndian;
     } else {
-      return makeError({"", place(), quoted(line_), "'format' ascii, binary_little_endian or binary_big_endian", ""});
+      return makeError({"", place(), inQuotes(line_), "'format' ascii, binary_little_endian or binary_big_endian", ""});
     }
     return {};
   }
@@ -129,11 +129,11 @@ class HeaderReader {
     const std::string_view word = words.nextWord();
     const std::optional<std::int64_t> count = parseInteger(word);
     if (!count || *count < 0) {
-      return makeError({"", place(), quoted(word), "how many elements '" + element.name + "' follow", ""});
+      return makeError({"", place(), inQuotes(word), "how many elements '" + element.name + "' follow", ""});
     }
     for (const PlyElement& other : header_.elements) {
       if (other.name == element.name) {
-        return makeError({"", place(), "a second element " + quoted(element.name), "each element once", ""});
+        return makeError({"", place(), "a second element " + inQuotes(element.name), "each element once", ""});
       }
     }
     element.count = static_cast<std::uint64_t>(*count);
@@ -150,13 +150,13 @@ class HeaderReader {
       const std::string_view count = words.nextWord();
       const std::optional<PlyType> found = findType(count);
       if (!found || *found == PlyType::kFloat32 || *found == PlyType::kFloat64) {
-        return makeError({"", place(), quoted(count), "an integer type for the list's length", ""});
+        return makeError({"", place(), inQuotes(count), "an integer type for the list's length", ""});
       }
       property.count_type = *found;
       type = words.nextWord();
     }
     const std::optional<PlyType> found = findType(type);
-    if (!found) return makeError({"", place(), quoted(type), "a PLY number type such as 'float' or 'uchar'", ""});
+    if (!found) return makeError({"", place(), inQuotes(type), "a PLY number type such as 'float' or 'uchar'", ""});
     property.type = *found;
     property.name = words.nextWord();
     header_.elements.back().properties.push_back(std::move(property));
@@ -169,7 +169,7 @@ class HeaderReader {
       const std::uint64_t least = leastBytes(element, header_.encoding);
       if (least == 0 || element.count <= room / least) continue;
       return makeError({"", "line " + std::to_string(element.line),
-                        std::to_string(element.count) + " elements " + quoted(element.name),
+                        std::to_string(element.count) + " elements " + inQuotes(element.name),
                         "at most the " + std::to_string(room / least) + " that the file's length can hold",
                         "The file is truncated: export it again."});
     }

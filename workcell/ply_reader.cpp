@@ -136,7 +136,7 @@ class PlyReader {
       keepColors(element, std::move(colors), diagnostics);
       const bool known = element.name == "vertex" || element.name == "face" || element.name == "tristrips";
       if (!known)
-        diagnostics.warn("the " + std::to_string(element.count) + " elements " + quoted(element.name) +
+        diagnostics.warn("the " + std::to_string(element.count) + " elements " + inQuotes(element.name) +
                          " were not used");
     }
     Expected<RawMesh> raw = triangulate(std::move(soup_), diagnostics);
@@ -240,7 +240,7 @@ class PlyReader {
 
   Error ended(const PlyElement& element, std::uint64_t index) const {
     return {"", placeOf(element, index), "the file ends",
-            std::to_string(element.count) + " elements " + quoted(element.name),
+            std::to_string(element.count) + " elements " + inQuotes(element.name),
             "The file is truncated: export it again."};
   }
 

@@ -30,7 +30,7 @@ std::uint32_t countInHeader(std::string_view content) {
 
 Error wrongWord(const TextCursor& cursor, std::string_view word, const std::string& expected) {
   if (word.empty()) return {"", cursor.place(), "the file ends", expected, kTruncated};
-  return {"", cursor.place(), quoted(word), expected, ""};
+  return {"", cursor.place(), inQuotes(word), expected, ""};
 }
 
 /// One facet behind its word "facet". The normal is not used (exporters write NaN there for slivers): any words pass.
@@ -50,7 +50,7 @@ Expected<void> readFacet(TextCursor& cursor, geometry::TriangleMesh& mesh) {
   }
   for (const char* expected : {"endloop", "endfacet"}) {
     const std::string_view word = cursor.nextWordOfText();
-    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, quoted(expected)));
+    if (!sameWord(word, expected)) return makeError(wrongWord(cursor, word, inQuotes(expected)));
   }
   mesh.triangles.push_back({first, first + 1, first + 2});
   return {};

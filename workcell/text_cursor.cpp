@@ -86,7 +86,7 @@ std::optional<std::int64_t> parseInteger(std::string_view word) {
   return value;
 }
 
-std::string quoted(std::string_view word) {
+std::string inQuotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
   for (char c : word.substr(0, kLongest)) text += (c >= ' ' && c < 127) ? c : '?';
@@ -118,7 +118,7 @@ Expected<dvec3> readPoint(TextCursor& cursor, std::string_view what) {
                         "The file is truncated: export it again."});
     }
     if (!value) {
-      return makeError({"", cursor.place(), std::string(what) + " with " + quoted(word), kNumberExpected, ""});
+      return makeError({"", cursor.place(), std::string(what) + " with " + inQuotes(word), kNumberExpected, ""});
     }
     point[axis] = *value;
   }

@@ -49,7 +49,7 @@ std::optional<double> parseNumber(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);
 
 /// The word in quotes, cut to 40 bytes, with what is not printable replaced: for messages.
-std::string quoted(std::string_view word);
+std::string inQuotes(std::string_view word);
 
 /// Three words as a point; an error names the line and the word. Refuses what isUsable refuses.
 Expected<dvec3> readPoint(TextCursor& cursor, std::string_view what);

@@ -154,8 +154,8 @@ Expected<RobotModel> readUrdfText(const std::string& text, const std::filesystem
                                   ImportMonitor* monitor, RobotContent content) {
   const XmlText sound = soundXmlText(text);
   if (sound.replaced > 0)
-    diagnostics.warn("line " + std::to_string(sound.line) + ": text that is no UTF-8; question marks stand for " +
-                     std::to_string(sound.replaced) + " bytes");
+    diagnostics.warn("line " + std::to_string(sound.line) + ": text that is no UTF-8; " +
+                     std::to_string(sound.replaced) + " bytes were taken for Latin-1");
   const auto structure = checkUrdfStructure(sound.text, path.string());
   if (!structure) return makeError(structure.error());
   const auto source = parse(sound.text, path.string());

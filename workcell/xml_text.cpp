@@ -2,7 +2,6 @@
 #include "workcell/xml_text.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace hapticell::workcell {
 
@@ -15,27 +14,42 @@ std::size_t followers(unsigned char first) {
   return first >= 0xF0 && first <= 0xF4 ? 3 : 0;
 }
 
+/// Bytes of the UTF-8 character that begins at `at`; 0: there is none.
+std::size_t characterLength(const std::string& text, std::size_t at) {
+  const auto first = static_cast<unsigned char>(text[at]);
+  const std::size_t more = followers(first);
+  if (first >= 0x80 && more == 0) return 0;
+  if (more >= text.size() - at) return 0;
+  for (std::size_t i = at + 1; i <= at + more; ++i)
+    if ((static_cast<unsigned char>(text[i]) & 0xC0u) != 0x80u) return 0;
+  return 1 + more;
+}
+
+void appendLatin1(unsigned char byte, std::string& text) {
+  if (byte < 0xA0) {
+    text += '?';
+    return;
+  }
+  text += static_cast<char>(0xC0u | (byte >> 6u));
+  text += static_cast<char>(0x80u | (byte & 0x3Fu));
+}
+
 }  // namespace
 
-XmlText soundXmlText(std::string text) {
-  XmlText sound{std::move(text)};
-  std::string& bytes = sound.text;
-  for (std::size_t i = 0; i < bytes.size();) {
-    const auto byte = static_cast<unsigned char>(bytes[i]);
-    const std::size_t more = followers(byte);
-    std::size_t found = 0;
-    while (found < more && i + found + 1 < bytes.size() &&
-           (static_cast<unsigned char>(bytes[i + found + 1]) & 0xC0u) == 0x80u)
-      ++found;
-    if (byte < 0x80 || (more > 0 && found == more)) {
-      i += 1 + more;
+XmlText soundXmlText(const std::string& text) {
+  XmlText sound;
+  sound.text.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    if (const std::size_t length = characterLength(text, i); length > 0) {
+      sound.text.append(text, i, length);
+      i += length;
       continue;
     }
     if (sound.replaced++ == 0) {
-      const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(i);
-      sound.line = 1 + static_cast<std::size_t>(std::count(bytes.begin(), end, '\n'));
+      const auto end = text.begin() + static_cast<std::ptrdiff_t>(i);
+      sound.line = 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
     }
-    bytes[i++] = '?';
+    appendLatin1(static_cast<unsigned char>(text[i++]), sound.text);
   }
   return sound;
 }

@@ -9,13 +9,14 @@ namespace hapticell::workcell {
 /// Text for TinyXML, ours and urdfdom's.
 struct XmlText {
   std::string text;
-  std::size_t replaced = 0;  ///< Bytes that were no UTF-8.
+  std::size_t replaced = 0;  ///< Bytes that were no part of a UTF-8 character, and were taken for Latin-1.
   std::size_t line = 0;      ///< Of the first of them, from 1; 0: there was none.
 };
 
-/// `text` with a question mark for each byte that is no part of a UTF-8 character (RFC 3629). Files that say they are
-/// UTF-8 often have comments in Latin-1; and TinyXML 2.6.2 takes the first byte of a character for all of it and reads
-/// past the end of a text that stops within one.
-XmlText soundXmlText(std::string text);
+/// `text` as UTF-8: each byte that is no part of a UTF-8 character (RFC 3629) is taken for one of Latin-1 (ISO 8859-1),
+/// in which older programs write names and comments whatever the file says; 0x80 to 0x9F, which are controls there,
+/// become question marks. TinyXML 2.6.2 takes the first byte of a character for all of it and would read past the end
+/// of a text that stops within one.
+XmlText soundXmlText(const std::string& text);
 
 }  // namespace hapticell::workcell

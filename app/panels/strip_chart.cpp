@@ -198,8 +198,11 @@ void StripChart::paintLegend(QPainter& painter, const Axes& axes) const {
   const Theme& theme = themeOf(palette());
   const int top = axes.plot.top();
   painter.setFont(textFont(TextRole::kSection));
-  const int room = axes.plot.left() - kLevelsWidth - 12;
   const auto write = [&](int y, const QColor& color, const QString& text) {
+    // Beside no word of the axis there is more room.
+    const auto beside = [&](double word) { return std::abs(word - (y + 10)) < 18; };
+    const bool narrow = beside(top + 4) || beside(axes.yGap(near_miss_m_)) || beside(axes.plot.bottom());
+    const int room = axes.plot.left() - 12 - (narrow ? kLevelsWidth : 8);
     painter.setPen(color);
     painter.drawText(QRect(12, y, room, 20), Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(text, Qt::ElideRight, room));

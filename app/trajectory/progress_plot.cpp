@@ -43,8 +43,10 @@ void ProgressPlot::paint(QPainter& painter, const QRect& rect, const std::vector
   painter.setPen(QPen(theme.text2, 1, Qt::DashLine));
   painter.drawLine(QPointF(plot.left(), y(0.01 * pass)), QPointF(plot.right(), y(0.01 * pass)));
   if (attempts.empty()) {
+    // Between the lines of the chart, in the half that the dashed one leaves free.
+    const double top = pass < 50.0 ? 1.0 : 0.5;
     painter.setPen(theme.text2);
-    painter.drawText(plot, Qt::AlignCenter, tr("No run yet"));
+    painter.drawText(QRectF(plot.left(), y(top), plot.width(), y(0.0) - y(0.5)), Qt::AlignCenter, tr("No run yet"));
     return;
   }
   // The newest forty.

@@ -5614,7 +5614,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>The scores are partial: %1 not entered. Task data… completes them.</source>
-        <translation>Les notes sont partielles : %1 non saisi. Données de la tâche… les complète.</translation>
+        <translation>Les notes sont partielles ; à saisir dans Données de la tâche… : %1.</translation>
     </message>
     <message>
         <source>The second stylus is gone. Choose it again to start it.</source>

@@ -142,6 +142,17 @@ TEST(UrdfFaults, TextThatIsNoUtf8IsReadAndTold) {
   EXPECT_THAT(diagnostics.warnings[0], HasSubstr("line 2: text that is no UTF-8"));
 }
 
+TEST(UrdfFaults, NamesInLatin1KeepTheirAccents) {
+  const hapticell::test::TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::string text = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n" + robotText(linkText("pi\xE8"
+                                                                                                    "ce"));
+  const auto model = readUrdf(folder.write("latin.urdf", text), diagnostics);
+  ASSERT_TRUE(model) << model.error().message();
+  ASSERT_EQ(model->links.size(), 1u);
+  EXPECT_EQ(model->links[0].name, "pièce");
+}
+
 /// TinyXML 2.6.2 went on behind the end of such a text.
 TEST(UrdfFaults, ATextThatEndsWithinACharacterIsRefused) {
   const hapticell::test::TemporaryFolder folder;

@@ -60,6 +60,24 @@ def test_takes_device_and_configuration():
         assert "rate_hz" in said and "my.toml" in said, said
 
 
+def privileges(process):
+    """Users, groups and capabilities of a process, as the kernel tells them."""
+    lines = pathlib.Path(f"/proc/{process}/status").read_text().splitlines()
+    return [line for line in lines if line.split(":")[0] in ("Uid", "Gid", "Groups", "CapPrm", "CapEff", "CapAmb")]
+
+
+def test_runs_as_the_user_and_for_this_machine_only():
+    mode = pathlib.Path(PROGRAM).stat().st_mode
+    assert not mode & 0o6000, oct(mode)
+    assert "security.capability" not in os.listxattr(PROGRAM)
+    with Server(PROGRAM) as server:
+        assert privileges(server.process.pid) == privileges("self")
+        listening = [line.split()[1] for table in ("tcp", "tcp6") for line in
+                     pathlib.Path(f"/proc/net/{table}").read_text().splitlines()[1:]
+                     if line.split()[3] == "0A" and line.split()[1].endswith(f":{server.port:04X}")]
+        assert listening == [f"0100007F:{server.port:04X}"], listening
+
+
 def test_pairs_and_serves_with_the_key():
     with tempfile.TemporaryDirectory() as folder:
         environment = dict(os.environ, XDG_CONFIG_HOME=folder)
