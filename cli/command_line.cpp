@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <clocale>
@@ -49,28 +50,29 @@ int runCommandLine(int argc, char** argv) {
   std::string json_file;
   app.add_option("--json", json_file, "Write the result to this file instead of standard output");
   Action chosen;
+  Subcommand words(app);
   // One line a command; each comes with the file that defines it.
-  addConvertCommand(app, chosen);
-  addDevicesCommand(app, chosen);
-  addDistanceCommand(app, chosen);
-  addErgonomicsCommand(app, chosen);
-  addFeelCommand(app, chosen);
-  addForwardKinematicsCommand(app, chosen);
-  addInspectCommand(app, chosen);
-  addInverseKinematicsCommand(app, chosen);
-  addLibraryCommand(app, chosen);
-  addTrajectoryCommand(app, chosen);
-  addMannequinCommand(app, chosen);
-  addPairCommand(app, chosen);
-  addWorkcellCommand(app, chosen);
-  addSessionCommand(app, chosen);
+  addConvertCommand(words, chosen);
+  addDevicesCommand(words, chosen);
+  addDistanceCommand(words, chosen);
+  addErgonomicsCommand(words, chosen);
+  addFeelCommand(words, chosen);
+  addForwardKinematicsCommand(words, chosen);
+  addInspectCommand(words, chosen);
+  addInverseKinematicsCommand(words, chosen);
+  addLibraryCommand(words, chosen);
+  addTrajectoryCommand(words, chosen);
+  addMannequinCommand(words, chosen);
+  addPairCommand(words, chosen);
+  addWorkcellCommand(words, chosen);
+  addSessionCommand(words, chosen);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
-    const auto words = app.remaining(true);
+    const auto unread = app.remaining(true);
     const CLI::App* const at = undecided(app);
-    if (at != nullptr && !words.empty()) return reportUnknownCommand(*at, words.front());
+    if (at != nullptr && !unread.empty()) return reportUnknownCommand(*at, unread.front());
     return app.exit(problem) == 0 ? 0 : static_cast<int>(ExitStatus::kBadInput);
   }
   if (!chosen) {

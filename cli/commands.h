@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/App.hpp>
 #include <functional>
 
 #include "cli/result_writer.h"
+#include "cli/subcommand.h"
 
 namespace hapticell::cli {
 
@@ -20,24 +20,24 @@ using Action = std::function<ExitStatus(ResultWriter&)>;
 
 /// Each command lives in a file of its own and adds itself as a sub-command: its options, and (by a callback that is
 /// called when the user chose it) the action, put into `chosen`. Nothing heavy happens while options are read.
-void addConvertCommand(CLI::App& app, Action& chosen);
-void addInspectCommand(CLI::App& app, Action& chosen);
-void addDevicesCommand(CLI::App& app, Action& chosen);
-void addDistanceCommand(CLI::App& app, Action& chosen);
-void addErgonomicsCommand(CLI::App& app, Action& chosen);
-void addErgonomicsPostureCommands(CLI::App& ergonomics, Action& chosen);  ///< Into the ergonomics command.
-void addFeelCommand(CLI::App& app, Action& chosen);
-void addForwardKinematicsCommand(CLI::App& app, Action& chosen);
-void addInverseKinematicsCommand(CLI::App& app, Action& chosen);
-void addLibraryCommand(CLI::App& app, Action& chosen);
-void addTrajectoryCommand(CLI::App& app, Action& chosen);
-void addPairCommand(CLI::App& app, Action& chosen);
-void addMannequinCommand(CLI::App& app, Action& chosen);
-void addWorkcellCommand(CLI::App& app, Action& chosen);
-void addSessionCommand(CLI::App& app, Action& chosen);
+void addConvertCommand(Subcommand app, Action& chosen);
+void addInspectCommand(Subcommand app, Action& chosen);
+void addDevicesCommand(Subcommand app, Action& chosen);
+void addDistanceCommand(Subcommand app, Action& chosen);
+void addErgonomicsCommand(Subcommand app, Action& chosen);
+void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen);  ///< Into the ergonomics command.
+void addFeelCommand(Subcommand app, Action& chosen);
+void addForwardKinematicsCommand(Subcommand app, Action& chosen);
+void addInverseKinematicsCommand(Subcommand app, Action& chosen);
+void addLibraryCommand(Subcommand app, Action& chosen);
+void addTrajectoryCommand(Subcommand app, Action& chosen);
+void addPairCommand(Subcommand app, Action& chosen);
+void addMannequinCommand(Subcommand app, Action& chosen);
+void addWorkcellCommand(Subcommand app, Action& chosen);
+void addSessionCommand(Subcommand app, Action& chosen);
 
 /// `workcell pack` and `workcell changes`, below `workcell`.
-void addWorkcellExchangeCommands(CLI::App& workcell, Action& chosen);
+void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen);
 
 /// Reads the command line and runs the chosen command. Never throws; this is all of main().
 int runCommandLine(int argc, char** argv);

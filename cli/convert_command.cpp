@@ -7,7 +7,6 @@
 
 #include "cli/commands.h"
 #include "cli/import_arguments.h"
-#include "cli/number_range.h"
 #include "cli/progress_line.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
@@ -166,25 +165,23 @@ ExitStatus runConvert(const ConvertOptions& options, const ResultWriter& writer)
 
 }  // namespace
 
-void addConvertCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("convert", "From any readable format to any writable one, by the extension");
+void addConvertCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("convert", "From any readable format to any writable one, by the extension");
   const auto options = std::make_shared<ConvertOptions>();
-  command->add_option("file", options->file, "A mesh, CAD, robot or workcell file")->required();
-  command->add_option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot")
-      ->required();
-  command->add_option("--unit", options->unit,
-                      "What one unit of the read file is: m, mm or in; as it says, or guessed, when not given");
-  command->add_option(
-      "--output-unit", options->output_unit,
-      "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m, or that of a read mesh "
-      "file that names none)");
-  CLI::Option* simplify =
-      command->add_option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
-          ->check(numberRange(1e-9, 1e3));
-  command->add_flag("--hull", options->hull, "The convex hull of each part")->excludes(simplify);
-  command->add_option("--up", options->up, "The axis of the read file that points up: x, y or z");
-  addTessellationOptions(*command, options->tessellation);
-  command->callback(
+  command.option("file", options->file, "A mesh, CAD, robot or workcell file").required();
+  command.option("-o,--output", options->output, "STEP, GLB, glTF, STL, OBJ, PLY or OFF; URDF for a robot").required();
+  command.option("--unit", options->unit,
+                 "What one unit of the read file is: m, mm or in; as it says, or guessed, when not given");
+  command.option("--output-unit", options->output_unit,
+                 "What one unit of a written STL, OBJ, PLY or OFF shall be: m, mm or in (m, or that of a read mesh "
+                 "file that names none)");
+  const Option simplify =
+      command.option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
+          .within(1e-9, 1e3);
+  command.flag("--hull", options->hull, "The convex hull of each part").excludes(simplify);
+  command.option("--up", options->up, "The axis of the read file that points up: x, y or z");
+  addTessellationOptions(command, options->tessellation);
+  command.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runConvert(*options, writer); }; });
 }
 

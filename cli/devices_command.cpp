@@ -81,15 +81,15 @@ ExitStatus run(const DeviceWords& words, const ResultWriter& writer) {
 
 }  // namespace
 
-void addDevicesCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "devices", "Styluses, gloves and 3-D mice: drivers, what is plugged in, permissions and what mends them");
+void addDevicesCommand(Subcommand app, Action& chosen) {
+  Subcommand command =
+      app.add("devices", "Styluses, gloves and 3-D mice: drivers, what is plugged in, permissions and what mends them");
   const auto words = std::make_shared<DeviceWords>();
-  command->add_option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
-  command->add_flag("--watch", words->watch,
-                    "Goes on, and writes the listing as a line whenever a device has come or gone; a line of input "
-                    "looks again, its end ends it");
-  command->callback([words, &chosen] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
+  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
+  command.flag("--watch", words->watch,
+               "Goes on, and writes the listing as a line whenever a device has come or gone; a line of input "
+               "looks again, its end ends it");
+  command.onChosen([words, &chosen] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }
 
 }  // namespace hapticell::cli

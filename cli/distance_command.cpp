@@ -142,23 +142,20 @@ ExitStatus runDistance(const DistanceOptions& options, const ResultWriter& write
 
 }  // namespace
 
-void addDistanceCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command =
-      app.add_subcommand("distance", "Distance and nearest points of a moved mesh to standing ones, pose by pose");
+void addDistanceCommand(Subcommand app, Action& chosen) {
+  Subcommand command =
+      app.add("distance", "Distance and nearest points of a moved mesh to standing ones, pose by pose");
   const auto options = std::make_shared<DistanceOptions>();
-  command->add_option("--moving", options->moving, "The moved mesh: STL, OBJ, PLY or OFF")->required();
-  command->add_option("--environment", options->environment, "The standing meshes, at identity")
-      ->required()
-      ->expected(1, -1);
-  command->add_option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moved mesh in the world")
-      ->required();
-  command->add_option(
-      "--safety-zone", options->safety_zone,
-      "Metres: what is farther is reported as null with distance_at_least; contacts inside are counted");
-  command->add_option("--unit", options->unit,
-                      "What one unit of the files is: m, mm or in; as they say, or m, when not given");
-  command->add_flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 when any pose collides");
-  command->callback(
+  command.option("--moving", options->moving, "The moved mesh: STL, OBJ, PLY or OFF").required();
+  command.option("--environment", options->environment, "The standing meshes, at identity").required().values(1, -1);
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the moved mesh in the world")
+      .required();
+  command.option("--safety-zone", options->safety_zone,
+                 "Metres: what is farther is reported as null with distance_at_least; contacts inside are counted");
+  command.option("--unit", options->unit,
+                 "What one unit of the files is: m, mm or in; as they say, or m, when not given");
+  command.flag("--fail-on-contact", options->fail_on_contact, "Exit status 1 when any pose collides");
+  command.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runDistance(*options, writer); }; });
 }
 

@@ -6,7 +6,6 @@
 #include "cli/commands.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
-#include "cli/number_range.h"
 #include "mannequin/ergonomics/motion_scores.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/reba.h"
@@ -101,10 +100,10 @@ ExitStatus run(const std::string& method, const ErgonomicsOptions& options, cons
   return isOver(*judged, options.fail_over) ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
-void addMotionOptions(CLI::App& method, const std::string& name, ErgonomicsOptions& options) {
-  method.add_option("--motion", options.motion, "A recorded motion instead: .bvh, or .amc with its .asf");
+void addMotionOptions(Subcommand method, const std::string& name, ErgonomicsOptions& options) {
+  method.option("--motion", options.motion, "A recorded motion instead: .bvh, or .amc with its .asf");
   const auto whole = [&](const char* option, int& value, int greatest, const char* description) {
-    method.add_option(option, value, description)->check(CLI::Range(0, greatest));
+    method.option(option, value, description).withinWhole(0, greatest);
   };
   if (name == "rula") {
     whole("--muscle-use", options.task.muscle_use, 1, "Of the motion: static or repeated (0, 1)");
@@ -114,16 +113,16 @@ void addMotionOptions(CLI::App& method, const std::string& name, ErgonomicsOptio
     whole("--coupling", options.task.coupling, 3, "Of the motion (0 to 3)");
     whole("--activity", options.task.activity, 3, "Of the motion (0 to 3)");
   } else {
-    method.add_option("--load-kg", options.task.load_kg, "Of the motion, kg")->check(numberRange(0.0, 1e6));
+    method.option("--load-kg", options.task.load_kg, "Of the motion, kg").within(0.0, 1e6);
   }
 }
 
 }  // namespace
 
-void addErgonomicsCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("ergonomics", "Score a posture or a lift, with the reasons");
-  command->require_subcommand(1);
-  addErgonomicsPostureCommands(*command, chosen);
+void addErgonomicsCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("ergonomics", "Score a posture or a lift, with the reasons");
+  command.mustGoOn();
+  addErgonomicsPostureCommands(command, chosen);
   const auto options = std::make_shared<ErgonomicsOptions>();
   const std::pair<const char*, const char*> methods[] = {
       {"rula", "RULA, from sub-scores or angles of one side"},
@@ -132,11 +131,11 @@ void addErgonomicsCommand(CLI::App& app, Action& chosen) {
       {"niosh", "The revised NIOSH lifting equation; several \"tasks\" give the composite index"},
   };
   for (const auto& [name, description] : methods) {
-    CLI::App* method = command->add_subcommand(name, description);
-    method->add_option("--input", options->input, "JSON: a file, the text itself, or - for standard input");
-    if (std::string_view(name) != "niosh") addMotionOptions(*method, name, *options);
-    method->add_option("--fail-over", options->fail_over, "Exit with 1 where the score is over this");
-    method->callback([options, &chosen, method_name = std::string(name)] {
+    Subcommand method = command.add(name, description);
+    method.option("--input", options->input, "JSON: a file, the text itself, or - for standard input");
+    if (std::string_view(name) != "niosh") addMotionOptions(method, name, *options);
+    method.option("--fail-over", options->fail_over, "Exit with 1 where the score is over this");
+    method.onChosen([options, &chosen, method_name = std::string(name)] {
       chosen = [options, method_name](ResultWriter& writer) { return run(method_name, *options, writer); };
     });
   }

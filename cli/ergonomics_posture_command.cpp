@@ -214,58 +214,53 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
   return options.fail_over && !good ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
-void addSubject(CLI::App& app, PostureOptions& options) {
-  app.add_option("--cell", options.cell, "A workcell: its mannequin, as it stands, with its task data");
-  app.add_option("--mannequin", options.mannequin, "Name of the mannequin of the cell (default: the first)");
-  app.add_option("--sex", options.sex, "male or female, without a cell");
-  app.add_option("--percentile", options.percentile, "Percentile of stature, without a cell");
-  app.add_option("--stature", options.stature, "m, without a cell");
-  app.add_option("--mass", options.mass, "kg, without a cell");
-  app.add_option("--posture", options.posture, "A posture file, or a name of the library, without a cell");
-  app.add_option("--task", options.task, "Task data as JSON: a file, the text itself, or -");
+void addSubject(Subcommand app, PostureOptions& options) {
+  app.option("--cell", options.cell, "A workcell: its mannequin, as it stands, with its task data");
+  app.option("--mannequin", options.mannequin, "Name of the mannequin of the cell (default: the first)");
+  app.option("--sex", options.sex, "male or female, without a cell");
+  app.option("--percentile", options.percentile, "Percentile of stature, without a cell");
+  app.option("--stature", options.stature, "m, without a cell");
+  app.option("--mass", options.mass, "kg, without a cell");
+  app.option("--posture", options.posture, "A posture file, or a name of the library, without a cell");
+  app.option("--task", options.task, "Task data as JSON: a file, the text itself, or -");
 }
 
 }  // namespace
 
-void addErgonomicsPostureCommands(CLI::App& ergonomics, Action& chosen) {
+void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
   const auto options = std::make_shared<PostureOptions>();
-  CLI::App* posture = ergonomics.add_subcommand("posture", "Score a mannequin's posture by all methods, with a report");
-  addSubject(*posture, *options);
-  posture->add_option("--report", options->reports,
-                      "Writes a report: .pdf, .html, .csv or .json; several may be given");
-  posture->add_option("--task-report", options->task_reports, "The task's page, in the same formats");
-  posture->add_option("--picture", options->picture,
-                      "A PNG for the report: the figure in its cell (hapticell --render)");
-  posture->add_option("--force-limits", options->force_limits,
-                      "Own limits of the hands' force, a table (docs/formats.md)");
-  posture->add_option("--language", options->language, "en or fr, of the report")->check(CLI::IsMember({"en", "fr"}));
-  posture->add_option("--date", options->date, "As printed in the report (default: today)");
-  posture->add_option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");
-  posture->callback(
+  Subcommand posture = ergonomics.add("posture", "Score a mannequin's posture by all methods, with a report");
+  addSubject(posture, *options);
+  posture.option("--report", options->reports, "Writes a report: .pdf, .html, .csv or .json; several may be given");
+  posture.option("--task-report", options->task_reports, "The task's page, in the same formats");
+  posture.option("--picture", options->picture, "A PNG for the report: the figure in its cell (hapticell --render)");
+  posture.option("--force-limits", options->force_limits, "Own limits of the hands' force, a table (docs/formats.md)");
+  posture.option("--language", options->language, "en or fr, of the report").among({"en", "fr"});
+  posture.option("--date", options->date, "As printed in the report (default: today)");
+  posture.option("--fail-over", options->fail_over, "Exit with 1 where RULA is over this");
+  posture.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runPosture(*options, writer); }; });
   for (const auto& [name, description] :
        {std::pair{"en1005", "EN 1005-4 zones of a posture, from angles"},
         std::pair{"iso11226", "ISO 11226 zones and holding times of a static posture, from angles"},
         std::pair{"eaws", "Points of the EAWS posture section (an outline), from shares of the cycle"}}) {
-    CLI::App* zones = ergonomics.add_subcommand(name, description);
-    zones->add_option("--input", options->input, "JSON: a file, the text itself, or - for standard input")->required();
-    zones->add_option("--fail-over", options->fail_over, "Exit with 1 where the level is over this");
-    zones->callback([options, &chosen, method = std::string(name)] {
+    Subcommand zones = ergonomics.add(name, description);
+    zones.option("--input", options->input, "JSON: a file, the text itself, or - for standard input").required();
+    zones.option("--fail-over", options->fail_over, "Exit with 1 where the level is over this");
+    zones.onChosen([options, &chosen, method = std::string(name)] {
       chosen = [options, method](ResultWriter& writer) { return runZones(method, *options, writer); };
     });
   }
-  CLI::App* workplace = ergonomics.add_subcommand("workplace", "Where a table should stand for four bodies");
-  addSubject(*workplace, *options);
-  workplace->add_option("--station", options->station, "Entities that move with the targets, with commas between")
-      ->delimiter(',')
-      ->required();
-  workplace->add_option("--rise", options->rise, "From,to,step upwards, m")->delimiter(',')->expected(3);
-  workplace->add_option("--away", options->away, "From,to,step away from the mannequin, m")
-      ->delimiter(',')
-      ->expected(3);
-  workplace->add_flag("--sit", options->sit, "Try sitting as well");
-  workplace->add_option("--fail-over", options->fail_over, "Exit with 1 where no placement is this good");
-  workplace->callback(
+  Subcommand workplace = ergonomics.add("workplace", "Where a table should stand for four bodies");
+  addSubject(workplace, *options);
+  workplace.option("--station", options->station, "Entities that move with the targets, with commas between")
+      .separatedByCommas()
+      .required();
+  workplace.option("--rise", options->rise, "From,to,step upwards, m").separatedByCommas().values(3);
+  workplace.option("--away", options->away, "From,to,step away from the mannequin, m").separatedByCommas().values(3);
+  workplace.flag("--sit", options->sit, "Try sitting as well");
+  workplace.option("--fail-over", options->fail_over, "Exit with 1 where no placement is this good");
+  workplace.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runWorkplace(*options, writer); }; });
 }
 

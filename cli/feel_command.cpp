@@ -75,15 +75,15 @@ ExitStatus runFeel(feel::BenchmarkOptions options, const std::vector<std::string
 
 }  // namespace
 
-void addFeelCommand(CLI::App& app, Action& chosen) {
+void addFeelCommand(Subcommand app, Action& chosen) {
   auto options = std::make_shared<feel::BenchmarkOptions>();
-  CLI::App* command = app.add_subcommand("feel", "Measure the feel in virtual time, beside the classic way");
-  command->add_option("--only", options->only, "One figure (M4) or part of a scene's name");
-  command->add_flag("--full", options->full, "The full counts (minutes)");
-  command->add_flag("--timing", options->timing, "Also M7 and M11, by the clock on the wall");
+  Subcommand command = app.add("feel", "Measure the feel in virtual time, beside the classic way");
+  command.option("--only", options->only, "One figure (M4) or part of a scene's name");
+  command.flag("--full", options->full, "The full counts (minutes)");
+  command.flag("--timing", options->timing, "Also M7 and M11, by the clock on the wall");
   auto parts = std::make_shared<std::vector<std::string>>();
-  command->add_option("--part", *parts, "A mesh (STL, OBJ, PLY; millimetres) to be felt with a ball besides (M13)");
-  command->callback([options, parts, &chosen] {
+  command.option("--part", *parts, "A mesh (STL, OBJ, PLY; millimetres) to be felt with a ball besides (M13)");
+  command.onChosen([options, parts, &chosen] {
     chosen = [options, parts](ResultWriter& writer) { return runFeel(*options, *parts, writer); };
   });
 }

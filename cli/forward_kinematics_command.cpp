@@ -45,18 +45,18 @@ Expected<ordered_json> solve(const ForwardOptions& options) {
 
 }  // namespace
 
-void addForwardKinematicsCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("fk", "Poses of a robot's tip in its root link, for joint positions");
+void addForwardKinematicsCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("fk", "Poses of a robot's tip in its root link, for joint positions");
   const auto options = std::make_shared<ForwardOptions>();
-  command->add_option("--robot", options->robot, "The robot: a file, or library:NAME")->required();
-  command->add_option("--joints", options->joints, "CSV: one column a joint, by name, for all joints that move the tip")
-      ->required();
-  command->add_option("--tip", options->tip, "The link asked for; the tool or the end of the arm where not given");
-  command->add_option("--on", options->axes.on,
-                      "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
-  command->add_option("--part-on", options->axes.part_on,
-                      "The same for what carries the part: poses are then in that link, the pose is the positioner's");
-  command->callback([options, &chosen] {
+  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
+  command.option("--joints", options->joints, "CSV: one column a joint, by name, for all joints that move the tip")
+      .required();
+  command.option("--tip", options->tip, "The link asked for; the tool or the end of the arm where not given");
+  command.option("--on", options->axes.on,
+                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+  command.option("--part-on", options->axes.part_on,
+                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+  command.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       const auto result = solve(*options);
       const auto written = result ? writer.write(*result) : Expected<void>(tl::unexpected<Error>(result.error()));

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include "cli/subcommand.h"
 #include "workcell/import_options.h"
 
 namespace hapticell::cli {
 
 /// --chord METRES and --angle RADIANS: how finely the curved faces of STEP and IGES are cut into triangles.
-void addTessellationOptions(CLI::App& command, workcell::Tessellation& tessellation);
+void addTessellationOptions(Subcommand command, workcell::Tessellation& tessellation);
 
 }  // namespace hapticell::cli

@@ -189,20 +189,19 @@ ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer)
 
 }  // namespace
 
-void addInspectCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command =
-      app.add_subcommand("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
+void addInspectCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("inspect", "What is in a file: entities, sizes, joints, and what is wrong with it");
   const auto options = std::make_shared<InspectOptions>();
   command
-      ->add_option("file", options->file,
-                   "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, "
-                   "xacro, SDF, "
-                   "robot.toml, library:NAME) or a workcell (.hcell)")
-      ->required();
-  command->add_option("--unit", options->unit,
-                      "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");
-  addTessellationOptions(*command, options->tessellation);
-  command->callback(
+      .option("file", options->file,
+              "A mesh (STL, OBJ, PLY, OFF), a CAD file (STEP, IGES, glTF, Collada, 3MF, FBX, 3DS), a robot (URDF, "
+              "xacro, SDF, "
+              "robot.toml, library:NAME) or a workcell (.hcell)")
+      .required();
+  command.option("--unit", options->unit,
+                 "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");
+  addTessellationOptions(command, options->tessellation);
+  command.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runInspect(*options, writer); }; });
 }
 

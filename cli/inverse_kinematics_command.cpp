@@ -162,26 +162,22 @@ ExitStatus run(const InverseOptions& options, const ResultWriter& writer) {
 
 }  // namespace
 
-void addInverseKinematicsCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command =
-      app.add_subcommand("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
+void addInverseKinematicsCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("ik", "Joint positions that bring a robot's tip to poses, each nearest to the last");
   const auto options = std::make_shared<InverseOptions>();
-  command->add_option("--robot", options->robot, "The robot: a file, or library:NAME")->required();
-  command->add_option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link")
-      ->required();
-  command->add_option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
-  command->add_option("--on", options->axes.on,
-                      "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
-  command->add_option("--part-on", options->axes.part_on,
-                      "The same for what carries the part: poses are then in that link, the pose is the positioner's");
-  command->add_option(
-      "--start", options->start,
-      "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
-  command->add_flag("--all", options->all,
-                    "List all solutions of each pose; within limits also those turned by full turns");
-  command->add_flag("--turns-once", options->turns_once, "With --all: each solution only with its nearest turns");
-  command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit status 1 when a pose is not solved");
-  command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
+  command.option("--robot", options->robot, "The robot: a file, or library:NAME").required();
+  command.option("--poses", options->poses, "CSV with x,y,z,qw,qx,qy,qz: poses of the tip in the root link").required();
+  command.option("--tip", options->tip, "The link meant; the tool or the end of the arm where not given");
+  command.option("--on", options->axes.on,
+                 "External axes: FILE[,link=L][,pose=x,y,z,qw,qx,qy,qz], what the robot stands on and where");
+  command.option("--part-on", options->axes.part_on,
+                 "The same for what carries the part: poses are then in that link, the pose is the positioner's");
+  command.option("--start", options->start,
+                 "Joint positions before the first pose: numbers between commas, base first; zeros where not given");
+  command.flag("--all", options->all, "List all solutions of each pose; within limits also those turned by full turns");
+  command.flag("--turns-once", options->turns_once, "With --all: each solution only with its nearest turns");
+  command.flag("--fail-on-limit", options->fail_on_limit, "Exit status 1 when a pose is not solved");
+  command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 
 }  // namespace hapticell::cli

@@ -30,9 +30,9 @@ ExitStatus run(const ResultWriter& writer) {
 
 }  // namespace
 
-void addLibraryCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("library", "The built-in robots that library:NAME loads");
-  command->callback([&chosen] { chosen = [](ResultWriter& writer) { return run(writer); }; });
+void addLibraryCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("library", "The built-in robots that library:NAME loads");
+  command.onChosen([&chosen] { chosen = [](ResultWriter& writer) { return run(writer); }; });
 }
 
 }  // namespace hapticell::cli

@@ -300,23 +300,23 @@ ExitStatus run(const MannequinOptions& options, const ResultWriter& writer) {
 
 }  // namespace
 
-void addMannequinCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("mannequin", "A figure of some size: its measures, postures and reach");
+void addMannequinCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("mannequin", "A figure of some size: its measures, postures and reach");
   const auto options = std::make_shared<MannequinOptions>();
-  command->add_option("--sex", options->sex, "male or female")->required();
-  command->add_option("--percentile", options->percentile, "Of the stature among that sex, 0.1 to 99.9");
-  command->add_option("--stature", options->stature, "Metres, 1.2 to 2.3");
-  command->add_option("--mass", options->mass, "Kilograms; the likely one where not given");
-  command->add_option("--posture", options->posture, "A posture file, or one of the library: standing, seated, ...");
-  command->add_flag("--measure", options->measure, "Also all body dimensions and where each segment is");
-  command->add_option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: where hands are wanted");
-  command->add_option("--hands", options->hands, "left, right or both: which of the targets' hands count");
-  command->add_option("--lock", options->lock, "trunk, feet, pelvis: what does not move")->delimiter(',');
-  command->add_option("--motion", options->motion, "A recorded motion (.bvh, or .amc beside its .asf) for the figure");
-  command->add_flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
-  command->add_option("-o,--output", options->output,
-                      "Write the posture to this file (.json); .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
-  command->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
+  command.option("--sex", options->sex, "male or female").required();
+  command.option("--percentile", options->percentile, "Of the stature among that sex, 0.1 to 99.9");
+  command.option("--stature", options->stature, "Metres, 1.2 to 2.3");
+  command.option("--mass", options->mass, "Kilograms; the likely one where not given");
+  command.option("--posture", options->posture, "A posture file, or one of the library: standing, seated, ...");
+  command.flag("--measure", options->measure, "Also all body dimensions and where each segment is");
+  command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: where hands are wanted");
+  command.option("--hands", options->hands, "left, right or both: which of the targets' hands count");
+  command.option("--lock", options->lock, "trunk, feet, pelvis: what does not move").separatedByCommas();
+  command.option("--motion", options->motion, "A recorded motion (.bvh, or .amc beside its .asf) for the figure");
+  command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
+  command.option("-o,--output", options->output,
+                 "Write the posture to this file (.json); .obj: the body in it, .x3d: H-Anim, .bvh: the motion");
+  command.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return run(*options, writer); }; });
 }
 
 }  // namespace hapticell::cli

@@ -65,13 +65,13 @@ ExitStatus run(const PairWords& words, const ResultWriter& writer) {
 
 }  // namespace
 
-void addPairCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("pair", "Keep the key of a haptic server on another station");
+void addPairCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("pair", "Keep the key of a haptic server on another station");
   const auto words = std::make_shared<PairWords>();
-  command->add_option("server", words->server, "HOST or HOST:PORT of the haptic server")->required();
-  command->add_option("code", words->code, "What hapticell-haptic-server --pair showed there")->required();
-  command->add_flag("--unchecked", words->unchecked, "Keep it without connecting");
-  command->callback([&chosen, words] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
+  command.option("server", words->server, "HOST or HOST:PORT of the haptic server").required();
+  command.option("code", words->code, "What hapticell-haptic-server --pair showed there").required();
+  command.flag("--unchecked", words->unchecked, "Keep it without connecting");
+  command.onChosen([&chosen, words] { chosen = [words](ResultWriter& writer) { return run(*words, writer); }; });
 }
 
 }  // namespace hapticell::cli

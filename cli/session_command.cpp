@@ -282,40 +282,39 @@ ExitStatus runSessionCommand(const SessionWords& words, const ResultWriter& writ
   }
   if (const auto saved = saveRecording(words, *session); !saved) return failed(saved.error());
   if (const auto written = writer.write(resultOf(*session, *options)); !written) return failed(written.error());
-  const bool found = (words.fail_on_contact && !session->contacts.empty()) ||
-                     (words.fail_on_limit && !session->limits.empty());
+  const bool found =
+      (words.fail_on_contact && !session->contacts.empty()) || (words.fail_on_limit && !session->limits.empty());
   return found ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
 }  // namespace
 
-void addSessionCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand(
+void addSessionCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add(
       "session", "Moves an entity of a workcell with a scripted hand on a simulated stylus, and measures the feel");
   const auto words = std::make_shared<SessionWords>();
-  command->add_option("--workcell", words->workcell, "The workcell document, *.hcell")->required();
-  command->add_option("--entity", words->entity, "The entity that the stylus's button takes")->required();
-  command->add_option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame")->required();
-  command->add_option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
-  command->add_option("--rate-gui", words->rate_gui, "Hz of the pictures");
-  command->add_option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
-  command->add_option("--device", words->device, "phantom_desktop, touch, touch_x, premium or premium_6dof");
-  command->add_option("--set", words->set, "KEY=VALUE; may be repeated")->allow_extra_args(false);
-  command->add_flag("--realtime", words->realtime,
-                    "In real time, over TCP: with a server of its own, or the one of --server");
-  command->add_option("--server", words->server,
-                      "HOST:PORT of a haptic server that runs already, with a simulated device");
-  command->add_option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
-  command->add_option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
-  command->add_option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
-  command->add_option("--record-interval", words->record_interval, "s between its frames (0.01)");
-  command->add_flag("--record-all", words->record_all, "Every step of the manipulation loop");
-  command->add_flag("--record-by-button", words->record_by_button,
-                    "Only frames that the stylus's second button adds (it is no clutch then)");
-  command->add_flag("--fail-on-contact", words->fail_on_contact, "Exit status 1 when anything was touched");
-  command->add_flag("--fail-on-limit", words->fail_on_limit, "Exit status 1 when a limit held it");
-  command->add_option("--record-distance", words->record_distance, "m between its frames, instead of a time");
-  command->callback(
+  command.option("--workcell", words->workcell, "The workcell document, *.hcell").required();
+  command.option("--entity", words->entity, "The entity that the stylus's button takes").required();
+  command.option("--hand", words->hand, "CSV with t,x,y,z,qw,qx,qy,qz,button in the device frame").required();
+  command.option("--rate-manipulation", words->rate_manipulation, "Hz of the manipulation loop, 10 to 1000");
+  command.option("--rate-gui", words->rate_gui, "Hz of the pictures");
+  command.option("--latency", words->latency_ms, "ms, one way, of the imagined network (virtual time only)");
+  command.option("--device", words->device, "phantom_desktop, touch, touch_x, premium or premium_6dof");
+  command.option("--set", words->set, "KEY=VALUE; may be repeated").oneAtATime();
+  command.flag("--realtime", words->realtime,
+               "In real time, over TCP: with a server of its own, or the one of --server");
+  command.option("--server", words->server, "HOST:PORT of a haptic server that runs already, with a simulated device");
+  command.option("--config", words->configuration, "A hapticell.toml to read besides the shipped one");
+  command.option("--trace,-o,--output", words->trace, "CSV to write with a row a tick");
+  command.option("--record", words->record, "Trajectory to write of what is held: .htraj or .csv");
+  command.option("--record-interval", words->record_interval, "s between its frames (0.01)");
+  command.flag("--record-all", words->record_all, "Every step of the manipulation loop");
+  command.flag("--record-by-button", words->record_by_button,
+               "Only frames that the stylus's second button adds (it is no clutch then)");
+  command.flag("--fail-on-contact", words->fail_on_contact, "Exit status 1 when anything was touched");
+  command.flag("--fail-on-limit", words->fail_on_limit, "Exit status 1 when a limit held it");
+  command.option("--record-distance", words->record_distance, "m between its frames, instead of a time");
+  command.onChosen(
       [words, &chosen] { chosen = [words](ResultWriter& writer) { return runSessionCommand(*words, writer); }; });
 }
 

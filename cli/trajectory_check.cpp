@@ -111,12 +111,12 @@ Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const t
   return resultOf(std::move(made->kept));
 }
 
-void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options) {
-  command.add_option("--workcell", options.workcell, "The cell to move through (.hcell)")->required();
-  command.add_option("--entity", options.entity, "What moves (as the trajectory says)");
-  command.add_option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
-  command.add_flag("--fail-on-contact", options.fail_on_contact, "Exit with 1 where a collision is found");
-  command.add_flag("--fail-on-limit", options.fail_on_limit, "Exit with 1 where a limit is passed");
+void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
+  command.option("--workcell", options.workcell, "The cell to move through (.hcell)").required();
+  command.option("--entity", options.entity, "What moves (as the trajectory says)");
+  command.option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
+  command.flag("--fail-on-contact", options.fail_on_contact, "Exit with 1 where a collision is found");
+  command.flag("--fail-on-limit", options.fail_on_limit, "Exit with 1 where a limit is passed");
 }
 
 Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/subcommand.h"
 #include "geometry/error.h"
 #include "trajectory/retiming.h"
 #include "trajectory/trajectory.h"
@@ -19,7 +19,7 @@ struct TrajectoryCheckOptions {
   bool fail_on_limit = false;
 };
 
-void addCheckOptions(CLI::App& command, TrajectoryCheckOptions& options);
+void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options);
 
 /// Checks the motion in the workcell. `found` is true where something was found that the options ask to fail on.
 Expected<nlohmann::ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,

@@ -234,28 +234,28 @@ Expected<ordered_json> check(const Trajectory& given, const TrajectoryOptions& o
 
 using Handler = Expected<ordered_json> (*)(const Trajectory&, const TrajectoryOptions&);
 
-void addTolerance(CLI::App& command, TrajectoryOptions& options) {
-  command.add_option("--tolerance", options.tolerance, "Largest deviation of the position, m (0.001)");
-  command.add_option("--angle-tolerance", options.angle_tolerance, "Largest deviation of the orientation, rad (1 deg)");
+void addTolerance(Subcommand command, TrajectoryOptions& options) {
+  command.option("--tolerance", options.tolerance, "Largest deviation of the position, m (0.001)");
+  command.option("--angle-tolerance", options.angle_tolerance, "Largest deviation of the orientation, rad (1 deg)");
 }
 
-void addLimits(CLI::App& command, RobotLimitOptions& limits) {
-  command.add_option("--robot", limits.robot, "Robot whose limits hold: a file or library:NAME");
-  command.add_option("--velocity", limits.velocity, "Joint speeds (rad/s, m/s), or one for all")->delimiter(',');
-  command.add_option("--acceleration", limits.acceleration, "Joint accelerations, or one for all")->delimiter(',');
-  command.add_option("--jerk", limits.jerk, "Joint jerks, or one for all; without it jerk is free")->delimiter(',');
+void addLimits(Subcommand command, RobotLimitOptions& limits) {
+  command.option("--robot", limits.robot, "Robot whose limits hold: a file or library:NAME");
+  command.option("--velocity", limits.velocity, "Joint speeds (rad/s, m/s), or one for all").separatedByCommas();
+  command.option("--acceleration", limits.acceleration, "Joint accelerations, or one for all").separatedByCommas();
+  command.option("--jerk", limits.jerk, "Joint jerks, or one for all; without it jerk is free").separatedByCommas();
 }
 
 }  // namespace
 
-void addTrajectoryCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("trajectory", "Look at, clean, time, check and export a recorded motion");
-  command->require_subcommand(1);
+void addTrajectoryCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("trajectory", "Look at, clean, time, check and export a recorded motion");
+  command.mustGoOn();
   const auto options = std::make_shared<TrajectoryOptions>();
   const auto add = [&](const char* name, const char* description, Handler handler) {
-    CLI::App* sub = command->add_subcommand(name, description);
-    sub->add_option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)")->required();
-    sub->callback([options, &chosen, handler] {
+    Subcommand sub = command.add(name, description);
+    sub.option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
+    sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) {
         const auto given = trajectory::readTrajectory(options->file);
         return given ? finishTrajectory(writer, handler(*given, *options)) : failed(given.error());
@@ -264,42 +264,41 @@ void addTrajectoryCommand(CLI::App& app, Action& chosen) {
     return sub;
   };
   add("info", "What the motion is like", info);
-  CLI::App* simplify_command = add("simplify", "Fewer frames within a tolerance", simplify);
-  CLI::App* smooth_command = add("smooth", "Take a hand's tremor, keep the path", smooth);
-  CLI::App* retime_command = add("retime", "New times along the same path", retime);
-  CLI::App* check_command = add("check", "Limits and collisions along the whole motion", check);
-  CLI::App* export_command = add("export", "Write it in another format or as a robot's program", exportTo);
+  Subcommand simplify_command = add("simplify", "Fewer frames within a tolerance", simplify);
+  Subcommand smooth_command = add("smooth", "Take a hand's tremor, keep the path", smooth);
+  Subcommand retime_command = add("retime", "New times along the same path", retime);
+  Subcommand check_command = add("check", "Limits and collisions along the whole motion", check);
+  Subcommand export_command = add("export", "Write it in another format or as a robot's program", exportTo);
 
-  addTrajectoryEdits(*command, chosen);
-  addTrajectoryTraining(*command, chosen);
+  addTrajectoryEdits(command, chosen);
+  addTrajectoryTraining(command, chosen);
 
-  for (CLI::App* sub : {simplify_command, smooth_command, retime_command}) {
-    sub->add_option("-o,--output", options->output, "The result: .htraj, .json or .csv");
+  for (Subcommand sub : {simplify_command, smooth_command, retime_command}) {
+    sub.option("-o,--output", options->output, "The result: .htraj, .json or .csv");
   }
-  addTolerance(*simplify_command, *options);
-  addTolerance(*smooth_command, *options);
-  retime_command->add_option("--mode", options->mode, "time-optimal (default) or constant-speed");
-  retime_command->add_option("--speed", options->speed, "m/s, for constant-speed (0.1)");
-  retime_command->add_option("--sample", options->sample, "Time between the frames of the result, s (0.01)");
-  addLimits(*retime_command, options->limits);
-  addCheckOptions(*check_command, options->check);
-  for (CLI::App* sub : {smooth_command, retime_command}) {
-    sub->add_option("--workcell", options->check.workcell,
-                    "The cell to move through: nearer to the recording where it would collide");
-    sub->add_option("--entity", options->check.entity, "What moves (as the trajectory says)");
+  addTolerance(simplify_command, *options);
+  addTolerance(smooth_command, *options);
+  retime_command.option("--mode", options->mode, "time-optimal (default) or constant-speed");
+  retime_command.option("--speed", options->speed, "m/s, for constant-speed (0.1)");
+  retime_command.option("--sample", options->sample, "Time between the frames of the result, s (0.01)");
+  addLimits(retime_command, options->limits);
+  addCheckOptions(check_command, options->check);
+  for (Subcommand sub : {smooth_command, retime_command}) {
+    sub.option("--workcell", options->check.workcell,
+               "The cell to move through: nearer to the recording where it would collide");
+    sub.option("--entity", options->check.entity, "What moves (as the trajectory says)");
   }
 
-  export_command->add_option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript or val3")->required();
-  export_command->add_option("-o,--output", options->output, "The file; a folder for val3")->required();
-  export_command->add_option("--name", options->program.name, "The program's name (of the file)");
-  export_command->add_option("--tool", options->program.tool, "The controller's tool");
-  export_command->add_option("--base", options->program.base, "The controller's base, work object or user frame");
-  export_command->add_option("--speed", options->program.speed, "m/s along lines (0.25)");
-  export_command->add_option("--acceleration", options->program.acceleration, "m/s2 along lines (1.2)");
-  export_command->add_option("--joint-speed", options->program.joint_speed, "Share of the first move's speed (0.2)");
-  export_command->add_option("--blend", options->program.blend, "m (0.002)");
-  export_command->add_option("--robot", options->limits.robot,
-                             "Robot for the configuration data: a file or library:NAME");
+  export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript or val3").required();
+  export_command.option("-o,--output", options->output, "The file; a folder for val3").required();
+  export_command.option("--name", options->program.name, "The program's name (of the file)");
+  export_command.option("--tool", options->program.tool, "The controller's tool");
+  export_command.option("--base", options->program.base, "The controller's base, work object or user frame");
+  export_command.option("--speed", options->program.speed, "m/s along lines (0.25)");
+  export_command.option("--acceleration", options->program.acceleration, "m/s2 along lines (1.2)");
+  export_command.option("--joint-speed", options->program.joint_speed, "Share of the first move's speed (0.2)");
+  export_command.option("--blend", options->program.blend, "m (0.002)");
+  export_command.option("--robot", options->limits.robot, "Robot for the configuration data: a file or library:NAME");
 }
 
 }  // namespace hapticell::cli

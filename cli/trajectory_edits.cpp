@@ -173,52 +173,53 @@ ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<ordered_j
   return result->value("found", false) ? ExitStatus::kCheckFound : ExitStatus::kDone;
 }
 
-void addTrajectoryEdits(CLI::App& command, Action& chosen) {
+void addTrajectoryEdits(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<EditOptions>();
   const auto add = [&](const char* name, const char* description, Edit edit) {
-    CLI::App* sub = command.add_subcommand(name, description);
-    sub->add_option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)")->required();
-    sub->add_option("-o,--output", options->output, "The copy: .htraj, .json or .csv");
-    sub->add_option("--workcell", options->workcell, "The cell in which a robot's joints are found again");
-    sub->callback([options, &chosen, edit] {
+    Subcommand sub = command.add(name, description);
+    sub.option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
+    sub.option("-o,--output", options->output, "The copy: .htraj, .json or .csv");
+    sub.option("--workcell", options->workcell, "The cell in which a robot's joints are found again");
+    sub.onChosen([options, &chosen, edit] {
       chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
     });
     return sub;
   };
-  CLI::App* sub = add("trim", "Keep a part", trim);
-  sub->add_option("--from", options->from, "s");
-  sub->add_option("--to", options->to, "s");
+  Subcommand sub = add("trim", "Keep a part", trim);
+  sub.option("--from", options->from, "s");
+  sub.option("--to", options->to, "s");
   sub = add("split", "In two at a time", split);
-  sub->add_option("--at", options->at, "s")->required();
-  sub->add_option("--rest", options->rest, "The file for what comes after");
+  sub.option("--at", options->at, "s").required();
+  sub.option("--rest", options->rest, "The file for what comes after");
   sub = add("join", "One after the other", join);
-  sub->add_option("--with", options->with, "The motions that follow")->required();
-  sub->add_option("--speed", options->speed, "m/s from the end of one to the next (0.1)");
+  sub.option("--with", options->with, "The motions that follow").required();
+  sub.option("--speed", options->speed, "m/s from the end of one to the next (0.1)");
   add("reverse", "Backwards in time", reverse);
   sub = add("mirror", "On a plane", mirror);
-  sub->add_option("--plane", options->plane, "Its normal: x, y (default) or z");
-  sub->add_option("--offset", options->offset, "m, of the plane along its normal");
+  sub.option("--plane", options->plane, "Its normal: x, y (default) or z");
+  sub.option("--offset", options->offset, "m, of the plane along its normal");
   sub = add("insert", "A frame by hand", insert);
-  sub->add_option("--at", options->at, "s")->required();
-  sub->add_option("--pose", options->pose, "x,y,z,qw,qx,qy,qz (where the motion is then)")->delimiter(',');
+  sub.option("--at", options->at, "s").required();
+  sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz (where the motion is then)").separatedByCommas();
   sub = add("move", "A frame elsewhere, its neighbours along", move);
-  sub->add_option("--frame", options->frame, "Its number, from 0")->required();
-  sub->add_option("--pose", options->pose, "x,y,z,qw,qx,qy,qz")->delimiter(',')->required();
-  sub->add_option("--reach", options->reach, "s within which frames go along (0.5)");
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--pose", options->pose, "x,y,z,qw,qx,qy,qz").separatedByCommas().required();
+  sub.option("--reach", options->reach, "s within which frames go along (0.5)");
   sub = add("delete", "Frames out", remove);
-  sub->add_option("--first", options->first, "From 0")->required();
-  sub->add_option("--last", options->last, "From 0")->required();
+  sub.option("--first", options->first, "From 0").required();
+  sub.option("--last", options->last, "From 0").required();
   sub = add("dwell", "Wait at a frame", dwell);
-  sub->add_option("--frame", options->frame, "Its number, from 0")->required();
-  sub->add_option("--seconds", options->seconds, "0: goes through")->required();
-  for (const auto& [name, edit] : {std::pair<const char*, Edit>("approach", approach), std::pair<const char*, Edit>("retract", retract)}) {
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--seconds", options->seconds, "0: goes through").required();
+  for (const auto& [name, edit] :
+       {std::pair<const char*, Edit>("approach", approach), std::pair<const char*, Edit>("retract", retract)}) {
     sub = add(name, "A straight way before or after it", edit);
-    sub->add_option("--length", options->length, "m (0.05)");
-    sub->add_option("--direction", options->direction, "x,y,z in the moved frame (0,0,-1)")->delimiter(',');
-    sub->add_option("--speed", options->speed, "m/s (0.1)");
+    sub.option("--length", options->length, "m (0.05)");
+    sub.option("--direction", options->direction, "x,y,z in the moved frame (0,0,-1)").separatedByCommas();
+    sub.option("--speed", options->speed, "m/s (0.1)");
   }
   sub = add("resample", "Frames in even steps, times as recorded", resample);
-  sub->add_option("--step", options->step, "s (0.01)");
+  sub.option("--step", options->step, "s (0.01)");
 }
 
 }  // namespace hapticell::cli

@@ -16,9 +16,9 @@ ExitStatus finishTrajectory(const ResultWriter& writer, const Expected<nlohmann:
 
 /// "trim", "split", "join", "reverse", "mirror", "insert", "move", "delete", "dwell", "approach", "retract" and
 /// "resample" below `trajectory`: each makes a copy.
-void addTrajectoryEdits(CLI::App& command, Action& chosen);
+void addTrajectoryEdits(Subcommand command, Action& chosen);
 
 /// "curves", "score", "train" and "exercises" below `trajectory`.
-void addTrajectoryTraining(CLI::App& command, Action& chosen);
+void addTrajectoryTraining(Subcommand command, Action& chosen);
 
 }  // namespace hapticell::cli

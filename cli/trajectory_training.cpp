@@ -166,34 +166,34 @@ using Handler = Expected<ordered_json> (*)(const TrainingOptions&);
 
 }  // namespace
 
-void addTrajectoryTraining(CLI::App& command, Action& chosen) {
+void addTrajectoryTraining(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<TrainingOptions>();
   const auto add = [&](const char* name, const char* description, Handler handler) {
-    CLI::App* sub = command.add_subcommand(name, description);
-    sub->callback([options, &chosen, handler] {
+    Subcommand sub = command.add(name, description);
+    sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) { return finishTrajectory(writer, handler(*options)); };
     });
     return sub;
   };
-  CLI::App* sub = add("curves", "Speed, acceleration and jerk over time", curves);
-  sub->add_option("file", options->file, "A trajectory")->required();
-  sub->add_option("--samples", options->samples, "At most (2000)");
-  sub->add_option("-o,--output", options->output, "A CSV file with all curves");
+  Subcommand sub = add("curves", "Speed, acceleration and jerk over time", curves);
+  sub.option("file", options->file, "A trajectory").required();
+  sub.option("--samples", options->samples, "At most (2000)");
+  sub.option("-o,--output", options->output, "A CSV file with all curves");
   sub = add("score", "A trainee's run against the expert's", score);
-  sub->add_option("file", options->file, "The expert's trajectory")->required();
-  sub->add_option("--run", options->run, "The trainee's")->required();
+  sub.option("file", options->file, "The expert's trajectory").required();
+  sub.option("--run", options->run, "The trainee's").required();
   sub = add("train", "One run of an exercise with a simulated hand", train);
-  sub->add_option("file", options->file, "The exercise (.hexercise)")->required();
-  sub->add_option("--hand", options->hand, "The trainee's hand (CSV)")->required();
-  sub->add_option("--help-share", options->help, "0 to 1 (what the results ask for)");
-  sub->add_option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
-  sub->add_option("--trainee", options->trainee, "Name, for new results");
-  sub->add_option("--results", options->results, "The trainee's file (.htrain), read and written");
-  sub->add_option("--csv", options->csv, "All runs as a table");
-  sub->add_option("--date", options->date, "ISO 8601, for the results");
-  sub->add_option("-o,--output", options->output, "The recording of the run");
+  sub.option("file", options->file, "The exercise (.hexercise)").required();
+  sub.option("--hand", options->hand, "The trainee's hand (CSV)").required();
+  sub.option("--help-share", options->help, "0 to 1 (what the results ask for)");
+  sub.option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
+  sub.option("--trainee", options->trainee, "Name, for new results");
+  sub.option("--results", options->results, "The trainee's file (.htrain), read and written");
+  sub.option("--csv", options->csv, "All runs as a table");
+  sub.option("--date", options->date, "ISO 8601, for the results");
+  sub.option("-o,--output", options->output, "The recording of the run");
   sub = add("exercises", "The exercises of a folder", exercises);
-  sub->add_option("folder", options->folder, "Where *.hexercise files are")->required();
+  sub.option("folder", options->folder, "Where *.hexercise files are").required();
 }
 
 }  // namespace hapticell::cli

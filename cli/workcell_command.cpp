@@ -131,24 +131,24 @@ ExitStatus runNew(const NewOptions& options, const ResultWriter& writer) {
 
 }  // namespace
 
-void addWorkcellCommand(CLI::App& app, Action& chosen) {
-  CLI::App* command = app.add_subcommand("workcell", "Make workcell documents");
-  command->require_subcommand(1);
-  CLI::App* make = command->add_subcommand("new", "A document of the entities and checks that are named");
+void addWorkcellCommand(Subcommand app, Action& chosen) {
+  Subcommand command = app.add("workcell", "Make workcell documents");
+  command.mustGoOn();
+  Subcommand make = command.add("new", "A document of the entities and checks that are named");
   const auto options = std::make_shared<NewOptions>();
-  make->add_option("file", options->file, "The document to write (.hcell)")->required();
-  make->add_option("--add", options->additions,
-                   "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
-                   "pose=x,y,z,qw,qx,qy,qz]; "
-                   "WHAT is a mesh, CAD or robot file, library:NAME, "
-                   "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
-      ->allow_extra_args(false);
-  make->add_option("--check", options->checks,
-                   "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "
-                   "without it everything is checked against everything")
-      ->allow_extra_args(false);
-  addWorkcellExchangeCommands(*command, chosen);
-  make->callback([options, &chosen] { chosen = [options](ResultWriter& writer) { return runNew(*options, writer); }; });
+  make.option("file", options->file, "The document to write (.hcell)").required();
+  make.option("--add", options->additions,
+              "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
+              "pose=x,y,z,qw,qx,qy,qz]; "
+              "WHAT is a mesh, CAD or robot file, library:NAME, "
+              "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
+      .oneAtATime();
+  make.option("--check", options->checks,
+              "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "
+              "without it everything is checked against everything")
+      .oneAtATime();
+  addWorkcellExchangeCommands(command, chosen);
+  make.onChosen([options, &chosen] { chosen = [options](ResultWriter& writer) { return runNew(*options, writer); }; });
 }
 
 }  // namespace hapticell::cli

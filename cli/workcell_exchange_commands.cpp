@@ -85,30 +85,28 @@ Expected<ordered_json> changes(const ChangesOptions& options, Diagnostics& notes
 
 }  // namespace
 
-void addWorkcellExchangeCommands(CLI::App& workcell, Action& chosen) {
-  CLI::App* packing =
-      workcell.add_subcommand("pack", "A document with all the files it names in one folder or archive");
+void addWorkcellExchangeCommands(Subcommand workcell, Action& chosen) {
+  Subcommand packing = workcell.add("pack", "A document with all the files it names in one folder or archive");
   const auto pack_options = std::make_shared<PackOptions>();
-  packing->add_option("file", pack_options->file, "The document (.hcell)")->required();
-  packing->add_option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz")
-      ->required();
-  packing->callback([pack_options, &chosen] {
+  packing.option("file", pack_options->file, "The document (.hcell)").required();
+  packing.option("-o,--output", pack_options->folder, "A new or empty folder, or an archive: .zip, .tar.gz").required();
+  packing.onChosen([pack_options, &chosen] {
     chosen = [pack_options](ResultWriter& writer) {
       Diagnostics notes;
       const auto result = pack(*pack_options, notes);
       return finish(result, notes, writer);
     };
   });
-  CLI::App* changing = workcell.add_subcommand(
-      "changes", "What was moved, added and removed between two documents, or since the import");
+  Subcommand changing =
+      workcell.add("changes", "What was moved, added and removed between two documents, or since the import");
   const auto options = std::make_shared<ChangesOptions>();
-  changing->add_option("before", options->before, "The earlier document (.hcell)")->required();
-  changing->add_option("after", options->after, "The later document (.hcell)");
-  changing->add_flag("--since-import", options->since_import,
-                     "Compare the one document with the files that its entities came from");
-  changing->add_option("-o,--output", options->output, "Write a table as well (CSV)");
-  changing->add_flag("--all", options->all, "List what did not change too");
-  changing->callback([options, &chosen] {
+  changing.option("before", options->before, "The earlier document (.hcell)").required();
+  changing.option("after", options->after, "The later document (.hcell)");
+  changing.flag("--since-import", options->since_import,
+                "Compare the one document with the files that its entities came from");
+  changing.option("-o,--output", options->output, "Write a table as well (CSV)");
+  changing.flag("--all", options->all, "List what did not change too");
+  changing.onChosen([options, &chosen] {
     chosen = [options](ResultWriter& writer) {
       Diagnostics notes;
       const auto result = changes(*options, notes);

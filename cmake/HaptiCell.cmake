@@ -88,11 +88,14 @@ function(hapticell_add_library name)
   endforeach()
 endfunction()
 
-# hapticell_add_executable(NAME SOURCES ... [LIBRARIES ...]): a program in bin/.
+# hapticell_add_executable(NAME SOURCES ... [LIBRARIES ...] [WITHOUT_HEADERS]): a program in bin/. One with Qt, or without the
+# geometry, is compiled by flags with which the common precompiled headers do not go.
 function(hapticell_add_executable name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "WITHOUT_HEADERS" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} hapticell_warnings)
-  target_compile_options(${name} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
-  target_precompile_headers(${name} REUSE_FROM hapticell_program_headers)
+  if(NOT ARG_WITHOUT_HEADERS)
+    target_compile_options(${name} PRIVATE ${HAPTICELL_PRECOMPILED_WARNINGS})
+    target_precompile_headers(${name} REUSE_FROM hapticell_program_headers)
+  endif()
 endfunction()
