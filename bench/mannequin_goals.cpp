@@ -13,8 +13,6 @@ namespace hapticell::bench {
 namespace {
 
 using namespace mannequin;
-constexpr double kDegrees = M_PI / 180.0;
-
 double uniform(std::mt19937_64& random, double low, double high) {
   // Not std::uniform_real_distribution: its results differ between libraries.
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1.0p-53);
@@ -35,7 +33,7 @@ std::array<SegmentPlace, 2> stance(const Figure& figure, bool split) {
   std::array<SegmentPlace, 2> feet;
   for (std::size_t i = 0; i < 2; ++i) {
     const double out = i == 0 ? 1.0 : -1.0;
-    const double toes = split ? (i == 0 ? 12.0 : 15.0) * kDegrees * out : 0.0;
+    const double toes = split ? (i == 0 ? 12.0 : 15.0) * kDegree * out : 0.0;
     const double y = out * glm::abs(figure.p_PS[indexOf(Segment::kLeftThigh)].y);
     feet[i].R_WS = rotationYXZ({0.0, 0.0, toes});
     feet[i].p_WS = {split ? 0.15 * out : 0.0, y, -figure.sole.z};
@@ -47,7 +45,7 @@ bool putLegsBack(const Figure& figure, const std::array<SegmentPlace, 2>& feet, 
   const SegmentPlace pelvis{glm::mat3_cast(posture.X_WR.q), posture.X_WR.p};
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const LegAngles leg = legInverse(figure, side, pelvis, feet[static_cast<std::size_t>(side)]);
-    if (leg.violation > 0.0 || leg.missing > 1e-9 || leg.knee > (0.5 + 0.5 * share) * 150.0 * kDegrees) return false;
+    if (leg.violation > 0.0 || leg.missing > 1e-9 || leg.knee > (0.5 + 0.5 * share) * 150.0 * kDegree) return false;
     setBallRotation(posture, legDof(side, Dof::kLeftHipFlexion), leg.R_PelvisThigh);
     posture[legDof(side, Dof::kLeftKneeFlexion)] = leg.knee;
     posture[legDof(side, Dof::kLeftAnklePlantarFlexion)] = leg.plantar_flexion;
@@ -93,11 +91,11 @@ Posture randomPosture(const Figure& figure, const std::array<SegmentPlace, 2>& f
   for (const Side side : {Side::kLeft, Side::kRight}) {
     setBallRotation(posture, armDof(side, Dof::kLeftShoulderFlexion), randomShoulder(random, side, share));
     double& elbow = posture[armDof(side, Dof::kLeftElbowFlexion)];
-    elbow = std::max(elbow, uniform(random, 12.0, 30.0) * kDegrees);
+    elbow = std::max(elbow, uniform(random, 12.0, 30.0) * kDegree);
   }
   const double leg = figure.thighLength() + figure.shankLength();
-  const double pitch = uniform(random, -15.0, 60.0) * share * kDegrees;
-  posture.X_WR.q = quaternionFromRotationVector({0, 0, uniform(random, -25.0, 25.0) * share * kDegrees}) *
+  const double pitch = uniform(random, -15.0, 60.0) * share * kDegree;
+  posture.X_WR.q = quaternionFromRotationVector({0, 0, uniform(random, -25.0, 25.0) * share * kDegree}) *
                    quaternionFromRotationVector({0, pitch, 0});
   const dvec3 middle = 0.5 * (feet[0].p_WS + feet[1].p_WS);
   posture.X_WR.p = middle + dvec3(uniform(random, -0.35, 0.15), uniform(random, -0.1, 0.1), 0.0);

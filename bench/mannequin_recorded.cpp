@@ -16,10 +16,8 @@ using namespace mannequin;
 
 namespace {
 
-constexpr double kDegrees = M_PI / 180.0;
-
 double angleDeg(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / kDegrees;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / kDegree;
 }
 
 dvec3 trunkOf(const FigurePose& pose) {
@@ -65,9 +63,9 @@ RecordedError replayHandsAndFeet(const Figure& figure, const MotionClip& clip) {
       const Segment forearm = armSegment(side, Segment::kLeftForearm);
       error.worst_hand_mm =
           std::max(error.worst_hand_mm, 1000.0 * glm::length(handPose(real, side).p - handPose(ours, side).p));
-      if (motion->postures[f][armDof(side, Dof::kLeftElbowFlexion)] < 20.0 * kDegrees) continue;
+      if (motion->postures[f][armDof(side, Dof::kLeftElbowFlexion)] < 20.0 * kDegree) continue;
       const double off = std::remainder(swivelOf(figure, real, side) - swivelOf(figure, ours, side), 2.0 * M_PI);
-      error.swivel_deg += std::abs(off) / kDegrees;
+      error.swivel_deg += std::abs(off) / kDegree;
       error.elbow_mm += 1000.0 * glm::length(real[forearm].p_WS - ours[forearm].p_WS);
       ++elbows;
     }

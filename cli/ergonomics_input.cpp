@@ -16,17 +16,17 @@
 
 namespace hapticell::cli {
 
+std::string shortText(const nlohmann::json& value) {
+  std::string text = value.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
 namespace {
 
 using nlohmann::json;
 using namespace ergonomics;
 using Names = std::initializer_list<std::string_view>;
-
-std::string shortText(const json& value) {
-  std::string text = value.dump();
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
-}
 
 std::string listed(const std::vector<std::string_view>& names) {
   std::string text;

@@ -16,6 +16,9 @@ namespace hapticell::cli {
 /// The text of `--input`: JSON given in place (it begins with a brace), the name of a file, or "-" for standard input.
 Expected<nlohmann::json> readErgonomicsInput(const std::string& input);
 
+/// A value as messages show it: its JSON, cut to 60 bytes.
+std::string shortText(const nlohmann::json& value);
+
 /// What was given for a method that is scored from sub-scores: those, and the angles they came from where angles were
 /// given. Fields that are unknown, of the wrong kind or outside their range are refused by name.
 struct ScoredInput {

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "cli/ergonomics_advice_report.h"
+#include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
 #include "mannequin/ergonomics/better_place.h"
 #include "mannequin/ergonomics/method_advice.h"
@@ -38,12 +39,6 @@ constexpr std::array<const char*, kEawsPostureCount> kEawsNames{"stand_walk",
                                                                 "kneel_bent",
                                                                 "lie",
                                                                 "climb"};
-
-std::string shortText(const json& value) {
-  std::string text = value.dump();
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
-}
 
 /// Reads fields by name and refuses the rest.
 class Fields {

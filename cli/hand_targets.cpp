@@ -12,7 +12,7 @@ namespace hapticell::cli {
 
 namespace {
 
-using Fields = std::vector<std::string>;
+using Columns = std::vector<std::string>;
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\xEF\xBB\xBF");
@@ -20,9 +20,9 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-Fields fieldsOf(const std::string& line) {
+Columns fieldsOf(const std::string& line) {
   const char separator = line.find(';') != std::string::npos ? ';' : ',';
-  Fields fields;
+  Columns fields;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(separator, begin), line.size());
     fields.push_back(trimmed(line.substr(begin, end - begin)));
@@ -73,7 +73,7 @@ class TargetReader {
     return {};
   }
 
-  Expected<double> number(const Fields& fields, const std::string& name) const {
+  Expected<double> number(const Columns& fields, const std::string& name) const {
     const std::size_t column = columnOf(name);
     const std::string text = column < fields.size() ? fields[column] : "";
     const std::optional<double> value = trajectory::parseNumber(text);
@@ -81,7 +81,7 @@ class TargetReader {
     return *value;
   }
 
-  Expected<void> readRow(const Fields& fields) {
+  Expected<void> readRow(const Columns& fields) {
     const std::size_t hand_column = columnOf("hand");
     const std::string hand = hand_column < fields.size() ? fields[hand_column] : "";
     if (hand != "left" && hand != "right") return fail("hand", "'" + hand.substr(0, 40) + "'", "left or right");
@@ -112,7 +112,7 @@ class TargetReader {
 
   std::filesystem::path file_;
   std::size_t line_ = 0;
-  Fields header_;
+  Columns header_;
   std::vector<HandTargets> targets_;
 };
 

@@ -17,7 +17,7 @@ namespace {
 using manipulation::PathFinding;
 using nlohmann::ordered_json;
 
-ordered_json toJson(const PathFinding& finding) {
+ordered_json findingJson(const PathFinding& finding) {
   ordered_json json{{"kind", manipulation::toString(finding.kind)}, {"t_in", finding.t_in}, {"t_out", finding.t_out}};
   if (finding.kind == PathFinding::Kind::kCollision) {
     json["pair"] = {finding.first, finding.second};
@@ -35,7 +35,7 @@ ordered_json toJson(const PathFinding& finding) {
 
 ordered_json listOf(const std::vector<PathFinding>& findings) {
   ordered_json list = ordered_json::array();
-  for (const PathFinding& finding : findings) list.push_back(toJson(finding));
+  for (const PathFinding& finding : findings) list.push_back(findingJson(finding));
   return list;
 }
 

@@ -12,7 +12,7 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 4096;
+constexpr std::size_t kMostPairsFreed = 4096;
 /// Normals nearer than this to one another (cosine) are one direction.
 constexpr double kSameDirection = 0.98;
 constexpr std::size_t kMostNormals = 24;
@@ -86,7 +86,7 @@ class Search {
   std::vector<dvec3> directions() const {
     const MeshCollider &a = query_.a(), &b = query_.b();
     std::vector<TrianglePair> pairs;
-    trianglePairsWithin(a, b, X_WA_.inverse() * X_WB_, 0.0, pairs, kMostPairs);
+    trianglePairsWithin(a, b, X_WA_.inverse() * X_WB_, 0.0, pairs, kMostPairsFreed);
     std::vector<std::pair<double, dvec3>> normals;
     dvec3 sum(0.0);
     for (const TrianglePair& pair : pairs) {
@@ -156,7 +156,7 @@ FreeingShift freeingShift(ProximityQuery& query, const Pose& X_WA, const Pose& X
 double windingNumber(const geometry::TriangleMesh& mesh, const dvec3& p_MQ) {
   double sum = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double angle = solidAngle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, p_MQ);
+    const double angle = solidAngle(mesh.corners(t), p_MQ);
     if (std::isfinite(angle)) sum += angle;
   }
   return sum / (4.0 * std::numbers::pi);

@@ -10,15 +10,6 @@ namespace {
 
 constexpr int kMostSteps = 100;  ///< Of one pair; then the motion ends where it is proven so far.
 constexpr int kMostPasses = 6;
-/// Distances are compared to this (m): far above rounding, far below what a thousand steps a second could add up.
-constexpr double kRounding = 1e-11;
-/// The stop is found to this much motion (m).
-constexpr double kStopAccuracy = 1e-7;
-
-Corners cornersOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle) {
-  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
-}
-
 struct Placing {
   dmat3 R{1.0};
   dvec3 p{0.0};
@@ -107,15 +98,13 @@ class ListedSweep {
   NearestPair distanceAt(std::size_t k, double s) {
     const TrianglePair& pair = near_.pairs()[k];
     const Placed& placed = at(s);
-    return triangleDistance(placed.a * cornersOf(mesh_a_, pair.triangle_a),
-                            placed.b * cornersOf(mesh_b_, pair.triangle_b));
+    return triangleDistance(placed.a * mesh_a_.corners(pair.triangle_a), placed.b * mesh_b_.corners(pair.triangle_b));
   }
 
   double gapOf(std::size_t k, const dvec3& axis, double s) {
     const TrianglePair& pair = near_.pairs()[k];
     const Placed& placed = at(s);
-    return gapAlong(axis, placed.a * cornersOf(mesh_a_, pair.triangle_a),
-                    placed.b * cornersOf(mesh_b_, pair.triangle_b));
+    return gapAlong(axis, placed.a * mesh_a_.corners(pair.triangle_a), placed.b * mesh_b_.corners(pair.triangle_b));
   }
 
   bool violates(double distance) const { return distance < stretch_.clearance - kRounding; }
@@ -162,7 +151,7 @@ class ListedSweep {
   /// pass, those of faces that slide over each other too.
   bool staysApartOnKnownAxis(std::size_t k) {
     const TrianglePair& pair = near_.pairs()[k];
-    const Corners a = cornersOf(mesh_a_, pair.triangle_a), b = cornersOf(mesh_b_, pair.triangle_b);
+    const Corners a = mesh_a_.corners(pair.triangle_a), b = mesh_b_.corners(pair.triangle_b);
     const Corners a0 = begin_.a * a, b0 = begin_.b * b, a1 = end_.a * a, b1 = end_.b * b;
     const double length = until_ - stretch_.from, bend = bend_ * length * length / 8.0;
     const auto proves = [&](const dvec3& axis) {
@@ -261,8 +250,7 @@ NearestPair nearestListed(const MeshCollider& a, const MeshCollider& b, const Ne
   for (const TrianglePair& listed : near.pairs()) {
     const double bound = listed.distance - worn;
     if (bound > 0.0 && bound * bound >= best.squared) continue;
-    if (!improveTriangleDistance(cornersOf(a.mesh(), listed.triangle_a), X * cornersOf(b.mesh(), listed.triangle_b),
-                                 best))
+    if (!improveTriangleDistance(a.mesh().corners(listed.triangle_a), X * b.mesh().corners(listed.triangle_b), best))
       continue;
     found = true;
     pair = {listed.triangle_a, listed.triangle_b};

@@ -13,10 +13,6 @@ namespace hapticell::collision {
 
 namespace {
 
-Corners cornersOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle) {
-  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
-}
-
 /// What boxes of a tree are compared with, in the mesh's frame.
 struct Probe {
   OrientedBox box;
@@ -63,7 +59,7 @@ struct PointSearch {
     }
     const LeafBlock& leaf = mesh.tree().leaf(child);
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      const dvec3 q = closestPointOnTriangle(cornersOf(mesh.mesh(), leaf.triangle[i]), point);
+      const dvec3 q = closestPointOnTriangle(mesh.mesh().corners(leaf.triangle[i]), point);
       const double candidate = glm::dot(q - point, q - point);
       if (candidate >= squared) continue;
       squared = candidate;
@@ -96,7 +92,7 @@ struct RaySearch {
 
   void meetLeaf(const LeafBlock& leaf) {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
-      const RayCrossing crossing = meetTriangle(ray, cornersOf(mesh.mesh(), leaf.triangle[i]));
+      const RayCrossing crossing = meetTriangle(ray, mesh.mesh().corners(leaf.triangle[i]));
       if (!crossing.meets || crossing.along >= hit.along) continue;
       hit = {true, crossing.along, ray.origin + crossing.along * ray.direction, leaf.triangle[i]};
     }
@@ -166,7 +162,7 @@ struct PairCollector {
     const std::uint32_t near = proximityKernels().leafPairs(leaf_a, leaf_b, transform, limitSquared(), ignored);
     for (std::uint32_t j = 0; j < leaf_b.count; ++j) {
       if ((near >> (kLeafSize * j) & 0xFu) == 0) continue;
-      const Corners corners_b = transformedCorners(R_AB, p_AB, cornersOf(mesh_b, leaf_b.triangle[j]));
+      const Corners corners_b = transformedCorners(R_AB, p_AB, mesh_b.corners(leaf_b.triangle[j]));
       for (std::uint32_t i = 0; i < leaf_a.count; ++i) {
         if ((near >> (kLeafSize * j + i) & 1u) == 0) continue;
         measure(leaf_a.triangle[i], leaf_b.triangle[j], corners_b);
@@ -185,7 +181,7 @@ struct PairCollector {
     }
     NearestPair nearest;
     nearest.squared = std::nextafter(squared, std::numeric_limits<double>::infinity());
-    if (improveTriangleDistance(cornersOf(mesh_a, a), corners_b, nearest)) stopped = !take(a, b, nearest);
+    if (improveTriangleDistance(mesh_a.corners(a), corners_b, nearest)) stopped = !take(a, b, nearest);
   }
 };
 
@@ -222,7 +218,7 @@ void trianglesWithin(const MeshCollider& mesh, const dvec3& p_MP, double radius,
   const BoxTree& tree = mesh.tree();
   collect(tree, tree.child(BoxTree::kRoot), {{dmat3(1.0), p_MP, dvec3(0.0)}}, radius * radius,
           [&](std::uint32_t triangle) {
-            const dvec3 q = closestPointOnTriangle(cornersOf(mesh.mesh(), triangle), p_MP);
+            const dvec3 q = closestPointOnTriangle(mesh.mesh().corners(triangle), p_MP);
             if (glm::distance(q, p_MP) <= radius) found.push_back(triangle);
           });
 }
@@ -232,7 +228,7 @@ void trianglesWithin(const MeshCollider& mesh, const geometry::Bounds& box_M, do
   if (mesh.isEmpty() || box_M.isEmpty()) return;
   const BoxTree& tree = mesh.tree();
   collect(tree, tree.child(BoxTree::kRoot), {boxOf(box_M)}, radius * radius, [&](std::uint32_t triangle) {
-    if (squaredDistance(cornersOf(mesh.mesh(), triangle), box_M) <= radius * radius) found.push_back(triangle);
+    if (squaredDistance(mesh.mesh().corners(triangle), box_M) <= radius * radius) found.push_back(triangle);
   });
 }
 

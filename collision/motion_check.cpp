@@ -14,11 +14,6 @@ namespace {
 
 constexpr int kMostQueries = 400;
 constexpr double kStepWhileColliding = 2e-3;
-/// Distances are compared to this (m): far above rounding, far below what a thousand steps a second could add up.
-constexpr double kRounding = 1e-11;
-/// The stop is found to this much motion (m).
-constexpr double kStopAccuracy = 1e-7;
-
 constexpr double kFirstStride = 0.02;  ///< Of motion (m): the longest step that is tried first.
 constexpr double kLeastStride = 2.0;   ///< In plain steps: less is not worth the proof.
 constexpr double kStrideFactor = 6.0;

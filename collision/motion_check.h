@@ -8,6 +8,11 @@
 
 namespace hapticell::collision {
 
+/// Distances are compared to this (m): far above rounding, far below what a thousand steps a second could add up.
+inline constexpr double kRounding = 1e-11;
+/// The stop is found to this much motion (m).
+inline constexpr double kStopAccuracy = 1e-7;
+
 /// How a part moves while s runs from 0 to 1: from X_WStart to X_WEnd along geometry's interpolate(), or, for a robot's
 /// link, along what `along` says.
 struct PartMotion {

@@ -33,8 +33,7 @@ void NearestSearch::run(const TriangleIndices& warm) {
 }
 
 Corners NearestSearch::cornersA(std::uint32_t triangle) const {
-  const geometry::TriangleMesh& mesh = a_.mesh();
-  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+  return a_.mesh().corners(triangle);
 }
 
 Corners NearestSearch::cornersB(std::uint32_t triangle) const {

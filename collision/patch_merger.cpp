@@ -162,8 +162,7 @@ bool PatchMerger::isHollow(const ConvexHull& hull, std::uint32_t a, std::uint32_
     const auto owner = root(triangle);
     if (owner == a || owner == b) return false;
     const auto& mesh = graph_.mesh();
-    return reachesInside(hull, {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)},
-                         graph_.tolerance());
+    return reachesInside(hull, mesh.corners(triangle), graph_.tolerance());
   });
 }
 

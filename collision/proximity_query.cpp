@@ -14,8 +14,6 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Unit normal of a triangle; of the other, turned round, when it has none.
 dvec3 contactNormal(const Corners& of, const Corners& otherwise) {
   const dvec3 normal = glm::cross(of[1] - of[0], of[2] - of[0]);
@@ -141,7 +139,7 @@ DistanceResult ProximityQuery::distance(const Pose& X_WA, const Pose& X_WB, cons
   demand.enough = kTouchingDistance;
   demand.exact_within = demanded.exact_within;
   demand.tolerance = demanded.tolerance;
-  if (limit < kInfinity) demand.limit = std::max(limit, 2.0 * kTouchingDistance);
+  if (limit < std::numeric_limits<double>::infinity()) demand.limit = std::max(limit, 2.0 * kTouchingDistance);
   NearestSearch search(*a_, *b_, X_AB, demand);
   search.run(last_);
   if (search.isFound()) last_ = search.pair();

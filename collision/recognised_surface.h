@@ -67,14 +67,17 @@ struct SurfaceRegion {
   std::vector<RegionBorder> borders;
 };
 
+/// No region, no triangle.
+inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFu;
+
 /// A mesh with its surfaces recognised: plain data, so it can be kept on disk by the mesh's content.
 struct RecognisedSurface {
-  static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+  static constexpr std::uint32_t kNone = kNoIndex;
 
   geometry::TriangleMesh mesh;  ///< Welded, degenerate and duplicate triangles dropped.
   std::vector<SurfaceRegion> regions;
   std::vector<std::uint32_t> region_of;                 ///< Per triangle of `mesh`.
-  std::vector<std::array<std::uint32_t, 3>> neighbour;  ///< Triangle across the edge from corner k to k + 1, or kNone.
+  std::vector<std::array<std::uint32_t, 3>> neighbour;  ///< Triangle across the edge from corner k, or kNoIndex.
   std::vector<dvec3> normals;                           ///< Unit, per triangle.
   std::vector<std::uint32_t> component;                 ///< Per triangle: connected over corners.
   std::uint32_t components = 0;

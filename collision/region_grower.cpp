@@ -11,7 +11,6 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kLeastBend = 0.99999848;  // cos 0.1 deg
 constexpr double kMostBend = 0.766;        // cos 40 deg
 constexpr double kNormalAgrees = 0.956;    // cos 17 deg
@@ -50,7 +49,7 @@ void RegionGrower::take(const std::vector<std::uint32_t>& triangles) {
 
 bool RegionGrower::isCurvedAt(std::uint32_t triangle) const {
   for (const auto other : surface_.neighbour[triangle]) {
-    if (other == kNone || !isFree(other)) continue;
+    if (other == kNoIndex || !isFree(other)) continue;
     const double cosine = glm::dot(surface_.normals[triangle], surface_.normals[other]);
     if (cosine > kMostBend && cosine < kLeastBend) return true;
   }
@@ -59,7 +58,7 @@ bool RegionGrower::isCurvedAt(std::uint32_t triangle) const {
 
 bool RegionGrower::enters(std::uint32_t from, int k, std::uint32_t seed, Neighbourhood kind) const {
   const auto to = surface_.neighbour[from][static_cast<std::size_t>(k)];
-  if (to == kNone || !isFree(to) || mark_[to] == search_) return false;
+  if (to == kNoIndex || !isFree(to) || mark_[to] == search_) return false;
   if (glm::dot(surface_.normals[from], surface_.normals[to]) < kMostBend) return false;
   const double seed_area = clusters_.areas[clusters_.cluster_of[seed]];
   if (clusters_.areas[clusters_.cluster_of[to]] > kLargerCluster * seed_area) return false;
@@ -93,12 +92,12 @@ void RegionGrower::gather(std::uint32_t seed, Neighbourhood kind, std::vector<st
 }
 
 bool RegionGrower::spansThreeClusters(const std::vector<std::uint32_t>& triangles) const {
-  std::uint32_t first = kNone, second = kNone;
+  std::uint32_t first = kNoIndex, second = kNoIndex;
   for (const auto t : triangles) {
     const auto c = clusters_.cluster_of[t];
-    if (first == kNone || c == first) {
+    if (first == kNoIndex || c == first) {
       first = c;
-    } else if (second == kNone || c == second) {
+    } else if (second == kNoIndex || c == second) {
       second = c;
     } else {
       return true;
@@ -201,7 +200,7 @@ void RegionGrower::grow(GrownRegion& region, double tolerance) {
     for (const auto t : region.triangles) mark_[t] = search_;
     for (std::size_t i = 0; i < region.triangles.size(); ++i) {
       for (const auto to : surface_.neighbour[region.triangles[i]]) {
-        if (to == kNone || !isFree(to) || mark_[to] == search_) continue;
+        if (to == kNoIndex || !isFree(to) || mark_[to] == search_) continue;
         if (glm::dot(surface_.normals[region.triangles[i]], surface_.normals[to]) < kMostBend) continue;
         if (!belongs(to, region.shape, tolerance)) continue;
         mark_[to] = search_;

@@ -12,7 +12,6 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kSmooth = 0.0349;  // 2 deg
 constexpr int kSectors = 72;
 
@@ -30,7 +29,7 @@ dvec3 normalAt(const RecognisedSurface& surface, std::uint32_t triangle, const d
 }
 
 BorderKind kindOf(const RecognisedSurface& surface, const BorderEdge& edge) {
-  if (edge.other == kNone) return BorderKind::kOpen;
+  if (edge.other == kNoIndex) return BorderKind::kOpen;
   const dvec3 n1 = normalAt(surface, edge.triangle, edge.a), n2 = normalAt(surface, edge.other, edge.a);
   if (glm::length(glm::cross(n1, n2)) < kSmooth && glm::dot(n1, n2) > 0.0) return BorderKind::kSmooth;
   const dvec3 way = middleOf(surface.mesh, edge.other) - 0.5 * (edge.a + edge.b);
@@ -42,7 +41,7 @@ std::vector<BorderEdge> borderEdges(const RecognisedSurface& surface, std::uint3
   for (const auto t : surface.regions[name].triangles) {
     for (int k = 0; k < 3; ++k) {
       const auto other = surface.neighbour[t][static_cast<std::size_t>(k)];
-      if (other != kNone && surface.region_of[other] == name) continue;
+      if (other != kNoIndex && surface.region_of[other] == name) continue;
       BorderEdge edge{surface.mesh.corner(t, k), surface.mesh.corner(t, (k + 1) % 3), t, other, BorderKind::kOpen};
       edge.kind = kindOf(surface, edge);
       edges.push_back(edge);
@@ -217,7 +216,7 @@ std::vector<SurfaceShape> borderPlanes(const RecognisedSurface& surface, const S
                                        const std::vector<BorderEdge>& border) {
   std::map<std::uint32_t, std::vector<dvec3>> by_neighbour;
   for (const BorderEdge& edge : border) {
-    auto& points = by_neighbour[edge.other == kNone ? kNone : surface.region_of[edge.other]];
+    auto& points = by_neighbour[edge.other == kNoIndex ? kNoIndex : surface.region_of[edge.other]];
     points.push_back(edge.a);
     points.push_back(edge.b);
   }
@@ -282,7 +281,7 @@ void measureRegions(RecognisedSurface& surface) {
     const std::vector<BorderEdge> border = borderEdges(surface, i);
     std::map<std::pair<std::uint32_t, BorderKind>, std::uint32_t> counted;
     for (const BorderEdge& edge : border) {
-      const auto neighbour = edge.other == kNone ? kNone : surface.region_of[edge.other];
+      const auto neighbour = edge.other == kNoIndex ? kNoIndex : surface.region_of[edge.other];
       ++counted[{neighbour, edge.kind}];
     }
     for (const auto& [key, edges] : counted) region.borders.push_back({key.first, key.second, edges});

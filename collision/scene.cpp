@@ -8,12 +8,6 @@
 
 namespace hapticell::collision {
 
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 PartIndex Scene::addPart(const PartKey& key, std::shared_ptr<const MeshCollider> collider, const Pose& X_WP) {
   HAPTICELL_DEMAND(collider != nullptr);
   auto unused = std::find_if(parts_.begin(), parts_.end(), [](const Part& part) { return part.collider == nullptr; });
@@ -54,7 +48,7 @@ void Scene::clearPairs() {
 
 double Scene::lowerBound(const Pair& pair) const {
   const Part &a = parts_[pair.moved], &b = parts_[pair.environment];
-  if (a.collider->isEmpty() || b.collider->isEmpty()) return kInfinity;
+  if (a.collider->isEmpty() || b.collider->isEmpty()) return std::numeric_limits<double>::infinity();
   const double spheres = glm::distance(a.center_W, b.center_W) - a.collider->radius() - b.collider->radius();
   return std::max(spheres, std::sqrt(lowerBoundSquared(a.root_W, b.root_W)));
 }

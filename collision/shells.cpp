@@ -68,10 +68,6 @@ std::vector<Edge> sortedEdges(const std::vector<geometry::Triangle>& joined, con
   return edges;
 }
 
-Corners cornersOf(const geometry::TriangleMesh& mesh, std::uint32_t triangle) {
-  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
-}
-
 /// Crossings of one ray with the closed pieces.
 struct Crossings {
   const Shells& shells;
@@ -97,7 +93,7 @@ struct Crossings {
   void count(std::uint32_t triangle) {
     const Shells::Kind kind = shells.kind(triangle);
     if (kind == Shells::Kind::kOpen) return;
-    const RayCrossing crossing = meetTriangle(ray, cornersOf(mesh, triangle));
+    const RayCrossing crossing = meetTriangle(ray, mesh.corners(triangle));
     grazed |= crossing.grazes;
     if (!crossing.meets) return;
     if (kind == Shells::Kind::kOriented)
@@ -112,7 +108,7 @@ bool isInsideByWinding(const Shells& shells, const geometry::TriangleMesh& mesh,
   const auto count = static_cast<std::uint32_t>(shells.triangleCount());
   for (std::uint32_t t = 0; t < count; ++t) {
     if (shells.kind(t) != Shells::Kind::kOriented) continue;
-    const double angle = solidAngle(cornersOf(mesh, t), p);
+    const double angle = solidAngle(mesh.corners(t), p);
     if (std::isfinite(angle)) sum += angle;
   }
   return std::abs(sum) > 2.0 * std::numbers::pi;

@@ -14,10 +14,9 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr auto kNone = RecognisedSurface::kNone;
-constexpr double kLevel = 1.25;      // ratio of the reaches that cells are made for
-constexpr double kCellShare = 0.25;  // of the reach: a cell's edge
-constexpr double kBehind = 2e-6;     // m: on a surface counts as behind it
+constexpr double kLevel = 1.25;          // ratio of the reaches that cells are made for
+constexpr double kCellShare = 0.25;      // of the reach: a cell's edge
+constexpr double kBehindSurface = 2e-6;  // m: on a surface counts as behind it
 constexpr double kSagittaShare = 1.2;
 constexpr double kOpposite = -0.5;     // cosine between two normals
 constexpr double kInwards = 0.2;       // share of the way to the facet's middle
@@ -25,7 +24,7 @@ constexpr double kMostInwards = 2e-4;  // m
 constexpr double kSmall = 0.2;         // of the reach: a triangle's middle stands for it
 constexpr double kGrain = 0.05;        // of the reach
 constexpr std::size_t kMostTriangles = 3000;
-constexpr std::size_t kMostPairs = 150000;  // of triangles and elements: about 15 ms
+constexpr std::size_t kMostPairsSeen = 150000;  // of triangles and elements: about 15 ms
 constexpr std::size_t kMostGroups = 400;
 constexpr std::size_t kMostCells = 30000;
 constexpr std::size_t kMostSignatures = 4000;
@@ -100,7 +99,7 @@ void SignatureCache::addSample(std::uint32_t t, const dvec3& on_facet, double ra
 
 void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double radius, double reach) {
   const auto& mesh = model_->surface().mesh;
-  const Corners corners{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+  const Corners corners = mesh.corners(t);
   const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   const auto add = [&](const dvec3& p) {
     const dvec3 way = middle - p;
@@ -148,7 +147,7 @@ void SignatureCache::sample(std::uint32_t t, const geometry::Bounds& box, double
 void SignatureCache::sampleEdge(std::uint32_t t, int k, const geometry::Bounds& box, double radius, double reach) {
   const auto edge = model_->edgeElementOf(t, k);
   const auto other = model_->surface().neighbour[t][static_cast<std::size_t>(k)];
-  if (edge == kNone || other == kNone || other < t) return;
+  if (edge == kNoIndex || other == kNoIndex || other < t) return;
   const auto& mesh = model_->surface().mesh;
   const dvec3 a = mesh.corner(t, k), b = mesh.corner(t, (k + 1) % 3), way = b - a;
   const double s = std::clamp(glm::dot(box.center() - a, way) / std::max(glm::dot(way, way), 1e-24), 0.0, 1.0);
@@ -195,7 +194,7 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
     list.push_back({component, model_->elementOf(t)});
     if (radius <= 0.0) continue;
     for (int k = 0; k < 3; ++k) {
-      if (const auto edge = model_->edgeElementOf(t, k); edge != kNone) list.push_back({component, edge});
+      if (const auto edge = model_->edgeElementOf(t, k); edge != kNoIndex) list.push_back({component, edge});
     }
   }
   std::sort(list.begin(), list.end());
@@ -203,7 +202,7 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
   cell.facets = !surface.closed;
   for (const auto& [component, element] : list) cell.free_form = cell.free_form || model_->elements()[element].facet;
   cell.facets = cell.facets || cell.free_form;
-  if (list.size() > Signature::kMostElements || near_.size() * list.size() > kMostPairs) {
+  if (list.size() > Signature::kMostElements || near_.size() * list.size() > kMostPairsSeen) {
     cell.overfull = true;
     return cell;
   }
@@ -222,7 +221,7 @@ SignatureCell SignatureCache::made(const dvec3& center, double half, double radi
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (list[i].first != s.component) continue;
       const SurfaceElement& element = model_->elements()[list[i].second];
-      const double tolerance = kBehind + kSagittaShare * element.sagitta;
+      const double tolerance = kBehindSurface + kSagittaShare * element.sagitta;
       const double value = elementValue(element, s.p_M, radius);
       if (value > tolerance) continue;
       // A ball that just fits between two walls touches both: neither frees it of the other.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kOff = 1e-4;                // m above the surface
 constexpr double kClear = 2e-5;              // m that the new plane stands below the place it frees
-constexpr double kBehind = 2e-6;             // m: on a plane counts as behind it
+constexpr double kBehindPlane = 2e-6;        // m: on a plane counts as behind it
 constexpr double kLeastRoom = 2e-5;          // m between a place that is freed and what stays blocked
 constexpr std::size_t kMostValues = 120000;  // element values
 constexpr std::size_t kMostTests = 400;      // of a place being free
@@ -117,7 +117,8 @@ void Repair::free(std::size_t group, const SignedSample& from, const dvec3& q) {
   plane.shape.p_M = q - kClear * from.nhat_M - task_.radius * from.nhat_M;
   std::vector<dvec3> freed;  // what must stay blocked
   for (const SignedSample& sample : task_.samples) {
-    if (elementValue(plane, sample.p_M, task_.radius) > -kBehind && needs(sample, group)) freed.push_back(sample.p_M);
+    if (elementValue(plane, sample.p_M, task_.radius) > -kBehindPlane && needs(sample, group))
+      freed.push_back(sample.p_M);
   }
   work_ += task_.samples.size();
   if (const auto end = oneEnd(freed, from.nhat_M, q)) {
@@ -130,11 +131,11 @@ void Repair::free(std::size_t group, const SignedSample& from, const dvec3& q) {
       return glm::length(a - q) < glm::length(b - q);
     });
     const dvec3 way = q - *nearest;
-    if (glm::length(way) < 4.0 * kBehind) return;
+    if (glm::length(way) < 4.0 * kBehindPlane) return;
     ElementTrim end;
     end.surface.axis_M = glm::normalize(way);
     end.surface.p_M = *nearest + 0.7 * way;
-    std::erase_if(freed, [&](const dvec3& p) { return signedDistance(end.surface, p) <= -kBehind; });
+    std::erase_if(freed, [&](const dvec3& p) { return signedDistance(end.surface, p) <= -kBehindPlane; });
     plane.trims.push_back(end);
   }
   cell_.groups[group].push_back(SignatureCell::kOwn + static_cast<std::uint32_t>(cell_.own.size()));

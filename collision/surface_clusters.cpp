@@ -8,7 +8,6 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kSameWay = 0.9;  // cosine: a facet that is seen edge-on does not belong to the plane
 
 struct EdgeUse {
@@ -37,7 +36,7 @@ void connect(RecognisedSurface& surface) {
     }
   }
   std::sort(uses.begin(), uses.end());
-  surface.neighbour.assign(triangles.size(), {kNone, kNone, kNone});
+  surface.neighbour.assign(triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
   surface.closed = !triangles.empty();
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t end = i;
@@ -65,11 +64,11 @@ void label(RecognisedSurface& surface) {
     parent[root(t[1])] = root(t[0]);
     parent[root(t[2])] = root(t[0]);
   }
-  std::vector<std::uint32_t> name(parent.size(), kNone);
+  std::vector<std::uint32_t> name(parent.size(), kNoIndex);
   surface.component.resize(surface.mesh.triangles.size());
   for (std::size_t i = 0; i < surface.mesh.triangles.size(); ++i) {
     auto& own = name[root(surface.mesh.triangles[i][0])];
-    if (own == kNone) own = surface.components++;
+    if (own == kNoIndex) own = surface.components++;
     surface.component[i] = own;
   }
 }
@@ -111,9 +110,9 @@ PlanarClusters planarClusters(const RecognisedSurface& surface, double tolerance
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return area[a] > area[b]; });
   PlanarClusters result;
-  result.cluster_of.assign(count, kNone);
+  result.cluster_of.assign(count, kNoIndex);
   for (const auto first : order) {
-    if (result.cluster_of[first] != kNone) continue;
+    if (result.cluster_of[first] != kNoIndex) continue;
     const auto name = static_cast<std::uint32_t>(result.triangles.size());
     const dvec3 n = surface.normals[first], origin = middleOf(mesh, first);
     std::vector<std::uint32_t> members{first};
@@ -122,7 +121,7 @@ PlanarClusters planarClusters(const RecognisedSurface& surface, double tolerance
     for (std::size_t i = 0; i < members.size(); ++i) {
       sum += area[members[i]];
       for (const auto other : surface.neighbour[members[i]]) {
-        if (other == kNone || result.cluster_of[other] != kNone) continue;
+        if (other == kNoIndex || result.cluster_of[other] != kNoIndex) continue;
         if (glm::dot(n, surface.normals[other]) < kSameWay) continue;
         bool flat = true;
         for (int k = 0; k < 3; ++k) flat = flat && std::abs(glm::dot(n, mesh.corner(other, k) - origin)) <= tolerance;

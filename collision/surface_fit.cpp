@@ -37,7 +37,7 @@ Frame frameOf(const dvec3& n) {
   return {e1, glm::cross(n, e1)};
 }
 
-dvec3 middleOf(std::span<const dvec3> points) {
+dvec3 middleOfPoints(std::span<const dvec3> points) {
   dvec3 sum(0.0);
   for (const dvec3& p : points) sum += p;
   return sum / static_cast<double>(points.size());
@@ -340,7 +340,7 @@ double greatestDistance(const SurfaceShape& shape, std::span<const dvec3> points
 }
 
 double refineSurface(SurfaceShape& shape, std::span<const dvec3> points, double tolerance) {
-  const double extent = std::max(1e-12, extentOf(points, middleOf(points)));
+  const double extent = std::max(1e-12, extentOf(points, middleOfPoints(points)));
   const int n = parameterCount(shape.type);
   double damping = 1e-9;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
@@ -376,7 +376,7 @@ double refineSurface(SurfaceShape& shape, std::span<const dvec3> points, double 
 
 std::optional<SurfaceShape> fitSurface(SurfaceType type, const FitSample& sample, double tolerance) {
   if (sample.points.size() < 6 || sample.facet_normals.size() < 3) return std::nullopt;
-  Context context{sample, middleOf(sample.points), 0.0};
+  Context context{sample, middleOfPoints(sample.points), 0.0};
   context.extent = extentOf(sample.points, context.middle);
   if (!(context.extent > 0.0)) return std::nullopt;
   auto shape = startOf(type, context);

@@ -12,7 +12,6 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kSmoothSine = 0.0349;   // 2 deg
 constexpr double kFlatSine = 0.00175;    // 0.1 deg
 constexpr double kStraight = 0.9999985;  // cos 0.1 deg
@@ -20,9 +19,9 @@ constexpr double kStraight = 0.9999985;  // cos 0.1 deg
 }  // namespace
 
 void ModelBuilder::makeElements() {
-  std::vector<std::uint32_t> of_region(surface_.regions.size(), kNone);
+  std::vector<std::uint32_t> of_region(surface_.regions.size(), kNoIndex);
   model_.element_of_.resize(surface_.mesh.triangles.size());
-  model_.edge_element_of_.assign(surface_.mesh.triangles.size(), {kNone, kNone, kNone});
+  model_.edge_element_of_.assign(surface_.mesh.triangles.size(), {kNoIndex, kNoIndex, kNoIndex});
   for (std::uint32_t i = 0; i < surface_.regions.size(); ++i) {
     const SurfaceRegion& region = surface_.regions[i];
     const SurfaceShape& shape = region.shape;
@@ -47,7 +46,7 @@ void ModelBuilder::makeElements() {
   }
   for (std::uint32_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
     model_.element_of_[t] = of_region[surface_.region_of[t]];
-    if (model_.element_of_[t] != kNone) continue;
+    if (model_.element_of_[t] != kNoIndex) continue;
     model_.element_of_[t] = static_cast<std::uint32_t>(model_.elements_.size());
     SurfaceElement facet;
     facet.facet = true;
@@ -76,7 +75,7 @@ void ModelBuilder::findSharpEdges() {
   for (std::uint32_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const auto other = surface_.neighbour[t][static_cast<std::size_t>(k)];
-      if (other == kNone || other < t || !isSharp(t, other, k)) continue;
+      if (other == kNoIndex || other < t || !isSharp(t, other, k)) continue;
       const auto& corners = surface_.mesh.triangles[t];
       const auto [low, high] = std::minmax(surface_.region_of[t], surface_.region_of[other]);
       sharp_.push_back({t, other, k, corners[static_cast<std::size_t>(k)],
@@ -86,7 +85,7 @@ void ModelBuilder::findSharpEdges() {
 }
 
 void ModelBuilder::addEdgeElement(const SharpEdge& edge, std::uint32_t& name) {
-  if (name == kNone) {
+  if (name == kNoIndex) {
     const dvec3 a = surface_.mesh.vertices[edge.a], b = surface_.mesh.vertices[edge.b];
     const dvec3 n1 = surface_.normals[edge.triangle], n2 = surface_.normals[edge.other];
     name = static_cast<std::uint32_t>(model_.elements_.size());
@@ -115,7 +114,7 @@ void ModelBuilder::makeStraightRods() {
     dvec3 origin, way;
     std::vector<std::pair<double, double>> pieces;
     const SharpEdge* first;
-    std::uint32_t element = kNone;
+    std::uint32_t element = kNoIndex;
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, Line> lines;
   for (const SharpEdge& edge : sharp_) {
@@ -126,11 +125,12 @@ void ModelBuilder::makeStraightRods() {
       const bool rim = edge.low != edge.high || isConeFacet(edge);
       addRod(rim ? SurfaceModel::RodKind::kRim : SurfaceModel::RodKind::kEdge,
              {a, b, 0.0, surface_.normals[edge.triangle], surface_.normals[edge.other], -1.0});
-      std::uint32_t own = kNone;
+      std::uint32_t own = kNoIndex;
       addEdgeElement(edge, own);
       continue;
     }
-    auto [found, is_new] = lines.try_emplace({edge.low, edge.high}, Line{a, glm::normalize(b - a), {}, &edge, kNone});
+    auto [found, is_new] =
+        lines.try_emplace({edge.low, edge.high}, Line{a, glm::normalize(b - a), {}, &edge, kNoIndex});
     Line& line = found->second;
     addEdgeElement(edge, line.element);
     line.pieces.push_back(std::minmax({glm::dot(a - line.origin, line.way), glm::dot(b - line.origin, line.way)}));

@@ -14,7 +14,6 @@
 namespace hapticell::collision {
 namespace {
 
-constexpr auto kNone = RecognisedSurface::kNone;
 constexpr double kPlaneIsLarger = 5.0;  // than each of its smooth neighbours
 constexpr std::size_t kFewFailures = 60, kFailureShare = 40;
 constexpr std::size_t kFailuresAtFirst = 20;  // where nothing curved was found at all, as on a convex hull of a casting
@@ -29,7 +28,7 @@ class Recogniser {
         cancelled_(cancelled),
         clusters_(planarClusters(surface, tolerance)),
         grower_(surface, clusters_) {
-    surface_.region_of.assign(surface_.mesh.triangles.size(), kNone);
+    surface_.region_of.assign(surface_.mesh.triangles.size(), kNoIndex);
   }
 
   void run() {
@@ -96,12 +95,12 @@ void Recogniser::findCurved(double tolerance) {
 void Recogniser::absorb() {
   std::vector<std::uint32_t> open;
   for (std::uint32_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
-    if (surface_.region_of[t] != kNone) open.push_back(t);
+    if (surface_.region_of[t] != kNoIndex) open.push_back(t);
   }
   for (std::size_t i = 0; i < open.size(); ++i) {
     const auto name = surface_.region_of[open[i]];
     for (const auto other : surface_.neighbour[open[i]]) {
-      if (other == kNone || surface_.region_of[other] != kNone) continue;
+      if (other == kNoIndex || surface_.region_of[other] != kNoIndex) continue;
       if (!grower_.belongs(other, surface_.regions[name].shape, tolerance_)) continue;
       surface_.region_of[other] = name;
       surface_.regions[name].triangles.push_back(other);
@@ -114,7 +113,8 @@ void Recogniser::absorb() {
 bool Recogniser::isPlane(std::uint32_t cluster) const {
   for (const auto t : clusters_.triangles[cluster]) {
     for (const auto other : surface_.neighbour[t]) {
-      if (other == kNone || surface_.region_of[other] != kNone || clusters_.cluster_of[other] == cluster) continue;
+      if (other == kNoIndex || surface_.region_of[other] != kNoIndex || clusters_.cluster_of[other] == cluster)
+        continue;
       const double cosine = glm::dot(surface_.normals[t], surface_.normals[other]);
       if (cosine < 0.766 || cosine > 0.99999848) continue;
       if (clusters_.areas[cluster] < kPlaneIsLarger * clusters_.areas[clusters_.cluster_of[other]]) return false;
@@ -128,7 +128,7 @@ void Recogniser::findPlanes() {
   for (std::uint32_t c = 0; c < clusters_.triangles.size(); ++c) {
     std::vector<std::uint32_t> left;
     for (const auto t : clusters_.triangles[c]) {
-      if (surface_.region_of[t] == kNone) left.push_back(t);
+      if (surface_.region_of[t] == kNoIndex) left.push_back(t);
     }
     if (left.empty()) continue;
     clusters_.triangles[c] = std::move(left);
@@ -156,7 +156,7 @@ void Recogniser::mergeEqual() {
   };
   for (std::uint32_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
     for (const auto other : surface_.neighbour[t]) {
-      if (other == kNone || surface_.region_of[t] == kNone || surface_.region_of[other] == kNone) continue;
+      if (other == kNoIndex || surface_.region_of[t] == kNoIndex || surface_.region_of[other] == kNoIndex) continue;
       auto a = root(surface_.region_of[t]), b = root(surface_.region_of[other]);
       if (a == b || surface_.regions[a].shape.type != surface_.regions[b].shape.type) continue;
       if (surface_.regions[a].shape.type == SurfaceType::kPlane) continue;
@@ -182,13 +182,13 @@ void Recogniser::gatherFreeForm() {
   SurfaceShape none;
   none.type = SurfaceType::kFreeForm;
   for (std::uint32_t first = 0; first < surface_.mesh.triangles.size(); ++first) {
-    if (surface_.region_of[first] != kNone) continue;
+    if (surface_.region_of[first] != kNoIndex) continue;
     const auto name = static_cast<std::uint32_t>(surface_.regions.size());
     std::vector<std::uint32_t> triangles{first};
     surface_.region_of[first] = name;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (const auto other : surface_.neighbour[triangles[i]]) {
-        if (other == kNone || surface_.region_of[other] != kNone) continue;
+        if (other == kNoIndex || surface_.region_of[other] != kNoIndex) continue;
         surface_.region_of[other] = name;
         triangles.push_back(other);
       }

@@ -11,7 +11,7 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr int kMostPairs = 1000;
+constexpr int kMostPairsSwept = 1000;
 
 /// The least gap along an axis, from B's triangle up to A's.
 double gapAlong(const dvec3& axis, const Corners& a, const Corners& b) {
@@ -45,7 +45,7 @@ struct SweptSearch {
   dmat3 R_B0, R_B1, R_A1;
   double within_squared;
   double needed;
-  int pairs_left = kMostPairs;
+  int pairs_left = kMostPairsSwept;
   bool unproven = false;
 
   bool apartOn(const dvec3& direction, const Corners& a0, const Corners& b0, const Corners& a1,
@@ -102,8 +102,7 @@ struct SweptSearch {
     for (; near != 0 && !unproven; near &= near - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(near));
       const std::uint32_t i = leaf_a.triangle[bit % kLeafSize], j = leaf_b.triangle[bit / kLeafSize];
-      unproven = !trianglesStayApart({mesh_a.corner(i, 0), mesh_a.corner(i, 1), mesh_a.corner(i, 2)},
-                                     {mesh_b.corner(j, 0), mesh_b.corner(j, 1), mesh_b.corner(j, 2)});
+      unproven = !trianglesStayApart(mesh_a.corners(i), mesh_b.corners(j));
     }
   }
 };

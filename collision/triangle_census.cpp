@@ -10,7 +10,7 @@ namespace hapticell::collision {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFu;
 
 using Words = std::array<std::uint64_t, 3>;
 
@@ -26,14 +26,14 @@ std::uint64_t hashOf(const Words& words) {
 /// The first of equal triples of words, found again: open addressing.
 class FirstOfEqual {
  public:
-  explicit FirstOfEqual(std::size_t count) : slots_(std::bit_ceil(2 * count + 1), kNone) {}
+  explicit FirstOfEqual(std::size_t count) : slots_(std::bit_ceil(2 * count + 1), kNoTriangle) {}
 
   /// The item equal to this one that was given first; `equals(i)` compares with an earlier item.
   template <typename Equals>
   std::uint32_t find(std::uint32_t item, std::uint64_t hash, const Equals& equals) {
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t at = hash & mask;; at = (at + 1) & mask) {
-      if (slots_[at] == kNone) {
+      if (slots_[at] == kNoTriangle) {
         slots_[at] = item;
         return item;
       }

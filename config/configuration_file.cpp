@@ -6,16 +6,13 @@
 #include <filesystem>
 
 #include "config/configuration.h"
+#include "config/toml_place.h"
 
 namespace hapticell::config {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lineOf(const toml::node& node) {
-  return "line " + std::to_string(node.source().begin.line);
-}
 
 /// A value of the file as the text that setValue takes; empty optional for arrays, tables and dates.
 std::optional<std::string> textOf(const toml::node& node) {

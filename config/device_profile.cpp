@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+#include "config/toml_place.h"
+
 namespace hapticell::config {
 
 namespace {
@@ -16,10 +18,6 @@ namespace {
 std::string textOf(double value) {
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
-std::string lineOf(const toml::node& node) {
-  return "line " + std::to_string(node.source().begin.line);
 }
 
 struct Range {

@@ -9,8 +9,6 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// The rotation block of a body point's constraint: 1/2 (g rho' + rho g') - (g . rho) I for a plane.
 void addTurning(Constraint& c, const dvec3& g, const dvec3& rho) {
   const dmat3 block = 0.5 * (glm::outerProduct(g, rho) + glm::outerProduct(rho, g)) - glm::dot(g, rho) * dmat3(1.0);
@@ -71,7 +69,7 @@ class Peg final : public FeelScene {
     const dvec3 axis = X_DP.rotate(dvec3(0, 0, 1));
     const dvec3 mouth = tip + axis * ((kMouth - tip.z) / axis.z);
     // The polygon of eight planes is wider than the circle by this factor at its corners.
-    const double allowed = kClearance / std::cos(kPi / 8.0);
+    const double allowed = kClearance / std::cos(std::numbers::pi / 8.0);
     return std::max({0.0, std::hypot(tip.x, tip.y) - allowed, std::hypot(mouth.x, mouth.y) - allowed, kBottom - tip.z});
   }
   dvec3 handAt(double t, double press) const override {
@@ -91,7 +89,7 @@ class Peg final : public FeelScene {
   static void addRim(ConstraintSet& set, const Pose& X_DP, const dvec3& p_SB, bool stays) {
     const dvec3 at = X_DP * p_SB;
     for (int i = 0; i < 8; ++i) {
-      const dvec3 inward(-std::cos(kPi / 4.0 * i), -std::sin(kPi / 4.0 * i), 0.0);
+      const dvec3 inward(-std::cos(std::numbers::pi / 4.0 * i), -std::sin(std::numbers::pi / 4.0 * i), 0.0);
       Constraint c = bodyPointConstraint(p_SB, kClearance + glm::dot(inward, at), inward, X_DP);
       c.group = static_cast<std::uint32_t>(set.count);
       if (stays) {

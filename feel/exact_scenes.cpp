@@ -10,8 +10,6 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A hand whose intended path keeps its shape on a surface of 10 mm: it presses 2 N by 4 mm, not by 9 mm.
 haptic::HandOptions sharpHand() {
   haptic::HandOptions hand;
@@ -72,7 +70,7 @@ class Facets final : public FeelScene {
  public:
   Facets(double radius, double step) : round_(radius), radius_(radius), step_(step) {
     // More than a set holds would be needed all round: the rest is left out at the bottom, which stays closed.
-    count_ = std::min(60, static_cast<int>(std::lround(2.0 * kPi / step)));
+    count_ = std::min(60, static_cast<int>(std::lround(2.0 * std::numbers::pi / step)));
   }
   std::string name() const override { return "facets"; }
   ConstraintSet setAt(const Pose& X_DP, double) const override {
@@ -277,7 +275,7 @@ std::unique_ptr<FeelScene> cylinderScene(double radius) {
   return std::make_unique<Cylinder>(radius);
 }
 std::unique_ptr<FeelScene> facetScene(double radius, double degrees) {
-  return std::make_unique<Facets>(radius, degrees * kPi / 180.0);
+  return std::make_unique<Facets>(radius, degrees * std::numbers::pi / 180.0);
 }
 std::unique_ptr<FeelScene> boreScene(double radius) {
   return std::make_unique<Bore>(radius);

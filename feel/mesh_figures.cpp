@@ -12,7 +12,7 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kSlide = 3.0;  // s.
+constexpr double kMeshSlide = 3.0;  // s.
 constexpr double kDrawn =
     0.1;  // mm that the drawn ball may be inside the drawn part: a hollow is as wide as it is round.
 
@@ -21,7 +21,7 @@ FeelFigures slide(const MeshCase& of, const ClientRate& rate, bool mesh) {
   setup.rate = rate;
   if (mesh) setup.seen = of.mesh.get();
   FeelSession session(*of.exact, setup);
-  touchAndSlide(session, *of.exact, kSlide);
+  touchAndSlide(session, *of.exact, kMeshSlide);
   return session.figures();
 }
 
@@ -31,7 +31,7 @@ FeelFigures slideClassic(const MeshCase& of, const FeelScene* seen) {
   old.classic = true;
   old.seen = seen;
   FeelSession session(*of.exact, old);
-  touchAndSlide(session, *of.exact, kSlide);
+  touchAndSlide(session, *of.exact, kMeshSlide);
   return session.figures();
 }
 

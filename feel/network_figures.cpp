@@ -9,8 +9,8 @@ namespace hapticell::feel {
 
 namespace {
 
-constexpr double kSlide = 4.0;  // s.
-constexpr double kRate = 60.0;  // Hz.
+constexpr double kNetworkSlide = 4.0;  // s.
+constexpr double kRate = 60.0;         // Hz.
 constexpr double kLoss = 0.01;
 constexpr double kDelays[] = {0.0, 0.005, 0.020, 0.050};  // s, one way.
 
@@ -29,7 +29,7 @@ std::string nameOf(double delay) {
 
 FeelFigures slide(const FeelScene& scene, const SessionSetup& setup) {
   FeelSession session(scene, setup);
-  touchAndSlide(session, scene, kSlide);
+  touchAndSlide(session, scene, kNetworkSlide);
   FeelFigures figures = session.figures();
   if (figures.contact_ticks == 0) figures.step_n = std::nan("");  // Nothing was felt: nothing is proved.
   return figures;

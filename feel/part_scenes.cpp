@@ -17,7 +17,7 @@ using collision::MeshCollider;
 using geometry::TriangleMesh;
 
 constexpr double kProbe = 0.05e-3;  // m, radius of the ball that measures.
-constexpr double kWay = 0.012;      // m, half of the way over the part.
+constexpr double kPartWay = 0.012;  // m, half of the way over the part.
 constexpr double kNear = 1e-6;      // m: touches.
 constexpr int kMostSteps = 200;
 constexpr double kLayer = 1e-5;  // m between two of the balls that tell how deep the drawn one is,
@@ -59,9 +59,9 @@ class PartScene final : public FeelScene {
     return std::max(0.0, kBallRadius - distanceFrom(X_DP.p, X_WP_));
   }
   dvec3 handAt(double t, double press) const override {
-    return {kWay * triangleWave(t, 1.667), 0.3 * kWay * std::sin(2.0 * t), -press};
+    return {kPartWay * triangleWave(t, 1.667), 0.3 * kPartWay * std::sin(2.0 * t), -press};
   }
-  dvec3 start() const override { return {-kWay, 0.0, 0.012}; }
+  dvec3 start() const override { return {-kPartWay, 0.0, 0.012}; }
 
  private:
   /// Of a point from the part; 0 inside.

@@ -17,10 +17,10 @@ namespace {
 using manipulation::EntityConfiguration;
 using manipulation::RobotManipulator;
 
-constexpr int kForearm = 3;                   // Joint that carries the forearm, counted from 1.
-constexpr double kLimitAhead = 0.02;          // rad that the limited joint still has.
-constexpr double kWallAhead = 0.01;           // m to the wall.
-constexpr double kWay = 0.03, kRate = 1.667;  // m and ways per second: 0.1 m/s.
+constexpr int kForearm = 3;                      // Joint that carries the forearm, counted from 1.
+constexpr double kLimitAhead = 0.02;             // rad that the limited joint still has.
+constexpr double kWallAhead = 0.01;              // m to the wall.
+constexpr double kArmWay = 0.03, kRate = 1.667;  // m and ways per second: 0.1 m/s.
 
 std::vector<double> restJoints() {
   return {0.0, 0.3, 0.6, 0.2, 0.7, 0.0};
@@ -45,7 +45,7 @@ class RobotScene : public FeelScene {
     return std::max(lag, inside(X_DP, t));
   }
   dvec3 handAt(double t, double press) const override {
-    return surface_ + kWay * triangleWave(t, kRate) * along_ - press * normal_;
+    return surface_ + kArmWay * triangleWave(t, kRate) * along_ - press * normal_;
   }
   dvec3 rest() const override { return surface_; }
   dvec3 pressDirection() const override { return -normal_; }

@@ -22,6 +22,9 @@ struct TriangleMesh {
   dvec3 corner(std::uint32_t triangle, int corner_index) const {
     return vertices[triangles[triangle][static_cast<std::size_t>(corner_index)]];
   }
+  std::array<dvec3, 3> corners(std::uint32_t triangle) const {
+    return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+  }
   Bounds bounds() const;
 };
 

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 
 namespace hapticell {
 
@@ -11,5 +12,13 @@ using glm::dmat3;
 using glm::dquat;
 using glm::dvec3;
 using glm::fvec3;
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad.
+
+/// The vector shortened to `limit` where it is longer.
+inline dvec3 shortenedTo(const dvec3& v, double limit) {
+  const double length = glm::length(v);
+  return length > limit ? v * (limit / length) : v;
+}
 
 }  // namespace hapticell

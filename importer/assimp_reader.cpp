@@ -148,9 +148,10 @@ float displayed(float linear) {
   return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.0f / 2.4f) - 0.055f;
 }
 
-class SceneBuilder {
+class AssimpSceneBuilder {
  public:
-  SceneBuilder(const aiScene& source, const Reading& reading, const std::string& format, const Convention& convention)
+  AssimpSceneBuilder(const aiScene& source, const Reading& reading, const std::string& format,
+                     const Convention& convention)
       : source_(source), reading_(reading) {
     scene_.format = format;
     scene_.unit_is_stated = convention.unit_is_stated;
@@ -303,7 +304,7 @@ Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& paren
       importer.ReadFile(reading.file.string(), aiProcess_ValidateDataStructure | aiProcess_RemoveComponent |
                                                    aiProcess_Triangulate | aiProcess_SortByPType);
   if (!scene || !scene->mRootNode) return makeError(assimpFault(reading.file, head, importer.GetErrorString()));
-  return SceneBuilder(*scene, reading, format, conventionOf(format, head, package, *scene)).build();
+  return AssimpSceneBuilder(*scene, reading, format, conventionOf(format, head, package, *scene)).build();
 }
 
 }  // namespace hapticell::importer

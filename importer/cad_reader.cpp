@@ -30,9 +30,9 @@ using workcell::SceneNode;
 constexpr XCAFDoc_ColorType kColorTypes[] = {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv};
 
 /// Walks an OpenCASCADE document and builds the scene.
-class SceneBuilder {
+class CadSceneBuilder {
  public:
-  SceneBuilder(const CadDocument& cad, const Reading& reading, ParentLink& parent)
+  CadSceneBuilder(const CadDocument& cad, const Reading& reading, ParentLink& parent)
       : reading_(reading),
         parent_(parent),
         shapes_(XCAFDoc_DocumentTool::ShapeTool(cad.document->Main())),
@@ -228,7 +228,7 @@ Expected<ImportedScene> readCad(const Reading& reading, ParentLink& parent) {
   constexpr double kReading = 0.6;
   const auto cad = openCad(reading.file, [&](double share) { parent.progress(kReading * share, "reading"); });
   if (!cad) return makeError(cad.error());
-  return SceneBuilder(*cad, reading, parent).build(*cad);
+  return CadSceneBuilder(*cad, reading, parent).build(*cad);
 }
 
 }  // namespace hapticell::importer

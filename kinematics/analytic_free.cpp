@@ -2,15 +2,14 @@
 // What the pose leaves free of an arm (slides in front, a seventh joint), and the search over it.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "kinematics/analytic_inverse.h"
+#include "kinematics/turns.h"
 
 namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kRefinements = 24;
 
 // How many places of each free parameter are tried, by how many there are.

@@ -14,7 +14,6 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kAccepted = 1e-9;  // m and rad: what counts as the pose met
 constexpr double kProven = 1e-11;   // m and rad: exact as far as doubles go
 constexpr int kProofSamples = 48;

@@ -15,8 +15,8 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Jacobian6 = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, static_cast<int>(kMaxChainVariables)>;
 
-constexpr double kParallel = 1e-6;  // sine of the angle between two axes
-constexpr double kMeeting = 1e-6;   // m, between two axes
+constexpr double kParallelAxes = 1e-6;  // sine of the angle between two axes
+constexpr double kMeetingAxes = 1e-6;   // m, between two axes
 
 Jacobian6 scaledJacobian(const Chain& chain, const ChainPositions& x) {
   ChainState state;
@@ -41,13 +41,13 @@ std::optional<dvec3> wristCentre(const ChainState& state) {
   const dvec3 &o4 = state.origin_B[3], &z4 = state.axis_B[3], &o5 = state.origin_B[4], &z5 = state.axis_B[4];
   const dvec3 normal = glm::cross(z4, z5);
   const double squared = glm::dot(normal, normal);
-  if (squared < kParallel) return std::nullopt;
+  if (squared < kParallelAxes) return std::nullopt;
   const double along4 = glm::dot(glm::cross(o5 - o4, z5), normal) / squared;
   const dvec3 centre = o4 + along4 * z4;
   const auto distanceFrom = [&](std::size_t axis) {
     return glm::length(glm::cross(centre - state.origin_B[axis], state.axis_B[axis]));
   };
-  if (distanceFrom(4) > kMeeting || distanceFrom(5) > kMeeting) return std::nullopt;
+  if (distanceFrom(4) > kMeetingAxes || distanceFrom(5) > kMeetingAxes) return std::nullopt;
   return centre;
 }
 
@@ -78,13 +78,13 @@ std::optional<Elbow> findElbow(const Chain& chain) {
   ChainState state;
   chain.evaluate(zero, state);
   const dvec3& axis = state.axis_B[2];
-  if (glm::length(glm::cross(state.axis_B[1], axis)) > kParallel) return std::nullopt;
+  if (glm::length(glm::cross(state.axis_B[1], axis)) > kParallelAxes) return std::nullopt;
   std::optional<dvec3> wrist = wristCentre(state);
-  if (!wrist && glm::length(glm::cross(state.axis_B[3], axis)) <= kParallel) wrist = state.origin_B[3];
+  if (!wrist && glm::length(glm::cross(state.axis_B[3], axis)) <= kParallelAxes) wrist = state.origin_B[3];
   if (!wrist || chain.elements()[2].factor != 1.0) return std::nullopt;
   const auto across = [&](const dvec3& v) { return v - glm::dot(v, axis) * axis; };
   const dvec3 upper_arm = across(state.origin_B[2] - state.origin_B[1]), forearm = across(*wrist - state.origin_B[2]);
-  if (glm::length(upper_arm) < kMeeting || glm::length(forearm) < kMeeting) return std::nullopt;
+  if (glm::length(upper_arm) < kMeetingAxes || glm::length(forearm) < kMeetingAxes) return std::nullopt;
   // Joint 3 turns the forearm by its own angle, so the angle between the two arms is zero at minus the one at zero.
   const double bend = std::atan2(glm::dot(axis, glm::cross(upper_arm, forearm)), glm::dot(upper_arm, forearm));
   return Elbow{2, -bend};

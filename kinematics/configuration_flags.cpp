@@ -9,21 +9,21 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kParallel = 0.02;  // sine of the angle between two axes; calibrated arms have shapes too
-constexpr double kMeeting = 0.01;   // m, between two axes
+constexpr double kNearlyParallel = 0.02;  // sine of the angle between two axes; calibrated arms have shapes too
+constexpr double kNearlyMeeting = 0.01;   // m, between two axes
 
 bool parallel(const dvec3& a, const dvec3& b) {
-  return glm::length(glm::cross(a, b)) < kParallel;
+  return glm::length(glm::cross(a, b)) < kNearlyParallel;
 }
 
 // The point of axis a that is nearest to axis b, where they meet.
 std::optional<dvec3> meeting(const dvec3* axis_B, const dvec3* origin_B, std::size_t a, std::size_t b) {
   const dvec3 normal = glm::cross(axis_B[a], axis_B[b]);
   const double squared = glm::dot(normal, normal);
-  if (squared < kParallel * kParallel) return std::nullopt;
+  if (squared < kNearlyParallel * kNearlyParallel) return std::nullopt;
   const dvec3 between = origin_B[b] - origin_B[a];
   const dvec3 point = origin_B[a] + glm::dot(glm::cross(between, axis_B[b]), normal) / squared * axis_B[a];
-  if (glm::length(glm::cross(point - origin_B[b], axis_B[b])) > kMeeting) return std::nullopt;
+  if (glm::length(glm::cross(point - origin_B[b], axis_B[b])) > kNearlyMeeting) return std::nullopt;
   return point;
 }
 
@@ -60,7 +60,7 @@ ArmShapes::ArmShapes(const Chain& chain) : rails_(chain.size() < 6 ? 0 : chain.s
   const dvec3 forward = glm::normalize(glm::cross(axis_B[1], up_B_));
   const double offset = glm::dot(origin_B[1] - origin_B[0], forward);
   const double ahead = glm::dot(zero.p_BT - origin_B[0], forward);
-  const double sign = std::abs(offset) > kMeeting ? offset : (std::abs(ahead) > kMeeting ? ahead : 1.0);
+  const double sign = std::abs(offset) > kNearlyMeeting ? offset : (std::abs(ahead) > kNearlyMeeting ? ahead : 1.0);
   forward_sign_ = sign < 0.0 ? -1.0 : 1.0;
 }
 

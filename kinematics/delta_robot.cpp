@@ -10,8 +10,8 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr std::size_t kArms = 1, kRods = 4, kPlatform = 10, kTool = 11;  // Places of the links.
-constexpr double kSolved = 1e-9;
+constexpr std::size_t kArms = 1, kRods = 4, kDeltaPlatform = 10, kDeltaTool = 11;  // Places of the links.
+constexpr double kDeltaSolved = 1e-9;
 
 Pose frameOf(const dvec3& p, const dvec3& x, const dvec3& y_hint) {
   const dvec3 ex = glm::normalize(x);
@@ -26,7 +26,7 @@ class DeltaClosure final : public Closure, public std::enable_shared_from_this<D
   std::string name() const override { return "delta"; }
 
   bool pose(const std::vector<double>& q, std::vector<Pose>& X_BL) const override {
-    X_BL.resize(kTool + 1);
+    X_BL.resize(kDeltaTool + 1);
     const std::array<double, 3> theta{q[0], q[1], q[2]};
     dvec3 p_BP{0.0};
     const bool closed = delta_.forward(theta, p_BP);
@@ -41,9 +41,9 @@ class DeltaClosure final : public Closure, public std::enable_shared_from_this<D
       X_BL[kRods + 2 * place] = frameOf(knee + half, joint - knee, side);
       X_BL[kRods + 2 * place + 1] = frameOf(knee - half, joint - knee, side);
     }
-    X_BL[kPlatform] = Pose::translation(p_BP);
+    X_BL[kDeltaPlatform] = Pose::translation(p_BP);
     const double turn = q.size() > 3 ? q[3] : 0.0;
-    X_BL[kTool] = X_BL[kPlatform] * toolInPlatform(turn);
+    X_BL[kDeltaTool] = X_BL[kDeltaPlatform] * toolInPlatform(turn);
     return closed;
   }
 
@@ -121,7 +121,7 @@ class DeltaInverse final : public ClosureInverse {
       InverseSolution checked;
       checked.q = one.q;
       judge(X_BT, limits(), checked);
-      if (checked.position_error > kSolved || checked.orientation_error > kSolved) continue;
+      if (checked.position_error > kDeltaSolved || checked.orientation_error > kDeltaSolved) continue;
       one.within_limits = withinLimits(one.q);
       for (std::size_t k = 0; k < 3; ++k) {
         one.configuration +=
@@ -148,7 +148,7 @@ class DeltaInverse final : public ClosureInverse {
   dvec3 platformFor(const Pose& X_BT, const std::vector<double>& q_start, double& turn) const {
     turn = q_start.size() > 3 ? q_start[3] : 0.0;
     Pose X_PT = toolInTip();
-    if (tip_ == kTool) {
+    if (tip_ == kDeltaTool) {
       if (q_start.size() > 3) {
         const dmat3 R = glm::mat3_cast(X_BT.q * glm::conjugate((closure_->toolInPlatform(0.0) * toolInTip()).q));
         const double angle = std::atan2(R[0][1] - R[1][0], R[0][0] + R[1][1]);
@@ -175,7 +175,7 @@ class DeltaInverse final : public ClosureInverse {
     if (q_start.size() > 3) solution.q[3] = turn;
     if (!withinLimits(solution.q)) return false;
     judge(X_BT, limits(), solution);
-    return solution.position_error < kSolved && solution.orientation_error < kSolved;
+    return solution.position_error < kDeltaSolved && solution.orientation_error < kDeltaSolved;
   }
 
   std::shared_ptr<const DeltaClosure> closure_;
@@ -185,7 +185,7 @@ class DeltaInverse final : public ClosureInverse {
 Expected<std::unique_ptr<InverseModel>> DeltaClosure::inverse(const RobotModel& model, int tip_link,
                                                               const Pose& X_LT) const {
   const auto tip = static_cast<std::size_t>(tip_link);
-  if (tip != kPlatform && tip != kTool) return ClosureInverse::create(model, tip_link, X_LT);
+  if (tip != kDeltaPlatform && tip != kDeltaTool) return ClosureInverse::create(model, tip_link, X_LT);
   return std::unique_ptr<InverseModel>(new DeltaInverse(model, shared_from_this(), tip_link, X_LT));
 }
 
@@ -231,8 +231,8 @@ Expected<RobotModel> buildDelta(const std::string& name, const DeltaGeometry& ge
   }
   addLink("platform", 4, false, "platform ball");
   const bool turns = joints.size() == 4;
-  addLink("tool0", static_cast<int>(kPlatform), turns, turns ? joints[3].name : "flange");
-  model.tip = static_cast<int>(kTool);
+  addLink("tool0", static_cast<int>(kDeltaPlatform), turns, turns ? joints[3].name : "flange");
+  model.tip = static_cast<int>(kDeltaTool);
   model.home = home;
   const auto closure = std::make_shared<DeltaClosure>(geometry, options);
   model.closure = closure;

@@ -11,9 +11,9 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr std::size_t kLegs = 1, kPlatform = 13, kTool = 14;  // Places of the links.
-constexpr double kSolved = 1e-9;
-constexpr double kLongestStride = 0.1;  // of the platform's radius, of a leg, from one known pose to the next
+constexpr std::size_t kLegs = 1, kHexapodPlatform = 13, kHexapodTool = 14;  // Places of the links.
+constexpr double kHexapodSolved = 1e-9;
+constexpr double kLongestLegStride = 0.1;  // of the platform's radius, of a leg, from one known pose to the next
 
 Pose alongLeg(const dvec3& p, const dvec3& direction) {
   const dvec3 z(0, 0, 1);
@@ -57,8 +57,8 @@ class HexapodClosure final : public Closure, public std::enable_shared_from_this
         X_BP = X_BPLast_;
       }
     }
-    const int strides =
-        std::clamp(static_cast<int>(std::ceil(farthest(from, lengths) / (kLongestStride * hexapod_.radius()))), 1, 400);
+    const int strides = std::clamp(
+        static_cast<int>(std::ceil(farthest(from, lengths) / (kLongestLegStride * hexapod_.radius()))), 1, 400);
     bool found = true;
     for (int stride = 1; stride <= strides && found; ++stride) {
       LegLengths here{};
@@ -79,7 +79,7 @@ class HexapodClosure final : public Closure, public std::enable_shared_from_this
   }
 
   bool pose(const std::vector<double>& q, std::vector<Pose>& X_BL) const override {
-    X_BL.resize(kTool + 1);
+    X_BL.resize(kHexapodTool + 1);
     Pose X_BP;
     const bool found = platform(legsOf(q), X_BP);
     X_BL[0] = {};
@@ -89,8 +89,8 @@ class HexapodClosure final : public Closure, public std::enable_shared_from_this
       X_BL[kLegs + 2 * i] = alongLeg(bottom, direction);
       X_BL[kLegs + 2 * i + 1] = alongLeg(top, direction);
     }
-    X_BL[kPlatform] = X_BP;
-    X_BL[kTool] = X_BP * Pose::translation({0, 0, options_.tool_length});
+    X_BL[kHexapodPlatform] = X_BP;
+    X_BL[kHexapodTool] = X_BP * Pose::translation({0, 0, options_.tool_length});
     return found;
   }
 
@@ -144,7 +144,7 @@ class HexapodInverse final : public ClosureInverse {
  public:
   HexapodInverse(const RobotModel& model, std::shared_ptr<const HexapodClosure> closure, int tip_link, const Pose& X_LT)
       : ClosureInverse(model, tip_link, X_LT), closure_(std::move(closure)) {
-    const double length = static_cast<std::size_t>(tip_link) == kTool ? closure_->toolLength() : 0.0;
+    const double length = static_cast<std::size_t>(tip_link) == kHexapodTool ? closure_->toolLength() : 0.0;
     X_TP_ = (Pose::translation({0, 0, length}) * X_LT).inverse();
   }
 
@@ -167,7 +167,7 @@ class HexapodInverse final : public ClosureInverse {
     InverseSolution one;
     one.q = legsFor(X_BT);
     judge(X_BT, limits(), one);
-    if (one.position_error > kSolved || one.orientation_error > kSolved) return {};  // Another assembly's.
+    if (one.position_error > kHexapodSolved || one.orientation_error > kHexapodSolved) return {};  // Another's.
     return {{one.q, withinLimits(one.q), "the home's assembly"}};
   }
 
@@ -181,7 +181,7 @@ class HexapodInverse final : public ClosureInverse {
     solution.q = legsFor(X_BT);
     if (!withinLimits(solution.q)) return false;
     judge(X_BT, limits(), solution);
-    return solution.position_error < kSolved && solution.orientation_error < kSolved;
+    return solution.position_error < kHexapodSolved && solution.orientation_error < kHexapodSolved;
   }
 
   std::shared_ptr<const HexapodClosure> closure_;
@@ -191,7 +191,7 @@ class HexapodInverse final : public ClosureInverse {
 Expected<std::unique_ptr<InverseModel>> HexapodClosure::inverse(const RobotModel& model, int tip_link,
                                                                 const Pose& X_LT) const {
   const auto tip = static_cast<std::size_t>(tip_link);
-  if (tip != kPlatform && tip != kTool) return ClosureInverse::create(model, tip_link, X_LT);
+  if (tip != kHexapodPlatform && tip != kHexapodTool) return ClosureInverse::create(model, tip_link, X_LT);
   return std::unique_ptr<InverseModel>(new HexapodInverse(model, shared_from_this(), tip_link, X_LT));
 }
 
@@ -240,16 +240,16 @@ Expected<RobotModel> buildHexapod(const std::string& name, const HexapodGeometry
   top.name = "platform hinge";
   flange.name = "flange";
   addLink("platform", static_cast<int>(kLegs) + 1, top);
-  addLink("tool0", static_cast<int>(kPlatform), flange);
+  addLink("tool0", static_cast<int>(kHexapodPlatform), flange);
   if (std::abs(closure->regularHome()) < 1e-6)
     return makeError({"", place, "its home is singular", "a home where the six legs hold the platform",
                       "Move the hinges apart, or turn the platform against the base."});
-  model.tip = static_cast<int>(kTool);
+  model.tip = static_cast<int>(kHexapodTool);
   model.home.assign(home.begin(), home.end());
   model.closure = closure;
   for (int k = 1; k <= 12; ++k) {
     model.disabled_pairs.push_back({0, k, "Adjacent"});
-    model.disabled_pairs.push_back({k, static_cast<int>(kPlatform), "Adjacent"});
+    model.disabled_pairs.push_back({k, static_cast<int>(kHexapodPlatform), "Adjacent"});
   }
   return model;
 }

@@ -3,6 +3,8 @@
 
 #include <deque>
 
+#include "kinematics/turns.h"
+
 namespace hapticell::kinematics {
 
 namespace {
@@ -177,7 +179,6 @@ void addCompoundJoint(JointGraph& graph, const GraphJoint& prototype, const std:
 }
 
 void addScrewJoint(JointGraph& graph, const GraphJoint& prototype, double pitch) {
-  constexpr double kTurn = 6.283185307179586;
   Link between;
   between.name = prototype.joint.name + " nut";
   graph.links.push_back({std::move(between), prototype.X_MJ});

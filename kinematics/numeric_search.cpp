@@ -12,7 +12,6 @@ namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kSeedsForNearest = 64;  // enough to meet every configuration of a 6R arm
 constexpr std::size_t kSeedsAboutStart = 16;
 constexpr std::size_t kSeedsWithoutLimits = 96;

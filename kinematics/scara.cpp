@@ -10,7 +10,7 @@ namespace hapticell::kinematics {
 namespace {
 
 using Planar = std::complex<double>;
-constexpr double kStretched = 1e-12;
+constexpr double kStretchedScara = 1e-12;
 
 class Scara final : public ClosedForm {
  public:
@@ -55,7 +55,7 @@ class Scara final : public ClosedForm {
     const double product = 2.0 * std::abs(upper_) * std::abs(fore_);
     const double cosine = (std::norm(goal) - std::norm(upper_) - std::norm(fore_)) / product;
     const double squared = (1.0 - cosine) * (1.0 + cosine);
-    solutions.valid = squared >= -kStretched ? 3u : 0u;
+    solutions.valid = squared >= -kStretchedScara ? 3u : 0u;
     const double bend = std::atan2(std::sqrt(std::max(squared, 0.0)), cosine), straight = std::arg(upper_ / fore_);
     for (int k = 0; k < 4; ++k) {
       const double beta = straight + (k % 2 == 0 ? bend : -bend);

@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "geometry/assertion.h"
+#include "kinematics/turns.h"
 
 namespace hapticell::kinematics {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLimitSlack = 1e-9;
 constexpr double kSameAsNow = 1e-6;
 

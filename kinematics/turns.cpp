@@ -7,12 +7,6 @@
 
 namespace hapticell::kinematics {
 
-namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
-}  // namespace
-
 bool takeNearestTurns(const Chain& chain, const ChainPositions& x_start, ChainPositions& x) {
   bool within = true;
   for (std::size_t i = 0; i < chain.size(); ++i) {

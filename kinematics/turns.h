@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <numbers>
+
 #include "kinematics/chain.h"
 
 namespace hapticell::kinematics {
+
+inline constexpr double kTurn = 2.0 * std::numbers::pi;  ///< rad.
 
 /// Shifts turning variables by whole turns to where they are nearest to `x_start` within their limits, and puts what is
 /// over a limit by less than 1e-9 on it; false when one is outside its limits whatever the turn.

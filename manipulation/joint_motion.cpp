@@ -13,7 +13,7 @@ namespace hapticell::manipulation {
 
 namespace {
 
-constexpr double kTouching = 1e-6;  ///< m
+constexpr double kJointTouching = 1e-6;  ///< m
 
 Error refusal(const std::string& place, std::string found, std::string expected) {
   return {.file = {}, .place = place, .found = std::move(found), .expected = std::move(expected), .fix = {}};
@@ -78,7 +78,7 @@ double timeFor(const kinematics::RobotModel& model, const std::vector<double>& f
 /// The pairs that meet where it is held now.
 std::set<std::uint32_t> touching(HeldEntity& held) {
   std::vector<FreeMotion::PairDistance> near;
-  held.distances(kTouching, near);
+  held.distances(kJointTouching, near);
   std::set<std::uint32_t> pairs;
   for (const auto& one : near) {
     if (held.pairs()[one.pair].on_contact != workcell::OnContact::kPass) pairs.insert(one.pair);

@@ -8,10 +8,10 @@
 namespace hapticell::manipulation {
 namespace {
 
-constexpr int kMostTicks = 12;     ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
-constexpr double kArrived = 2e-5;  ///< m
-constexpr double kStep = 1e-4;     ///< m and rad of the difference that tells how parts follow.
-constexpr double kBlocked = 0.4;   ///< Share of a probe that must be missing where a limit holds.
+constexpr int kMostHeadTicks = 12;     ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
+constexpr double kHeadArrived = 2e-5;  ///< m
+constexpr double kStep = 1e-4;         ///< m and rad of the difference that tells how parts follow.
+constexpr double kBlocked = 0.4;       ///< Share of a probe that must be missing where a limit holds.
 
 Pose displacedBy(const Pose& X_WM, std::size_t axis, double step) {
   dvec3 unit(0.0);
@@ -29,11 +29,11 @@ Pose MannequinHead::movedFrame(const EntityConfiguration& configuration) const {
 EntityConfiguration MannequinHead::propose(const EntityConfiguration& from, const Pose& X_WM, double) const {
   mannequin::Posture posture = postureOf(from);
   double before = 1e9;
-  for (int i = 0; i < kMostTicks; ++i) {
+  for (int i = 0; i < kMostHeadTicks; ++i) {
     const auto result = mannequin::followHead(figure(), posture, X_WM, trunk_locked_);
     posture = result.posture;
     const double error = std::hypot(result.position_error, 0.2 * result.orientation_error);
-    if (error < kArrived || error > 0.999 * before) break;
+    if (error < kHeadArrived || error > 0.999 * before) break;
     before = error;
   }
   return configurationOf(posture);

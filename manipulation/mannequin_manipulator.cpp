@@ -17,13 +17,13 @@ using mannequin::Posture;
 using mannequin::Segment;
 using mannequin::Side;
 
-constexpr int kMostTicks = 12;        ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
-constexpr int kProbeTicks = 24;       ///< To find out how far the reach goes.
-constexpr double kProbed = 0.05;      ///< m that it is looked for ahead at most; what is farther a later set finds.
-constexpr double kProgress = 0.05;    ///< Of a probe's step: less is none.
-constexpr double kLeastProbe = 5e-4;  ///< m: where no step so small goes on, the reach ends.
-constexpr double kArrived = 2e-5;     ///< m
-constexpr double kReached = 1e-3;     ///< m short of what is looked for that counts as all of it.
+constexpr int kMostTicks = 12;          ///< Of the solver for one proposal; each turns joints by 1.8 deg at most.
+constexpr int kProbeTicks = 24;         ///< To find out how far the reach goes.
+constexpr double kProbed = 0.05;        ///< m that it is looked for ahead at most; what is farther a later set finds.
+constexpr double kProgress = 0.05;      ///< Of a probe's step: less is none.
+constexpr double kLeastProbe = 5e-4;    ///< m: where no step so small goes on, the reach ends.
+constexpr double kHandsArrived = 2e-5;  ///< m
+constexpr double kReached = 1e-3;       ///< m short of what is looked for that counts as all of it.
 
 double errorOf(const mannequin::PostureResult& result) {
   return std::max({result.hand_position_error[0], result.hand_position_error[1], 0.1 * result.hand_orientation_error[0],
@@ -98,7 +98,7 @@ Posture MannequinManipulator::follow(const mannequin::PostureTask& task, Posture
     const mannequin::PostureResult result = solver_.follow(task, posture);
     posture = result.posture;
     const double error = errorOf(result);
-    if (error < kArrived || error > 0.999 * before) break;
+    if (error < kHandsArrived || error > 0.999 * before) break;
     before = error;
   }
   if (missing != nullptr) {

@@ -41,10 +41,6 @@ Pose ahead(const Pose& from, const Pose& to) {
   return {from.p + way.linear / share, glm::normalize(quaternionFromRotationVector(way.angular / share) * from.q)};
 }
 
-dquat upright(double yaw) {
-  return glm::angleAxis(yaw, dvec3(0.0, 0.0, 1.0));
-}
-
 /// rad to the left of the cell's x in which the feet head.
 double aheadOf(const std::array<Pose, 2>& feet) {
   const dvec3 ahead = feet[0].rotate({1.0, 0.0, 0.0}) + feet[1].rotate({1.0, 0.0, 0.0});
@@ -96,7 +92,7 @@ dvec3 MannequinManipulator::comfortableNear(const dvec3& seen) const {
 
 /// How the feet should be moved, level, for the hand to be where an arm likes to work.
 dvec3 MannequinManipulator::beyondComfort(const Pose& X_WM, const Feet& X_WF) const {
-  const dquat heading = upright(aheadOf(X_WF) + turnToFace(X_WM, X_WF));
+  const dquat heading = turnedLeft(aheadOf(X_WF) + turnToFace(X_WM, X_WF));
   const dvec3 middle = 0.5 * (X_WF[0].p + X_WF[1].p);
   const dvec3 seen = glm::conjugate(heading) * ((isBoth() ? X_WM.p : wantedHand(X_WM)) - middle);
   const dvec3 place = comfortableNear(seen);

@@ -42,10 +42,6 @@ double headingOf(const dquat& q) {
 double wrapped(double angle) {
   return std::remainder(angle, 2.0 * M_PI);
 }
-dquat upright(double yaw) {
-  return glm::angleAxis(yaw, dvec3(0.0, 0.0, 1.0));
-}
-
 struct Gait {
   Gait(const FootPlaces& feet_taken, const FootPlaces& feet, const StepWish& wish) : taken(feet_taken), now(feet) {
     for (std::size_t i = 0; i < 2; ++i) yaw[i] = wrapped(headingOf(now[i].q) - headingOf(taken[i].q));
@@ -70,20 +66,20 @@ struct Gait {
   dvec3 along{0.0};  ///< Unit, level; zero where nothing is missing.
 
   /// How a foot stands beside the other one, where both head like `heading`.
-  dvec3 stance(std::size_t foot) const { return upright(heading) * (taken[foot].p - taken[1 - foot].p); }
+  dvec3 stance(std::size_t foot) const { return turnedLeft(heading) * (taken[foot].p - taken[1 - foot].p); }
   double height(std::size_t foot) const { return now[foot].p.z - taken[foot].p.z; }
   /// m that a foot is ahead of the other one, beyond how both stood.
   double ahead(std::size_t foot) const { return glm::dot(now[foot].p - now[1 - foot].p - stance(foot), along); }
   /// m that it may still go.
   double room(std::size_t foot) const {
     if (along == dvec3(0.0)) return 0.0;
-    const dvec3 front = upright(heading) * (taken[0].rotate({1, 0, 0}) + taken[1].rotate({1, 0, 0}));
+    const dvec3 front = turnedLeft(heading) * (taken[0].rotate({1, 0, 0}) + taken[1].rotate({1, 0, 0}));
     const double length = std::hypot(front.x, front.y);
     const double forward = length > 1e-6 ? std::abs(front.x * along.x + front.y * along.y) / length : 1.0;
     const double outward = glm::dot(stance(foot), along) > 0.0 ? kSideStep : 0.0;
     return std::min(kStride * forward + outward * (1.0 - forward) - ahead(foot), roomToOther(foot));
   }
-  dvec3 outwardOf(std::size_t foot) const { return upright(heading) * dvec3(0.0, foot == 0 ? 1.0 : -1.0, 0.0); }
+  dvec3 outwardOf(std::size_t foot) const { return turnedLeft(heading) * dvec3(0.0, foot == 0 ? 1.0 : -1.0, 0.0); }
   double apart(std::size_t foot, const dvec3& p) const { return glm::dot(p - now[1 - foot].p, outwardOf(foot)); }
   /// m that it may go until it would be across the other one.
   double roomToOther(std::size_t foot) const {
@@ -104,11 +100,11 @@ struct Gait {
       // About the other foot by half: when that has come round as well, both stand beside each other as before.
       const double turn = std::clamp(lag(foot), -most / kTurnLever, most / kTurnLever);
       const dvec3& pivot = now[1 - foot].p;
-      dvec3 way = upright(0.5 * turn) * (moved.p - pivot) + pivot - moved.p;
+      dvec3 way = turnedLeft(0.5 * turn) * (moved.p - pivot) + pivot - moved.p;
       way.z = 0.0;
       const double length = glm::length(way);
       moved.p += std::min(1.0, most / std::max(1e-12, length)) * way;
-      moved.q = glm::normalize(upright(turn) * moved.q);
+      moved.q = glm::normalize(turnedLeft(turn) * moved.q);
     }
     if (room(foot) > kLeastStride) moved.p += std::min(room(foot), round ? 0.5 * most : most) * along;
     const double close = kLeastApart - apart(foot, moved.p);
@@ -144,7 +140,7 @@ FootPlaces standingFeet(const FootPlaces& taken, const FootPlaces& now) {
   const std::size_t lower = now[0].p.z - taken[0].p.z <= now[1].p.z - taken[1].p.z ? 0 : 1;
   for (std::size_t i = 0; i < 2; ++i) {
     const double yaw = wrapped(headingOf(now[i].q) - headingOf(taken[i].q));
-    feet[i].q = std::abs(yaw) < kSameHeading ? taken[i].q : glm::normalize(upright(yaw) * taken[i].q);
+    feet[i].q = std::abs(yaw) < kSameHeading ? taken[i].q : glm::normalize(turnedLeft(yaw) * taken[i].q);
     feet[i].p.z = std::min(feet[i].p.z, taken[i].p.z + kLift);
     if (i == lower || feet[i].p.z < taken[i].p.z + kOnFloor) feet[i].p.z = taken[i].p.z;
   }
@@ -155,7 +151,7 @@ FootPlaces levelled(const FootPlaces& taken, const FootPlaces& now, double ball_
   FootPlaces feet = now;
   for (std::size_t i = 0; i < 2; ++i) {
     const dvec3 ball(ball_x, 0.0, 0.0);
-    feet[i].q = glm::normalize(upright(headingOf(now[i].q) - headingOf(taken[i].q)) * taken[i].q);
+    feet[i].q = glm::normalize(turnedLeft(headingOf(now[i].q) - headingOf(taken[i].q)) * taken[i].q);
     feet[i].p = now[i] * ball - feet[i].q * ball;
   }
   return feet;
@@ -257,7 +253,7 @@ std::optional<mannequin::Posture> goneWith(const mannequin::Figure& figure, mann
   using mannequin::Segment, mannequin::Side;
   const dvec3 way = 0.5 * (to[0].p - from[0].p + to[1].p - from[1].p);
   if (turn != 0.0) {
-    const dquat round = upright(turn);
+    const dquat round = turnedLeft(turn);
     const dvec3 middle = 0.5 * (from[0].p + from[1].p);
     posture.X_WR = {middle + round * (posture.X_WR.p - middle), glm::normalize(round * posture.X_WR.q)};
   }

@@ -12,6 +12,11 @@ namespace hapticell::manipulation {
 
 using FootPlaces = std::array<Pose, 2>;  ///< X_WF of the left and the right foot.
 
+/// A turn by `yaw` (rad) to the left about the vertical.
+inline dquat turnedLeft(double yaw) {
+  return glm::angleAxis(yaw, dvec3(0.0, 0.0, 1.0));
+}
+
 /// Why feet step.
 struct StepWish {
   dvec3 missing_W{0.0};  ///< m that the hand lacks.

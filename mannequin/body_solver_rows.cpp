@@ -30,11 +30,6 @@ constexpr Variables makeWeights() {
 }
 constexpr Variables kWeights = makeWeights();
 
-dvec3 capped(const dvec3& v, double most) {
-  const double length = glm::length(v);
-  return length > most ? v * (most / length) : v;
-}
-
 struct Subtrees {
   std::array<double, kSegmentCount> mass{};
   std::array<dvec3, kSegmentCount> moment{};
@@ -94,8 +89,8 @@ void BodySolver::fillHands(const VariableAxes& axes, double lambda, StepProblem&
     const Side side = static_cast<Side>(i);
     const SegmentPlace& hand = pose_[armSegment(side, S::kLeftHand)];
     const bool bound = task_->held && i == 1;
-    const dvec3 pull = capped(errors_.hand[i], kMostPull);
-    const dvec3 turn = kLever * capped(errors_.hand_turn[i], kMostTurn);
+    const dvec3 pull = shortenedTo(errors_.hand[i], kMostPull);
+    const dvec3 turn = kLever * shortenedTo(errors_.hand_turn[i], kMostTurn);
     for (int k = 0; k < 6; ++k) {
       const std::size_t row = static_cast<std::size_t>(first + k);
       if (k >= 3 && !task_->has_orientation[i]) continue;

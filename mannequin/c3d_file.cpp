@@ -14,7 +14,7 @@ namespace hapticell::mannequin {
 
 namespace {
 
-constexpr std::size_t kBlock = 512, kMostMarkers = 10'000, kMostFrames = 2'000'000;
+constexpr std::size_t kBlock = 512, kMostMarkers = 10'000, kMostSamples = 2'000'000;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 std::string upper(std::string_view text) {
@@ -220,7 +220,7 @@ class C3dReader {
   Expected<void> readPlaces() {
     const bool real = scale_ < 0.0;
     const std::size_t size = real ? 4 : 2, row = (4 * markers_ + analog_) * size, frames = statedFrames();
-    if (frames > kMostFrames) return fail(6, std::to_string(frames) + " frames", "at most 2000000");
+    if (frames > kMostSamples) return fail(6, std::to_string(frames) + " frames", "at most 2000000");
     const std::size_t there = data_at_ < bytes_.size() ? (bytes_.size() - data_at_) / row : 0;
     if (there < frames) {
       return fail(data_at_, std::to_string(there) + " frames", std::to_string(frames) + " frames, as the file states");

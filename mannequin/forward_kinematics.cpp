@@ -134,6 +134,10 @@ dvec3 anglesYXZ(const dmat3& R) {
   return size(far) < size(near) ? far : near;
 }
 
+dvec3 middleOfHips(const FigurePose& pose) {
+  return 0.5 * (pose[S::kLeftThigh].p_WS + pose[S::kRightThigh].p_WS);
+}
+
 dvec3 centerOfMass(const Figure& figure, const FigurePose& pose, const std::array<HandLoad, 2>& loads) {
   dvec3 moment(0.0);
   for (std::size_t i = 0; i < kSegmentCount; ++i) {

@@ -36,6 +36,9 @@ FigurePose forwardKinematics(const Figure& figure, const Posture& posture);
 dmat3 rotationYXZ(const dvec3& angles_xyz);
 dvec3 anglesYXZ(const dmat3& R);
 
+/// Midway between the hip joints, in the world.
+dvec3 middleOfHips(const FigurePose& pose);
+
 /// A load in a hand, kg, with its centre in the hand's frame.
 struct HandLoad {
   double mass = 0.0;

@@ -20,7 +20,7 @@ using kinematics::RobotModel;
 
 constexpr const char* kName = "free hand";
 constexpr std::array<const char*, 5> kFingers{"thumb", "index", "middle", "ring", "pinky"};
-constexpr double kSpread = 0.45;                    // rad to either side,
+constexpr double kFingerSpread = 0.45;              // rad to either side,
 constexpr double kThumbIn = -0.6, kThumbOut = 1.2;  // the thumb's,
 constexpr double kBack = -0.35, kBent = 1.75;       // and how far joints bend.
 constexpr double kThumbPalmward = 0.35;             // Of the way across the palm: away from it.
@@ -105,8 +105,8 @@ class HandBuilder {
     const bool thumb = finger == 0;
     const std::string name = prefix_ + kFingers[finger];
     const dvec3 spread = thumb ? carrier(0, 0).axis_J : spreadAxis(finger, bendAxis(finger, 0));
-    addJoint(name + "_spread", carrier(finger, 0).X_PJ.p, spread, thumb ? kThumbIn : -kSpread,
-             thumb ? kThumbOut : kSpread);
+    addJoint(name + "_spread", carrier(finger, 0).X_PJ.p, spread, thumb ? kThumbIn : -kFingerSpread,
+             thumb ? kThumbOut : kFingerSpread);
     for (const std::size_t k : kBones) {
       const dvec3 p_PJ = k == 0 ? dvec3(0.0) : carrier(finger, k).X_PJ.p;
       addJoint(name + std::to_string(k + 1) + "_bend", p_PJ, bendAxis(finger, k), kBack, kBent);

@@ -15,7 +15,7 @@ namespace {
 constexpr int kTurns = 18;  // Spine and neck: the first 18 of Dof.
 constexpr int kFirstNeck = 9;
 constexpr double kMostTurn = 0.6 * kDegree;  // Of an iteration; three make a tick.
-constexpr double kLever = 0.2;               // m that a radian counts like.
+constexpr double kHeadLever = 0.2;           // m that a radian counts like.
 constexpr double kSpineWeight = 3.0;         // The neck moves more easily.
 constexpr double kDamping = 1e-4;
 
@@ -34,7 +34,7 @@ Rows errorOf(const Wish& wish, const FigurePose& pose) {
   Rows error;
   for (int k = 0; k < 3; ++k) {
     error[k] = way[k];
-    error[k + 3] = kLever * turn[k];
+    error[k + 3] = kHeadLever * turn[k];
   }
   return error;
 }
@@ -66,7 +66,7 @@ Jacobian jacobianOf(const Wish& wish, const Posture& posture, const FigurePose& 
     const dvec3 way = glm::cross(axis, eyes - pose[info.segment].p_WS);
     for (int k = 0; k < 3; ++k) {
       J(k, i) = way[k];
-      J(k + 3, i) = kLever * axis[k];
+      J(k + 3, i) = kHeadLever * axis[k];
     }
   }
   return J;
@@ -136,7 +136,7 @@ HeadResult followHead(const Figure& figure, const Posture& from, const Pose& X_W
   const Rows error = errorOf(wish, pose);
   HeadResult result{best, 0.0, 0.0};
   result.position_error = error.head<3>().norm();
-  result.orientation_error = error.tail<3>().norm() / kLever;
+  result.orientation_error = error.tail<3>().norm() / kHeadLever;
   return result;
 }
 

@@ -12,8 +12,6 @@ namespace hapticell::mannequin {
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 std::string sentence(const char* what, double found, double limit) {
   char text[160];
   std::snprintf(text, sizeof text, "%s is %.1f deg, limit %.1f deg", what, found / kDegree, limit / kDegree);

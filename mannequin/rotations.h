@@ -8,8 +8,6 @@
 
 namespace hapticell::mannequin {
 
-inline constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 inline dmat3 aboutX(double a) {
   const double s = std::sin(a), c = std::cos(a);
   return {dvec3(1, 0, 0), dvec3(0, c, s), dvec3(0, -s, c)};

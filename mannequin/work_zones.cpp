@@ -44,7 +44,6 @@ geometry::TriangleMesh sector(const dvec3& middle, double heading, double radius
 
 /// Half angles: to the side, up, down (rad).
 std::array<double, 3> anglesOf(VisionZone zone) {
-  constexpr double kDegree = 0.017453292519943295;
   switch (zone) {
     case VisionZone::kPreferred:
       return {15 * kDegree, 15 * kDegree, 15 * kDegree};

@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "hapticell-training";
-constexpr int kVersion = 1;
+constexpr const char* kTrainingFormat = "hapticell-training";
+constexpr int kTrainingVersion = 1;
 constexpr double kLessHelp = 0.2, kMoreHelp = 0.1;
 
 /// -ln of the squared jerk's integral times T^5 over the square of the way.
@@ -172,11 +172,13 @@ Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
   if (!stream) return makeError({file.string(), "", "the file cannot be opened", "a training session", ""});
   const json document = json::parse(stream, nullptr, false);
   const auto version = document.is_object() ? document.value("version", json()) : json();
-  if (!document.is_object() || document.value("format", json()) != kFormat || !version.is_number_integer()) {
-    return makeError({file.string(), "field 'format'", "no training session", std::string("\"") + kFormat + "\"", ""});
+  if (!document.is_object() || document.value("format", json()) != kTrainingFormat || !version.is_number_integer()) {
+    return makeError(
+        {file.string(), "field 'format'", "no training session", std::string("\"") + kTrainingFormat + "\"", ""});
   }
-  if (version.get<std::int64_t>() > kVersion || version.get<std::int64_t>() < 1) {
-    return makeError({file.string(), "field 'version'", version.dump(), "at most " + std::to_string(kVersion), ""});
+  if (version.get<std::int64_t>() > kTrainingVersion || version.get<std::int64_t>() < 1) {
+    return makeError(
+        {file.string(), "field 'version'", version.dump(), "at most " + std::to_string(kTrainingVersion), ""});
   }
   TrainingSession session;
   for (const auto& [field, text] : {std::pair("trainee", &session.trainee), std::pair("exercise", &session.exercise)}) {
@@ -200,8 +202,10 @@ Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
 }
 
 std::string toJsonText(const TrainingSession& session) {
-  nlohmann::ordered_json document{
-      {"format", kFormat}, {"version", kVersion}, {"trainee", session.trainee}, {"exercise", session.exercise}};
+  nlohmann::ordered_json document{{"format", kTrainingFormat},
+                                  {"version", kTrainingVersion},
+                                  {"trainee", session.trainee},
+                                  {"exercise", session.exercise}};
   document["attempts"] = nlohmann::ordered_json::array();
   for (const TrainingAttempt& attempt : session.attempts) {
     nlohmann::ordered_json entry{{"date", attempt.date}, {"help", attempt.help}, {"success", attempt.success}};

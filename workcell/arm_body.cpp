@@ -17,7 +17,7 @@ struct ArmMaker {
   const OpwParameters& p;
   const RobotLook& look;
   double s, base, waist;
-  Color metal{0.55f, 0.57f, 0.60f, 1.0f};
+  PaintColor metal{0.55f, 0.57f, 0.60f, 1.0f};
 
   ArmMaker(BodyMaker& maker, const OpwParameters& parameters, const RobotLook& wanted)
       : body(maker), p(parameters), look(wanted), s(0.5 * (p.c2 + p.c3) * wanted.bulk) {

@@ -25,13 +25,13 @@ Error refusal(std::string place, std::string found, std::string expected, std::s
   return {"", std::move(place), std::move(found), std::move(expected), std::move(fix)};
 }
 
-std::string inQuotes(const std::string& name) {
+std::string quotedName(const std::string& name) {
   return "'" + name + "'";
 }
 
 Expected<void> checkName(const std::string& what, const std::string& name) {
   if (isName(name)) return {};
-  return makeError(refusal(what, inQuotes(name), "a printable name of 1 to 200 letters"));
+  return makeError(refusal(what, quotedName(name), "a printable name of 1 to 200 letters"));
 }
 
 Expected<void> checkPose(const std::string& what, const Pose& pose) {
@@ -40,18 +40,18 @@ Expected<void> checkPose(const std::string& what, const Pose& pose) {
 }
 
 Error taken(const std::string& name) {
-  return refusal("", "the name " + inQuotes(name) + " is taken", "a name of its own");
+  return refusal("", "the name " + quotedName(name) + " is taken", "a name of its own");
 }
 
 Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints) {
   const std::size_t wanted = entity.robot ? entity.robot->dof() : 0;
   if (joints.size() != wanted) {
-    return makeError(refusal(inQuotes(entity.name), std::to_string(joints.size()) + " joint values",
+    return makeError(refusal(quotedName(entity.name), std::to_string(joints.size()) + " joint values",
                              std::to_string(wanted) + ", one a moving joint"));
   }
   for (double value : joints) {
     if (!std::isfinite(value)) {
-      return makeError(refusal(inQuotes(entity.name), "a joint value that is not finite", "a number"));
+      return makeError(refusal(quotedName(entity.name), "a joint value that is not finite", "a number"));
     }
   }
   return {};
@@ -59,20 +59,20 @@ Expected<void> checkJoints(const Entity& entity, const std::vector<double>& join
 
 Expected<void> checkTool(const Entity& entity) {
   if (entity.robot && !entity.tip_link.empty() && entity.robot->findLink(entity.tip_link) < 0) {
-    return makeError(refusal(inQuotes(entity.name), "no link " + inQuotes(entity.tip_link),
-                             "a link of robot " + inQuotes(entity.robot->name)));
+    return makeError(refusal(quotedName(entity.name), "no link " + quotedName(entity.tip_link),
+                             "a link of robot " + quotedName(entity.robot->name)));
   }
-  return checkPose("the tool of " + inQuotes(entity.name), entity.X_LT);
+  return checkPose("the tool of " + quotedName(entity.name), entity.X_LT);
 }
 
 Expected<void> checkTools(const Entity& entity) {
   std::vector<std::string> names;
   for (const ToolFrame& tool : entity.tools) {
-    const std::string place = inQuotes(entity.name) + ", tool " + inQuotes(tool.name);
-    if (auto checked = checkName("a tool of " + inQuotes(entity.name), tool.name); !checked) return checked;
+    const std::string place = quotedName(entity.name) + ", tool " + quotedName(tool.name);
+    if (auto checked = checkName("a tool of " + quotedName(entity.name), tool.name); !checked) return checked;
     if (auto checked = checkPose(place, tool.X_LT); !checked) return checked;
     if (!entity.robot || entity.robot->findLink(tool.tip_link) < 0) {
-      return makeError(refusal(place, "no link " + inQuotes(tool.tip_link), "a link of the robot"));
+      return makeError(refusal(place, "no link " + quotedName(tool.tip_link), "a link of the robot"));
     }
     if (std::find(names.begin(), names.end(), tool.name) != names.end()) return makeError(taken(tool.name));
     names.push_back(tool.name);
@@ -82,10 +82,11 @@ Expected<void> checkTools(const Entity& entity) {
 
 Expected<void> checkNamedPoses(const Entity& entity) {
   if (entity.named_poses.empty()) return {};
-  if (!entity.robot) return makeError(refusal(inQuotes(entity.name), "a solid", "a robot, which can have named poses"));
+  if (!entity.robot)
+    return makeError(refusal(quotedName(entity.name), "a solid", "a robot, which can have named poses"));
   std::set<std::string> names;
   for (const kinematics::NamedPose& pose : entity.named_poses) {
-    if (auto checked = checkName("a pose of " + inQuotes(entity.name), pose.name); !checked) return checked;
+    if (auto checked = checkName("a pose of " + quotedName(entity.name), pose.name); !checked) return checked;
     if (!names.insert(pose.name).second) return makeError(taken(pose.name));
     if (auto checked = checkJoints(entity, pose.q); !checked) return checked;
   }
@@ -95,8 +96,8 @@ Expected<void> checkNamedPoses(const Entity& entity) {
 Expected<void> checkFrames(const Entity& entity) {
   std::vector<std::string> names;
   for (const Frame& frame : entity.frames) {
-    const std::string place = inQuotes(entity.name) + ", frame " + inQuotes(frame.name);
-    if (auto checked = checkName("a frame of " + inQuotes(entity.name), frame.name); !checked) return checked;
+    const std::string place = quotedName(entity.name) + ", frame " + quotedName(frame.name);
+    if (auto checked = checkName("a frame of " + quotedName(entity.name), frame.name); !checked) return checked;
     if (auto checked = checkPose(place, frame.X_EF); !checked) return checked;
     if (std::find(names.begin(), names.end(), frame.name) != names.end()) return makeError(taken(frame.name));
     names.push_back(frame.name);
@@ -107,9 +108,9 @@ Expected<void> checkFrames(const Entity& entity) {
 Expected<void> checkProperties(const Entity& entity) {
   const bool color =
       std::all_of(entity.color.begin(), entity.color.end(), [](float part) { return part >= 0.0f && part <= 1.0f; });
-  if (!color) return makeError(refusal(inQuotes(entity.name), "a colour out of range", "parts from 0 to 1"));
+  if (!color) return makeError(refusal(quotedName(entity.name), "a colour out of range", "parts from 0 to 1"));
   if (!(entity.mass > 0.0) || !std::isfinite(entity.mass)) {
-    return makeError(refusal(inQuotes(entity.name), "a mass that is none", "kilograms above 0"));
+    return makeError(refusal(quotedName(entity.name), "a mass that is none", "kilograms above 0"));
   }
   return {};
 }
@@ -119,13 +120,13 @@ Expected<void> checkPairSet(const PairSet& set) {
   constexpr double kFarthest = 1.0;
   for (double distance : {set.safety_distance, set.near_miss}) {
     if (!(distance >= 0.0 && distance <= kFarthest)) {
-      return makeError(refusal("pair set " + inQuotes(set.name), "a distance out of range", "0 to 1 m"));
+      return makeError(refusal("pair set " + quotedName(set.name), "a distance out of range", "0 to 1 m"));
     }
   }
   for (const auto& color : {set.contact_color, set.near_miss_color}) {
     const bool good = !color || std::all_of(color->begin(), color->end(), [](float c) { return c >= 0 && c <= 1; });
     if (!good)
-      return makeError(refusal("pair set " + inQuotes(set.name), "a colour out of range", "parts from 0 to 1"));
+      return makeError(refusal("pair set " + quotedName(set.name), "a colour out of range", "parts from 0 to 1"));
   }
   return {};
 }
@@ -134,12 +135,12 @@ Expected<void> checkPairRule(const PairRule& rule, const DocumentState& state) {
   for (const auto& [name, part] :
        {std::pair{&rule.first, &rule.first_part}, std::pair{&rule.second, &rule.second_part}}) {
     const Entity* entity = state.findByName(*name);
-    if (!entity) return makeError(refusal("a pair's rule", "no entity " + inQuotes(*name), "the name of one"));
+    if (!entity) return makeError(refusal("a pair's rule", "no entity " + quotedName(*name), "the name of one"));
     if (part->empty() || (entity->robot && entity->robot->findLink(*part) >= 0)) continue;
-    return makeError(refusal("a pair's rule", "no link " + inQuotes(*part), "a link of " + inQuotes(*name)));
+    return makeError(refusal("a pair's rule", "no link " + quotedName(*part), "a link of " + quotedName(*name)));
   }
   if (rule.first == rule.second)
-    return makeError(refusal("a pair's rule", inQuotes(rule.first) + " twice", "two entities"));
+    return makeError(refusal("a pair's rule", quotedName(rule.first) + " twice", "two entities"));
   return {};
 }
 

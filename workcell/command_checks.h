@@ -14,7 +14,7 @@ namespace hapticell::workcell {
 Error refusal(std::string place, std::string found, std::string expected, std::string fix = {});
 
 /// The name as messages show it: 'Gripper'.
-std::string inQuotes(const std::string& name);
+std::string quotedName(const std::string& name);
 
 /// That two things of a kind cannot have one name.
 Error taken(const std::string& name);

@@ -23,7 +23,6 @@ namespace {
 
 constexpr const char* kFormat = "hapticell-workcell";
 constexpr int kVersion = 1;
-const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 
 Json jsonFromPairSet(const PairSet& set) {
   Json json;

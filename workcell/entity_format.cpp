@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 const std::vector<std::string> kForceClassWords = {"constant", "contact", "dynamics"};
 const std::vector<std::string> kProxyWords = {"none", "coarse", "convex"};  // As CollisionProxy::Kind.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "workcell/field_reader.h"
@@ -10,6 +11,9 @@ namespace hapticell::workcell {
 
 /// "solid", "robot" ...: as EntityKind.
 const std::vector<std::string>& entityKindWords();
+
+/// As OnContact: what "on_contact" says in files.
+inline const std::vector<std::string> kOnContactWords = {"stop", "slide", "pass"};
 
 Json jsonFromEntity(const Entity& entity, const std::filesystem::path& folder);
 

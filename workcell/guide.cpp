@@ -18,14 +18,14 @@ bool within(double value, double low, double high) {
   return std::isfinite(value) && value >= low && value <= high;
 }
 
-bool isFinite(const dvec3& p) {
+bool isInReach(const dvec3& p) {
   return within(p.x, -kFarthest, kFarthest) && within(p.y, -kFarthest, kFarthest) && within(p.z, -kFarthest, kFarthest);
 }
 
 Expected<void> checkPath(const Guide& guide) {
   if (guide.kind != GuideKind::kTube) return {};
   if (guide.path.size() < 2) return makeError(refusal(guide, "a path of fewer than two points", "two or more"));
-  if (!std::all_of(guide.path.begin(), guide.path.end(), isFinite)) {
+  if (!std::all_of(guide.path.begin(), guide.path.end(), isInReach)) {
     return makeError(refusal(guide, "a point of the path that is not finite", "metres in the cell"));
   }
   return {};

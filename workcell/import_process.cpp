@@ -64,7 +64,7 @@ fs::path findProgram() {
   return kProgram;  // On the PATH, perhaps.
 }
 
-bool writeAll(int file, std::string_view content) {
+bool sendAll(int file, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(file, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
@@ -227,7 +227,7 @@ Expected<std::string> callImporter(const ImporterCall& call) {
   const bool piped = ::pipe2(ends, O_CLOEXEC) == 0;
   const Descriptor listening(ends[0]);
   Descriptor speaking(ends[1]);
-  if (!piped || scene.get() < 0 || !writeAll(scene.get(), call.scene) || ::lseek(scene.get(), 0, SEEK_SET) != 0) {
+  if (!piped || scene.get() < 0 || !sendAll(scene.get(), call.scene) || ::lseek(scene.get(), 0, SEEK_SET) != 0) {
     return makeError(inFile(call, std::string("no memory to import into: ") + std::strerror(errno)));
   }
   Child child;

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
+constexpr std::uintmax_t kMostMaterialBytes = std::uintmax_t{16} << 20;
 
 std::optional<Color> readColor(TextCursor& cursor) {
   Color color{};
@@ -105,7 +105,7 @@ std::map<std::string, Color> readObjMaterials(const fs::path& obj_file, const st
   for (const std::string& line : libraries) {
     for (const fs::path& file : filesOf(line, folder, diagnostics)) {
       if (!done.insert(file).second) continue;
-      if (fs::file_size(file, fault) > kMostBytes || fault) {
+      if (fs::file_size(file, fault) > kMostMaterialBytes || fault) {
         diagnostics.warn("the material file " + inQuotes(file.filename().string()) + " is longer than 16 MB; not read");
         continue;
       }

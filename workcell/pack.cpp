@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
+constexpr std::uintmax_t kMostPackedBytes = std::uintmax_t{2} << 30;
 
 /// The folder that a robot or cell needs: its package (the one with package.xml), else that of the file.
 fs::path packageOf(const fs::path& file) {
@@ -92,7 +92,7 @@ class Packer {
   Expected<void> copy(const fs::path& from, const fs::path& to) {
     std::error_code fault;
     const std::uintmax_t size = fs::file_size(from, fault);
-    if (!fault && report.bytes + size > kMostBytes) {
+    if (!fault && report.bytes + size > kMostPackedBytes) {
       return makeError({from.string(), "", "it makes the pack larger than 2 GB", "less",
                         "Put the file into a folder of its own, without what does not belong to it."});
     }

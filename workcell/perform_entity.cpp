@@ -15,9 +15,9 @@ Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
   if (state.findByName(entity.name)) return makeError(taken(entity.name));
   const bool solid = entity.kind == EntityKind::kSolid, assembly = entity.kind == EntityKind::kAssembly;
   if (!assembly && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
-    return makeError(refusal(inQuotes(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
+    return makeError(refusal(quotedName(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
   }
-  if (auto checked = checkPose(inQuotes(entity.name), entity.X_WE); !checked) return checked;
+  if (auto checked = checkPose(quotedName(entity.name), entity.X_WE); !checked) return checked;
   if (!entity.joints.empty()) {
     if (auto checked = checkJoints(entity, entity.joints); !checked) return checked;
   }
@@ -121,7 +121,7 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
   const Entity& before = **entity;
   const bool fits =
       before.kind == command.fresh.kind && (command.fresh.mesh || command.fresh.robot) && !before.mechanism;
-  if (!fits) return makeError(refusal(inQuotes(before.name), "another kind of thing", "a shape of the kind it has"));
+  if (!fits) return makeError(refusal(quotedName(before.name), "another kind of thing", "a shape of the kind it has"));
   Entity changed = before;
   changed.source = command.fresh.source;
   changed.unloaded.reset();
@@ -144,10 +144,10 @@ Expected<EntityId> perform(const ReplaceShape& command, StateEdit& edit) {
 Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   if (!entity) return makeError(entity.error());
-  if (!(*entity)->mesh) return makeError(refusal(inQuotes((*entity)->name), "no mesh", "a solid"));
+  if (!(*entity)->mesh) return makeError(refusal(quotedName((*entity)->name), "no mesh", "a solid"));
   const bool wanted = command.proxy.kind != CollisionProxy::Kind::kNone;
   if (wanted && (!command.proxy.mesh || command.proxy.mesh->triangles.empty())) {
-    return makeError(refusal(inQuotes((*entity)->name), "nothing to check it by", "a mesh"));
+    return makeError(refusal(quotedName((*entity)->name), "nothing to check it by", "a mesh"));
   }
   return edit.change(command.id, [&](Entity& target) { target.proxy = wanted ? command.proxy : CollisionProxy{}; });
 }
@@ -155,7 +155,7 @@ Expected<EntityId> perform(const SetCollisionProxy& command, StateEdit& edit) {
 Expected<EntityId> perform(const SetPlacement& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   if (!entity) return makeError(entity.error());
-  if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+  if (auto checked = checkPose(quotedName((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
   return edit.moveFamily(**entity, [&](Entity& changed) { changed.X_WE = command.X_WE; });
 }
 
@@ -169,7 +169,7 @@ Expected<EntityId> perform(const SetJoints& command, StateEdit& edit) {
 Expected<EntityId> perform(const SetConfiguration& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   if (!entity) return makeError(entity.error());
-  if (auto checked = checkPose(inQuotes((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
+  if (auto checked = checkPose(quotedName((*entity)->name), command.X_WE); !checked) return makeError(checked.error());
   if (auto checked = checkJoints(**entity, command.joints); !checked) return makeError(checked.error());
   return edit.moveFamily(**entity, [&](Entity& changed) {
     changed.X_WE = command.X_WE;
@@ -195,7 +195,7 @@ Expected<EntityId> perform(const SetProperties& command, StateEdit& edit) {
   if (command.parent) {
     const Entity* parent = edit.state().findByName(changed.parent);
     if (parent && std::find(family.begin(), family.end(), parent->id) != family.end()) {
-      return makeError(refusal(inQuotes(changed.name), "a place below itself", "another assembly"));
+      return makeError(refusal(quotedName(changed.name), "a place below itself", "another assembly"));
     }
   }
   if (changed.kind == EntityKind::kAssembly) {

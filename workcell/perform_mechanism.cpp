@@ -13,7 +13,7 @@ namespace {
 /// The model of a mechanism from its definition; joints at rest, the tool in the middle of the tip.
 Expected<void> rebuild(Entity& entity) {
   auto model = buildMechanism(entity.name, *entity.mechanism);
-  if (!model) return makeError({"", inQuotes(entity.name), model.error().message(), "", ""});
+  if (!model) return makeError({"", quotedName(entity.name), model.error().message(), "", ""});
   entity.robot = std::make_shared<const kinematics::RobotModel>(std::move(*model));
   entity.joints = kinematics::restPositions(*entity.robot);
   const int tip = entity.robot->defaultTip();
@@ -43,7 +43,7 @@ Expected<EntityId> perform(const MakeMechanism& command, StateEdit& edit) {
     const auto part = edit.movable(id);
     if (!part) return makeError(part.error());
     if (!(*part)->mesh) {
-      return makeError(refusal(inQuotes((*part)->name), "it is no solid", "solids as parts of a mechanism"));
+      return makeError(refusal(quotedName((*part)->name), "it is no solid", "solids as parts of a mechanism"));
     }
     if (made.id == 0) {
       made = **part;
@@ -78,7 +78,7 @@ Expected<EntityId> perform(const EditMechanism& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   if (!entity) return makeError(entity.error());
   Entity changed = **entity;
-  if (!changed.mechanism) return makeError(refusal(inQuotes(changed.name), "it is no mechanism", "a mechanism"));
+  if (!changed.mechanism) return makeError(refusal(quotedName(changed.name), "it is no mechanism", "a mechanism"));
   auto definition = std::make_shared<MechanismDefinition>(*changed.mechanism);
   definition->joints = command.joints;
   changed.mechanism = std::move(definition);
@@ -93,7 +93,7 @@ Expected<EntityId> perform(const DissolveMechanism& command, StateEdit& edit) {
   const auto entity = edit.movable(command.id);
   if (!entity) return makeError(entity.error());
   const Entity mechanism = **entity;
-  if (!mechanism.mechanism) return makeError(refusal(inQuotes(mechanism.name), "it is no mechanism", "a mechanism"));
+  if (!mechanism.mechanism) return makeError(refusal(quotedName(mechanism.name), "it is no mechanism", "a mechanism"));
   DocumentState trial = edit.state();
   StateEdit there(trial, edit.newId());
   there.dropFromPairSets(mechanism.name);

@@ -31,11 +31,12 @@ std::string tipOf(const Entity& robot) {
 Expected<void> checkAttachment(const Entity& entity, const DocumentState& state) {
   if (entity.attachment.to.empty()) return {};
   const Entity* carrier = state.findByName(entity.attachment.to);
-  const std::string place = inQuotes(entity.name) + ", attached";
-  if (!carrier) return makeError(refusal(place, "no entity " + inQuotes(entity.attachment.to), "one of the document"));
+  const std::string place = quotedName(entity.name) + ", attached";
+  if (!carrier)
+    return makeError(refusal(place, "no entity " + quotedName(entity.attachment.to), "one of the document"));
   if (!entity.attachment.link.empty() && (!carrier->robot || carrier->robot->findLink(entity.attachment.link) < 0)) {
     return makeError(
-        refusal(place, "no link " + inQuotes(entity.attachment.link), "a link of " + inQuotes(carrier->name)));
+        refusal(place, "no link " + quotedName(entity.attachment.link), "a link of " + quotedName(carrier->name)));
   }
   return checkPose(place, entity.attachment.X_LE);
 }
@@ -47,7 +48,7 @@ Expected<EntityId> perform(const SetTool& command, StateEdit& edit) {
   changed.tip_link = command.tip_link;
   changed.X_LT = command.X_LT;
   changed.tool.clear();
-  if (!changed.robot) return makeError(refusal(inQuotes(changed.name), "a solid", "a robot, which can have a tool"));
+  if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have a tool"));
   if (auto checked = checkTool(changed); !checked) return makeError(checked.error());
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -56,7 +57,7 @@ Expected<EntityId> perform(const SetTools& command, StateEdit& edit) {
   const auto entity = edit.existing(command.id);
   if (!entity) return makeError(entity.error());
   Entity changed = **entity;
-  if (!changed.robot) return makeError(refusal(inQuotes(changed.name), "a solid", "a robot, which can have tools"));
+  if (!changed.robot) return makeError(refusal(quotedName(changed.name), "a solid", "a robot, which can have tools"));
   changed.tools = command.tools;
   takeChosenTool(changed);
   if (auto checked = checkTools(changed); !checked) return makeError(checked.error());
@@ -80,7 +81,7 @@ Expected<EntityId> perform(const ChooseTool& command, StateEdit& edit) {
   takeChosenTool(changed);
   if (changed.tool != command.name) {
     return makeError(
-        refusal(inQuotes(changed.name), "no tool " + inQuotes(command.name), "the name of one of its tools"));
+        refusal(quotedName(changed.name), "no tool " + quotedName(command.name), "the name of one of its tools"));
   }
   return edit.change(command.id, [&](Entity& target) { target = changed; });
 }
@@ -91,7 +92,8 @@ Expected<EntityId> perform(const Attach& command, StateEdit& edit) {
   if (!carrier) return makeError(carrier.error());
   for (const Entity* at = *carrier; at; at = edit.state().findByName(at->attachment.to)) {
     if (at->id != command.id) continue;
-    return makeError(refusal(inQuotes((*entity)->name), inQuotes((*carrier)->name) + " is that entity or hangs on it",
+    return makeError(refusal(quotedName((*entity)->name),
+                             quotedName((*carrier)->name) + " is that entity or hangs on it",
                              "another entity to hang it on"));
   }
   Attachment attachment{(*carrier)->name, command.link, {}};

@@ -11,11 +11,11 @@ namespace hapticell::workcell {
 namespace {
 
 Error unknownSet(const std::string& name) {
-  return refusal("", "no pair set " + inQuotes(name), "the name of one");
+  return refusal("", "no pair set " + quotedName(name), "the name of one");
 }
 
 Error unknownGuide(const std::string& name) {
-  return refusal("", "no guide " + inQuotes(name), "the name of one");
+  return refusal("", "no guide " + quotedName(name), "the name of one");
 }
 
 std::vector<PairSet>::iterator findSet(DocumentState& state, const std::string& name) {
@@ -28,7 +28,7 @@ std::vector<Guide>::iterator findGuide(DocumentState& state, const std::string& 
 }
 
 Error unknownTrajectory(const std::string& name) {
-  return refusal("", "no trajectory " + inQuotes(name), "the name of one");
+  return refusal("", "no trajectory " + quotedName(name), "the name of one");
 }
 
 std::vector<TrajectoryReference>::iterator findTrajectory(DocumentState& state, const std::string& name) {
@@ -41,7 +41,7 @@ Expected<void> checkBound(const Guide& guide, const DocumentState& state) {
   if (auto checked = checkGuide(guide); !checked) return checked;
   for (const std::string* name : {&guide.entity, &guide.surface}) {
     if (name->empty() || state.findByName(*name)) continue;
-    return makeError(refusal("guide " + inQuotes(guide.name), "no entity " + inQuotes(*name), "the name of one"));
+    return makeError(refusal("guide " + quotedName(guide.name), "no entity " + quotedName(*name), "the name of one"));
   }
   return {};
 }
@@ -135,14 +135,14 @@ Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit) {
 
 Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
   if (auto checked = checkName("the task's name", command.task.name); !checked) return makeError(checked.error());
-  const std::string place = "task " + inQuotes(command.task.name);
+  const std::string place = "task " + quotedName(command.task.name);
   if (auto checked = ergonomics::checkWorkTask(command.task); !checked) {
     return makeError(refusal(place, checked.error().place + " " + checked.error().found, checked.error().expected));
   }
   if (!command.task.mannequin.empty()) {
     const Entity* entity = edit.state().findByName(command.task.mannequin);
     if (!entity || entity->kind != EntityKind::kMannequin)
-      return makeError(refusal(place, "no mannequin " + inQuotes(command.task.mannequin), "the name of one"));
+      return makeError(refusal(place, "no mannequin " + quotedName(command.task.mannequin), "the name of one"));
   }
   auto& tasks = edit.state().work_tasks;
   const std::string& before = command.before.empty() ? command.task.name : command.before;
@@ -151,7 +151,7 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
   };
   const auto found = called(before);
   if (found == tasks.end() && !command.before.empty())
-    return makeError(refusal("", "no task " + inQuotes(before), "the name of one"));
+    return makeError(refusal("", "no task " + quotedName(before), "the name of one"));
   if (before != command.task.name && called(command.task.name) != tasks.end())
     return makeError(taken(command.task.name));
   if (found == tasks.end()) {
@@ -165,7 +165,7 @@ Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit) {
 Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit) {
   const auto removed =
       std::erase_if(edit.state().work_tasks, [&](const auto& task) { return task.name == command.name; });
-  if (removed == 0) return makeError(refusal("", "no task " + inQuotes(command.name), "the name of one"));
+  if (removed == 0) return makeError(refusal("", "no task " + quotedName(command.name), "the name of one"));
   return EntityId{0};
 }
 

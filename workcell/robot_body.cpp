@@ -12,7 +12,7 @@ using Detail = BodyMaker::Detail;
 using kinematics::JointType;
 using kinematics::RobotModel;
 
-constexpr Color kMetal{0.62f, 0.64f, 0.67f, 1.0f};
+constexpr PaintColor kMetal{0.62f, 0.64f, 0.67f, 1.0f};
 
 /// A serial chain as the body sees it: where each joint's axis stands in the link before, at position 0.
 struct Station {
@@ -42,14 +42,14 @@ double valueAt(const std::vector<double>& values, std::size_t k, double otherwis
   return k < values.size() ? values[k] : otherwise;
 }
 
-void tube(BodyMaker& body, const Color& color, const dvec3& from, const dvec3& to, double r0, double r1) {
+void tube(BodyMaker& body, const PaintColor& color, const dvec3& from, const dvec3& to, double r0, double r1) {
   const double length = glm::length(to - from);
   if (length < 1e-4) return;
   body.add(color, solid::along(from, to - from),
            [&](const Detail& d) { return solid::capsule(r0, r1, 0.0, length, d.segments); });
 }
 
-void can(BodyMaker& body, const Color& color, const Pose& at, double r, double z0, double z1) {
+void can(BodyMaker& body, const PaintColor& color, const Pose& at, double r, double z0, double z1) {
   body.add(color, at, [&](const Detail& d) { return solid::cylinder(r, z0, z1, 0.15 * r * d.chamfer, d.segments); });
 }
 

@@ -14,8 +14,8 @@ namespace hapticell::workcell {
 
 /// Colours and proportions of a generated body; no maker's mesh is in the project.
 struct RobotLook {
-  Color main{0.85f, 0.85f, 0.84f, 1.0f};
-  Color second{0.20f, 0.22f, 0.25f, 1.0f};
+  PaintColor main{0.85f, 0.85f, 0.84f, 1.0f};
+  PaintColor second{0.20f, 0.22f, 0.25f, 1.0f};
   double bulk = 1.0;           ///< Thicker or slimmer than usual.
   bool balanced = false;       ///< With a counterbalance beside the upper arm.
   bool round = false;          ///< Closed round housings instead of ribbed castings and outside motors.

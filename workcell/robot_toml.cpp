@@ -12,8 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 Expected<toml::table> parse(const fs::path& path) {
   const Expected<std::string> text = readFileContent(path);
   if (!text) return makeError(text.error());

@@ -10,12 +10,6 @@
 
 namespace hapticell::workcell {
 
-namespace {
-
-constexpr double kDegree = M_PI / 180.0;
-
-}  // namespace
-
 void RobotTomlReader::readDelta() {
   const toml::table* table = root_.table("delta");
   if (!table) return;

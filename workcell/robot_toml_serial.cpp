@@ -7,12 +7,6 @@
 
 namespace hapticell::workcell {
 
-namespace {
-
-constexpr double kDegree = M_PI / 180.0;
-
-}  // namespace
-
 void RobotTomlReader::readOpw() {
   const toml::table* table = root_.table("opw");
   if (!table) return;

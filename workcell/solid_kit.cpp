@@ -172,7 +172,7 @@ void BodyMaker::link(int index) {
   link_ = index;
 }
 
-void BodyMaker::append(const Color& color, const geometry::TriangleMesh& mesh, const Pose& placed) {
+void BodyMaker::append(const PaintColor& color, const geometry::TriangleMesh& mesh, const Pose& placed) {
   for (auto& [known, whole] : visual_) {
     if (known != color) continue;
     geometry::append(whole, mesh, placed);
@@ -191,7 +191,7 @@ void BodyMaker::flush() {
     if (!collision_.triangles.empty()) {
       link.collisions.push_back({std::make_shared<geometry::TriangleMesh>(std::move(collision_)),
                                  {},
-                                 visual_.empty() ? Color{0.7f, 0.7f, 0.7f, 1.0f} : link.visuals.front().color,
+                                 visual_.empty() ? PaintColor{0.7f, 0.7f, 0.7f, 1.0f} : link.visuals.front().color,
                                  "generated"});
     }
   }

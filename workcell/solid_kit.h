@@ -38,7 +38,7 @@ Pose along(const dvec3& p, const dvec3& direction);
 
 }  // namespace solid
 
-using Color = std::array<float, 4>;
+using PaintColor = std::array<float, 4>;
 
 /// Collects the parts of links, one shape a colour; fine ones to look at, coarse ones to check.
 class BodyMaker {
@@ -61,23 +61,23 @@ class BodyMaker {
   };
   /// Calls `make(detail)` twice, for the visual and for the collision shape. `placed` in the link's frame.
   template <typename Make>
-  void add(const Color& color, const Pose& placed, const Make& make) {
+  void add(const PaintColor& color, const Pose& placed, const Make& make) {
     append(color, make(Detail{}), placed);
     geometry::append(collision_, make(Detail{14, 4, 0.0, false}), placed);
   }
   /// Only to be looked at: bolts, caps, bands.
   template <typename Make>
-  void decorate(const Color& color, const Pose& placed, const Make& make) {
+  void decorate(const PaintColor& color, const Pose& placed, const Make& make) {
     append(color, make(Detail{24, 8, 1.0, true}), placed);
   }
 
  private:
-  void append(const Color& color, const geometry::TriangleMesh& mesh, const Pose& placed);
+  void append(const PaintColor& color, const geometry::TriangleMesh& mesh, const Pose& placed);
   void flush();
 
   kinematics::RobotModel& model_;
   int link_ = -1;
-  std::vector<std::pair<Color, geometry::TriangleMesh>> visual_;
+  std::vector<std::pair<PaintColor, geometry::TriangleMesh>> visual_;
   geometry::TriangleMesh collision_;
 };
 

@@ -17,7 +17,7 @@ Expected<const Entity*> StateEdit::existing(EntityId id) const {
 Expected<const Entity*> StateEdit::movable(EntityId id) const {
   const auto entity = existing(id);
   if (entity && (*entity)->locked) {
-    return makeError(refusal(inQuotes((*entity)->name), "the entity is locked", "", "Unlock it first."));
+    return makeError(refusal(quotedName((*entity)->name), "the entity is locked", "", "Unlock it first."));
   }
   return entity;
 }

@@ -26,8 +26,6 @@ namespace {
 using Mode = EntityGizmo::Mode;
 using Kind = HoldChoice::Kind;
 
-constexpr double kDegree = glm::pi<double>() / 180.0;
-
 QCheckBox* makeSwitch(const QString& text, const char* name) {
   auto* box = new QCheckBox(text);
   box->setProperty("switch", true);

@@ -12,8 +12,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLabels = 76, kStrip = 13, kLine = 18;
-const std::array<const char*, 4> kNames{
+constexpr int kLabels = 76, kStrip = 13, kStripLine = 18;
+const std::array<const char*, 4> kRegionNames{
     QT_TRANSLATE_NOOP("HeightStrips", "P5 woman"), QT_TRANSLATE_NOOP("HeightStrips", "P50 woman"),
     QT_TRANSLATE_NOOP("HeightStrips", "P50 man"), QT_TRANSLATE_NOOP("HeightStrips", "P95 man")};
 
@@ -32,10 +32,10 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   for (int i = 0; i < 4; ++i)
-    painter.drawText(QRectF(0, kLine * i, kLabels - 6, kStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr(kNames[static_cast<std::size_t>(i)]));
+    painter.drawText(QRectF(0, kStripLine * i, kLabels - 6, kStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr(kRegionNames[static_cast<std::size_t>(i)]));
   const auto& advice = scores_.advice();
-  const QRectF area(kLabels, 0, width() - kLabels - 1, 4 * kLine - 4);
+  const QRectF area(kLabels, 0, width() - kLabels - 1, 4 * kStripLine - 4);
   if (!advice || advice->by_height.size() < 4) {
     painter.setPen(theme.text3);
     painter.drawText(area, Qt::AlignCenter, tr("Told once the figure rests"));
@@ -44,7 +44,7 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < 4; ++i) {
     std::vector<int> bands;
     for (const int score : advice->by_height[i]) bands.push_back(score == 0 ? -1 : ergonomics::bandOfRula(score));
-    paintStrip(painter, QRectF(area.left(), kLine * static_cast<double>(i), area.width(), kStrip), bands, theme);
+    paintStrip(painter, QRectF(area.left(), kStripLine * static_cast<double>(i), area.width(), kStrip), bands, theme);
   }
   const double first = advice->rises.front(), last = advice->rises.back();
   const double step = area.width() / static_cast<double>(advice->rises.size());

@@ -18,7 +18,7 @@ namespace {
 constexpr int kLabels = 72, kPicture = 126, kLine = 18, kBodies = 4;
 constexpr int kScoreTop = kPicture + 40, kDriverTop = kScoreTop + 62, kRebaTop = kDriverTop + 40;
 
-const std::array<const char*, 4> kNames{
+const std::array<const char*, 4> kBodyRows{
     QT_TRANSLATE_NOOP("ScoreColumns", "P5 woman"), QT_TRANSLATE_NOOP("ScoreColumns", "P50 woman"),
     QT_TRANSLATE_NOOP("ScoreColumns", "P50 man"), QT_TRANSLATE_NOOP("ScoreColumns", "P95 man")};
 
@@ -109,7 +109,7 @@ void ScoreColumns::paintColumn(QPainter& painter, int body) {
     painter.drawText(QRectF(x, top, width, 40), Qt::AlignLeft | Qt::AlignTop,
                      painter.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(width)));
   };
-  write(TextRole::kSection, theme.text1, kPicture + 4, tr(kNames[static_cast<std::size_t>(body)]));
+  write(TextRole::kSection, theme.text1, kPicture + 4, tr(kBodyRows[static_cast<std::size_t>(body)]));
   write(TextRole::kSecond, theme.text2, kPicture + 22, lengthText(at.figure.body[mannequin::Dimension::kStature], 0));
   const bool by_reba = method_ == ergonomics::ColourMethod::kReba;
   const int score = by_reba ? at.scores.reba() : at.scores.rula();

@@ -12,7 +12,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLine = 22, kLeastName = 106, kNumber = 22, kPatch = 22;
+constexpr int kScoreLine = 22, kLeastName = 106, kNumber = 22, kPatch = 22;
 constexpr double kMostName = 0.6;  // Of a column.
 
 using Row = SubScoreTable::Row;
@@ -114,7 +114,7 @@ void SubScoreTable::setRows(std::vector<Row> rows) {
 }
 
 QSize SubScoreTable::sizeHint() const {
-  return {420, kLine * static_cast<int>((rows_.size() + 1) / 2)};
+  return {420, kScoreLine * static_cast<int>((rows_.size() + 1) / 2)};
 }
 
 double SubScoreTable::nameWidth() const {
@@ -132,14 +132,14 @@ void SubScoreTable::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Row& row = rows_[i];
     const std::size_t line = i / 2;
-    const double x = i % 2 == 0 ? 0.0 : half + 6.0, top = kLine * static_cast<double>(line);
+    const double x = i % 2 == 0 ? 0.0 : half + 6.0, top = kScoreLine * static_cast<double>(line);
     const double wide = half - 12.0;
     painter.setPen(QPen(theme.line, 1));
-    painter.drawLine(QPointF(x, top + kLine - 0.5), QPointF(x + wide, top + kLine - 0.5));
+    painter.drawLine(QPointF(x, top + kScoreLine - 0.5), QPointF(x + wide, top + kScoreLine - 0.5));
     painter.setFont(textFont(TextRole::kSecond));
     painter.setPen(theme.text2);
     const auto text = [&](double left, double span, const QString& words, int align) {
-      painter.drawText(QRectF(left, top, span, kLine), align | Qt::AlignVCenter,
+      painter.drawText(QRectF(left, top, span, kScoreLine), align | Qt::AlignVCenter,
                        painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(span)));
     };
     text(x, name - 4, row.name, Qt::AlignLeft);

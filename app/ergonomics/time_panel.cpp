@@ -29,8 +29,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kNames = 92, kShares = 96, kTop = 26, kLine = 26, kStrip = 18, kPlayMilliseconds = 33;
-const std::array<const char*, 4> kBodies{
+constexpr int kNamesWidth = 92, kShares = 96, kTop = 26, kTimeLine = 26, kStrip = 18, kPlayMilliseconds = 33;
+const std::array<const char*, 4> kBodyNames{
     QT_TRANSLATE_NOOP("ScoreHistory", "P5 woman"), QT_TRANSLATE_NOOP("ScoreHistory", "P50 woman"),
     QT_TRANSLATE_NOOP("ScoreHistory", "P50 man"), QT_TRANSLATE_NOOP("ScoreHistory", "P95 man")};
 
@@ -184,12 +184,12 @@ void TimePanel::hideEvent(QHideEvent* event) {
 ScoreHistory::ScoreHistory(const MotionScoresModel& motion, QWidget* parent) : QWidget(parent), motion_(motion) {
   setObjectName("scoreHistory");
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumHeight(kTop + 4 * kLine);
+  setMinimumHeight(kTop + 4 * kTimeLine);
   setAccessibleName(tr("RULA along the motion, four bodies"));
 }
 
 QRectF ScoreHistory::area() const {
-  return {kNames, kTop, std::max(10.0, width() - kNames - kShares - 4.0), 4.0 * kLine};
+  return {kNamesWidth, kTop, std::max(10.0, width() - kNamesWidth - kShares - 4.0), 4.0 * kTimeLine};
 }
 
 void ScoreHistory::setFrame(int frame) {
@@ -231,9 +231,9 @@ void ScoreHistory::paintEvent(QPaintEvent*) {
                      tr("%1 s").arg(motion_.seconds() * i / 6.0, 0, 'f', 1));
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    const double top = kTop + kLine * static_cast<double>(i);
+    const double top = kTop + kTimeLine * static_cast<double>(i);
     painter.setPen(theme.text1);
-    painter.drawText(QRectF(0, top, kNames - 6, kStrip), Qt::AlignLeft | Qt::AlignVCenter, tr(kBodies[i]));
+    painter.drawText(QRectF(0, top, kNamesWidth - 6, kStrip), Qt::AlignLeft | Qt::AlignVCenter, tr(kBodyNames[i]));
     paintStrip(painter, QRectF(all.left(), top, all.width(), kStrip), motion_.bands(i), theme);
     painter.setPen(theme.text1);
     painter.drawText(QRectF(all.right() + 8, top, kShares - 4, kStrip), Qt::AlignLeft | Qt::AlignVCenter,
@@ -241,7 +241,7 @@ void ScoreHistory::paintEvent(QPaintEvent*) {
   }
   const double x = all.left() + all.width() * frame_ / std::max(1, motion_.frames() - 1);
   painter.setPen(QPen(theme.force, 2));
-  painter.drawLine(QPointF(x, kTop - 8), QPointF(x, kTop + 4 * kLine - 4));
+  painter.drawLine(QPointF(x, kTop - 8), QPointF(x, kTop + 4 * kTimeLine - 4));
 }
 
 }  // namespace hapticell::app

@@ -19,7 +19,7 @@ namespace hapticell::app {
 namespace {
 
 using ergonomics::WorkTask;
-constexpr int kNames = 108;
+constexpr int kNamesColumn = 108;
 
 /// A number with a box that says whether it is known.
 QWidget* withBox(ValueField* field, QCheckBox*& known, const QString& name) {
@@ -64,13 +64,13 @@ void WorkTaskPanel::addPerson(QVBoxLayout& column) {
   preset_->setObjectName("comboTaskPreset");
   preset_->addItem(tr("Choose a typical task…"));
   for (const WorkTask& preset : ergonomics::workTaskPresets()) preset_->addItem(QString::fromStdString(preset.name));
-  addRow(*section, tr("Begin from"), preset_, kNames);
+  addRow(*section, tr("Begin from"), preset_, kNamesColumn);
   name_ = new QLineEdit;
   name_->setObjectName("editTaskName");
-  addRow(*section, tr("Task"), name_, kNames);
+  addRow(*section, tr("Task"), name_, kNamesColumn);
   note_ = new QLineEdit;
   note_->setObjectName("editTaskNote");
-  addRow(*section, tr("Note"), note_, kNames);
+  addRow(*section, tr("Note"), note_, kNamesColumn);
   connect(preset_, &QComboBox::activated, this, [this](int i) {
     if (i <= 0) return;
     const WorkTask& preset = ergonomics::workTaskPresets()[static_cast<std::size_t>(i - 1)];
@@ -102,7 +102,7 @@ void WorkTaskPanel::addWork(QVBoxLayout& column) {
   const auto number = [&](const char* name, const QString& words, const ValueField::Format& format, QCheckBox*& known) {
     auto* field = new ValueField(format);
     field->setObjectName(name);
-    addRow(*section, words, withBox(field, known, words), kNames);
+    addRow(*section, words, withBox(field, known, words), kNamesColumn);
     return field;
   };
   load_left_ = number("fieldLoadLeft", tr("Load, left hand"), {tr("kg"), 1, 0.0, 200.0, 0.5}, knows_left_);
@@ -115,7 +115,7 @@ void WorkTaskPanel::addWork(QVBoxLayout& column) {
   const auto question = [&](const char* name, const QString& words) {
     auto* segments = new Segmented(answers);
     segments->setObjectName(name);
-    addRow(*section, words, segments, kNames);
+    addRow(*section, words, segments, kNamesColumn);
     return segments;
   };
   static_ = question("segmentsStatic", tr("Held over 1 min"));
@@ -123,7 +123,7 @@ void WorkTaskPanel::addWork(QVBoxLayout& column) {
   rapid_ = question("segmentsRapid", tr("Rapid changes"));
   grip_ = new Segmented({tr("–"), tr("Good"), tr("Fair"), tr("Poor"), tr("None")});
   grip_->setObjectName("segmentsGrip");
-  addRow(*section, tr("Grip"), grip_, kNames);
+  addRow(*section, tr("Grip"), grip_, kNamesColumn);
   const auto box = [&](const char* name, const QString& words) {
     auto* check = new QCheckBox(words);
     check->setObjectName(name);
@@ -170,8 +170,8 @@ void WorkTaskPanel::addLift(QVBoxLayout& column) {
   lift_distance_->setObjectName("fieldLiftDistance");
   asymmetry_ = new ValueField({tr("°"), 0, 0.0, 180.0, 5.0});
   asymmetry_->setObjectName("fieldAsymmetry");
-  addRow(*rows, tr("By"), lift_distance_, kNames);
-  addRow(*rows, tr("Beside the middle"), asymmetry_, kNames);
+  addRow(*rows, tr("By"), lift_distance_, kNamesColumn);
+  addRow(*rows, tr("Beside the middle"), asymmetry_, kNamesColumn);
   section->addWidget(lift_rows_);
   connect(lift_, &QCheckBox::clicked, this, [this](bool on) { change([&](WorkTask& t) { t.is_lift = on; }); });
   connect(lift_distance_, &ValueField::edited, this,

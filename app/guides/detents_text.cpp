@@ -11,8 +11,6 @@ namespace hapticell::app {
 
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
 /// SI of one such unit; 0 for a word that is none.
 double unitNamed(const QString& word, bool turns) {
   static const std::map<QString, double> angles{{"°", kDegree}, {"deg", kDegree}, {"rad", 1.0}};

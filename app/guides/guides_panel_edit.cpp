@@ -35,7 +35,6 @@ namespace {
 using workcell::Guide;
 using workcell::GuideKind;
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr const char* kCurves = "guides";
 constexpr const char* kHandle = "handle";
 

@@ -17,9 +17,9 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kWidth = 420;
+constexpr int kFinderWidth = 420;
 constexpr int kRows = 12;
-constexpr int kRowHeight = 26;
+constexpr int kFoundHeight = 26;
 
 QString wordsOf(const QAction& action) {
   return QString(action.text()).remove('&').remove(QChar(0x2026));
@@ -64,8 +64,8 @@ void CommandFinder::open() {
   focus_before_ = QApplication::focusWidget();
   typed_->clear();
   list();
-  resize(kWidth, 60 + kRows * kRowHeight);
-  move(window_.width() - kWidth - 12, 32);
+  resize(kFinderWidth, 60 + kRows * kFoundHeight);
+  move(window_.width() - kFinderWidth - 12, 32);
   show();
   raise();
   typed_->setFocus();
@@ -94,7 +94,7 @@ void CommandFinder::list() {
     const QString key = row.action->shortcut().toString(QKeySequence::NativeText);
     auto* item = new QListWidgetItem(row.action->icon(),
                                      key.isEmpty() ? wordsOf(*row.action) : wordsOf(*row.action) + "   " + key, found_);
-    item->setSizeHint(QSize(0, kRowHeight));
+    item->setSizeHint(QSize(0, kFoundHeight));
     actions_.emplace_back(row.action);
   }
   found_->setCurrentRow(rows.empty() ? -1 : 0);

@@ -22,7 +22,7 @@ namespace {
 
 using workcell::CollisionProxy;
 
-QString millimetres(double metres) {
+QString millimetreText(double metres) {
   return lengthText(metres, metres < 1e-4 ? 3 : 2);
 }
 
@@ -103,10 +103,10 @@ void MeshCarePanel::refresh() {
   name_->setText(QString::fromStdString(entity->name));
   proxy_->setCurrent(static_cast<int>(entity->proxy.kind));
   const CollisionProxy& proxy = entity->proxy;
-  proxy_text_->setText(
-      proxy.mesh ? tr("%1 triangles, off the mesh by at most %2")
-                       .arg(countText(static_cast<double>(proxy.mesh->triangles.size())), millimetres(proxy.deviation))
-                 : tr("The mesh as it is drawn."));
+  proxy_text_->setText(proxy.mesh ? tr("%1 triangles, off the mesh by at most %2")
+                                        .arg(countText(static_cast<double>(proxy.mesh->triangles.size())),
+                                             millimetreText(proxy.deviation))
+                                  : tr("The mesh as it is drawn."));
   if (looked_at_ != entity->mesh.get()) look();
 }
 
@@ -157,7 +157,7 @@ void MeshCarePanel::simplify() {
           const QString told =
               tr("%1 of %2 triangles are left, off the surface by at most %3.")
                   .arg(countText(static_cast<double>(made->mesh.triangles.size())),
-                       countText(static_cast<double>(mesh->triangles.size())), millimetres(made->deviation));
+                       countText(static_cast<double>(mesh->triangles.size())), millimetreText(made->deviation));
           auto result = std::make_shared<workcell::MadeMesh>(std::move(*made));
           return BackgroundWork::Then(
               [this, id, source, result, told] { replace(id, source, std::move(result->mesh), told); });

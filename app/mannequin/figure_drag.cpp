@@ -13,14 +13,14 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMostSteps = 12;     // Of the held entity between two pictures.
-constexpr double kStride = 5e-3;   // m that one of them goes at the most,
-constexpr double kTurn = 0.035;    // and rad. Longer ones leave the straight way, as each turns the joints only so far.
-constexpr double kLever = 0.1;     // m that a radian counts like.
-constexpr double kArrived = 2e-4;  // m
-constexpr double kStands = 2e-5;   // m: steps that bring less than this
-constexpr int kIdleSteps = 6;      // one after the other are the last.
-constexpr double kLook = 2e-3;     // m: what is nearer when the way ends is in the way.
+constexpr int kMostSteps = 12;    // Of the held entity between two pictures.
+constexpr double kStride = 5e-3;  // m that one of them goes at the most,
+constexpr double kTurn = 0.035;   // and rad. Longer ones leave the straight way, as each turns the joints only so far.
+constexpr double kForearmLever = 0.1;  // m that a radian counts like.
+constexpr double kArrived = 2e-4;      // m
+constexpr double kStands = 2e-5;       // m: steps that bring less than this
+constexpr int kIdleSteps = 6;          // one after the other are the last.
+constexpr double kLook = 2e-3;         // m: what is nearer when the way ends is in the way.
 
 /// The arm that a hand goes along with.
 struct Forearm {
@@ -80,7 +80,7 @@ struct FigureDrag::Work {
 
   double missing() const {
     const Twist left = difference(X_WTarget, held->movedFrame());
-    return glm::length(left.linear) + (forearm ? 0.0 : kLever * glm::length(left.angular));
+    return glm::length(left.linear) + (forearm ? 0.0 : kForearmLever * glm::length(left.angular));
   }
 
   /// What the next step wants: a piece of the way; all of it where pieces do not help any more.

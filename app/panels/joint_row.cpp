@@ -12,12 +12,6 @@
 #include "app/style/units.h"
 
 namespace hapticell::app {
-namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
-}  // namespace
-
 JointRow::JointRow(const Scale& scale, QWidget* parent) : QWidget(parent), scale_(scale) {
   setFixedHeight(22);
   setFocusPolicy(Qt::StrongFocus);

@@ -6,7 +6,6 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr double kLock = 1.0 - 1e-12;
 
 }  // namespace

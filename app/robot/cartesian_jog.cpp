@@ -15,7 +15,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr const char* kAxes[6]{"X", "Y", "Z", "A", "B", "C"};
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 /// A turns about z, B about y, C about x, as the angles of a pose do.
 constexpr int kTurnAxis[3]{2, 1, 0};

@@ -158,7 +158,6 @@ std::vector<SceneCurve> axisCurves(const MechanismJoint& joint, double length) {
 }
 
 double shownUnit(const workcell::MechanismJoint& joint) {
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
   return joint.type == workcell::MechanismJointType::kPrismatic ? 0.001 : kDegree;
 }
 

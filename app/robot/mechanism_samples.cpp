@@ -11,7 +11,6 @@ namespace {
 using workcell::MechanismJoint;
 using workcell::MechanismJointType;
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 constexpr std::array<float, 3> kSteel{0.72f, 0.74f, 0.76f}, kDark{0.30f, 0.33f, 0.37f}, kBlue{0.50f, 0.58f, 0.66f};
 
 /// Collects the parts; names are made free when the sample is placed.

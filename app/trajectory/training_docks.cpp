@@ -18,7 +18,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kFollowMilliseconds = 33;
-constexpr int kDockWidth = 332;
+constexpr int kTrainingWidth = 332;
 constexpr double kAhead = 0.3;  // s of the expert's time that the ghost is ahead.
 
 }  // namespace
@@ -29,7 +29,7 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(kDockWidth);
+  scroll->setMinimumWidth(kTrainingWidth);
   scroll->setWidget(panel_);
   dock_ = makeDock("dockTraining", tr("Training"), scroll);
   host_.addDock(dock_, Qt::RightDockWidgetArea);

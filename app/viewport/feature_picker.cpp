@@ -26,7 +26,7 @@ std::optional<std::pair<std::uint32_t, double>> firstTriangle(const geometry::Tr
                                                               const collision::Ray& ray, bool* doubtful = nullptr) {
   std::optional<std::pair<std::uint32_t, double>> first;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto crossing = collision::meetTriangle(ray, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+    const auto crossing = collision::meetTriangle(ray, mesh.corners(t));
     if (crossing.meets && crossing.along > 0.0 && (!first || crossing.along < first->second))
       first.emplace(t, crossing.along);
     const auto edge = [&](int i) { return mesh.corner(t, i) - mesh.corner(t, 0); };

@@ -21,11 +21,6 @@ double roundTo(double value, double step) {
   return step > 0.0 ? std::round(value / step) * step : value;
 }
 
-dvec3 limited(const dvec3& v, double limit) {
-  const double length = glm::length(v);
-  return length > limit ? v * (limit / length) : v;
-}
-
 /// The orientation as gimbal encoders tell it: yaw, pitch and roll in whole steps. The error of the orientation is at
 /// most three half steps, also where pitch is a right angle and the angles themselves are arbitrary.
 dquat roundedByGimbal(const dquat& q, double step) {
@@ -124,7 +119,7 @@ void SimulatedDevice::applyDelayedForce() noexcept {
   // Each motor's torque goes through its own converter; its range is the tip's force at the middle's lever.
   const dmat3 J = arm_.jacobian(arm_.joints(X_DS_.p));
   const double levels = std::ldexp(1.0, profile_.converter_bits - 1);
-  dvec3 torque = glm::transpose(J) * limited(command.force_D, profile_.converter_range);
+  dvec3 torque = glm::transpose(J) * shortenedTo(command.force_D, profile_.converter_range);
   for (int i = 0; i < 3; ++i) {
     const double full = profile_.converter_range * lever_[i];
     torque[i] = std::clamp(std::round(torque[i] / full * levels), -levels, levels - 1.0) * full / levels;
@@ -132,7 +127,7 @@ void SimulatedDevice::applyDelayedForce() noexcept {
   const dmat3 damped = J * glm::transpose(J) + dmat3(1e-6);
   motor_D_ = glm::inverse(damped) * (J * torque);
   // The gimbal's motors, about the axes of D.
-  motor_torque_D_ = limited(command.torque_D, profile_.peak_torque);
+  motor_torque_D_ = shortenedTo(command.torque_D, profile_.peak_torque);
   if (profile_.peak_torque > 0.0) {
     motor_torque_D_ = glm::round(motor_torque_D_ / profile_.peak_torque * levels) * profile_.peak_torque / levels;
   }
@@ -165,7 +160,7 @@ void SimulatedDevice::integrate(double h, double into_tick) noexcept {
     intent = hand_.intentAt(into_tick);
     const HandOptions& hand = hand_.options();
     hand_D_ =
-        limited(hand.stiffness * (intent.X_DH.p - X_DS_.p) + hand.damping * (intent.v_DH - v_DS_), hand.max_force);
+        shortenedTo(hand.stiffness * (intent.X_DH.p - X_DS_.p) + hand.damping * (intent.v_DH - v_DS_), hand.max_force);
     force += hand_D_;
   }
   const dvec3 v = v_DS_ + inverse_mass_ * force * h;

@@ -7,11 +7,6 @@ namespace {
 
 constexpr double kMaxTurn = 20.0;  // rad/s the intended orientation turns at most.
 
-dvec3 limited(const dvec3& v, double limit) {
-  const double length = glm::length(v);
-  return length > limit ? v * (limit / length) : v;
-}
-
 }  // namespace
 
 void SimulatedHand::hold(const Pose& X_DH, std::uint32_t buttons) {
@@ -36,8 +31,8 @@ void SimulatedHand::beginTick(const Pose& X_DS, double dt) {
   gripping_ = true;
   last_dt_ = dt;
   const Twist wanted = difference(goal_, start_);
-  velocity_ = limited(wanted.linear / dt, options_.max_speed);
-  angular_velocity_ = limited(wanted.angular / dt, kMaxTurn);
+  velocity_ = shortenedTo(wanted.linear / dt, options_.max_speed);
+  angular_velocity_ = shortenedTo(wanted.angular / dt, kMaxTurn);
 }
 
 HandIntent SimulatedHand::intentAt(double s) const {

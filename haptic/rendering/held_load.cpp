@@ -21,11 +21,6 @@ double within(double value, double most) {
   return std::isfinite(value) ? std::clamp(value, 0.0, most) : 0.0;
 }
 
-dvec3 limited(const dvec3& v, double limit) {
-  const double length = glm::length(v);
-  return length > limit ? v * (limit / length) : v;
-}
-
 }  // namespace
 
 LoadOptions sane(LoadOptions options) {
@@ -33,7 +28,7 @@ LoadOptions sane(LoadOptions options) {
   options.damping = within(options.damping, kMostDamping);
   options.friction = within(options.friction, kMostFriction);
   const double weight = glm::length(options.weight_D);
-  options.weight_D = std::isfinite(weight) ? limited(options.weight_D, kMostWeight) : dvec3(0.0);
+  options.weight_D = std::isfinite(weight) ? shortenedTo(options.weight_D, kMostWeight) : dvec3(0.0);
   return options;
 }
 
@@ -48,7 +43,7 @@ void HeldLoad::reset() {
 }
 
 dvec3 HeldLoad::tick(const dvec3& p_DS, const dvec3& v_DS, double dt) {
-  weight_D_ += limited(options_.weight_D - weight_D_, kWeightRate * dt);
+  weight_D_ += shortenedTo(options_.weight_D - weight_D_, kWeightRate * dt);
   const dvec3 steady = weight_D_ + drag(p_DS);
   if (options_.mass < kLeastMass) return steady - options_.damping * v_DS;
   if (!has_mass_) {
@@ -68,7 +63,7 @@ dvec3 HeldLoad::drag(const dvec3& p_DS) {
   }
   if (!rubs_) p_DA_ = p_DS;
   rubs_ = true;
-  p_DA_ = p_DS + limited(p_DA_ - p_DS, options_.friction / kBristle);
+  p_DA_ = p_DS + shortenedTo(p_DA_ - p_DS, options_.friction / kBristle);
   return kBristle * (p_DA_ - p_DS);
 }
 
@@ -84,7 +79,7 @@ void HeldLoad::moveMass(const dvec3& p_DS, const dvec3& v_DS, double dt) {
   }
   const dvec3 stretch = p_DM_ - p_DS;
   if (glm::length(stretch) <= kLongestStretch) return;
-  p_DM_ = p_DS + limited(stretch, kLongestStretch);
+  p_DM_ = p_DS + shortenedTo(stretch, kLongestStretch);
   v_DM_ = v_DS;
 }
 

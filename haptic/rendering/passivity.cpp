@@ -7,7 +7,7 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kMillisecond = 0.001;
+constexpr double kTick = 0.001;
 constexpr double kAllowance = 0.2e-3;     // J made before the controller acts.
 constexpr double kControllerStep = 0.1;   // N s/m per millisecond.
 constexpr double kControllerLimit = 5.0;  // N s/m.
@@ -46,7 +46,7 @@ double PassivityController::recentLoss() const {
 
 void PassivityController::step(bool contact, double dt) {
   noteHighest(dt);
-  const double change = kControllerStep * dt / kMillisecond;
+  const double change = kControllerStep * dt / kTick;
   const bool act = contact && balance() < -kAllowance;
   damping_ = std::clamp(damping_ + (act ? change : -change), 0.0, kControllerLimit);
 }

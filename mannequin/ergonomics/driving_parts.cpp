@@ -139,10 +139,6 @@ constexpr std::array<std::pair<std::size_t, BodyPart>, 6> kRebaParts{{{Reba::kUp
                                                                       {Reba::kWrist, BodyPart::kWrist},
                                                                       {Reba::kLegs, BodyPart::kLegs}}};
 
-dvec3 midHip(const FigurePose& pose) {
-  return 0.5 * (pose[Segment::kLeftThigh].p_WS + pose[Segment::kRightThigh].p_WS);
-}
-
 constexpr double kHand = 0.1;  ///< m: fingers point along -z of the hand's frame.
 
 JointAngle between(const dvec3& joint, const dvec3& zero, const dvec3& end) {
@@ -209,7 +205,7 @@ std::string drivingWords(const PostureScores& scores, PostureMethod method, cons
 }
 
 JointAngle jointAngle(const FigurePose& pose, const DrivingPart& part) {
-  const dvec3 hip = midHip(pose), neck = pose[Segment::kLowerNeck].p_WS;
+  const dvec3 hip = middleOfHips(pose), neck = pose[Segment::kLowerNeck].p_WS;
   const dvec3 shoulder = pose[armSegment(part.side, Segment::kLeftUpperArm)].p_WS;
   const dvec3 elbow = pose[armSegment(part.side, Segment::kLeftForearm)].p_WS;
   const dvec3 wrist = pose[armSegment(part.side, Segment::kLeftHand)].p_WS;

@@ -7,7 +7,7 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr double kBent = 20.0, kBentFar = 60.0;  ///< Degrees of the trunk.
+constexpr double kTrunkBent = 20.0, kTrunkBentFar = 60.0;  ///< Degrees of the trunk.
 constexpr std::size_t kColumns = 10;
 constexpr std::array<double, kColumns> kShares{0.05, 0.075, 0.10, 0.15, 0.20, 0.27, 0.33, 0.50, 0.67, 0.83};
 
@@ -61,17 +61,17 @@ std::string_view nameOf(EawsPosture posture) {
 
 EawsPosture eawsPosture(const EawsObservation& observed) {
   const double trunk = std::abs(observed.trunk_flexion);
-  if (observed.kneeling) return trunk > kBent ? EawsPosture::kKneelBentForward : EawsPosture::kKneelUpright;
+  if (observed.kneeling) return trunk > kTrunkBent ? EawsPosture::kKneelBentForward : EawsPosture::kKneelUpright;
   if (observed.seated) {
     if (observed.hands_above_head) return EawsPosture::kSitHandsAboveHead;
     if (observed.elbow_at_shoulder) return EawsPosture::kSitElbowAtShoulder;
-    if (trunk > kBent) return EawsPosture::kSitBentForward;
+    if (trunk > kTrunkBent) return EawsPosture::kSitBentForward;
     return observed.trunk_supported ? EawsPosture::kSitBackSupport : EawsPosture::kSitUpright;
   }
   if (observed.hands_above_head) return EawsPosture::kStandHandsAboveHead;
   if (observed.elbow_at_shoulder) return EawsPosture::kStandElbowAtShoulder;
-  if (trunk > kBentFar) return EawsPosture::kStandBentFar;
-  if (trunk > kBent) return EawsPosture::kStandBentForward;
+  if (trunk > kTrunkBentFar) return EawsPosture::kStandBentFar;
+  if (trunk > kTrunkBent) return EawsPosture::kStandBentForward;
   return observed.walking ? EawsPosture::kStandAndWalkAlternating : EawsPosture::kStandNoSupport;
 }
 

@@ -31,13 +31,9 @@ struct TrunkFrame {
   dvec3 up, forward, left;
 };
 
-dvec3 midHip(const FigurePose& pose) {
-  return 0.5 * (pose[Segment::kLeftThigh].p_WS + pose[Segment::kRightThigh].p_WS);
-}
-
 TrunkFrame trunkFrame(const FigurePose& pose) {
   TrunkFrame trunk{};
-  trunk.up = glm::normalize(pose[Segment::kLowerNeck].p_WS - midHip(pose));
+  trunk.up = glm::normalize(pose[Segment::kLowerNeck].p_WS - middleOfHips(pose));
   const dvec3 chest = pose[Segment::kThorax].R_WS * dvec3(1, 0, 0);
   trunk.left = glm::normalize(glm::cross(trunk.up, chest));
   trunk.forward = glm::cross(trunk.left, trunk.up);

@@ -17,13 +17,13 @@ struct Input {
   double step;
 };
 
-constexpr std::string_view kCoupling = "coupling", kLoad = "load_kg";
+constexpr std::string_view kCouplingField = "coupling", kLoadField = "load_kg";
 constexpr std::array<Input, 5> kInputs{{{"h_cm", &LiftingTask::h_cm, 25.0, 0.1},
                                         {"v_cm", &LiftingTask::v_cm, 75.0, 0.1},
                                         {"d_cm", &LiftingTask::d_cm, 25.0, 0.1},
                                         {"asymmetry_deg", &LiftingTask::asymmetry_deg, 0.0, 1.0},
                                         {"frequency_per_min", &LiftingTask::frequency_per_min, 0.2, 0.01}}};
-constexpr Input kLoadInput{kLoad, &LiftingTask::load_kg, 0.1, 0.1};
+constexpr Input kLoadInput{kLoadField, &LiftingTask::load_kg, 0.1, 0.1};
 
 double indexOrMost(const LiftingIndex& index_of, const LiftingTask& task) {
   return index_of(task).value_or(std::numeric_limits<double>::infinity());
@@ -69,7 +69,7 @@ bool isEnough(const LiftingChange& change, double target) {
 LiftingChange couplingChange(const LiftingTask& task, const LiftingIndex& index_of) {
   LiftingTask tried = task;
   tried.coupling = Coupling::kGood;
-  return {kCoupling, static_cast<double>(task.coupling), 0.0, index_of(tried)};
+  return {kCouplingField, static_cast<double>(task.coupling), 0.0, index_of(tried)};
 }
 
 const Input* inputOf(std::string_view field) {
@@ -83,7 +83,7 @@ std::vector<LiftingDriver> driversOf(const LiftingResult& result) {
                                      {"d_cm", "DM", result.dm},
                                      {"asymmetry_deg", "AM", result.am},
                                      {"frequency_per_min", "FM", result.fm},
-                                     {kCoupling, "CM", result.cm}};
+                                     {kCouplingField, "CM", result.cm}};
   std::erase_if(drivers, [](const LiftingDriver& driver) { return driver.value >= 1.0; });
   std::stable_sort(drivers.begin(), drivers.end(),
                    [](const LiftingDriver& a, const LiftingDriver& b) { return a.value < b.value; });

@@ -8,7 +8,7 @@
 namespace hapticell::ergonomics {
 namespace {
 
-constexpr double kOften = 4.0;  ///< Repetitions a minute from which RULA and REBA speak of repeated action.
+constexpr double kRepeated = 4.0;  ///< Repetitions a minute from which RULA and REBA speak of repeated action.
 
 Expected<void> within(const char* name, double value, double least, double most, const char* unit) {
   if (std::isfinite(value) && value >= least && value <= most) return {};
@@ -19,7 +19,7 @@ Expected<void> within(const char* name, double value, double least, double most,
 }
 
 bool isRepeatedOrStatic(const WorkTask& task) {
-  return task.is_static.value_or(false) || task.repetitions_per_min.value_or(0.0) >= kOften;
+  return task.is_static.value_or(false) || task.repetitions_per_min.value_or(0.0) >= kRepeated;
 }
 
 WorkTask preset(const char* name, double load, double repetitions, bool is_static, Grip grip, double hours) {
@@ -101,7 +101,7 @@ std::optional<int> rebaCoupling(const WorkTask& task) {
 
 std::optional<int> rebaActivity(const WorkTask& task) {
   if (!task.is_static || !task.repetitions_per_min) return std::nullopt;
-  return (*task.is_static ? 1 : 0) + (*task.repetitions_per_min > kOften ? 1 : 0) +
+  return (*task.is_static ? 1 : 0) + (*task.repetitions_per_min > kRepeated ? 1 : 0) +
          (task.has_rapid_changes.value_or(false) ? 1 : 0);
 }
 

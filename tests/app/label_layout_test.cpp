@@ -7,7 +7,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr ViewSize kSize{1200.0, 700.0};
+constexpr ViewSize kPictureSize{1200.0, 700.0};
 
 std::vector<LabelWish> threeAt(const glm::dvec2& place) {
   return {
@@ -18,19 +18,19 @@ RC_GTEST_PROP(LabelLayout, LabelsCoverNeitherEachOtherNorTheirPoints, ()) {
   LabelLayout layout;
   const glm::dvec2 place(*rc::gen::inRange(350, 850), *rc::gen::inRange(200, 500));
   const std::vector<LabelWish> wishes = threeAt(place);
-  const auto placed = layout.place(wishes, {}, kSize, 1.0, false);
+  const auto placed = layout.place(wishes, {}, kPictureSize, 1.0, false);
   RC_ASSERT(placed.size() == 3u);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     for (const LabelWish& wish : wishes) RC_ASSERT(!placed[i].box.contains(wish.anchor));
     for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!placed[i].box.overlaps(placed[j].box));
-    RC_ASSERT(placed[i].box.min.x >= 0.0 && placed[i].box.max.x <= kSize.width);
+    RC_ASSERT(placed[i].box.min.x >= 0.0 && placed[i].box.max.x <= kPictureSize.width);
   }
 }
 
 TEST(LabelLayout, ALabelStaysOnItsSideWhileItsPointMovesALittle) {
   LabelLayout layout;
-  const auto first = layout.place({{1, {590, 300}, {150, 44}}}, {}, kSize, 0.0);
-  const auto second = layout.place({{1, {615, 305}, {150, 44}}}, {}, kSize, 0.016);
+  const auto first = layout.place({{1, {590, 300}, {150, 44}}}, {}, kPictureSize, 0.0);
+  const auto second = layout.place({{1, {615, 305}, {150, 44}}}, {}, kPictureSize, 0.016);
   EXPECT_EQ(first[0].right_of_point, second[0].right_of_point);
   EXPECT_NEAR(second[0].box.min.x - first[0].box.min.x, 25.0, 1e-9) << "it moves with its point";
   EXPECT_FALSE(layout.moving());
@@ -39,13 +39,13 @@ TEST(LabelLayout, ALabelStaysOnItsSideWhileItsPointMovesALittle) {
 TEST(LabelLayout, ANewPlaceIsReachedSmoothlyAndInTime) {
   LabelLayout layout;
   const LabelWish wish{1, {400, 300}, {150, 44}};
-  const auto first = layout.place({wish}, {}, kSize, 0.0);
+  const auto first = layout.place({wish}, {}, kPictureSize, 0.0);
   const std::vector<PixelBox> blocked{{first[0].box.min - 2.0, first[0].box.max + 2.0}};
-  const auto going = layout.place({wish}, blocked, kSize, 0.01);
+  const auto going = layout.place({wish}, blocked, kPictureSize, 0.01);
   EXPECT_TRUE(layout.moving());
   EXPECT_LT(glm::length(going[0].box.min - first[0].box.min), 100.0) << "it does not jump";
-  layout.place({wish}, blocked, kSize, 0.12);
-  const auto there = layout.place({wish}, blocked, kSize, 0.12);
+  layout.place({wish}, blocked, kPictureSize, 0.12);
+  const auto there = layout.place({wish}, blocked, kPictureSize, 0.12);
   EXPECT_FALSE(layout.moving());
   EXPECT_FALSE(there[0].box.overlaps(blocked[0]));
 }

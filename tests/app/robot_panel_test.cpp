@@ -20,8 +20,6 @@
 namespace hapticell::app {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 /// Waits for the list of configurations and the check of every way.
 ConfigurationModel* checkedList(RobotPage& page, int rows) {
   auto* table = page.find<QTableView>("tableConfigurations");

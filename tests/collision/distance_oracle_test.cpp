@@ -24,7 +24,7 @@ NearestPair bruteForce(const TriangleMesh& a, const Pose& X_WA, const TriangleMe
   for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
     const Corners first{X_WA * a.corner(i, 0), X_WA * a.corner(i, 1), X_WA * a.corner(i, 2)};
     for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
-      improveTriangleDistance(first, {b.corner(j, 0), b.corner(j, 1), b.corner(j, 2)}, best);
+      improveTriangleDistance(first, b.corners(j), best);
     }
   }
   return best;

@@ -27,7 +27,7 @@ double bruteForce(const geometry::TriangleMesh& a, const Pose& X_BA, const geome
   for (std::uint32_t i = 0; i < a.triangles.size(); ++i) {
     const Corners first{X_BA * a.corner(i, 0), X_BA * a.corner(i, 1), X_BA * a.corner(i, 2)};
     for (std::uint32_t j = 0; j < b.triangles.size(); ++j) {
-      improveTriangleDistance({b.corner(j, 0), b.corner(j, 1), b.corner(j, 2)}, first, best);
+      improveTriangleDistance(b.corners(j), first, best);
     }
   }
   return std::sqrt(best.squared);

@@ -21,10 +21,6 @@ geometry::TriangleMesh read(const std::filesystem::path& path, double scale = 1.
   return mesh ? *mesh : geometry::TriangleMesh{};
 }
 
-Pose at(double x, double y, double z, const dvec3& rotation = dvec3(0.0)) {
-  return {dvec3(x, y, z), quaternionFromRotationVector(rotation)};
-}
-
 TEST(ZoneContactsOfRealParts, PegInHole) {
   HAPTICELL_SHARED_DATA_OR_SKIP(peg, "cad/obj/factory_round_peg_8mm_tight.obj");
   HAPTICELL_SHARED_DATA_OR_SKIP(hole, "cad/obj/factory_round_hole_8mm_subdiv_3x.obj");

@@ -19,10 +19,6 @@ using geometry::makePrism;
 using geometry::makeSphere;
 using geometry::TriangleMesh;
 
-Pose at(double x, double y, double z, const dvec3& rotation = dvec3(0.0)) {
-  return {dvec3(x, y, z), quaternionFromRotationVector(rotation)};
-}
-
 TriangleMesh bracket(double leg, double thick, double height) {
   const std::vector<glm::dvec2> outline{{0, 0}, {leg, 0}, {leg, thick}, {thick, thick}, {thick, leg}, {0, leg}};
   return makePrism(outline, height);

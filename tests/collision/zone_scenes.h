@@ -12,6 +12,10 @@
 
 namespace hapticell::test {
 
+inline Pose at(double x, double y, double z, const dvec3& rotation = dvec3(0.0)) {
+  return {dvec3(x, y, z), quaternionFromRotationVector(rotation)};
+}
+
 /// A moved mesh at some places near a fixed one; E is the fixed mesh's frame and the world.
 struct ZoneScene {
   std::string name;

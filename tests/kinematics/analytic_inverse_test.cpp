@@ -37,12 +37,6 @@ double worstError(const InverseSolution& solution) {
   return std::max(solution.position_error, solution.orientation_error);
 }
 
-double largestStep(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 TEST(AnalyticInverse, SolvesEveryReachablePoseOfEveryClass) {
   for (const auto& make : {test::kr120, test::ur5e, test::iiwa, test::panda, test::scara, test::sphericalWrist,
                            test::sphericalBase, test::offsetWrist, test::offsetWristWithShoulder}) {
@@ -217,7 +211,7 @@ TEST(AnalyticInverse, FollowsAPathWithoutAJump) {
       robot.inverse->solveNearest(X_BT, before, 1e-3, solution);
       ASSERT_EQ(solution.status, InverseStatus::kSolved) << robot.inverse->name() << " " << i;
       ASSERT_LT(worstError(solution), 1e-9);
-      ASSERT_LE(largestStep(before, solution.q), 3.2e-3);
+      ASSERT_LE(test::largestStep(before, solution.q), 3.2e-3);
     }
   }
 }
@@ -331,10 +325,10 @@ TEST(AnalyticInverse, GoesOutOfReachAndComesBackTheSameWay) {
       const std::vector<double> before = solution.q;
       robot.inverse->solveNearest({X_0.p + s * out, X_0.q}, before, 1e-3, solution);
       was_out = was_out || solution.position_error > 0.3;
-      ASSERT_LE(largestStep(before, solution.q), 7e-3);
+      ASSERT_LE(test::largestStep(before, solution.q), 7e-3);
     }
     EXPECT_TRUE(was_out);
-    EXPECT_LT(largestStep(solution.q, q), 1e-3) << robot.inverse->name();
+    EXPECT_LT(test::largestStep(solution.q, q), 1e-3) << robot.inverse->name();
   }
 }
 

@@ -13,8 +13,6 @@
 namespace hapticell::kinematics {
 namespace {
 
-constexpr double kDegree = 0.01745329251994329577;
-
 std::array<double, 6> degrees(const std::array<double, 6>& angles) {
   std::array<double, 6> q = angles;
   for (double& angle : q) angle *= kDegree;

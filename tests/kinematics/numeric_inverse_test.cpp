@@ -29,12 +29,6 @@ bool withinLimits(const RobotModel& model, const std::vector<double>& q) {
   return true;
 }
 
-double largestStep(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 RC_GTEST_PROP(NumericInverse, SolvesEveryReachablePose, ()) {
   static const RobotModel kModels[] = {test::kr120(), test::ur5e(), test::panda(), test::scara()};
   const RobotModel& model = kModels[*rc::gen::inRange(0, 4)];
@@ -57,7 +51,7 @@ TEST(NumericInverse, FindsTheEightSolutionsOfASixAxisArm) {
   const Pose X_BT = test::tipPose(model, q, model.defaultTip());
   const auto solutions = inverse->solveAll(X_BT, q);
   ASSERT_EQ(solutions.size(), 8u);
-  EXPECT_LT(largestStep(solutions[0].q, q), 1e-8) << "the nearest is the start itself";
+  EXPECT_LT(test::largestStep(solutions[0].q, q), 1e-8) << "the nearest is the start itself";
   EXPECT_TRUE(solutions[0].within_limits);
   std::set<std::string> names;
   for (const AlternativeSolution& solution : solutions) {
@@ -74,10 +68,10 @@ TEST(NumericInverse, NearestTurnWithinLimits) {
   const auto inverse = inverseOf(model);
   const std::vector<double> q = {0.4, -1.1, 1.3, 0.7, 0.9, 5.9};
   const Pose X_BT = test::tipPose(model, q, model.defaultTip());
-  EXPECT_LT(largestStep(inverse->solve(X_BT, {0.4, -1.1, 1.3, 0.7, 0.9, 5.0}).q, q), 1e-7);
+  EXPECT_LT(test::largestStep(inverse->solve(X_BT, {0.4, -1.1, 1.3, 0.7, 0.9, 5.0}).q, q), 1e-7);
   std::vector<double> turned = q;
   turned[5] -= 2 * kPi;
-  EXPECT_LT(largestStep(inverse->solve(X_BT, {0.4, -1.1, 1.3, 0.7, 0.9, -0.1}).q, turned), 1e-7);
+  EXPECT_LT(test::largestStep(inverse->solve(X_BT, {0.4, -1.1, 1.3, 0.7, 0.9, -0.1}).q, turned), 1e-7);
   const RobotModel endless = test::scara();
   std::vector<double> far = {0.3, 1.0, 0.1, 40.0};
   const Pose X_endless = test::tipPose(endless, far, endless.defaultTip());
@@ -109,7 +103,7 @@ TEST(NumericInverse, TellsSingularPositions) {
     const InverseSolution solution = inverse->solve(test::tipPose(model, q, model.defaultTip()), q);
     EXPECT_EQ(solution.status, InverseStatus::kSolved);
     EXPECT_EQ(solution.singular, std::abs(a5) < 1e-3) << a5;
-    EXPECT_LT(largestStep(solution.q, q), 1e-4) << "where joint 4 is free, it stays";
+    EXPECT_LT(test::largestStep(solution.q, q), 1e-4) << "where joint 4 is free, it stays";
   }
 }
 
@@ -131,7 +125,7 @@ TEST(NumericInverse, TracksAPathWithoutJumps) {
       inverse->solveNearest(X_BT, before, 1e-3, solution);
       ASSERT_EQ(solution.status, InverseStatus::kSolved) << model.dof() << " " << t;
       // No joint goes faster than its limit of 3 rad/s.
-      ASSERT_LT(largestStep(solution.q, before), 0.00301);
+      ASSERT_LT(test::largestStep(solution.q, before), 0.00301);
     }
   }
 }
@@ -156,7 +150,7 @@ TEST(NumericInverse, GlidesAlongTheBoundaryOutsideTheWorkspace) {
       const std::vector<double> before = solution.q;
       inverse->solveNearest(X_BT, before, 1e-3, solution);
       ASSERT_TRUE(withinLimits(model, solution.q));
-      ASSERT_LT(largestStep(solution.q, before), 0.00301);
+      ASSERT_LT(test::largestStep(solution.q, before), 0.00301);
       const dvec3 p = test::tipPose(model, solution.q, model.defaultTip()).p;
       largest_tip_step = std::max(largest_tip_step, glm::length(p - p_before));
       farthest = std::max(farthest, solution.position_error);
@@ -186,7 +180,7 @@ TEST(NumericInverse, ComesBackWithTheElbowOnItsSide) {
       inverse->solveNearest(X_BT, before, 1e-3, solution);
     }
     EXPECT_EQ(solution.status, InverseStatus::kSolved);
-    EXPECT_LT(largestStep(solution.q, q), 1e-4);
+    EXPECT_LT(test::largestStep(solution.q, q), 1e-4);
   }
 }
 

@@ -12,6 +12,12 @@
 
 namespace hapticell::kinematics::test {
 
+inline double largestStep(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
 /// Appends a link carried by a joint to the link `parent` (by index); limits of +-2.5 unless changed afterwards.
 inline Joint& addJoint(RobotModel& model, int parent, const std::string& name, JointType type, const dvec3& axis,
                        const Pose& X_PJ) {

@@ -16,7 +16,7 @@ using haptic::ConstraintKind;
 using workcell::Guide;
 using workcell::GuideKind;
 
-Guide guideOf(GuideKind kind) {
+Guide placedGuide(GuideKind kind) {
   Guide guide;
   guide.name = "guide";
   guide.kind = kind;
@@ -47,7 +47,7 @@ TEST(GuideConstraints, theirGradientsAreThoseOfTheirGaps) {
   const Pose X_WM = moved(X_WM0, {0.004, -0.003, 0.002, 0.01, 0.02, -0.01});
   const double h = 1e-6;
   for (int k = 0; k <= static_cast<int>(GuideKind::kLock); ++k) {
-    const Guide guide = guideOf(static_cast<GuideKind>(k));
+    const Guide guide = placedGuide(static_cast<GuideKind>(k));
     const auto rows = guideConstraints(guide, X_WM, X_WM0, 0);
     EXPECT_EQ(rows.empty(), guide.kind == GuideKind::kSurface);
     for (std::size_t i = 0; i < 6; ++i) {
@@ -64,7 +64,7 @@ TEST(GuideConstraints, theirGradientsAreThoseOfTheirGaps) {
 }
 
 TEST(GuideConstraints, aCircleIsExactFarFromItsReference) {
-  Guide guide = guideOf(GuideKind::kCircle);
+  Guide guide = placedGuide(GuideKind::kCircle);
   guide.X_WG = Pose::identity();
   guide.radius = 0.1;
   const Pose X_WM = Pose::translation({0.1, 0.0, 0.0});
@@ -76,7 +76,7 @@ TEST(GuideConstraints, aCircleIsExactFarFromItsReference) {
 }
 
 TEST(GuideConstraints, aSlavedTurnIsThatOfTheDoor) {
-  Guide guide = guideOf(GuideKind::kHinge);
+  Guide guide = placedGuide(GuideKind::kHinge);
   const Pose X_WM0 = Pose::translation({0.11, 0.04, 0.06});
   const Pose X_WM = Pose::translation({0.10, 0.06, 0.06});
   const auto turn = guidedTurn(guide, X_WM, X_WM0);
@@ -101,7 +101,7 @@ TEST(GuideConstraints, aSlavedTurnIsThatOfTheDoor) {
 }
 
 TEST(GuideConstraints, aTubeIsFreeInsideAndNotOutside) {
-  Guide guide = guideOf(GuideKind::kTube);
+  Guide guide = placedGuide(GuideKind::kTube);
   guide.radius = 0.02;
   guide.help = 0.0;
   for (const double y : {0.0, 0.015, 0.025}) {

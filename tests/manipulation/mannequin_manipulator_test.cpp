@@ -38,11 +38,6 @@ MannequinManipulator manipulatorOf(const workcell::Entity& entity, Hands hands, 
   return {entity.figure, entity.robot, hands, {lock_trunk, false}, {entity.X_WE, entity.joints}, parts};
 }
 
-double placeError(const Pose& a, const Pose& b) {
-  const Twist off = difference(a, b);
-  return std::max(glm::length(off.linear), 0.1 * glm::length(off.angular));
-}
-
 TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
   const workcell::Entity entity = mannequinEntity("both_hands_forward");
   std::vector<int> links;
@@ -52,7 +47,7 @@ TEST(MannequinManipulator, TheGripFollowsAndTheBodyKeepsItsFeet) {
     Pose wanted = manipulator.movedFrame(start);
     wanted.p += dvec3(0.02, 0.01, -0.03);
     const EntityConfiguration moved = manipulator.propose(start, wanted, 1.0);
-    EXPECT_LT(placeError(manipulator.movedFrame(moved), wanted), 1e-4);
+    EXPECT_LT(test::placeError(manipulator.movedFrame(moved), wanted), 1e-4);
     std::vector<Pose> before(links.size()), after(links.size());
     manipulator.partPoses(start, before);
     manipulator.partPoses(moved, after);
@@ -122,7 +117,7 @@ TEST(MannequinManipulator, HangingArmsAreNotAtTheEndOfTheReachWhateverTheScaleOf
       Pose wanted = manipulator.movedFrame(configuration);
       for (int i = 0; i <= 60; ++i) {
         configuration = manipulator.propose(configuration, wanted, 1.0);
-        ASSERT_LT(placeError(manipulator.movedFrame(configuration), wanted), 1e-4);
+        ASSERT_LT(test::placeError(manipulator.movedFrame(configuration), wanted), 1e-4);
         for (const double zone : {0.01, 0.12, 0.6}) {
           EXPECT_TRUE(manipulator.limits(configuration, zone, 0.05).empty()) << static_cast<int>(hands) << " " << i;
         }
@@ -184,7 +179,7 @@ TEST(MannequinManipulator, WhatTheHandHoldsGoesWithIt) {
     std::vector<Pose> X_EL2;
     kinematics::forwardKinematics(*worker.robot, (*held)->accepted().joints, X_EL2);
     const Pose there = (*held)->accepted().X_WE * X_EL2[static_cast<std::size_t>(hand)] * X_LP;
-    EXPECT_LT(placeError(carried[0].second.X_WE, there), 1e-9) << "it stays in the hand";
+    EXPECT_LT(test::placeError(carried[0].second.X_WE, there), 1e-9) << "it stays in the hand";
   }
   EXPECT_TRUE(blocked) << "the bar stands on the plate";
 }

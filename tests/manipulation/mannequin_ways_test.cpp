@@ -15,6 +15,7 @@
 #include "manipulation/mannequin_workplace.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/support_polygon.h"
+#include "tests/manipulation/test_cells.h"
 #include "workcell/entity_source.h"
 
 namespace hapticell::manipulation {
@@ -51,11 +52,6 @@ std::vector<MannequinBody::Part> partsOf(const workcell::Entity& entity) {
   return parts;
 }
 
-double placeError(const Pose& a, const Pose& b) {
-  const Twist off = difference(a, b);
-  return std::max(glm::length(off.linear), 0.1 * glm::length(off.angular));
-}
-
 mannequin::FigurePose poseOf(const workcell::Entity& entity, const EntityConfiguration& at) {
   return mannequin::forwardKinematics(*entity.figure, mannequin::toPosture(*entity.figure, {at.X_WE, at.joints}));
 }
@@ -68,7 +64,7 @@ TEST(MannequinHead, FollowsAndItsDifferentialTellsHow) {
   wanted.p += dvec3(0.04, 0.02, -0.015);
   EntityConfiguration at = start;
   for (int i = 0; i < 10; ++i) at = head.propose(at, wanted, 1.0);
-  EXPECT_LT(placeError(head.movedFrame(at), wanted), 1e-3);
+  EXPECT_LT(test::placeError(head.movedFrame(at), wanted), 1e-3);
   constexpr double kStep = 1e-3;
   const auto parts = head.differentiate(at);
   std::vector<Pose> before(parts.size()), after(parts.size());
@@ -116,8 +112,8 @@ TEST(MannequinManipulator, OnASeatThePelvisStays) {
   wanted.p += dvec3(0.10, 0.0, 0.15);
   EntityConfiguration at = start;
   for (int i = 0; i < 20; ++i) at = hand.propose(at, wanted, 1.0);
-  EXPECT_LT(placeError(hand.movedFrame(at), wanted), 2e-3);
-  EXPECT_LT(placeError(at.X_WE, start.X_WE), 1e-6);
+  EXPECT_LT(test::placeError(hand.movedFrame(at), wanted), 2e-3);
+  EXPECT_LT(test::placeError(at.X_WE, start.X_WE), 1e-6);
 }
 
 /// The centre of mass inside the soles' edge (m; negative: outside) after the right hand was drawn `way`, held as a

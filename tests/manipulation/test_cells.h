@@ -61,4 +61,10 @@ inline SessionOptions sessionOf(std::vector<workcell::Entity> entities, const st
   return options;
 }
 
+/// m, with a radian as 0.1 m.
+inline double placeError(const Pose& a, const Pose& b) {
+  const Twist off = difference(a, b);
+  return std::max(glm::length(off.linear), 0.1 * glm::length(off.angular));
+}
+
 }  // namespace hapticell::manipulation::test

@@ -11,8 +11,6 @@
 namespace hapticell::mannequin {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 dmat3 turned(const dvec3& rotation_vector, const dmat3& R) {
   return glm::mat3_cast(quaternionFromRotationVector(rotation_vector)) * R;
 }

@@ -18,8 +18,6 @@
 namespace hapticell::mannequin {
 namespace {
 
-constexpr double kDegrees = M_PI / 180.0;
-
 constexpr const char* kSmall = R"(HIERARCHY
 ROOT hips
 {
@@ -43,7 +41,7 @@ Frame Time: 0.01
 )";
 
 double angle(const dvec3& a, const dvec3& b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / kDegrees;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / kDegree;
 }
 
 TEST(Bvh, ReadsJointsChannelsAndUnit) {
@@ -200,7 +198,8 @@ TEST(MotionWriter, WhatIsWrittenComesBackWithItsHands) {
     const auto motion = retarget(figure, *clip);
     ASSERT_TRUE(motion);
     EXPECT_TRUE(motion->frames_beyond_limit.empty()) << name << ", " << motion->frames_beyond_limit.begin()->first;
-    const FigurePose before = forwardKinematics(figure, posture), after = forwardKinematics(figure, motion->postures[0]);
+    const FigurePose before = forwardKinematics(figure, posture),
+                     after = forwardKinematics(figure, motion->postures[0]);
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const dmat3 off = glm::transpose(before[armSegment(side, Segment::kLeftHand)].R_WS) *
                         after[armSegment(side, Segment::kLeftHand)].R_WS;
@@ -253,7 +252,7 @@ SwivelError swivelError(const MotionClip& clip) {
       const dvec3 along = glm::normalize(body.hand[i] - body.shoulder[i]);
       const dvec3 arm = body.elbow[i] - body.shoulder[i];
       const double radius = glm::length(arm - glm::dot(arm, along) * along);
-      error.mean_deg += off / kDegrees;
+      error.mean_deg += off / kDegree;
       error.elbow_mm += 2000.0 * radius * std::sin(0.5 * off);
       ++error.samples;
     }

@@ -11,15 +11,10 @@
 #include "bench/mannequin_goals.h"
 #include "mannequin/limb_inverse.h"
 #include "mannequin/support_polygon.h"
+#include "tests/mannequin/median_man.h"
 
 namespace hapticell::mannequin {
 namespace {
-
-constexpr double kDegrees = M_PI / 180.0;
-
-Figure man() {
-  return *makeFigure({Sex::kMale, *statureOfPercentile(Sex::kMale, 50)});
-}
 
 double errorOf(const Figure& figure, const Posture& posture, Side side, const Pose& wanted) {
   const Twist off = difference(wanted, handPose(forwardKinematics(figure, posture), side));
@@ -49,7 +44,7 @@ double armStep(const FigurePose& a, const FigurePose& b, const Posture& from, co
 }
 
 TEST(LimbInverse, LegsAndArmsComeBackFromTheirOwnPoses) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   std::mt19937_64 random(21);
   for (int n = 0; n < 100; ++n) {
     const Posture posture = bench::makeGoal(figure, {}, random).reached;
@@ -71,7 +66,7 @@ TEST(LimbInverse, LegsAndArmsComeBackFromTheirOwnPoses) {
 }
 
 TEST(PostureSolver, SolvesReachableGoalsFromStanding) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const PostureSolver solver(figure);
   for (const bool split : {false, true}) {
     std::mt19937_64 random(split ? 31 : 32);
@@ -96,7 +91,7 @@ TEST(PostureSolver, SolvesReachableGoalsFromStanding) {
 }
 
 TEST(PostureSolver, TheOrderOfCallsDoesNotMatter) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const PostureSolver solver(figure);
   std::mt19937_64 random(41);
   std::vector<bench::ReachableGoal> goals;
@@ -134,7 +129,7 @@ Drag drag(const Figure& figure, PostureTask task, bool two_hands, int paths, std
         // The turn at most 0.25 deg a tick, so that a short way does not spin the hand.
         const Twist whole = difference(*b.task.hands[i], *a.task.hands[i]);
         const double angle = glm::length(whole.angular);
-        const double turn = angle > 0.0 ? std::min(1.0, t * 0.25 * kDegrees / angle) : 0.0;
+        const double turn = angle > 0.0 ? std::min(1.0, t * 0.25 * kDegree / angle) : 0.0;
         task.hands[i]->q = displaced(*a.task.hands[i], {dvec3(0.0), turn * whole.angular}).q;
       }
       const PostureResult result = solver.follow(task, posture);
@@ -157,22 +152,22 @@ Drag drag(const Figure& figure, PostureTask task, bool two_hands, int paths, std
 TEST(PostureSolver, ADraggedHandSwingsTheElbowAndNeverThrowsIt) {
   PostureTask whole, locked;
   locked.trunk_locked = true;
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const Drag free = drag(figure, whole, false, 8, 51);
-  EXPECT_LT(free.biggest_step, 2.1 * kDegrees);
+  EXPECT_LT(free.biggest_step, 2.1 * kDegree);
   EXPECT_LT(free.foot, 3e-4 + 1e-9);
   EXPECT_LT(free.lagging, free.steps / 10);
   const Drag trunk = drag(figure, locked, false, 6, 52);
-  EXPECT_LT(trunk.biggest_step, 2.1 * kDegrees);
+  EXPECT_LT(trunk.biggest_step, 2.1 * kDegree);
   EXPECT_LT(trunk.foot, 3e-4);
   const Drag both = drag(figure, whole, true, 6, 53);
-  EXPECT_LT(both.biggest_step, 2.1 * kDegrees);
+  EXPECT_LT(both.biggest_step, 2.1 * kDegree);
   EXPECT_LT(both.foot, 3e-4);
 }
 
 /// A hanging hand drawn straight up, its turn kept: a nearly straight arm bends far for little, and must do that.
 TEST(PostureSolver, AHangingHandDrawnUpBendsItsArmAndNotTheTrunk) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const PostureSolver solver(figure);
   Posture posture = *libraryPosture(figure, "standing");
   const FigurePose first = forwardKinematics(figure, posture);
@@ -189,17 +184,17 @@ TEST(PostureSolver, AHangingHandDrawnUpBendsItsArmAndNotTheTrunk) {
   }
   const FigurePose pose = forwardKinematics(figure, posture);
   EXPECT_LT(errorOf(figure, posture, Side::kRight, *task.hands[1]), 1e-4);
-  EXPECT_LT(angleBetween(pose[Segment::kThorax].R_WS[2], first[Segment::kThorax].R_WS[2]), 2.0 * kDegrees);
-  EXPECT_LT(biggest_step, 2.1 * kDegrees);
+  EXPECT_LT(angleBetween(pose[Segment::kThorax].R_WS[2], first[Segment::kThorax].R_WS[2]), 2.0 * kDegree);
+  EXPECT_LT(biggest_step, 2.1 * kDegree);
   // By the cosine rule, from a shoulder that stays.
   const double a = figure.upperArmLength(), b = figure.forearmLength();
   const double reach = glm::distance(task.hands[1]->p, first[Segment::kRightUpperArm].p_WS);
   EXPECT_NEAR(posture[armDof(Side::kRight, Dof::kLeftElbowFlexion)],
-              std::acos((reach * reach - a * a - b * b) / (2.0 * a * b)), 2.0 * kDegrees);
+              std::acos((reach * reach - a * a - b * b) / (2.0 * a * b)), 2.0 * kDegree);
 }
 
 TEST(PostureSolver, OutOfReachItStopsAtFullReachAndSaysWhatIsMissing) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const PostureSolver solver(figure);
   const Posture standing = *libraryPosture(figure, "standing");
   PostureTask task;
@@ -227,7 +222,7 @@ TEST(PostureSolver, OutOfReachItStopsAtFullReachAndSaysWhatIsMissing) {
 }
 
 TEST(PostureSolver, WhileOutOfReachADragNeverGetsWorse) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const PostureSolver solver(figure);
   Posture posture = *libraryPosture(figure, "reaching");
   PostureTask task;
@@ -246,7 +241,7 @@ TEST(PostureSolver, WhileOutOfReachADragNeverGetsWorse) {
 }
 
 TEST(PostureSolver, AHeldObjectDoesNotSlipInTheHands) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const PostureSolver solver(figure);
   Posture posture = *libraryPosture(figure, "both_hands_forward");
   const FigurePose pose = forwardKinematics(figure, posture);
@@ -272,7 +267,7 @@ TEST(PostureSolver, AHeldObjectDoesNotSlipInTheHands) {
 }
 
 TEST(SupportPolygon, MarginsAreDistancesToTheHull) {
-  const Figure figure = man();
+  const Figure figure = medianMan();
   const FigurePose pose = forwardKinematics(figure, *libraryPosture(figure, "standing"));
   const std::array<SegmentPlace, 2> feet = {pose[Segment::kLeftFoot], pose[Segment::kRightFoot]};
   const SupportPolygon hull = supportPolygon(figure, feet);

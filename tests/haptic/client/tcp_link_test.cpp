@@ -21,10 +21,6 @@ TcpLinkOptions to(std::uint16_t port) {
   return options;
 }
 
-bool connects(TcpLink& link) {
-  return eventually([&] { return link.linkState() == LinkState::kConnected; });
-}
-
 /// Polls until a state fulfils the condition.
 template <typename Condition>
 bool eventuallyState(HapticLink& link, Condition&& condition) {

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "haptic/client/tcp_link.h"
 #include "haptic/devices/simulated_device.h"
 #include "haptic/server/force_loop.h"
 #include "haptic/server/network_server.h"
@@ -79,5 +80,9 @@ struct LiveServer {
     return options;
   }
 };
+
+inline bool connects(TcpLink& link) {
+  return eventually([&] { return link.linkState() == LinkState::kConnected; });
+}
 
 }  // namespace hapticell::haptic

@@ -36,10 +36,6 @@ TcpLinkOptions to(std::uint16_t port, const std::optional<PairingKey>& key) {
   return options;
 }
 
-bool connects(TcpLink& link) {
-  return eventually([&] { return link.linkState() == LinkState::kConnected; });
-}
-
 bool failsFor(TcpLink& link, const std::string& reason) {
   return eventually([&] { return link.problem().find(reason) != std::string::npos; });
 }

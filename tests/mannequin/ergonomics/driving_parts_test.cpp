@@ -8,6 +8,7 @@
 
 #include "mannequin/ergonomics/advice_words.h"
 #include "mannequin/ergonomics/posture_advice.h"
+#include "tests/mannequin/median_man.h"
 
 namespace hapticell::ergonomics {
 namespace {
@@ -19,16 +20,12 @@ using mannequin::Side;
 
 constexpr double kDegrees = 57.295779513082323;
 
-Figure man() {
-  return *mannequin::makeFigure({mannequin::Sex::kMale, *mannequin::statureOfPercentile(mannequin::Sex::kMale, 50)});
-}
-
 double drawn(const JointAngle& joint) {
   return kDegrees * std::acos(std::clamp(glm::dot(joint.from_W, joint.to_W), -1.0, 1.0));
 }
 
 TEST(DrivingParts, TheOneThatLowersTheScoreMostComesFirst) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   const Posture posture = *mannequin::libraryPosture(figure, "overhead");
   const PostureScores scores = scorePosture(figure, posture, mannequin::forwardKinematics(figure, posture), WorkTask{});
   for (const PostureMethod method : kPostureMethods) {
@@ -52,7 +49,7 @@ TEST(DrivingParts, TheOneThatLowersTheScoreMostComesFirst) {
 
 // Of one joint moved alone the drawn angle is the measured one.
 TEST(DrivingParts, TheAngleThatIsDrawnIsTheOneThatIsTold) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   struct Case {
     Dof dof;
     double radians;

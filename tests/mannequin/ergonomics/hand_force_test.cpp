@@ -14,7 +14,7 @@ using mannequin::Side;
 
 constexpr double kGravity = 9.80665;
 
-mannequin::Figure man() {
+mannequin::Figure measuredMan() {
   return *mannequin::makeFigure({mannequin::Sex::kMale, 1.755});
 }
 
@@ -28,7 +28,7 @@ double energy(const mannequin::Figure& figure, const mannequin::Posture& posture
 }
 
 TEST(HandForces, MomentsAreTheChangeOfPotentialEnergy) {
-  const mannequin::Figure figure = man();
+  const mannequin::Figure figure = measuredMan();
   mannequin::Posture posture = *mannequin::libraryPosture(figure, "both_hands_forward");
   WorkTask task;
   task.load_kg[static_cast<std::size_t>(Side::kRight)] = 6.0;
@@ -49,7 +49,7 @@ TEST(HandForces, MomentsAreTheChangeOfPotentialEnergy) {
 }
 
 TEST(HandForces, AHangingArmTurnsNothingAndAStretchedOneTheMost) {
-  const mannequin::Figure figure = man();
+  const mannequin::Figure figure = measuredMan();
   mannequin::Posture hanging = *mannequin::libraryPosture(figure, "zero");
   WorkTask task;
   task.load_kg = {0.0, 10.0};
@@ -68,7 +68,7 @@ TEST(HandForces, AHangingArmTurnsNothingAndAStretchedOneTheMost) {
 }
 
 TEST(HandForces, LimitsAreTheMethodsOwnClassesAndNothingIsInvented) {
-  const mannequin::Figure figure = man();
+  const mannequin::Figure figure = measuredMan();
   const auto pose = mannequin::forwardKinematics(figure, *mannequin::libraryPosture(figure, "standing"));
   WorkTask task;
   EXPECT_TRUE(handForces(figure, pose, task).limits.empty());
@@ -92,7 +92,7 @@ TEST(HandForces, LimitsAreTheMethodsOwnClassesAndNothingIsInvented) {
 }
 
 TEST(HandForces, OwnLimitsAreThoseOfTheGripsPlaceAndWithoutThemItIsPartial) {
-  const mannequin::Figure figure = man();
+  const mannequin::Figure figure = measuredMan();
   const auto pose = mannequin::forwardKinematics(figure, *mannequin::libraryPosture(figure, "overhead"));
   WorkTask task;
   EXPECT_EQ(handForces(figure, pose, task).missing.size(), 3u) << "both loads and the limits";

@@ -8,6 +8,7 @@
 #include "mannequin/ergonomics/body_sizes.h"
 #include "mannequin/ergonomics/figure_measurement.h"
 #include "mannequin/ergonomics/score_words.h"
+#include "tests/mannequin/median_man.h"
 
 namespace hapticell::ergonomics {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 using mannequin::Figure;
 using mannequin::Posture;
 using mannequin::Side;
-
-Figure man() {
-  return *mannequin::makeFigure({mannequin::Sex::kMale, *mannequin::statureOfPercentile(mannequin::Sex::kMale, 50)});
-}
 
 WorkTask known() {
   WorkTask task;
@@ -38,7 +35,7 @@ PostureScores scoresOf(const Figure& figure, const char* name, const WorkTask& t
 }
 
 TEST(PostureScores, AgreeWithEachMethodAskedByItself) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   for (const auto& library : mannequin::postureLibrary()) {
     const Posture posture = *mannequin::libraryPosture(figure, library.name);
     const auto pose = mannequin::forwardKinematics(figure, posture);
@@ -59,7 +56,7 @@ TEST(PostureScores, AgreeWithEachMethodAskedByItself) {
 }
 
 TEST(PostureScores, SeatsAreSeenAndSquatsAreNot) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   EXPECT_TRUE(scoresOf(figure, "seated", known()).is_seated);
   EXPECT_EQ(scoresOf(figure, "seated", known()).owas[Owas::kLegs], 1);
   for (const char* name : {"standing", "squatting", "kneeling", "stooping", "overhead"})
@@ -67,7 +64,7 @@ TEST(PostureScores, SeatsAreSeenAndSquatsAreNot) {
 }
 
 TEST(PostureScores, WorsePosturesScoreHigher) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   const int standing = scoresOf(figure, "standing", known()).rula();
   EXPECT_GT(scoresOf(figure, "overhead", known()).rula(), standing);
   EXPECT_GT(scoresOf(figure, "stooping", known()).rula(), standing);
@@ -76,7 +73,7 @@ TEST(PostureScores, WorsePosturesScoreHigher) {
 }
 
 TEST(PostureScores, WhatNobodyEnteredIsNamedAndNotScoredAsZero) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   const PostureScores scores = scoresOf(figure, "standing", WorkTask{});
   EXPECT_EQ(scores.missing.size(), 4u);
   EXPECT_FALSE(scores.sides[1].rula[Rula::kForceArm].has_value());
@@ -108,7 +105,7 @@ TEST(WorkTask, LoadsAndPaceBecomeTheMethodsOwnScores) {
 }
 
 TEST(PostureScores, LiftsAreRefusedOutsideTheirValidity) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   WorkTask task = workTaskPresets()[5];
   const Posture posture = *mannequin::libraryPosture(figure, "both_hands_forward");
   const auto pose = mannequin::forwardKinematics(figure, posture);
@@ -127,7 +124,7 @@ TEST(PostureScores, LiftsAreRefusedOutsideTheirValidity) {
 }
 
 TEST(SegmentBands, FollowTheSubScoresOfTheirPart) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   const auto scores = scoresOf(figure, "overhead", known());
   const auto bands = segmentBands(scores, ColourMethod::kRula);
   EXPECT_GE(bands[mannequin::indexOf(mannequin::Segment::kRightUpperArm)], 2);
@@ -141,7 +138,7 @@ TEST(SegmentBands, FollowTheSubScoresOfTheirPart) {
 }
 
 TEST(BodySizes, AllFourDoTheSameTask) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   Posture posture = *mannequin::libraryPosture(figure, "both_hands_forward");
   const auto pose = mannequin::forwardKinematics(figure, posture);
   const auto active = activeHands(pose, posture);
@@ -178,7 +175,7 @@ TEST(BodySizes, TheFiguresOwnSizeIsAsItStandsAndTheHeightOfNowIsThatOfTheColumns
 }
 
 TEST(ScoreWords, NameTheDriverInBothLanguages) {
-  const Figure figure = man();
+  const Figure figure = mannequin::medianMan();
   const auto scores = scoresOf(figure, "overhead", known());
   const MainDriver driver = mainDriver(scores, Language::kEnglish);
   EXPECT_EQ(driver.index, Rula::kUpperArm);

@@ -15,7 +15,6 @@ constexpr double kHinges = 0.0225;       // d + e: its hinges.
 constexpr double kGripAside = -0.025;    // f: of the grip's joint beside the leg's plane.
 constexpr double kBase = 0.040;          // r: from the middle to a motor,
 constexpr double kBaseAside = -0.02309;  // s: and beside the leg's plane.
-constexpr double kDegree = 0.017453292519943295;
 constexpr std::array<double, 3> kLegs{105.0 * kDegree, -15.0 * kDegree, -135.0 * kDegree};
 constexpr double kZeroAngle = 35.0 * kDegree;
 constexpr double kCount = 0.036435 * kDegree;  // 4 x 320 slots a turn, geared 14.25 to 110.

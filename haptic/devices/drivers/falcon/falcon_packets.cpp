@@ -5,22 +5,22 @@ namespace hapticell::driver {
 
 namespace {
 
-constexpr std::uint8_t kBase = 'A';
+constexpr std::uint8_t kFirstLetter = 'A';
 
 std::optional<FalconPacket> decode(std::span<const std::uint8_t> body) {
   FalconPacket packet;
   for (std::size_t i = 0; i < 12; ++i) {
-    if (body[i] < kBase || body[i] > kBase + 15) return std::nullopt;
+    if (body[i] < kFirstLetter || body[i] > kFirstLetter + 15) return std::nullopt;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     unsigned value = 0;
     for (std::size_t nibble = 0; nibble < 4; ++nibble) {
-      value |= static_cast<unsigned>(body[4 * axis + nibble] - kBase) << (4 * nibble);
+      value |= static_cast<unsigned>(body[4 * axis + nibble] - kFirstLetter) << (4 * nibble);
     }
     packet.values[axis] = static_cast<std::int16_t>(value);
   }
-  if (body[12] < kBase || body[12] > kBase + 0x7F) return std::nullopt;
-  packet.bits = static_cast<std::uint8_t>(body[12] - kBase);
+  if (body[12] < kFirstLetter || body[12] > kFirstLetter + 0x7F) return std::nullopt;
+  packet.bits = static_cast<std::uint8_t>(body[12] - kFirstLetter);
   return packet;
 }
 
@@ -32,11 +32,11 @@ std::array<std::uint8_t, kFalconPacketSize> encodeFalcon(const FalconPacket& pac
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = static_cast<std::uint16_t>(packet.values[axis]);
     for (std::size_t nibble = 0; nibble < 4; ++nibble) {
-      bytes[1 + 4 * axis + nibble] = static_cast<std::uint8_t>(kBase + ((value >> (4 * nibble)) & 0xF));
+      bytes[1 + 4 * axis + nibble] = static_cast<std::uint8_t>(kFirstLetter + ((value >> (4 * nibble)) & 0xF));
     }
   }
-  bytes[13] = static_cast<std::uint8_t>(kBase + packet.bits);
-  bytes[14] = kBase;
+  bytes[13] = static_cast<std::uint8_t>(kFirstLetter + packet.bits);
+  bytes[14] = kFirstLetter;
   bytes[15] = '>';
   return bytes;
 }
