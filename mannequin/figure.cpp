@@ -227,7 +227,7 @@ void placeLandmarks(const BodyDimensions& b, const std::array<dvec3, kSegmentCou
                  -p[indexOf(S::kLeftFoot)].z,
                  0.62 * b[D::kFootBreadth],
                  b[D::kFootBreadth]};
-  const dvec3 head = p[indexOf(S::kHead)];
+  const dvec3& head = p[indexOf(S::kHead)];
   const double eye_height = b[D::kStature] - (b[D::kSittingHeight] - b[D::kEyeHeightSitting]);
   const double head_centre_x = head.x + 0.012 * k;
   figure.p_HeadEyes = dvec3(head_centre_x + 0.42 * b[D::kHeadLength], 0.0, eye_height) - head;

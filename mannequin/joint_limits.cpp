@@ -66,9 +66,9 @@ Cone makeShoulder() {
   cone.towards_zero = direction(azimuth, elevation + 0.5 * kPi);
   cone.towards_quarter = {-std::sin(azimuth), std::cos(azimuth), 0.0};
   cone.R_middle = leastTurn({0.0, 0.0, -1.0}, cone.c);
-  constexpr double boundary[][2] = {{0, 130},  {45, 140}, {90, 130}, {112, 110}, {125, 90}, {150, 70},
-                                    {180, 55}, {225, 35}, {270, 25}, {305, 50},  {320, 90}, {340, 115}};
-  for (const auto& point : boundary) cone.knots.push_back(knotAt(cone, direction(rad(point[0]), rad(point[1]))));
+  constexpr double kBoundary[][2] = {{0, 130},  {45, 140}, {90, 130}, {112, 110}, {125, 90}, {150, 70},
+                                     {180, 55}, {225, 35}, {270, 25}, {305, 50},  {320, 90}, {340, 115}};
+  for (const auto& point : kBoundary) cone.knots.push_back(knotAt(cone, direction(rad(point[0]), rad(point[1]))));
   std::sort(cone.knots.begin(), cone.knots.end(), [](const Knot& a, const Knot& b) { return a.psi < b.psi; });
   double narrowest = kPi;
   for (const Knot& knot : cone.knots) narrowest = std::min(narrowest, knot.rho);

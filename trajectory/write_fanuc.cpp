@@ -59,12 +59,10 @@ std::vector<ProgramFile> writeFanuc(const ProgramInput& input) {
   body.add("!UFRAME and start; run slowly");
   const std::string speed = fixedText(std::clamp(kMillimetres * input.options.speed, 1.0, 4000.0), 0) + "mm/sec";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
-    const std::string target = "P[" + std::to_string(i + 1) + "]";
-    if (i == 0) {
-      body.add("J " + target + " " + fixedText(std::max(1.0, 100.0 * input.options.joint_speed), 0) + "% FINE");
-    } else {
-      body.add("L " + target + " " + speed + " " + termination(input, i));
-    }
+    std::string line = (i == 0 ? "J P[" : "L P[") + std::to_string(i + 1) + "] ";
+    line += i == 0 ? fixedText(std::max(1.0, 100.0 * input.options.joint_speed), 0) + "% FINE" : speed;
+    if (i > 0) line += ' ' + termination(input, i);
+    body.add(line);
     if (input.trajectory[i].dwell > 0.0) body.add("  WAIT   " + fixedText(input.trajectory[i].dwell, 2) + "(sec)");
   }
   std::string text =

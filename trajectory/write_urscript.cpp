@@ -20,9 +20,9 @@ std::vector<ProgramFile> writeUrScript(const ProgramInput& input) {
     const auto& frame = input.trajectory[i];
     if (i == 0) {
       // Joint acceleration and speed of the first move, rad/s2 and rad/s: a share of what the arms reach.
-      const std::string joints =
-          input.hasJoints() ? "[" + jointList(input.trajectory.joints(0), 8, 1.0) + "]" : poseText(frame.X_WT);
-      text += "  movej(" + joints + ",a=1.4,v=" + fixedText(3.14 * input.options.joint_speed, 3) + ")\n";
+      text += "  movej(";
+      text += input.hasJoints() ? '[' + jointList(input.trajectory.joints(0), 8, 1.0) + ']' : poseText(frame.X_WT);
+      text += ",a=1.4,v=" + fixedText(3.14 * input.options.joint_speed, 3) + ")\n";
     } else {
       text += "  movel(" + poseText(frame.X_WT) + ",a=" + acceleration + ",v=" + speed;
       text += (input.blends[i] > 0.0 ? ",r=" + fixedText(input.blends[i], 6) : std::string()) + ")\n";

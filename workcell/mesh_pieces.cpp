@@ -102,7 +102,7 @@ class PieceFinder {
 
 struct Border {
   std::uint32_t vertex = 0, piece = 0;
-  auto operator<=>(const Border&) const = default;
+  auto operator<=>(const Border&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0 here.
 };
 
 /// The ends of all edges that an odd number of a piece's triangles has, sorted.

@@ -147,8 +147,11 @@ class PlyReader {
  private:
   void keepColors(const PlyElement& element, ColorChannels colors, Diagnostics& diagnostics) {
     colors.report(element.name == "vertex" ? "vertices" : "faces", diagnostics);
-    if (element.name == "vertex") soup_.vertex_colors = std::move(colors).take(soup_.vertices.size(), roles_.full);
-    if (element.name == "face") soup_.face_colors = std::move(colors).take(soup_.ends.size(), roles_.full);
+    if (element.name == "vertex") {
+      soup_.vertex_colors = std::move(colors).take(soup_.vertices.size(), roles_.full);
+    } else if (element.name == "face") {
+      soup_.face_colors = std::move(colors).take(soup_.ends.size(), roles_.full);
+    }
   }
 
   Expected<void> checkElements() const {

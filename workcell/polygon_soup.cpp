@@ -18,7 +18,7 @@ using Corners = std::span<const std::uint32_t>;
 /// Twice the polygon's area vector (M. E. Newell's method): its normal even where it is not quite plane.
 dvec3 areaVector(const std::vector<dvec3>& vertices, Corners polygon) {
   dvec3 sum(0.0);
-  const dvec3 origin = vertices[polygon[0]];
+  const dvec3& origin = vertices[polygon[0]];
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
     sum += glm::cross(vertices[polygon[k]] - origin, vertices[polygon[k + 1]] - origin);
   }

@@ -18,7 +18,7 @@ Outline inset(const Outline& outline, double distance) {
   Outline result;
   const std::size_t n = outline.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const glm::dvec2 a = outline[(i + n - 1) % n], b = outline[i], c = outline[(i + 1) % n];
+    const glm::dvec2 &a = outline[(i + n - 1) % n], &b = outline[i], &c = outline[(i + 1) % n];
     const glm::dvec2 e0 = glm::normalize(b - a), e1 = glm::normalize(c - b);
     const glm::dvec2 bisector(-e0.y - e1.y, e0.x + e1.x);
     result.push_back(b + bisector * (2.0 * distance / std::max(0.2, glm::dot(bisector, bisector))));

@@ -77,7 +77,8 @@ class UrdfText {
  private:
   void writeBase() {
     std::string base = "world";
-    while (model_.findLink(base) >= 0) base = base == "world" ? "cell" : base + "_";
+    if (model_.findLink(base) >= 0) base = "cell";
+    while (model_.findLink(base) >= 0) base += '_';
     const std::string root = model_.links[0].name;
     text_ += "  <link name=\"" + base + "\"/>\n  <joint name=\"" + base + "_to_" + escaped(root) +
              "\" type=\"fixed\">\n    " + origin(robot_.X_WE) + "\n    <parent link=\"" + base +

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/style/units.h"
+#include "geometry/vector.h"
 
 namespace hapticell::app {
 

@@ -26,6 +26,7 @@
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
+#include "geometry/vector.h"
 #include "mannequin/hand_shape.h"
 
 namespace hapticell::app {
@@ -369,7 +370,7 @@ void MannequinPanel::showHands() {
   carry_->setEnabled(part != nullptr && context_.isFree());
   if (!curl_->isSliderDown()) {
     const double curl = context_.posture()[mannequin::armDof(chosenHands().front(), mannequin::Dof::kLeftFingersCurl)];
-    curl_->setValue(static_cast<int>(curl * 57.295779513082323 + 0.5));
+    curl_->setValue(static_cast<int>(std::lround(curl / kDegree)));
   }
 }
 

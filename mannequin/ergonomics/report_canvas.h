@@ -64,7 +64,9 @@ class ReportCanvas {
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find(' ', begin), text.size());
       const std::string next = text.substr(begin, end - begin);
-      const std::string longer = line.empty() ? next : line + " " + next;
+      std::string longer = line;
+      if (!line.empty()) longer += ' ';
+      longer += next;
       if (!line.empty() && widthOf(longer) > width) {
         lines.push_back(line);
         line = next;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reports as text: CSV, JSON, HTML.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -46,8 +47,8 @@ std::string escaped(const std::string& text) {
 std::string hex(int band) {
   const auto color = bandColor(band);
   char text[16];
-  std::snprintf(text, sizeof text, "#%02X%02X%02X", static_cast<int>(255.0 * color[0] + 0.5),
-                static_cast<int>(255.0 * color[1] + 0.5), static_cast<int>(255.0 * color[2] + 0.5));
+  const auto byte = [&](std::size_t channel) { return static_cast<unsigned>(std::lround(255.0 * color[channel])); };
+  std::snprintf(text, sizeof text, "#%02X%02X%02X", byte(0), byte(1), byte(2));
   return text;
 }
 
@@ -241,8 +242,8 @@ std::string reportCsv(const Report& report) {
   const auto add = [&](const ReportBlock& block) {
     text += "\n" + quoted(block.heading) + "\n";
     for (const std::string& line : block.lines) text += quoted(line) + "\n";
-    const auto row = [&](const auto& cells, auto&& textOf) {
-      for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + quoted(textOf(cells[i]));
+    const auto row = [&](const auto& cells, auto&& text_of) {
+      for (std::size_t i = 0; i < cells.size(); ++i) text += (i == 0 ? "" : ",") + quoted(text_of(cells[i]));
       if (!cells.empty()) text += "\n";
     };
     row(block.columns, [](const std::string& name) { return name; });

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
 #include "mannequin/figure_outline.h"
 #include "mannequin/work_zones.h"
+#include "tests/support/same_bits.h"
 
 namespace hapticell::mannequin {
 namespace {
@@ -54,7 +54,7 @@ TEST(HeadSolver, NeverGetsWorseNeverLeavesLimitsAndIsTheSameEachTime) {
     for (int tick = 0; tick < 60; ++tick) {
       const HeadResult result = followHead(figure, posture, target, n % 2 == 0);
       const HeadResult again = followHead(figure, posture, target, n % 2 == 0);
-      EXPECT_EQ(0, std::memcmp(&result.posture.angles, &again.posture.angles, sizeof result.posture.angles));
+      EXPECT_TRUE(test::sameBits(result.posture.angles, again.posture.angles));
       const double error = std::hypot(result.position_error, 0.2 * result.orientation_error);
       EXPECT_LE(error, before + 1e-12);
       before = error;

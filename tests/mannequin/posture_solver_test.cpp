@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "bench/mannequin_goals.h"
 #include "mannequin/limb_inverse.h"
 #include "mannequin/support_polygon.h"
 #include "tests/mannequin/median_man.h"
+#include "tests/support/same_bits.h"
 
 namespace hapticell::mannequin {
 namespace {
@@ -22,8 +22,7 @@ double errorOf(const Figure& figure, const Posture& posture, Side side, const Po
 }
 
 bool sameBits(const Posture& a, const Posture& b) {
-  return std::memcmp(a.angles.data(), b.angles.data(), sizeof a.angles) == 0 &&
-         std::memcmp(&a.X_WR, &b.X_WR, sizeof a.X_WR) == 0;
+  return test::sameBits(a.angles, b.angles) && test::sameBits(a.X_WR, b.X_WR);
 }
 
 dvec3 elbow(const FigurePose& pose, Side side) {

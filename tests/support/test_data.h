@@ -36,4 +36,4 @@ class TemporaryFolder {
 #define HAPTICELL_SHARED_DATA_OR_SKIP(variable, relative)                                                       \
   const auto variable##_found = ::hapticell::test::sharedData(relative);                                        \
   if (!variable##_found) GTEST_SKIP() << "test data is not here: " << relative << " (set HAPTICELL_TEST_DATA)"; \
-  const std::filesystem::path variable = *variable##_found
+  const std::filesystem::path& variable = *variable##_found

@@ -17,7 +17,6 @@ namespace {
 
 using test::makeSolid;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 Entity makeArm(const std::string& name) {
   return test::makeArm(name, 0.5);

@@ -203,8 +203,9 @@ TEST(UrdfWithLoops, AnOpenDeltaIsSaidToBeOne) {
     std::string text, below = "base";
     for (int j = 0; j < joints; ++j) {
       const std::string link = "l" + std::to_string(n) + std::to_string(j);
-      text += "<link name=\"" + link + "\"/><joint name=\"j" + link + "\" type=\"continuous\"><parent link=\"" + below +
-              "\"/><child link=\"" + link + "\"/><axis xyz=\"0 1 0\"/></joint>";
+      text += R"(<link name=")" + link + R"("/><joint name="j)" + link;
+      text += R"(" type="continuous"><parent link=")" + below;
+      text += R"("/><child link=")" + link + R"("/><axis xyz="0 1 0"/></joint>)";
       below = link;
     }
     return text;

@@ -4,12 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <fstream>
 
 #include "haptic/devices/device_choice.h"
 #include "haptic/devices/simulated_device.h"
 #include "tests/haptic/devices/contact_rig.h"
+#include "tests/support/same_bits.h"
 #include "tests/support/test_data.h"
 
 namespace hapticell::haptic {
@@ -54,7 +54,7 @@ TEST(DeviceRecording, AReplayGivesBitEqualForces) {
   const std::vector<dvec3> second = play(**device, false);
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
-    ASSERT_EQ(std::memcmp(&first[i], &second[i], sizeof(dvec3)), 0) << "tick " << i;
+    ASSERT_TRUE(test::sameBits(first[i], second[i])) << "tick " << i;
   }
   const auto recording = readDeviceRecording(file);
   ASSERT_TRUE(recording);
