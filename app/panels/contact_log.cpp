@@ -63,14 +63,14 @@ void ContactLog::clear() {
   dropped_ = 0;
 }
 
-void ContactLog::follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& nameOf,
+void ContactLog::follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& name_of,
                         ContactEvent::Kind began) {
   const manipulation::PairState& pair = *now.pair;
   const auto [at, fresh] = states.try_emplace(key);
   State& state = at->second;
   if (fresh) {
-    state = {nameOf(pair.moved, pair.moved_part),
-             nameOf(pair.other, pair.other_part),
+    state = {name_of(pair.moved, pair.moved_part),
+             name_of(pair.other, pair.other_part),
              now.time_s,
              now.time_s,
              pair.distance,
@@ -92,7 +92,7 @@ void ContactLog::endThose(std::map<Key, State>& states, double time_s, bool all,
   });
 }
 
-void ContactLog::take(const manipulation::SceneSnapshot& snapshot, const Namer& nameOf) {
+void ContactLog::take(const manipulation::SceneSnapshot& snapshot, const Namer& name_of) {
   if (snapshot.time_s == last_s_) return;
   const bool new_loop = snapshot.time_s < last_s_;
   endThose(touching_, last_s_, new_loop, ContactEvent::Kind::kContactEnded);
@@ -101,8 +101,8 @@ void ContactLog::take(const manipulation::SceneSnapshot& snapshot, const Namer& 
   for (const manipulation::PairState& pair : snapshot.pairs) {
     const Key key{pair.moved, pair.moved_part, pair.other, pair.other_part};
     const Now now{&pair, snapshot.time_s, snapshot.force_n};
-    if (pair.near_miss || pair.contact) follow(near_, key, now, nameOf, ContactEvent::Kind::kNearMissBegan);
-    if (pair.contact) follow(touching_, key, now, nameOf, ContactEvent::Kind::kContactBegan);
+    if (pair.near_miss || pair.contact) follow(near_, key, now, name_of, ContactEvent::Kind::kNearMissBegan);
+    if (pair.contact) follow(touching_, key, now, name_of, ContactEvent::Kind::kContactBegan);
   }
   const bool released = snapshot.held == 0;
   endThose(touching_, snapshot.time_s, released, ContactEvent::Kind::kContactEnded);

@@ -36,7 +36,7 @@ class ContactLog {
   using Namer = std::function<std::string(workcell::EntityId, const std::string& part)>;
 
   /// Takes a snapshot; one that is not newer than the last is ignored, an older one begins a new loop's time.
-  void take(const manipulation::SceneSnapshot& snapshot, const Namer& nameOf);
+  void take(const manipulation::SceneSnapshot& snapshot, const Namer& name_of);
   const std::deque<ContactEvent>& events() const { return events_; }
   std::size_t dropped() const { return dropped_; }
   /// Grows with each event.
@@ -57,7 +57,7 @@ class ContactLog {
     const manipulation::PairState* pair = nullptr;
     double time_s = 0.0, force_n = 0.0;
   };
-  void follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& nameOf,
+  void follow(std::map<Key, State>& states, const Key& key, const Now& now, const Namer& name_of,
               ContactEvent::Kind began);
   void endThose(std::map<Key, State>& states, double time_s, bool all, ContactEvent::Kind ended);
   void add(ContactEvent event);

@@ -41,10 +41,11 @@ void RestQuestion::ask(std::vector<workcell::PairRule> touching) {
   setVisible(!touching_.empty());
   if (touching_.empty()) return;
   QStringList names;
+  const auto side = [](const std::string& entity, const std::string& part) {
+    const QString name = QString::fromStdString(entity);
+    return part.empty() ? name : name + QStringLiteral(" · ") + QString::fromStdString(part);
+  };
   for (const workcell::PairRule& rule : touching_) {
-    const auto side = [](const std::string& entity, const std::string& part) {
-      return QString::fromStdString(part.empty() ? entity : entity + " · " + part);
-    };
     names << side(rule.first, rule.first_part) + QStringLiteral(" – ") + side(rule.second, rule.second_part);
   }
   const int count = static_cast<int>(names.size());

@@ -70,6 +70,7 @@ void fitTabs(QTabBar& bar, int room) {
   bar.setProperty("compact", compact);
   bar.setElideMode(Qt::ElideNone);
   for (int i = 0; i < bar.count(); ++i) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): so Qt keeps the docks of its tabs.
     const auto* dock = reinterpret_cast<const QDockWidget*>(bar.tabData(i).value<quintptr>());
     if (bar.tabToolTip(i) != bar.tabText(i)) bar.setTabToolTip(i, bar.tabText(i));
     // Each icon that is set lays the bar out anew.

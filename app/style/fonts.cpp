@@ -12,15 +12,23 @@ QFont textFont(TextRole role) {
   };
   const auto size = [role]() -> Size {
     switch (role) {
-      case TextRole::kText: return {13, QFont::Normal};
-      case TextRole::kSecond: return {12, QFont::Normal};
-      case TextRole::kKeyCap: return {11, QFont::Normal};
-      case TextRole::kDockTitle: return {13, QFont::Medium};
-      case TextRole::kSection: return {13, QFont::Medium};
-      case TextRole::kNumberOverScene: return {15, QFont::Bold};
-      case TextRole::kPanelState: return {16, QFont::Bold};
-      case TextRole::kPanelNumber: return {20, QFont::Bold};
-      case TextRole::kScore: return {30, QFont::Bold};
+      case TextRole::kText:
+        return {13, QFont::Normal};
+      case TextRole::kSecond:
+        return {12, QFont::Normal};
+      case TextRole::kKeyCap:
+        return {11, QFont::Normal};
+      case TextRole::kDockTitle:
+      case TextRole::kSection:
+        return {13, QFont::Medium};
+      case TextRole::kNumberOverScene:
+        return {15, QFont::Bold};
+      case TextRole::kPanelState:
+        return {16, QFont::Bold};
+      case TextRole::kPanelNumber:
+        return {20, QFont::Bold};
+      case TextRole::kScore:
+        return {30, QFont::Bold};
     }
     return {13, QFont::Normal};
   }();

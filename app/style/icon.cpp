@@ -14,7 +14,7 @@ namespace {
 
 class LineIconEngine final : public QIconEngine {
  public:
-  LineIconEngine(QByteArray svg, QColor color) : svg_(std::move(svg)), color_(std::move(color)) {}
+  LineIconEngine(QByteArray svg, const QColor& color) : svg_(std::move(svg)), color_(color) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     if (svg_.isEmpty()) return;
@@ -46,7 +46,9 @@ class LineIconEngine final : public QIconEngine {
 
 }  // namespace
 
-QIcon icon(const QString& name) { return icon(name, QColor()); }
+QIcon icon(const QString& name) {
+  return icon(name, QColor());
+}
 
 QIcon icon(const QString& name, const QColor& color) {
   QFile file(":/hapticell/icons/" + name + ".svg");

@@ -78,7 +78,6 @@ int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_CheckBoxLabelSpacing:
       return 8;
     case PM_DockWidgetSeparatorExtent:
-      return 1;
     case PM_SplitterWidth:
       return 1;
     case PM_ScrollBarExtent:
@@ -128,7 +127,6 @@ int ProxyStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
     case SH_TabBar_Alignment:
       return Qt::AlignLeft;
     case SH_DialogButtonBox_ButtonsHaveIcons:
-      return 0;
     case SH_EtchDisabledText:
     case SH_DitherDisabledText:
       return 0;

@@ -17,9 +17,8 @@ FrameGizmo::FrameGizmo(Host& host, QObject* parent) : QObject(parent), host_(hos
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &FrameGizmo::draw);
 }
 
-FrameGizmo::~FrameGizmo() {
-  // The viewport may be gone before: it is the window's child as well.
-}
+// Nothing is taken back: the viewport may be gone before, it is the window's child as well.
+FrameGizmo::~FrameGizmo() = default;
 
 void FrameGizmo::setFrame(const std::optional<Pose>& X_WT) {
   if (drag_) return;

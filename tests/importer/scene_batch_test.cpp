@@ -57,9 +57,10 @@ class Batch : public ::testing::Test {
     std::string text = "<robot name='r'><link name='base'/>";
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       const std::string link = "l" + std::to_string(k);
-      text += "<link name='" + link + "'><visual><geometry><mesh filename='" + meshes[k].filename().string() +
-              "'/></geometry></visual></link><joint name='j" + link +
-              "' type='fixed'><parent link='base'/><child link='" + link + "'/></joint>";
+      text += "<link name='" + link + "'><visual><geometry><mesh filename='";
+      text += meshes[k].filename().string() + "'/></geometry></visual></link><joint name='j";
+      text += link + "' type='fixed'><parent link='base'/><child link='";
+      text += link + "'/></joint>";
     }
     return text + "</robot>";
   }

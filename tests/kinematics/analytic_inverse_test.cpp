@@ -224,8 +224,7 @@ TEST(AnalyticInverse, PassesTheWristSingularityAtTheJointsSpeed) {
     InverseOptions options;
     options.at_singularity = choice;
     const Robot robot(test::kr120(), options);
-    const std::vector<double> q_start = {0.0, -1.3, 1.4, 0.0, 0.1, 0.0};
-    std::vector<double> q = q_start;
+    const std::vector<double> q = {0.0, -1.3, 1.4, 0.0, 0.1, 0.0};
     const Pose X_0 = robot.pose(q);
     ChainState state;
     robot.inverse->chain()->evaluate(robot.chainPositions(q), state);

@@ -12,7 +12,6 @@ namespace hapticell::manipulation {
 namespace {
 
 using haptic::Constraint;
-using haptic::ConstraintKind;
 using workcell::Guide;
 using workcell::GuideKind;
 

@@ -87,9 +87,10 @@ geometry::TriangleMesh needles(int side) {
   geometry::TriangleMesh rug;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> height(-2e-4, 0.0);
+  const int middle = side / 2;
   for (int i = 0; i < side; ++i) {
     for (int k = 0; k < side; ++k) {
-      const dvec3 tip(7e-4 * (i - side / 2), 7e-4 * (k - side / 2), height(random));
+      const dvec3 tip(7e-4 * (i - middle), 7e-4 * (k - middle), height(random));
       const auto first = static_cast<std::uint32_t>(rug.vertices.size());
       for (const dvec3& corner :
            {dvec3(0.0), dvec3(2e-4, 0, -3e-3), dvec3(-1e-4, 2e-4, -3e-3), dvec3(-1e-4, -2e-4, -3e-3)})

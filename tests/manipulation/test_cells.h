@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -37,7 +39,7 @@ struct Waypoint {
 /// A hand that goes smoothly from one point to the next (cosine speed), the button pressed from `press` on for 0.1 s.
 inline haptic::HandPath handThrough(const std::vector<Waypoint>& points, double press = 0.05) {
   std::vector<haptic::HandSample> samples;
-  for (int i = 0; i <= static_cast<int>(points.back().t * 100.0 + 0.5); ++i) {
+  for (int i = 0; i <= std::lround(points.back().t * 100.0); ++i) {
     const double t = 0.01 * i;
     std::size_t k = 0;
     while (k + 2 < points.size() && points[k + 1].t < t) ++k;

@@ -15,7 +15,7 @@ bool sameBits(const T& a, const T& b) {
     if constexpr (std::ranges::contiguous_range<const T>) {
       return std::as_bytes(std::span(value));
     } else {
-      static_assert(std::is_trivially_copyable_v<T>);
+      static_assert(std::is_standard_layout_v<T>);
       return std::as_bytes(std::span(&value, 1));
     }
   };

@@ -60,8 +60,7 @@ TEST(Heartbeat, a_slow_exchange_does_not_spoil_what_a_quick_one_told) {
 }
 
 TEST(Heartbeat, stamps_that_make_no_sense_are_ignored) {
-  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(),
-                         most = std::numeric_limits<std::int64_t>::max();
+  const std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
   const std::int64_t now = 5'000 * kMillisecond;
   for (const std::int64_t echo : {least, std::int64_t{-1}, std::int64_t{0}, now + 1, most}) {
     for (const std::int64_t held : {least, std::int64_t{-1}, std::int64_t{0}, most}) {

@@ -146,7 +146,7 @@ TEST(SecureServer, a_paired_controller_keeps_the_stylus_through_a_flood_and_slow
   TcpLink link(to(server.port(), ourKey()));
   ASSERT_TRUE(connects(link));
   std::vector<std::unique_ptr<RawClient>> crowd;
-  const std::string drop = "\x16\x03\x01\x02\x00\x01";  // The first bytes of a TLS greeting that never ends.
+  const std::string drop("\x16\x03\x01\x02\x00\x01", 6);  // The first bytes of a TLS greeting that never ends.
   for (int i = 0; i < 200; ++i) {
     crowd.push_back(std::make_unique<RawClient>(server.port()));
     crowd.back()->sendBytes(std::string_view(drop).substr(0, 1 + static_cast<std::size_t>(i) % drop.size()));
