@@ -51,8 +51,8 @@ void MotionList::setPlayed(const std::string& name, bool played) {
 }
 
 void MotionList::setCheck(const std::string& name, std::optional<manipulation::PathCheckResult> check) {
-  for (Motion& motion : motions_)
-    if (motion.name == name) motion.check = std::move(check);
+  const auto motion = std::find_if(motions_.begin(), motions_.end(), [&](const Motion& m) { return m.name == name; });
+  if (motion != motions_.end()) motion->check = std::move(check);
   emit changed();
   if (name == current_) emit currentChanged();
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "app/viewport/buffer_offset.h"
 #include "app/viewport/instance_buffer.h"
 #include "geometry/shapes.h"
 
@@ -15,10 +16,6 @@ namespace {
 constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over.
 constexpr std::size_t kRunBytes = std::size_t{4} << 20;
 constexpr std::size_t kEdgesABuffer = (std::size_t{16} << 20) / sizeof(DisplayEdge);
-
-const void* offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);
-}
 
 /// From a sample of triangles and creases: it decides how dark lines are, no more.
 double creaseSpacingOf(const DisplayMesh& mesh) {
@@ -53,7 +50,7 @@ GpuMesh::GpuMesh(Gl& gl, const DisplayMesh& mesh, DrawCount& counted)
   gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
   for (GLuint i = 0; i < 2; ++i) {
     gl_.glEnableVertexAttribArray(i);
-    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), offset(i * sizeof(fvec3)));
+    gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), bufferOffset(i * sizeof(fvec3)));
   }
   gl_.glGenVertexArrays(1, &edge_array_);
   gl_.glBindVertexArray(0);
@@ -104,7 +101,7 @@ void GpuMesh::drawUses(std::size_t step, const InstanceBuffer& uses, std::size_t
   gl_.glBindVertexArray(face_array_);
   uses.attach(before + part.first_use);
   gl_.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * part.units), GL_UNSIGNED_INT,
-                              offset((drawn.first + 3 * part.first_unit) * sizeof(std::uint32_t)),
+                              bufferOffset((drawn.first + 3 * part.first_unit) * sizeof(std::uint32_t)),
                               static_cast<GLsizei>(part.uses));
   ++counted_.calls;
   counted_.instances += part.uses;
@@ -120,7 +117,7 @@ void GpuMesh::drawEdges(std::size_t first, std::size_t count) {
     for (GLuint i = 0; i < 4; ++i) {
       gl_.glEnableVertexAttribArray(i);
       gl_.glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayEdge),
-                                offset(in_buffer * sizeof(DisplayEdge) + i * sizeof(fvec3)));
+                                bufferOffset(in_buffer * sizeof(DisplayEdge) + i * sizeof(fvec3)));
       gl_.glVertexAttribDivisor(i, 1);
     }
     gl_.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(run));

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "app/viewport/buffer_offset.h"
+
 namespace hapticell::app {
 
 InstanceBuffer::InstanceBuffer(Gl& gl) : gl_(gl) {
@@ -20,9 +22,7 @@ void InstanceBuffer::fill(const std::vector<ItemInstance>& uses) {
 }
 
 void InstanceBuffer::attach(std::size_t first) const {
-  const auto at = [first](std::size_t member) {
-    return reinterpret_cast<const void*>(first * sizeof(ItemInstance) + member);
-  };
+  const auto at = [first](std::size_t member) { return bufferOffset(first * sizeof(ItemInstance) + member); };
   constexpr GLsizei kStride = sizeof(ItemInstance);
   gl_.glBindBuffer(GL_ARRAY_BUFFER, buffer_);
   for (GLuint row = 0; row < 3; ++row)

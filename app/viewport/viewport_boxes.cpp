@@ -47,7 +47,8 @@ std::vector<workcell::EntityId> ViewportWidget::entitiesIn(const QRectF& box, bo
     if (seen.reaches && !has(reached, item.entity)) reached.push_back(item.entity);
   }
   for (int i = 0; touching && i < kProbes * kProbes; ++i) {
-    const double right = (0.5 + i % kProbes) / kProbes, down = (0.5 + static_cast<double>(i / kProbes)) / kProbes;
+    const int row = i / kProbes, column = i % kProbes;
+    const double right = (0.5 + column) / kProbes, down = (0.5 + row) / kProbes;
     const auto id = entityAt(box.topLeft() + QPointF(right * box.width(), down * box.height()));
     if (id != 0 && !has(reached, id)) reached.push_back(id);
   }

@@ -24,6 +24,12 @@ Mesh shared(geometry::TriangleMesh mesh) {
   return std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
 }
 
+/// The place of the i-th of things that lie in rows along x, `step` m from each other.
+dvec3 inRows(int i, int in_a_row, double step, const dvec3& first) {
+  const int row = i / in_a_row, column = i % in_a_row;
+  return first + step * dvec3(column, row, 0.0);
+}
+
 class ScenePicture : public testing::Test {
  protected:
   void SetUp() override {
@@ -78,7 +84,7 @@ TEST_F(ScenePicture, PartsOfOneMeshAreOneCallAndLookAsIfDrawnOneByOne) {
   const geometry::TriangleMesh bolt = geometry::makeCylinder(0.04, 0.2, 24);
   const Mesh one = shared(bolt);
   frame_.edges = false;
-  for (int i = 0; i < 300; ++i) add(one, {0.12 * (i % 20) - 1.2, 0.12 * (i / 20) - 0.9, 0.1});
+  for (int i = 0; i < 300; ++i) add(one, inRows(i, 20, 0.12, {-1.2, -0.9, 0.1}));
   frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
   const QImage together = draw(2);
   EXPECT_EQ(renderer_->lastCount().calls, 2u) << "the shadows and the faces";
@@ -109,7 +115,7 @@ TEST_F(ScenePicture, OcclusionLeavesNoLinesOverASmoothSurface) {
 
 TEST_F(ScenePicture, DrawnInPiecesItIsTheSame) {
   const Mesh bolt = shared(geometry::makeCylinder(0.04, 0.3, 48));
-  for (int i = 0; i < 40; ++i) add(bolt, {0.15 * (i % 8) - 0.5, 0.15 * (i / 8) - 0.3, 0.3});
+  for (int i = 0; i < 40; ++i) add(bolt, inRows(i, 8, 0.15, {-0.5, -0.3, 0.3}));
   add(shared(geometry::makeSphere(0.3, 60)), {0, 0, 0.8});
   frame_.items[7].state = kContact;
   frame_.items[9].state = kSelected;
@@ -151,7 +157,7 @@ TEST_F(ScenePicture, TooManyTrianglesMakeTheSmallestPartsBoxes) {
   frame_.edges = false;
   frame_.refine = false;
   frame_.detail = DetailLevel::kCoarse;
-  for (int i = 0; i < 40; ++i) add(shared(geometry::makeSphere(0.02, 40)), {0.1 * (i % 8) - 0.4, 0.1 * (i / 8), 0.1});
+  for (int i = 0; i < 40; ++i) add(shared(geometry::makeSphere(0.02, 40)), inRows(i, 8, 0.1, {-0.4, 0.0, 0.1}));
   add(shared(geometry::makeSphere(0.4, 60)), {0, 0, 0.8}, {0.9f, 0.3f, 0.1f});
   frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
   const QImage whole = draw(1);

@@ -11,7 +11,6 @@ namespace hapticell::test {
 namespace {
 
 using collision::SurfaceType;
-using geometry::TriangleMesh;
 using glm::dvec2;
 constexpr double kPi = std::numbers::pi;
 

@@ -22,7 +22,8 @@ class SceneTest : public testing::Test {
           scene_.addPart({1, i}, MeshCollider::build(i == 1 ? sphereMesh(0.1) : boxMesh({0.2, 0.1, 0.1}))));
     }
     for (std::uint32_t i = 0; i < 12; ++i) {
-      const Pose X_WE = Pose::translation({0.5 * (i % 4) - 0.75, 0.6 * (i / 4) - 0.6, 0.0});
+      const std::uint32_t row = i / 4, column = i % 4;
+      const Pose X_WE = Pose::translation({0.5 * column - 0.75, 0.6 * row - 0.6, 0.0});
       fixed_.push_back(scene_.addPart({2 + i, 0}, MeshCollider::build(sphereMesh(0.05 + 0.01 * i, 6, 9)), X_WE));
     }
     for (const PartIndex a : moved_) {
