@@ -13,7 +13,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kLabels = 76, kStrip = 13, kStripLine = 18;
-const std::array<const char*, 4> kRegionNames{
+const std::array<const char*, 4> kStripBodies{
     QT_TRANSLATE_NOOP("HeightStrips", "P5 woman"), QT_TRANSLATE_NOOP("HeightStrips", "P50 woman"),
     QT_TRANSLATE_NOOP("HeightStrips", "P50 man"), QT_TRANSLATE_NOOP("HeightStrips", "P95 man")};
 
@@ -33,7 +33,7 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   painter.setPen(theme.text2);
   for (int i = 0; i < 4; ++i)
     painter.drawText(QRectF(0, kStripLine * i, kLabels - 6, kStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr(kRegionNames[static_cast<std::size_t>(i)]));
+                     tr(kStripBodies[static_cast<std::size_t>(i)]));
   const auto& advice = scores_.advice();
   const QRectF area(kLabels, 0, width() - kLabels - 1, 4 * kStripLine - 4);
   if (!advice || advice->by_height.size() < 4) {

@@ -7,7 +7,7 @@ namespace hapticell::haptic {
 
 namespace {
 
-constexpr double kTick = 0.001;
+constexpr double kTick = 0.001;           // s.
 constexpr double kAllowance = 0.2e-3;     // J made before the controller acts.
 constexpr double kControllerStep = 0.1;   // N s/m per millisecond.
 constexpr double kControllerLimit = 5.0;  // N s/m.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as reports of a 3-D mouse, each behind a byte with its length: the motion stays within full deflection, and
 // what is garbled or not known changes nothing.
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "haptic/devices/drivers/spacemouse/space_mouse_reports.h"
 #include "tests/fuzz/fuzz_check.h"
+#include "tests/support/same_bits.h"
 
 namespace {
 
@@ -18,7 +17,7 @@ void takeReport(std::span<const std::uint8_t> report, driver::SpaceMouseState& s
   for (const double axis : state.motion) fuzz::check(std::isfinite(axis) && std::abs(axis) <= 1.0);
   if (status == driver::Status::kOk) return;
   fuzz::check(!state.moved && state.buttons == before.buttons);
-  fuzz::check(std::equal(std::begin(state.motion), std::end(state.motion), std::begin(before.motion)));
+  fuzz::check(test::sameBits(state.motion, before.motion));
 }
 
 }  // namespace
