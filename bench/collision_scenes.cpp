@@ -134,8 +134,9 @@ TriangleMesh cadPlate(int triangles) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < kEach * kEach; ++i) {
-    const dvec3 at(0.24 * (i % kEach - 3.5) + 0.05 * unit(random), 0.24 * (i / kEach - 3.5) + 0.05 * unit(random),
-                   0.01);
+    const int column = i % kEach;
+    const int row = i / kEach;
+    const dvec3 at(0.24 * (column - 3.5) + 0.05 * unit(random), 0.24 * (row - 3.5) + 0.05 * unit(random), 0.01);
     append(mesh, feature(i, triangles / (kEach * kEach), 0.01 + 0.05 * unit(random)), Pose::translation(at));
   }
   return mesh;

@@ -46,7 +46,9 @@ void addParts(Frame& frame, std::size_t triangles) {
     RenderItem item;
     item.mesh = bumpy(number);
     item.bounds_M = item.mesh->bounds();
-    item.X_WM = Pose::translation({0.25 * (number % side), 0.25 * (number / side), 0.1});
+    const int column = number % side;
+    const int row = number / side;
+    item.X_WM = Pose::translation({0.25 * column, 0.25 * row, 0.1});
     item.color = {0.6f, 0.62f, 0.65f};
     item.entity = frame.items.size() + 1;
     const geometry::Bounds bounds = geometry::transformed(item.X_WM, item.bounds_M);

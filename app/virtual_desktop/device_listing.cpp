@@ -14,20 +14,20 @@ std::optional<DeviceListing> parseListing(const QByteArray& json) {
   const QJsonObject root = QJsonDocument::fromJson(json).object();
   if (!root["devices"].isArray() || !root["drivers"].isArray()) return std::nullopt;
   DeviceListing listing;
-  for (const QJsonValue& value : root["drivers"].toArray()) {
+  for (const auto& value : root["drivers"].toArray()) {
     const QJsonObject driver = value.toObject();
     listing.drivers.push_back({driver["name"].toString(), driver["title"].toString(), driver["version"].toString(),
                                driver["library"].toString(), driver["note"].toString(), driver["usable"].toBool(),
                                driver["problem"].toString(), driver["fix"].toString()});
   }
-  for (const QJsonValue& value : root["devices"].toArray()) {
+  for (const auto& value : root["devices"].toArray()) {
     const QJsonObject device = value.toObject();
     listing.devices.push_back({device["device"].toString(), device["name"].toString(), device["driver"].toString(),
                                device["place"].toString(), device["firmware"].toString(), device["kind"].toString(),
                                device["simulated"].toBool(), device["usable"].toBool(), device["problem"].toString(),
                                device["fix"].toString()});
   }
-  for (const QJsonValue& value : root["permissions"].toArray()) {
+  for (const auto& value : root["permissions"].toArray()) {
     const QJsonObject grant = value.toObject();
     listing.grants.push_back(
         {grant["what"].toString(), grant["found"].toString(), grant["fix"].toString(), grant["granted"].toBool()});

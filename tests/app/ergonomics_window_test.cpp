@@ -177,7 +177,7 @@ TEST(ReportDock, ShowsThePageAndWritesFiles) {
   auto* panel = page.window().findChild<ReportPanel*>();
   ASSERT_NE(panel, nullptr);
   const hapticell::test::TemporaryFolder place;
-  const std::filesystem::path folder = place.path();
+  const std::filesystem::path& folder = place.path();
   for (const char* name : {"report.pdf", "report.html", "report.csv", "report.json"}) {
     EXPECT_TRUE(panel->write(QString::fromStdString((folder / name).string())));
     EXPECT_GT(std::filesystem::file_size(folder / name), 1000u) << name;

@@ -292,7 +292,9 @@ TEST(ImportWindow, FiveHundredPartsAreHiddenAtOnce) {
     parts[k].name = "part " + std::to_string(k);
     parts[k].parent = "rig";
     parts[k].mesh = mesh;
-    parts[k].X_WE = Pose::translation({0.02 * static_cast<double>(k % 25), 0.02 * static_cast<double>(k / 25), 0.0});
+    const std::size_t column = k % 25;
+    const std::size_t row = k / 25;
+    parts[k].X_WE = Pose::translation({0.02 * static_cast<double>(column), 0.02 * static_cast<double>(row), 0.0});
   }
   ASSERT_TRUE(page.window().documentModel().addImported(std::move(parts)));
   WindowPage::settle();

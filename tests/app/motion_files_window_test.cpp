@@ -73,7 +73,7 @@ TEST(TrajectoryDock, TheExportDialogWritesEveryFormat) {
     formats->setCurrentIndex(i);
     const QString word = formats->currentData().toString();
     ASSERT_TRUE(written.contains(word)) << word.toStdString();
-    const QString name = written.at(word);
+    const QString& name = written.at(word);
     done.reset();
     page.answerFileDialog(page.folder().filePath(word == "val3" ? QStringLiteral("val") : name));
     page.press("buttonExport");
