@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "haptic/protocol/messages.h"
 #include "manipulation/manipulator.h"
 #include "workcell/entity.h"
 
@@ -71,17 +72,16 @@ struct SceneSnapshot {
   bool forces_on = false;
   bool device_fault = false;  ///< The device cannot be read or commanded; the force is zero.
   bool loop_stalled = false;  ///< The haptic server heard of no contacts for 2 s: it lets the force fade.
-  double force_ramp = 0.0;  ///< 0 .. 1.
-  Pose X_WStylus;           ///< The stylus as drawn in the cell.
-  Pose X_DS;                ///< The stylus in its own workspace.
-  dvec3 force_W{0.0};       ///< On the hand, N, mapped to the cell's axes.
+  double force_ramp = 0.0;    ///< 0 .. 1.
+  Pose X_WStylus;             ///< The stylus as drawn in the cell.
+  Pose X_DS;                  ///< The stylus in its own workspace.
+  dvec3 force_W{0.0};         ///< On the hand, N, mapped to the cell's axes.
   double force_n = 0.0;
   double motion_scale = 1.0;   ///< Metres of the cell a metre of hand.
   double device_edge_m = 0.0;  ///< To the edge of the device's workspace.
   double free_gap_m = 0.0;     ///< Nearest free pair.
-  double rate_haptic_hz = 0.0, late_p99_ms = 0.0;
   double rate_manipulation_hz = 0.0, step_p99_ms = 0.0;
-  double round_trip_ms = 0.0;
+  haptic::ServerStatistics server;  ///< The haptic server's figures, as it told them last.
   struct Recording {
     bool on = false;
     double seconds = 0.0;     ///< Since it began.
@@ -89,7 +89,7 @@ struct SceneSnapshot {
     std::size_t by_hand = 0;  ///< Of these, added by the user.
   } recording;
   std::optional<SecondStylusState> second;  ///< Where there is one.
-  std::string status;  ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
+  std::string status;                       ///< One sentence: "Gripper G2 is 6.4 mm from Clamp tower B".
 };
 
 }  // namespace hapticell::manipulation

@@ -149,9 +149,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
     if (const auto device = link_.device()) snapshot.device_edge_m = edgeOf(*device, state_->X_DS.p);
   }
   fillRecording(snapshot);
-  snapshot.rate_haptic_hz = statistics_.rate_hz;
-  snapshot.late_p99_ms = statistics_.late_p99_ms;
-  snapshot.round_trip_ms = statistics_.round_trip_ms;
+  snapshot.server = statistics_;
   describe(snapshot);
 }
 

@@ -262,7 +262,7 @@ void MainWindow::updateStatus() {
   if (!now->pairs.empty() && now->pairs.front().contact) mark = Mark::kContact;
   status_->setSentence(mark, now->status.empty() ? still : shownText(now->status));
   StatusLine::Rates rates;
-  rates.haptic_hz = now->rate_haptic_hz;
+  rates.haptic_hz = now->server.rate_hz;
   rates.collision_hz = now->rate_manipulation_hz;
   rates.window_hz = gui_rate_;
   rates.collision_full = configuration_.manipulation.rate_hz;

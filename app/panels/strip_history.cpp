@@ -15,7 +15,7 @@ void StripHistory::add(const manipulation::SceneSnapshot& snapshot) {
                     snapshot.force_n,
                     false,
                     false,
-                    snapshot.rate_haptic_hz,
+                    snapshot.server.rate_hz,
                     snapshot.rate_manipulation_hz};
   for (const auto& pair : snapshot.pairs) {
     fresh.contact = fresh.contact || pair.contact;

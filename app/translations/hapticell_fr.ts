@@ -309,6 +309,10 @@
         <translation>%1 kg</translation>
     </message>
     <message>
+        <source>%1 late and %2 refused since the server's start</source>
+        <translation>%1 en retard et %2 refusés depuis le démarrage du serveur</translation>
+    </message>
+    <message>
         <source>%1 left</source>
         <translation>reste %1</translation>
     </message>
@@ -343,6 +347,10 @@
     <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms old in the middle, %2 ms in 99 of 100; %3</source>
+        <translation>%1 ms d'âge médian, %2 ms pour 99 sur 100 ; %3</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -723,6 +731,10 @@
     <message>
         <source>, hidden by %1</source>
         <translation>, caché par %1</translation>
+    </message>
+    <message>
+        <source>, its clock %1 from ours</source>
+        <translation>, son horloge à %1 de la nôtre</translation>
     </message>
     <message>
         <source>, not seen: %1</source>
@@ -1707,6 +1719,14 @@
     <message>
         <source>Contacts are only shown: it passes</source>
         <translation>Les contacts sont seulement montrés : il traverse</translation>
+    </message>
+    <message>
+        <source>Contacts come in time</source>
+        <translation>Les contacts arrivent à temps</translation>
+    </message>
+    <message>
+        <source>Contacts come late at times: the ones before are held</source>
+        <translation>Les contacts tardent parfois : les précédents sont gardés</translation>
     </message>
     <message>
         <source>Convex hull</source>
@@ -3483,6 +3503,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>No contact yet</source>
         <translation>Pas encore de contact</translation>
+    </message>
+    <message>
+        <source>No contacts sent lately</source>
+        <translation>Aucun contact envoyé récemment</translation>
     </message>
     <message>
         <source>No copy against a crash could be written</source>

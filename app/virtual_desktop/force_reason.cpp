@@ -16,6 +16,33 @@ QString tr(const char* text) {
   return QObject::tr(text);
 }
 
+QString timeText(double milliseconds) {
+  return milliseconds < 1000.0 ? tr("%1 ms").arg(milliseconds, 0, 'f', 2)
+                               : tr("%1 s").arg(1e-3 * milliseconds, 0, 'f', 3);
+}
+
+DeviceCheck serverCheck(const QString& server, const haptic::ServerStatistics& figures) {
+  const QString where = tr("%1, round trip %2 ms").arg(server).arg(figures.round_trip_ms, 0, 'f', 2);
+  const QString clocks = figures.clock_offset_ms
+                             ? tr(", its clock %1 from ours").arg(timeText(std::abs(*figures.clock_offset_ms)))
+                             : QString();
+  return {DeviceCheck::Result::kGood, tr("The haptic server answers"), where + clocks};
+}
+
+/// How old contacts are when they are felt. Nothing is late before the first.
+DeviceCheck contactsCheck(const haptic::ServerStatistics& figures) {
+  const QString counts =
+      tr("%1 late and %2 refused since the server's start").arg(figures.late_sets).arg(figures.refused_sets);
+  if (!(figures.set_age_p99_ms > 0.0)) return {DeviceCheck::Result::kOpen, tr("No contacts sent lately"), counts};
+  const bool late = figures.set_age_p99_ms > 1e3 * haptic::kLateSetAge;
+  return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
+          late ? tr("Contacts come late at times: the ones before are held") : tr("Contacts come in time"),
+          tr("%1 ms old in the middle, %2 ms in 99 of 100; %3")
+              .arg(figures.set_age_p50_ms, 0, 'f', 1)
+              .arg(figures.set_age_p99_ms, 0, 'f', 1)
+              .arg(counts)};
+}
+
 }  // namespace
 
 ForceReason forceReason(const ForceFacts& facts) {
@@ -70,8 +97,7 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
       checks.push_back({Result::kOpen, title, tr("Not tried yet: the server has to answer first")});
     return checks;
   }
-  checks.push_back({Result::kGood, tr("The haptic server answers"),
-                    tr("%1, round trip %2 ms").arg(server).arg(now.round_trip_ms, 0, 'f', 2)});
+  checks.push_back(serverCheck(server, now.server));
   if (device) {
     const dvec3 size = device->workspace_max - device->workspace_min;
     checks.push_back({Result::kGood, QString::fromStdString(device->name),
@@ -82,14 +108,15 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
                           .arg(device->measured_axes)
                           .arg(device->driven_axes)});
   }
-  const bool slow = now.rate_haptic_hz < 1000.0 * kFewHertz || now.late_p99_ms > kLateWarning;
+  const bool slow = now.server.rate_hz < 1000.0 * kFewHertz || now.server.late_p99_ms > kLateWarning;
   checks.push_back(
       {slow ? Result::kWarning : Result::kGood,
        slow ? tr("The force loop is late at times") : tr("The force loop keeps its time"),
        tr("%1 Hz, late %2 ms at most in 99 of 100 steps%3")
-           .arg(std::lround(now.rate_haptic_hz))
-           .arg(now.late_p99_ms, 0, 'f', 2)
+           .arg(std::lround(now.server.rate_hz))
+           .arg(now.server.late_p99_ms, 0, 'f', 2)
            .arg(slow ? tr(". Real-time priority mends it: add the account to the group realtime") : QString())});
+  checks.push_back(contactsCheck(now.server));
   const bool edge = now.device_edge_m < 0.005;
   checks.push_back({edge ? Result::kWarning : Result::kGood, tr("Range of motion"),
                     tr("%1 to the edge of the workspace").arg(lengthText(now.device_edge_m, 0))});

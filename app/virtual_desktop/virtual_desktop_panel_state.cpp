@@ -183,8 +183,8 @@ void VirtualDesktopPanel::showSnapshot() {
 
 void VirtualDesktopPanel::showRates(const manipulation::SceneSnapshot& now) {
   const double window = controller_.isStarted() ? controller_.guiRate() : 0.0;
-  const double hertz[3]{now.rate_haptic_hz, now.rate_manipulation_hz, window};
-  const double times[3]{now.late_p99_ms, now.step_p99_ms, 1000.0 * host_.viewport().lastFrameSeconds()};
+  const double hertz[3]{now.server.rate_hz, now.rate_manipulation_hz, window};
+  const double times[3]{now.server.late_p99_ms, now.step_p99_ms, 1000.0 * host_.viewport().lastFrameSeconds()};
   const QString words[3]{tr("late %1 ms"), tr("step %1 ms"), tr("frame %1 ms")};
   const auto rate = [](double value) { return value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : tr("off"); };
   for (int i = 0; i < 3; ++i) {

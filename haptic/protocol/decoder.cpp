@@ -130,7 +130,8 @@ Expected<void> read(const wire::ConstraintSet& from, ConstraintSet& to) {
   for (std::size_t i = 0; i < to.count; ++i) {
     const wire::Constraint* entry = from.constraints()->Get(static_cast<flatbuffers::uoffset_t>(i));
     if (!read(*entry, to.constraints[i])) {
-      return refuse("constraint " + std::to_string(i), "an unknown kind or no gradient", "kind 0, 1 or 2 and a gradient");
+      return refuse("constraint " + std::to_string(i), "an unknown kind or no gradient",
+                    "kind 0, 1 or 2 and a gradient");
     }
   }
   if (!isWellFormed(to)) {
@@ -161,8 +162,10 @@ Expected<void> read(const wire::State& from, HapticState& to) {
 }
 
 Expected<void> read(const wire::Statistics& from, ServerStatistics& to) {
-  to = {from.rate_hz(),      from.late_p50_ms(),   from.late_p99_ms(),    from.late_max_ms(),   from.ticks(),
-        from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(), from.set_age_p99_ms()};
+  to = {from.rate_hz(),        from.late_p50_ms(),  from.late_p99_ms(),   from.late_max_ms(),
+        from.ticks(),          from.missed_ticks(), from.round_trip_ms(), from.set_age_p50_ms(),
+        from.set_age_p99_ms(), from.late_sets(),    from.refused_sets(),  std::nullopt};
+  if (from.clock_known()) to.clock_offset_ms = from.clock_offset_ms();
   if (!isWellFormed(to)) return refuse("Statistics", "a number that is not finite or negative", "figures from 0 up");
   return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -34,6 +35,10 @@ struct HapticState {
       false;  ///< The controlling client has sent no set that could be taken for 2 s: the force fades.
 };
 
+/// A set that is older than this when it is adopted counts as late, seconds: the period of the slowest client that is
+/// meant to feel anything (10 Hz).
+inline constexpr double kLateSetAge = 0.1;
+
 /// The server's figures, about ten times a second.
 struct ServerStatistics {
   double rate_hz = 0.0;                                            ///< Ticks per second over the last second or so.
@@ -41,6 +46,11 @@ struct ServerStatistics {
   std::uint64_t ticks = 0, missed_ticks = 0;                       ///< Since the start.
   double round_trip_ms = 0.0;                         ///< Newest round trip of the controlling client's heart-beat.
   double set_age_p50_ms = 0.0, set_age_p99_ms = 0.0;  ///< From the client's query to the adoption, last 5 to 10 s.
+  std::uint64_t late_sets = 0;     ///< Adopted when older than kLateSetAge, since the server's start.
+  std::uint64_t refused_sets = 0;  ///< Not adopted (outdated, malformed, around another place): the older one was held.
+  /// What brings the controlling client's stamps to the server's clock, as its heart-beats tell; nothing before the
+  /// first.
+  std::optional<double> clock_offset_ms;
 };
 
 /// What the client asks of the server besides sets.

@@ -175,16 +175,22 @@ void ClientTable::broadcast() {
     tellOfStall(loop_.state().client_stalled);
   }
   if (!loop_.updateFigures()) return;
-  const double round_trip = controller_ != nullptr ? controller_->heartbeat.roundTrip() : 0.0;
-  sendToAll(MessageStream::Slot::kStatistics, encoder_.encode(Message(statisticsOf(loop_.figures(), round_trip))));
+  LinkFigures link;
+  if (controller_ != nullptr) {
+    link.round_trip = controller_->heartbeat.roundTrip();
+    if (const auto offset = controller_->heartbeat.fromPeerClock())
+      link.clock_offset = kSecondsPerNanosecond * static_cast<double>(*offset);
+  }
+  sendToAll(MessageStream::Slot::kStatistics, encoder_.encode(Message(statisticsOf(loop_.figures(), link))));
 }
 
 void ClientTable::tellOfStall(bool stalled) {
   if (stalled == stalled_) return;
   stalled_ = stalled;
   if (controller_ == nullptr) return;
-  report(controller_->name + (stalled ? " lives but has sent no constraint set that could be taken for 2 s: the force fades."
-                                      : " sends constraint sets again: the force returns through the engage gate."));
+  report(controller_->name +
+         (stalled ? " lives but has sent no constraint set that could be taken for 2 s: the force fades."
+                  : " sends constraint sets again: the force returns through the engage gate."));
 }
 
 bool ClientTable::overdue(const Client& client, std::int64_t now) const {

@@ -157,6 +157,8 @@ void ForceLoop::takeMessages(std::int64_t now) noexcept {
     if (renderer_.adopt(*set, age) == Adoption::kAdopted) {
       last_set_ns_ = now;
       if (set->stamp_ns != 0) statistics_.addSetAge(now - set->stamp_ns);
+    } else {
+      statistics_.addRefusedSet();
     }
   }
   takeHandTarget();

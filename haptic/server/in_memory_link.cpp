@@ -84,7 +84,7 @@ void InMemoryLink::sendState() {
   if (!connected_) return;
   if (loop_.updateState()) send(to_client_, encoder_.encode(loop_.state()), true);
   if (!loop_.updateFigures()) return;
-  send(to_client_, encoder_.encode(Message(statisticsOf(loop_.figures(), 2.0 * options_.latency))), true);
+  send(to_client_, encoder_.encode(Message(statisticsOf(loop_.figures(), {2.0 * options_.latency, 0.0}))), true);
 }
 
 void InMemoryLink::receiveAtClient() {

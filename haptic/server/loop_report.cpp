@@ -46,7 +46,11 @@ std::string loopReport(const LoopFigures& figures) {
                static_cast<unsigned long long>(figures.missed), missed_share) +
          print("Lateness in ms: p50 %.3f, p99 %.3f, p99.9 %.3f, max %.3f.\n", 1e3 * late.percentile(0.5),
                1e3 * late.percentile(0.99), 1e3 * late.percentile(0.999), 1e3 * late.max()) +
-         histogramLines(late);
+         histogramLines(late) +
+         print(
+             "Sets of contacts: age in ms p50 %.1f, p99 %.1f, last seconds; %llu late, %llu refused since the start.\n",
+             1e3 * figures.recent_set_age.percentile(0.5), 1e3 * figures.recent_set_age.percentile(0.99),
+             static_cast<unsigned long long>(figures.late_sets), static_cast<unsigned long long>(figures.refused_sets));
 }
 
 }  // namespace hapticell::haptic

@@ -11,7 +11,7 @@ constexpr std::int64_t kWindow = 5'000'000'000;
 
 }  // namespace
 
-ServerStatistics statisticsOf(const LoopFigures& figures, double round_trip) {
+ServerStatistics statisticsOf(const LoopFigures& figures, const LinkFigures& link) {
   ServerStatistics s;
   s.rate_hz = figures.rate_hz;
   s.late_p50_ms = 1e3 * figures.recent_lateness.percentile(0.5);
@@ -19,9 +19,12 @@ ServerStatistics statisticsOf(const LoopFigures& figures, double round_trip) {
   s.late_max_ms = 1e3 * figures.recent_lateness.max();
   s.ticks = figures.ticks;
   s.missed_ticks = figures.missed;
-  s.round_trip_ms = 1e3 * round_trip;
+  s.round_trip_ms = 1e3 * link.round_trip;
   s.set_age_p50_ms = 1e3 * figures.recent_set_age.percentile(0.5);
   s.set_age_p99_ms = 1e3 * figures.recent_set_age.percentile(0.99);
+  s.late_sets = figures.late_sets;
+  s.refused_sets = figures.refused_sets;
+  if (link.clock_offset) s.clock_offset_ms = 1e3 * *link.clock_offset;
   return s;
 }
 
@@ -40,6 +43,11 @@ void LoopStatistics::addTick(std::int64_t now, std::int64_t late_ns, std::uint32
   recent_[newest_].lateness.add(late_ns);
 }
 
+void LoopStatistics::addSetAge(std::int64_t age_ns) noexcept {
+  recent_[newest_].set_age.add(age_ns);
+  if (age_ns > toNanoseconds(kLateSetAge)) ++late_sets_;
+}
+
 void LoopStatistics::collect(std::int64_t now, LoopFigures& figures) noexcept {
   ticks_since_figures_ = 0;
   Mark& oldest = marks_[next_mark_];
@@ -49,6 +57,8 @@ void LoopStatistics::collect(std::int64_t now, LoopFigures& figures) noexcept {
   next_mark_ = (next_mark_ + 1) % marks_.size();
   figures.ticks = ticks_;
   figures.missed = missed_;
+  figures.late_sets = late_sets_;
+  figures.refused_sets = refused_sets_;
   figures.lateness = lateness_;
   figures.recent_lateness = recent_[0].lateness;
   figures.recent_lateness.merge(recent_[1].lateness);

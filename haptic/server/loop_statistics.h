@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "haptic/protocol/messages.h"
 #include "haptic/server/duration_histogram.h"
@@ -17,10 +18,18 @@ struct LoopFigures {
   DurationHistogram lateness;         ///< Wake-up past the deadline, since the start.
   DurationHistogram recent_lateness;  ///< The same, last 5 to 10 s.
   DurationHistogram recent_set_age;   ///< From a set's query to its adoption, last 5 to 10 s.
+  std::uint64_t late_sets = 0;        ///< Adopted when older than kLateSetAge, since the start.
+  std::uint64_t refused_sets = 0;     ///< Not adopted, since the start.
 };
 
-/// The statistics message of a loop's figures. `round_trip` in seconds.
-ServerStatistics statisticsOf(const LoopFigures& figures, double round_trip);
+/// What the heart-beats of the controlling client tell, seconds.
+struct LinkFigures {
+  double round_trip = 0.0;             ///< The newest one; 0 without a client.
+  std::optional<double> clock_offset;  ///< What brings its stamps to the server's clock; nothing until measured.
+};
+
+/// The statistics message of a loop's and a link's figures.
+ServerStatistics statisticsOf(const LoopFigures& figures, const LinkFigures& link);
 
 /// Counts what the force loop does; ten times a second gives out its figures. Fixed memory, no allocation.
 class LoopStatistics {
@@ -29,7 +38,10 @@ class LoopStatistics {
 
   /// One tick was done at `now`, `late_ns` past its deadline, after `skipped` ones that were missed.
   void addTick(std::int64_t now, std::int64_t late_ns, std::uint32_t skipped) noexcept;
-  void addSetAge(std::int64_t age_ns) noexcept { recent_[newest_].set_age.add(age_ns); }
+  /// A set was adopted `age_ns` after its query.
+  void addSetAge(std::int64_t age_ns) noexcept;
+  /// A set was not adopted: the one before is held.
+  void addRefusedSet() noexcept { ++refused_sets_; }
 
   /// True about ten times a second.
   bool due() const noexcept { return ticks_since_figures_ >= ticks_between_; }
@@ -48,6 +60,7 @@ class LoopStatistics {
   std::uint32_t ticks_between_;
   std::uint32_t ticks_since_figures_ = 0;
   std::uint64_t ticks_ = 0, missed_ = 0;
+  std::uint64_t late_sets_ = 0, refused_sets_ = 0;
   DurationHistogram lateness_;
   std::array<Window, 2> recent_{};  // Five seconds each; the older one is cleared when the newer is full.
   std::size_t newest_ = 0;

@@ -315,7 +315,7 @@ TEST(StripChart, DrawsTheRatesAsLines) {
   manipulation::SceneSnapshot now;
   for (int i = 0; i <= 200; ++i) {
     now.time_s = 0.1 * i;
-    now.rate_haptic_hz = 1000.0, now.rate_manipulation_hz = 400.0;
+    now.server.rate_hz = 1000.0, now.rate_manipulation_hz = 400.0;
     chart.take(now);
   }
   const QImage picture = chart.grab().toImage();

@@ -128,12 +128,36 @@ TEST(DeviceCheck, ALateLoopIsAWarningWithTheMeansAgainstIt) {
   ForceFacts facts;
   facts.started = facts.connected = true;
   manipulation::SceneSnapshot now;
-  now.rate_haptic_hz = 1000.0, now.late_p99_ms = 1.2, now.device_edge_m = 0.03;
+  now.server.rate_hz = 1000.0, now.server.late_p99_ms = 1.2, now.device_edge_m = 0.03;
   const auto checks = deviceChecks("127.0.0.1:4747", facts, nullptr, now);
   const auto late = std::find_if(checks.begin(), checks.end(),
                                  [](const auto& check) { return check.result == DeviceCheck::Result::kWarning; });
   ASSERT_NE(late, checks.end());
   EXPECT_TRUE(late->detail.contains("realtime"));
+}
+
+TEST(DeviceCheck, TellsTheClocksAndHowOldContactsAre) {
+  ForceFacts facts;
+  facts.started = facts.connected = true;
+  manipulation::SceneSnapshot now;
+  now.server.rate_hz = 1000.0, now.device_edge_m = 0.03;
+  const auto line = [&](const char* words) {
+    for (const DeviceCheck& check : deviceChecks("far:4747", facts, nullptr, now))
+      if ((check.title + ' ' + check.detail).contains(words)) return check;
+    return DeviceCheck{};
+  };
+  EXPECT_FALSE(line("round trip").detail.contains("clock")) << "not measured yet";
+  EXPECT_EQ(line("No contacts").result, DeviceCheck::Result::kOpen);
+  now.server.clock_offset_ms = -7.25e6;
+  now.server.round_trip_ms = 41.5;
+  EXPECT_EQ(line("round trip").detail, "far:4747, round trip 41.50 ms, its clock 7250.000 s from ours");
+  now.server.set_age_p50_ms = 12.0, now.server.set_age_p99_ms = 31.25;
+  now.server.late_sets = 3, now.server.refused_sets = 5;
+  EXPECT_EQ(line("in time").result, DeviceCheck::Result::kGood);
+  EXPECT_EQ(line("in time").detail,
+            "12.0 ms old in the middle, 31.2 ms in 99 of 100; 3 late and 5 refused since the server's start");
+  now.server.set_age_p99_ms = 140.0;
+  EXPECT_EQ(line("are held").result, DeviceCheck::Result::kWarning);
 }
 
 TEST(Sound, SilentWhileNothingIsNear) {

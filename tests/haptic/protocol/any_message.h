@@ -108,6 +108,9 @@ inline ServerStatistics statistics() {
   s.round_trip_ms = number();
   s.set_age_p50_ms = number();
   s.set_age_p99_ms = number();
+  s.late_sets = *rc::gen::arbitrary<std::uint64_t>();
+  s.refused_sets = *rc::gen::arbitrary<std::uint64_t>();
+  if (*rc::gen::arbitrary<bool>()) s.clock_offset_ms = number();
   return s;
 }
 

@@ -16,8 +16,7 @@ inline bool same(const Constraint& a, const Constraint& b) {
   return a.group == b.group && a.kind == b.kind && a.gap == b.gap && a.gradient == b.gradient &&
          a.curvature == b.curvature && a.has_trim == b.has_trim && a.trim_gap == b.trim_gap &&
          a.trim_gradient == b.trim_gradient && a.stiffness == b.stiffness && a.damping == b.damping &&
-         a.friction == b.friction && a.id == b.id && a.velocity_D == b.velocity_D &&
-         a.reach == b.reach;
+         a.friction == b.friction && a.id == b.id && a.velocity_D == b.velocity_D && a.reach == b.reach;
 }
 
 inline bool same(const ConstraintSet& a, const ConstraintSet& b) {
@@ -29,16 +28,18 @@ inline bool same(const ConstraintSet& a, const ConstraintSet& b) {
 
 inline bool same(const HapticState& a, const HapticState& b) {
   return a.tick == b.tick && a.server_stamp_ns == b.server_stamp_ns && same(a.X_DS, b.X_DS) && same(a.X_DP, b.X_DP) &&
-         a.v_DS == b.v_DS && a.force_D == b.force_D && a.torque_D == b.torque_D && a.buttons == b.buttons && a.adopted_set == b.adopted_set &&
-         a.forces_on == b.forces_on && a.force_ramp == b.force_ramp && a.motor_temperature == b.motor_temperature &&
-         a.device_fault == b.device_fault && a.client_stalled == b.client_stalled;
+         a.v_DS == b.v_DS && a.force_D == b.force_D && a.torque_D == b.torque_D && a.buttons == b.buttons &&
+         a.adopted_set == b.adopted_set && a.forces_on == b.forces_on && a.force_ramp == b.force_ramp &&
+         a.motor_temperature == b.motor_temperature && a.device_fault == b.device_fault &&
+         a.client_stalled == b.client_stalled;
 }
 
 inline bool same(const ServerStatistics& a, const ServerStatistics& b) {
   return a.rate_hz == b.rate_hz && a.late_p50_ms == b.late_p50_ms && a.late_p99_ms == b.late_p99_ms &&
          a.late_max_ms == b.late_max_ms && a.ticks == b.ticks && a.missed_ticks == b.missed_ticks &&
          a.round_trip_ms == b.round_trip_ms && a.set_age_p50_ms == b.set_age_p50_ms &&
-         a.set_age_p99_ms == b.set_age_p99_ms;
+         a.set_age_p99_ms == b.set_age_p99_ms && a.late_sets == b.late_sets && a.refused_sets == b.refused_sets &&
+         a.clock_offset_ms == b.clock_offset_ms;
 }
 
 inline bool same(const HapticControl& a, const HapticControl& b) {
@@ -54,7 +55,8 @@ inline bool same(const DeviceDescription& a, const DeviceDescription& b) {
   return a.name == b.name && a.simulated == b.simulated && a.workspace_min == b.workspace_min &&
          a.workspace_max == b.workspace_max && a.resolution == b.resolution && a.peak_force == b.peak_force &&
          a.continuous_force == b.continuous_force && a.stiffness == b.stiffness && a.damping == b.damping &&
-         a.measured_axes == b.measured_axes && a.driven_axes == b.driven_axes && a.peak_torque == b.peak_torque && a.buttons == b.buttons;
+         a.measured_axes == b.measured_axes && a.driven_axes == b.driven_axes && a.peak_torque == b.peak_torque &&
+         a.buttons == b.buttons;
 }
 
 inline bool same(const Hello& a, const Hello& b) {

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "haptic/server/clock.h"
 #include "haptic/server/loop_report.h"
 
 namespace hapticell::haptic {
@@ -78,6 +79,23 @@ TEST(LoopStatistics, count_rate_misses_and_forget_old_lateness) {
   EXPECT_NE(report.find("20000 ticks"), std::string::npos) << report;
   EXPECT_NE(report.find("10 missed"), std::string::npos) << report;
   EXPECT_NE(report.find("max 10.000"), std::string::npos) << report;
+}
+
+TEST(LoopStatistics, count_late_and_refused_sets_and_tell_the_clocks) {
+  LoopStatistics statistics(1000.0);
+  LoopFigures figures;
+  statistics.addTick(1, 0, 0);
+  for (const double age : {0.01, kLateSetAge, 0.101, 2.0}) statistics.addSetAge(toNanoseconds(age));
+  for (int i = 0; i < 3; ++i) statistics.addRefusedSet();
+  statistics.collect(2, figures);
+  const std::string report = loopReport(figures);
+  EXPECT_NE(report.find("2 late, 3 refused"), std::string::npos) << report;
+  const ServerStatistics told = statisticsOf(figures, {.round_trip = 0.02, .clock_offset = -3.5});
+  EXPECT_EQ(told.late_sets, 2u);
+  EXPECT_EQ(told.refused_sets, 3u);
+  EXPECT_DOUBLE_EQ(told.round_trip_ms, 20.0);
+  EXPECT_DOUBLE_EQ(told.clock_offset_ms.value(), -3500.0);
+  EXPECT_FALSE(statisticsOf(figures, {}).clock_offset_ms.has_value()) << "not measured yet";
 }
 
 }  // namespace

@@ -139,8 +139,24 @@ TEST(ForceLoop, an_outdated_set_and_one_elsewhere_change_nothing) {
   session.run(200);
   EXPECT_EQ(session.state().adopted_set, 1u);
   session.link().sendSet(floorSet(10));
-  session.run(5);
+  session.run(200);
   EXPECT_EQ(session.state().adopted_set, 10u);
+  EXPECT_EQ(session.link().latestStatistics().value_or(ServerStatistics{}).refused_sets, 2u);
+}
+
+TEST(ForceLoop, counts_the_sets_that_are_late_and_takes_them) {
+  VirtualSession session({.latency = 0.150});
+  for (std::uint64_t sequence = 1; sequence <= 3; ++sequence) {
+    ConstraintSet set = floorSet(sequence);
+    set.stamp_ns = session.clock.now();
+    session.link().sendSet(set);
+    session.run(400);
+  }
+  EXPECT_EQ(session.state().adopted_set, 3u);
+  const auto statistics = session.link().latestStatistics();
+  ASSERT_TRUE(statistics.has_value());
+  EXPECT_EQ(statistics->late_sets, 3u);
+  EXPECT_EQ(statistics->refused_sets, 0u);
 }
 
 TEST(ForceLoop, tells_the_age_of_sets) {
