@@ -151,11 +151,11 @@ TEST(DeviceCheck, TellsTheClocksAndHowOldContactsAre) {
   now.server.clock_offset_ms = -7.25e6;
   now.server.round_trip_ms = 41.5;
   EXPECT_EQ(line("round trip").detail, "far:4747, round trip 41.50 ms, its clock 7250.000 s from ours");
-  now.server.set_age_p50_ms = 12.0, now.server.set_age_p99_ms = 31.25;
+  now.server.set_age_p50_ms = 12.0, now.server.set_age_p99_ms = 31.5;
   now.server.late_sets = 3, now.server.refused_sets = 5;
   EXPECT_EQ(line("in time").result, DeviceCheck::Result::kGood);
   EXPECT_EQ(line("in time").detail,
-            "12.0 ms old in the middle, 31.2 ms in 99 of 100; 3 late and 5 refused since the server's start");
+            "12.0 ms old in the middle, 31.5 ms in 99 of 100; 3 late and 5 refused since the server's start");
   now.server.set_age_p99_ms = 140.0;
   EXPECT_EQ(line("are held").result, DeviceCheck::Result::kWarning);
 }
