@@ -310,7 +310,7 @@
     </message>
     <message>
         <source>%1 late and %2 refused since the server's start</source>
-        <translation>%1 en retard et %2 refusés depuis le démarrage du serveur</translation>
+        <translation>%1 en retard, %2 refusés depuis le démarrage</translation>
     </message>
     <message>
         <source>%1 left</source>
@@ -1725,8 +1725,8 @@
         <translation>Les contacts arrivent à temps</translation>
     </message>
     <message>
-        <source>Contacts come late at times: the ones before are held</source>
-        <translation>Les contacts tardent parfois : les précédents sont gardés</translation>
+        <source>Contacts come late at times</source>
+        <translation>Les contacts tardent parfois</translation>
     </message>
     <message>
         <source>Convex hull</source>

@@ -36,7 +36,7 @@ DeviceCheck contactsCheck(const haptic::ServerStatistics& figures) {
   if (!(figures.set_age_p99_ms > 0.0)) return {DeviceCheck::Result::kOpen, tr("No contacts sent lately"), counts};
   const bool late = figures.set_age_p99_ms > 1e3 * haptic::kLateSetAge;
   return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
-          late ? tr("Contacts come late at times: the ones before are held") : tr("Contacts come in time"),
+          late ? tr("Contacts come late at times") : tr("Contacts come in time"),
           tr("%1 ms old in the middle, %2 ms in 99 of 100; %3")
               .arg(figures.set_age_p50_ms, 0, 'f', 1)
               .arg(figures.set_age_p99_ms, 0, 'f', 1)
