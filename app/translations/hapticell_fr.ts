@@ -3086,7 +3086,7 @@ Licence Apache 2.0</translation>
     </message>
     <message>
         <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
-        <translation>Ligne : fréquence. Barres : retard pour 99 pas sur 100, pleine hauteur %1 ms</translation>
+        <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
     <message>
         <source>Load</source>
