@@ -8,6 +8,7 @@
 #include "manipulation/kept_free.h"
 #include "manipulation/motion_replay.h"
 #include "manipulation/path_check.h"
+#include "trajectory/trajectory_io.h"
 #include "workcell/document_io.h"
 
 namespace hapticell::cli {
@@ -58,6 +59,28 @@ struct Cell {
   std::string entity;
 };
 
+/// Motions on the same clock as this one: those that were named, and those of the cell that were recorded with it.
+Expected<std::vector<std::shared_ptr<const trajectory::Trajectory>>> motionsTogether(
+    const trajectory::Trajectory& trajectory, const workcell::Document& document,
+    const TrajectoryCheckOptions& options) {
+  std::vector<std::shared_ptr<const trajectory::Trajectory>> motions;
+  for (const std::string& file : options.together) {
+    auto motion = trajectory::readTrajectory(file);
+    if (!motion) return tl::unexpected(motion.error());
+    motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
+  }
+  if (trajectory.take.empty()) return motions;
+  for (const workcell::TrajectoryReference& reference : document.state().trajectories) {
+    auto motion = trajectory::readTrajectory(reference.path);
+    if (!motion) {
+      warn(motion.error().message());
+    } else if (motion->take == trajectory.take && motion->entity != trajectory.entity) {
+      motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
+    }
+  }
+  return motions;
+}
+
 Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const TrajectoryCheckOptions& options) {
   Diagnostics notes;
   auto document = workcell::loadDocument(options.workcell, notes);
@@ -68,6 +91,9 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   const std::string& name = options.entity.empty() ? trajectory.entity : options.entity;
   if (name.empty())
     return makeError({"", "--entity", "the trajectory does not say what moves", "the name of an entity", ""});
+  auto axes = motionsTogether(trajectory, *document, options);
+  if (!axes) return tl::unexpected(axes.error());
+  path->axes = std::move(*axes);
   auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(),
                                                     {document->state().pair_sets, document->state().pair_rules}, {});
   return Cell{std::move(*document), std::move(scene), std::move(*path), name};
@@ -115,6 +141,9 @@ void addCheckOptions(Subcommand command, TrajectoryCheckOptions& options) {
   command.option("--workcell", options.workcell, "The cell to move through (.hcell)").required();
   command.option("--entity", options.entity, "What moves (as the trajectory says)");
   command.option("--moved-by", options.moved_by, "tcp, base, self_origin, ... (as the trajectory says)");
+  command.option("--together", options.together,
+                 "Motions on the same clock, of the axes that the robot stands on (those that the cell has of the same "
+                 "take count anyway)");
   command.flag("--fail-on-contact", options.fail_on_contact, "Exit with 1 where a collision is found");
   command.flag("--fail-on-limit", options.fail_on_limit, "Exit with 1 where a limit is passed");
 }
@@ -145,6 +174,7 @@ Expected<ordered_json> checkTrajectory(const trajectory::Trajectory& trajectory,
   const bool is_near = std::isfinite(result->least_clearance);
   json["least_clearance"] = is_near ? ordered_json(result->least_clearance) : ordered_json(nullptr);
   if (is_near) json["nearest"] = {{"pair", {result->nearest_first, result->nearest_second}}, {"t", result->t_nearest}};
+  json["notes"] = result->notes;
   json["timing"] = {{"check_ms", took.count()}};
   json["found"] = (options.fail_on_contact && has_contact) || (options.fail_on_limit && has_limit);
   return json;

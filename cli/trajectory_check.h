@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/subcommand.h"
 #include "geometry/error.h"
@@ -15,6 +16,7 @@ struct TrajectoryCheckOptions {
   std::string workcell;
   std::string entity;  ///< Empty: as the trajectory says.
   std::string moved_by;
+  std::vector<std::string> together;  ///< Files of motions on the same clock: of the axes that the robot stands on.
   bool fail_on_contact = false;
   bool fail_on_limit = false;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 
 #include "geometry/assertion.h"
 #include "kinematics/link_pose.h"
@@ -108,6 +109,17 @@ std::vector<double> restPositions(const RobotModel& model) {
     q.push_back(std::min(std::max(0.0, joint.lower), joint.upper));
   }
   return q;
+}
+
+std::vector<int> rigidBodies(const RobotModel& model) {
+  std::vector<int> body(model.links.size());
+  std::iota(body.begin(), body.end(), 0);
+  if (model.closure) return body;
+  for (const Joint& joint : model.joints) {
+    if (joint.type != JointType::kFixed) continue;
+    body[static_cast<std::size_t>(joint.child_link)] = body[static_cast<std::size_t>(joint.parent_link)];
+  }
+  return body;
 }
 
 void forwardKinematics(const RobotModel& model, const std::vector<double>& q, std::vector<Pose>& X_BL) {

@@ -102,6 +102,10 @@ double greatestSpeed(const Joint& joint);
 /// Where a robot stands when nobody says otherwise: its home, else zero moved into the limits.
 std::vector<double> restPositions(const RobotModel& model);
 
+/// For each link the first link of its rigid body: links that fixed joints join are one body. With a closure each link
+/// is a body of its own, since the tree does not say what moves.
+std::vector<int> rigidBodies(const RobotModel& model);
+
 /// Poses X_BL of all links in the root link's frame B for joint positions `q` (one a variable), into `X_BL` (resized).
 /// With a closure: in the assembly of the home position; where the loops cannot close, the nearest poses found.
 void forwardKinematics(const RobotModel& model, const std::vector<double>& q, std::vector<Pose>& X_BL);

@@ -37,7 +37,7 @@ TakeRecorder::Sample ManipulationEngine::heldSample(const EntityConfiguration& a
   if (state_) sample.force_W = mapping_.axes() * state_->force_D;
   for (const std::size_t i : contacts_) {
     const HeldPair& pair = held_->pairs()[i];
-    sample.touching.emplace_back(nameOf(sample.entity->name, pair.moved_part),
+    sample.touching.emplace_back(nameOf(scene_->find(pair.owner)->name, pair.moved_part),
                                  nameOf(scene_->find(pair.other)->name, pair.other_part));
   }
   return sample;

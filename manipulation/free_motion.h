@@ -71,6 +71,8 @@ class FreeMotion {
   /// The same for the pairs from `first` on.
   void distances(double limit, std::uint32_t first, std::vector<PairDistance>& near);
 
+  const std::vector<std::shared_ptr<const collision::MeshCollider>>& parts() const { return parts_; }
+  const std::vector<Obstacle>& obstacles() const { return obstacles_; }
   const std::vector<MotionPair>& pairs() const { return pairs_; }
   const Obstacle& obstacle(std::uint32_t index) const { return obstacles_[index]; }
   bool isSoft(std::uint32_t pair) const { return states_[pair].soft; }

@@ -71,12 +71,9 @@ void HeldEntity::findWaysOut() {
 }
 
 void HeldEntity::noteWayOut(std::uint32_t pair, const collision::FreeingShift& shift) {
-  const HeldPair& about = pairs_[pair];
-  const auto named = [](const std::string& entity, const std::string& part) {
-    return part.empty() || part == entity ? entity : entity + "/" + part;
-  };
-  const std::string inside = named(scene_->find(id_)->name, about.moved_part) + " starts inside " +
-                             named(scene_->find(about.other)->name, about.other_part);
+  const MotionPair& who = motion_pairs_[pair];
+  const std::string inside =
+      nameOf(*moved_parts_[who.part].part) + " starts inside " + nameOf(*obstacle_parts_[who.obstacle]);
   if (!shift.found) {
     notes_.push_back(inside + " and no straight way out was found; it is not held back by it until they are apart");
     return;

@@ -89,14 +89,14 @@ void HeldEntity::gatherMovedParts(const Placements& placements) {
     const auto member =
         std::find_if(members_.begin(), members_.end(), [&](const Member& m) { return m.id == part.entity; });
     if (member != members_.end()) {
-      moved_parts_.push_back({&part, part.entity, part.link < 0 ? -1 : member->first_link + part.link, {}, part.name});
+      moved_parts_.push_back({&part, part.entity, part.link < 0 ? -1 : member->first_link + part.link, {}});
     } else {
       const auto found =
           std::find_if(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == part.entity; });
       if (found == carried_.end()) continue;
       const Entity& owner = *scene_->find(part.entity);
       const Pose X_EP = PreparedScene::partPose(owner, Pose::identity(), found->joints, part.link);
-      moved_parts_.push_back({&part, part.entity, found->link, found->X_LE * X_EP, owner.name});
+      moved_parts_.push_back({&part, part.entity, found->link, found->X_LE * X_EP});
     }
     parts_.push_back(part.mesh.pieces.get());
     surfaces_.push_back(part.mesh.surfaces.get());
@@ -148,11 +148,7 @@ void HeldEntity::gatherFriction() {
 void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements, const HoldOptions& options,
                              const config::Configuration& configuration) {
   std::vector<std::shared_ptr<const collision::MeshCollider>> colliders;
-  std::vector<std::string> names;
-  for (const MovedPart& part : moved_parts_) {
-    colliders.push_back(part.part->mesh.collider);
-    names.push_back(part.name);
-  }
+  for (const MovedPart& part : moved_parts_) colliders.push_back(part.part->mesh.collider);
   const auto is_moved = [&](workcell::EntityId id) {
     return isMember(id) || std::any_of(carried_.begin(), carried_.end(), [&](const Carried& c) { return c.id == id; });
   };
@@ -172,11 +168,11 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
       const auto& rules = rules_of[moved_parts_[k].owner];
       const auto rule = std::find_if(rules.begin(), rules.end(), [&](const auto& r) { return r.other == other.id; });
       if (rule == rules.end()) continue;
+      if (!scene_->isChecked(*moved_parts_[k].part, part)) continue;
       const workcell::PairRule* own = scene_->ruleFor(*moved_parts_[k].part, part);
-      if (own && !own->checked) continue;
       HeldPair pair{other.id,
-                    toldAs(moved_parts_[k].owner),
-                    names[k],
+                    moved_parts_[k].owner,
+                    moved_parts_[k].part->name,
                     part.name,
                     rule->safety_distance,
                     rule->near_miss,
@@ -195,13 +191,17 @@ void HeldEntity::gatherPairs(const Entity& entity, const Placements& placements,
     if (!checked) continue;
     obstacles_.push_back({part.mesh.pieces.get(), X_WO, obstacles.size() + 1, 0.0, part.mesh.surfaces.get()});
     obstacles.push_back({part.mesh.collider, X_WO});
-    obstacle_owners_.push_back(other.id);
-    obstacle_links_.push_back(part.link);
+    obstacle_parts_.push_back(&part);
   }
   gatherOwnPairs(entity, options, configuration);
   gaps_.resize(pairs_.size());
   motion_ = std::make_unique<FreeMotion>(std::move(colliders), std::move(obstacles), motion_pairs_);
   motion_->reset(*manipulator_, accepted_);
+}
+
+std::string HeldEntity::nameOf(const ScenePart& part) const {
+  const std::string& entity = scene_->find(part.entity)->name;
+  return part.name.empty() ? entity : entity + "/" + part.name;
 }
 
 void HeldEntity::distances(double limit, std::vector<FreeMotion::PairDistance>& near) {

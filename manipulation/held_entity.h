@@ -38,10 +38,18 @@ struct HoldOptions {
   workcell::ForceClass force_class = workcell::ForceClass::kContact;
 };
 
-/// A pair of the held entity with something at rest, as users know it.
+/// A part that moves with the held entity: its own, one of what hangs on it, or one of an external axis.
+struct MovedPart {
+  const ScenePart* part = nullptr;
+  workcell::EntityId owner = 0;  ///< The entity that it is a part of.
+  int link = -1;                 ///< Of the model that the manipulator moves; -1: a solid moves as a whole.
+  Pose X_LP;
+};
+
+/// A pair of a moved part with something at rest, or with another moved part, as users know it.
 struct HeldPair {
   workcell::EntityId other = 0;
-  workcell::EntityId owner = 0;  ///< Whose part moves: the held entity, with what hangs on it, or an external axis.
+  workcell::EntityId owner = 0;  ///< Whose part moves: the held entity, something that hangs on it, or an axis.
   std::string moved_part;        ///< Link names; empty for solids.
   std::string other_part;
   double safety_distance = 0.0;  ///< m, felt as the boundary.
@@ -82,9 +90,20 @@ class HeldEntity {
   /// Its name; the joint exists (contract).
   const std::string& jointName(int joint) const;
   const std::vector<HeldPair>& pairs() const { return pairs_; }
+  /// Everything that moves, in the order of Manipulator::partPoses() and of MotionPair::part. The only list of a held
+  /// entity's parts: whoever moves the manipulator (checks, pictures, searches) takes the parts from here.
+  const std::vector<MovedPart>& movedParts() const { return moved_parts_; }
+  /// What the parts may meet, in the order of MotionPair::obstacle.
+  const std::vector<const ScenePart*>& obstacleParts() const { return obstacle_parts_; }
+  /// Parts, obstacles and pairs as the exact check knows them; pairs in the order of pairs().
+  const FreeMotion& motion() const { return *motion_; }
+  /// "robot/link_3", or "gripper" for a solid.
+  std::string nameOf(const ScenePart& part) const;
   /// What was noticed when it was taken: links that touch each other at rest and so are not checked; what it starts
   /// inside of and which way it comes free.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Of the notes the one about links that touch at rest; empty: there are none.
+  const std::string& leftOutNote() const { return left_out_note_; }
   /// The newest set is a plain one (the nearest points of each pair), since no complete one would be of use here.
   bool isPlain() const { return crowded_; }
 
@@ -149,8 +168,6 @@ class HeldEntity {
   void gatherMovedParts(const Placements& placements);
   void standOnAxes(const Placements& placements);
   bool isMember(workcell::EntityId id) const;
-  /// Whom users are told that a part belongs to: what hangs on the robot counts as its own.
-  workcell::EntityId toldAs(workcell::EntityId owner) const { return isMember(owner) ? owner : id_; }
   Expected<void> makeManipulator(const workcell::Entity& entity, const HoldOptions& options,
                                  const config::Configuration& configuration);
   void gatherFriction();
@@ -203,14 +220,6 @@ class HeldEntity {
     std::vector<double> joints;
   };
   std::vector<Carried> carried_;
-  /// A part that moves: the held entity's own or a carried one's.
-  struct MovedPart {
-    const ScenePart* part = nullptr;
-    workcell::EntityId owner = 0;
-    int link = -1;
-    Pose X_LP;
-    std::string name;
-  };
   std::vector<MovedPart> moved_parts_;
   std::vector<const collision::ConvexPieces*> parts_;
   std::vector<const collision::SurfaceModel*> surfaces_;  ///< Of the parts.
@@ -231,13 +240,13 @@ class HeldEntity {
   std::vector<FreeingPlane> freeing_;
   std::optional<Asked> asked_;  ///< A search is under way for it.
   std::vector<collision::ZonePart> obstacles_;
-  std::vector<workcell::EntityId> obstacle_owners_;  ///< In the order of the obstacles.
-  std::vector<int> obstacle_links_;
+  std::vector<const ScenePart*> obstacle_parts_;  ///< In the order of the obstacles.
   std::vector<HeldPair> pairs_;
   std::vector<PairFeel> feel_;
   std::vector<MotionPair> motion_pairs_;
   std::uint32_t first_own_ = 0;  ///< Pairs from here on are of two moved parts.
   std::vector<std::string> notes_;
+  std::string left_out_note_;
   std::unique_ptr<Way> way_;
   double needed_radius_ = 0.0;   ///< See SetWish.
   bool crowded_ = false;         ///< The last complete set was too small to be of use.

@@ -219,7 +219,7 @@ double HeldEntity::moveOther(workcell::EntityId other, const dvec3& way_W) {
     if (gone.blocked) share = gone.share;
   }
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    if (obstacle_owners_[i] != other) continue;
+    if (obstacle_parts_[i]->entity != other) continue;
     obstacles_[i].X_W.p += share * way_W;
     motion_->moveObstacle(static_cast<std::uint32_t>(i), obstacles_[i].X_W);
   }
@@ -230,8 +230,8 @@ double HeldEntity::moveOther(workcell::EntityId other, const dvec3& way_W) {
 
 void HeldEntity::placeOther(workcell::EntityId other, const EntityConfiguration& at) {
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    if (obstacle_owners_[i] != other) continue;
-    obstacles_[i].X_W = PreparedScene::partPose(*scene_->find(other), at.X_WE, at.joints, obstacle_links_[i]);
+    if (obstacle_parts_[i]->entity != other) continue;
+    obstacles_[i].X_W = PreparedScene::partPose(*scene_->find(other), at.X_WE, at.joints, obstacle_parts_[i]->link);
     motion_->moveObstacle(static_cast<std::uint32_t>(i), obstacles_[i].X_W);
   }
   way_->known = false;

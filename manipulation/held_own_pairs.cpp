@@ -49,8 +49,11 @@ void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOption
     return entity.robot->links[static_cast<std::size_t>(std::max(0, part.link))].name;
   };
   std::vector<std::string> touching;
-  for (const OwnPair& own : ownPairs(*entity.robot, parts)) {
+  for (OwnPair own : ownPairs(*entity.robot, parts)) {
+    // What is carried is told first: "gripper touches robot/link_5".
+    if (parts[own.second].carried) std::swap(own.first, own.second);
     const MovedPart &first = moved_parts_[own.first], &second = moved_parts_[own.second];
+    if (!scene_->isChecked(*first.part, *second.part)) continue;
     const bool links = isMember(first.owner) && isMember(second.owner);
     if (body && !isOwnPairOfMannequin(linkOf(first), linkOf(second))) continue;
     const auto& a = first.part->mesh.collider;
@@ -58,22 +61,28 @@ void HeldEntity::gatherOwnPairs(const workcell::Entity& entity, const HoldOption
     // What lies between both hands touches the other one's fingers as it is taken.
     if ((links || body) &&
         collision::distance(a, X_EP[own.first], b, X_EP[own.second], 2.0 * kTouching).distance < kTouching) {
-      if (!body) touching.push_back(first.name + " with " + second.name);
+      if (!body) touching.push_back(first.part->name + " with " + second.part->name);
       continue;
     }
-    HeldPair pair{toldAs(second.owner),
-                  toldAs(first.owner),
-                  first.name,
-                  second.name,
+    HeldPair pair{second.owner,
+                  first.owner,
+                  first.part->name,
+                  second.part->name,
                   configuration.manipulation.safety_distance,
                   0.0,
                   options.on_contact,
                   {}};
-    motion_pairs_.push_back({static_cast<std::uint32_t>(own.first), 0, true, static_cast<int>(own.second)});
+    if (const workcell::PairRule* rule = scene_->ruleFor(*first.part, *second.part); rule && rule->on_contact) {
+      pair.on_contact = *rule->on_contact;
+    }
+    pair.feel.felt = pair.on_contact != workcell::OnContact::kPass;
+    motion_pairs_.push_back({static_cast<std::uint32_t>(own.first), 0, pair.feel.felt, static_cast<int>(own.second)});
     feel_.push_back(pair.feel);
     pairs_.push_back(std::move(pair));
   }
-  if (!touching.empty()) notes_.push_back(noteOn(entity.name, touching));
+  if (touching.empty()) return;
+  left_out_note_ = noteOn(entity.name, touching);
+  notes_.push_back(left_out_note_);
 }
 
 /// How the distance of a pair changes with the moved frame, at its nearest points.

@@ -2,7 +2,6 @@
 #include "manipulation/own_pairs.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace hapticell::manipulation {
@@ -15,22 +14,10 @@ LinkPair ordered(int a, int b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// For each link the first one of its rigid body.
-std::vector<int> rigidBodies(const kinematics::RobotModel& model) {
-  std::vector<int> body(model.links.size());
-  std::iota(body.begin(), body.end(), 0);
-  if (model.closure) return body;  // Its tree says nothing of what moves.
-  for (const kinematics::Joint& joint : model.joints) {
-    if (joint.type != kinematics::JointType::kFixed) continue;
-    body[static_cast<std::size_t>(joint.child_link)] = body[static_cast<std::size_t>(joint.parent_link)];
-  }
-  return body;
-}
-
 }  // namespace
 
 std::vector<OwnPair> ownPairs(const kinematics::RobotModel& model, std::span<const OwnPart> parts) {
-  const std::vector<int> body = rigidBodies(model);
+  const std::vector<int> body = kinematics::rigidBodies(model);
   const auto bodyOf = [&](int link) { return body[static_cast<std::size_t>(link)]; };
   std::set<LinkPair> disabled, joined;
   for (const kinematics::DisabledPair& pair : model.disabled_pairs) disabled.insert(ordered(pair.first, pair.second));

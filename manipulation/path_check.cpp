@@ -25,47 +25,25 @@ constexpr double kLever = 0.25;  ///< m, for the distance to singular positions.
 constexpr double kJointTolerance = 1e-6;
 constexpr std::size_t kFramesBetweenTold = 20;
 
-/// Everything that could meet: the moved parts, what stands, and which of them are checked.
+/// Everything that could meet, as the held entity knows it: its own parts, what hangs on it, and what stands. A motion
+/// is looked at whole, so every pair blocks, those that the user passes through too.
 struct Bodies {
-  std::vector<std::shared_ptr<const collision::MeshCollider>> parts;
-  std::vector<std::string> part_names;
-  std::vector<Obstacle> obstacles;
-  std::vector<std::string> obstacle_names;
+  const HeldEntity& held;
   std::vector<MotionPair> pairs;
+
+  explicit Bodies(const HeldEntity& of) : held(of), pairs(of.motion().pairs()) {
+    for (MotionPair& pair : pairs) pair.blocks = true;
+  }
+  FreeMotion motionOf(std::vector<MotionPair> some) const {
+    return {held.motion().parts(), held.motion().obstacles(), std::move(some)};
+  }
+  std::string first(std::uint32_t pair) const { return held.nameOf(*held.movedParts()[pairs[pair].part].part); }
+  std::string second(std::uint32_t pair) const {
+    const int other = pairs[pair].other_part;
+    return held.nameOf(other < 0 ? *held.obstacleParts()[pairs[pair].obstacle]
+                                 : *held.movedParts()[static_cast<std::size_t>(other)].part);
+  }
 };
-
-std::string nameOf(const Entity& entity, const ScenePart& part) {
-  return part.name.empty() ? entity.name : entity.name + "/" + part.name;
-}
-
-Bodies bodiesOf(const PreparedScene& scene, const Entity& moved) {
-  Bodies bodies;
-  std::vector<const ScenePart*> moved_parts, obstacles;
-  const auto rules = scene.pairsOf(moved.id, moved.on_contact);
-  for (const ScenePart& part : scene.parts()) {
-    if (part.entity == moved.id) {
-      bodies.parts.push_back(part.mesh.collider);
-      bodies.part_names.push_back(nameOf(moved, part));
-      moved_parts.push_back(&part);
-      continue;
-    }
-    const bool is_checked =
-        std::any_of(rules.begin(), rules.end(), [&](const auto& rule) { return rule.other == part.entity; });
-    if (!is_checked) continue;
-    const Entity& other = *scene.find(part.entity);
-    bodies.obstacles.push_back(
-        {part.mesh.collider, PreparedScene::partPose(other, other.X_WE, other.joints, part.link)});
-    bodies.obstacle_names.push_back(nameOf(other, part));
-    obstacles.push_back(&part);
-  }
-  for (std::uint32_t k = 0; k < bodies.parts.size(); ++k) {
-    for (std::uint32_t o = 0; o < bodies.obstacles.size(); ++o) {
-      const workcell::PairRule* rule = scene.ruleFor(*moved_parts[k], *obstacles[o]);
-      if (!rule || rule->checked) bodies.pairs.push_back({k, o, true});
-    }
-  }
-  return bodies;
-}
 
 /// Follows each pair through the motion and keeps an interval for each time that it meets.
 class CollisionTrack {
@@ -74,7 +52,7 @@ class CollisionTrack {
       : bodies_(bodies),
         manipulator_(manipulator),
         look_(look),
-        motion_(bodies.parts, bodies.obstacles, bodies.pairs),
+        motion_(bodies.motionOf(bodies.pairs)),
         open_(bodies.pairs.size()) {}
 
   void start(const EntityConfiguration& at, double t, PathCheckResult& result) {
@@ -113,8 +91,8 @@ class CollisionTrack {
   PathFinding finding(std::uint32_t pair, double t) const {
     PathFinding found;
     found.t_in = found.t_out = t;
-    found.first = bodies_.part_names[bodies_.pairs[pair].part];
-    found.second = bodies_.obstacle_names[bodies_.pairs[pair].obstacle];
+    found.first = bodies_.first(pair);
+    found.second = bodies_.second(pair);
     return found;
   }
 
@@ -134,7 +112,7 @@ class CollisionTrack {
     while (!left.empty()) {
       std::vector<MotionPair> pairs;
       for (const std::uint32_t i : left) pairs.push_back(bodies_.pairs[i]);
-      FreeMotion others(bodies_.parts, bodies_.obstacles, pairs);
+      FreeMotion others = bodies_.motionOf(std::move(pairs));
       others.reset(manipulator_, from);
       const MotionAnswer answer = others.advance(manipulator_, from, to);
       if (!answer.blocked) return;
@@ -157,10 +135,11 @@ class CollisionTrack {
   void look(double t, PathCheckResult& result) {
     motion_.distances(std::min(result.least_clearance, look_), near_);
     for (const auto& one : near_) {
-      if (open_[one.pair] || one.result.distance >= result.least_clearance) continue;
+      const bool own = bodies_.pairs[one.pair].other_part >= 0;  // Links of one arm are always near each other.
+      if (own || open_[one.pair] || one.result.distance >= result.least_clearance) continue;
       result.least_clearance = one.result.distance;
-      result.nearest_first = bodies_.part_names[bodies_.pairs[one.pair].part];
-      result.nearest_second = bodies_.obstacle_names[bodies_.pairs[one.pair].obstacle];
+      result.nearest_first = bodies_.first(one.pair);
+      result.nearest_second = bodies_.second(one.pair);
       result.t_nearest = t;
     }
   }
@@ -267,16 +246,45 @@ Expected<void> checkArguments(const Entity* entity, const std::string& name, con
   return {};
 }
 
+/// The joints of an external axis that moves meanwhile, among those of the whole.
+struct AxisTrack {
+  std::shared_ptr<const Trajectory> motion;
+  std::vector<std::size_t> columns;
+};
+
+/// One for each of the axes that the held robot stands on and that `options` has a motion of.
+Expected<std::vector<AxisTrack>> axisTracks(const PreparedScene& scene, const HeldEntity& held,
+                                            const PathCheckOptions& options) {
+  std::vector<AxisTrack> tracks;
+  std::size_t first = 0;
+  for (const auto& [id, stands] : held.axes()) {
+    const Entity& axis = *scene.find(id);
+    const auto motion = std::find_if(options.axes.begin(), options.axes.end(),
+                                     [&, &name = axis.name](const auto& one) { return one->entity == name; });
+    if (motion != options.axes.end() && !(*motion)->empty()) {
+      auto columns = jointColumns(axis, **motion);
+      if (!columns) return makeError(columns.error());
+      for (std::size_t& column : *columns) column += first;
+      tracks.push_back({*motion, std::move(*columns)});
+    }
+    first += stands.joints.size();
+  }
+  return tracks;
+}
+
 /// Walks through the frames and lets each kind of check look at every step.
 class PathWalk {
  public:
-  PathWalk(const PreparedScene& scene, const Entity& entity, const HeldEntity& held, const PathCheckOptions& options)
+  PathWalk(const Entity& entity, const HeldEntity& held, std::vector<AxisTrack> axes, const PathCheckOptions& options)
       : options_(options),
         manipulator_(held.manipulator()),
-        bodies_(bodiesOf(scene, entity)),
+        axes_(std::move(axes)),
+        first_own_(held.accepted().joints.size() - held.standing().joints.size()),
+        bodies_(held),
         collisions_(bodies_, manipulator_, options.look),
         before_(held.accepted()) {
     if (entity.kind == EntityKind::kRobot && entity.robot != nullptr) joints_.emplace(entity);
+    if (!held.leftOutNote().empty()) result_.notes.push_back(held.leftOutNote());
   }
 
   PathCheckResult run(const Trajectory& trajectory, const std::vector<std::size_t>& columns) {
@@ -303,8 +311,17 @@ class PathWalk {
                                       std::size_t i) const {
     if (columns.empty()) return manipulator_.propose(before_, trajectory[i].X_WT, kinematics::kUnboundedDuration);
     EntityConfiguration at = before_;
-    for (std::size_t j = 0; j < columns.size(); ++j) at.joints[columns[j]] = trajectory.joints(i)[j];
+    for (std::size_t j = 0; j < columns.size(); ++j) at.joints[first_own_ + columns[j]] = trajectory.joints(i)[j];
+    for (const AxisTrack& axis : axes_) {
+      const std::vector<double> joints = axis.motion->jointsAt(trajectory[i].t);
+      for (std::size_t j = 0; j < axis.columns.size(); ++j) at.joints[axis.columns[j]] = joints[j];
+    }
     return at;
+  }
+
+  /// Without the external axes' joints, which come first.
+  EntityConfiguration ownOf(const EntityConfiguration& at) const {
+    return {at.X_WE, {at.joints.begin() + static_cast<std::ptrdiff_t>(first_own_), at.joints.end()}};
   }
 
   void look(const Trajectory& trajectory, std::size_t i, const EntityConfiguration& at) {
@@ -313,7 +330,10 @@ class PathWalk {
     const auto off = trajectory::distanceBetween(manipulator_.movedFrame(at), trajectory[i].X_WT);
     const double worst = std::max(off.position, off.angle);
     if (worst > options_.pose_tolerance) list_.add(PathFinding::Kind::kOffPose, "", t, worst);
-    if (joints_) joints_->look(at, i == 0 ? nullptr : &before_, t, t - t_before, list_);
+    if (joints_) {
+      const EntityConfiguration before = ownOf(before_);
+      joints_->look(ownOf(at), i == 0 ? nullptr : &before, t, t - t_before, list_);
+    }
     if (i == 0) {
       collisions_.start(at, t, result_);
     } else {
@@ -324,6 +344,8 @@ class PathWalk {
 
   const PathCheckOptions& options_;
   const Manipulator& manipulator_;
+  const std::vector<AxisTrack> axes_;
+  const std::size_t first_own_;
   const Bodies bodies_;
   CollisionTrack collisions_;
   FindingList list_;
@@ -348,10 +370,13 @@ Expected<PathCheckResult> checkPath(std::shared_ptr<const PreparedScene> scene, 
   const auto columns = jointColumns(*entity, trajectory);
   if (!columns) return tl::unexpected(columns.error());
   HoldOptions hold = options.hold;
-  hold.moved_by.with_axes = false;  // A motion tells the robot's own joints.
+  // A motion tells the robot's own joints; what it stands on moves only where a motion of that is there too.
+  hold.moved_by.with_axes = !options.axes.empty() && !columns->empty();
   const auto held = HeldEntity::take(scene, entity->id, {}, hold, configuration);
   if (!held) return tl::unexpected(held.error());
-  return PathWalk(*scene, *entity, **held, options).run(trajectory, *columns);
+  auto axes = axisTracks(*scene, **held, options);
+  if (!axes) return tl::unexpected(axes.error());
+  return PathWalk(*entity, **held, std::move(*axes), options).run(trajectory, *columns);
 }
 
 }  // namespace hapticell::manipulation

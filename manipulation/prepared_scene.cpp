@@ -82,6 +82,7 @@ void PreparedScene::dropUnfinished() {
 
 void PreparedScene::addPart(ScenePart part, const MeshKey& key, std::shared_ptr<const geometry::TriangleMesh> mesh,
                             std::vector<Job>& jobs) {
+  part.body = workcell::rigidBodyOf(entities_, *find(part.entity), part.link);
   if (meshes_.emplace(key, PreparedMesh{}).second) jobs.push_back({key, std::move(mesh)});
   parts_.push_back(std::move(part));
   keys_.push_back(key);
@@ -120,7 +121,7 @@ void PreparedScene::addParts(const workcell::Entity& entity, std::vector<Job>& j
   if (entity.kind == workcell::EntityKind::kSolid) {
     const auto& mesh = workcell::checkedMesh(entity);
     if (!mesh || mesh->triangles.empty()) return;
-    addPart({entity.id, -1, "", {}}, {mesh.get(), -1}, mesh, jobs);
+    addPart({.entity = entity.id}, {mesh.get(), -1}, mesh, jobs);
     return;
   }
   if (!entity.robot) return;
@@ -132,7 +133,7 @@ void PreparedScene::addParts(const workcell::Entity& entity, std::vector<Job>& j
     }
     if (whole.triangles.empty()) continue;
     const MeshKey key{entity.robot.get(), static_cast<int>(i)};
-    addPart({entity.id, static_cast<int>(i), link.name, {}}, key,
+    addPart({.entity = entity.id, .link = static_cast<int>(i), .name = link.name}, key,
             std::make_shared<const geometry::TriangleMesh>(std::move(whole)), jobs);
   }
 }
@@ -167,6 +168,12 @@ std::vector<workcell::EffectivePair> PreparedScene::pairsOf(workcell::EntityId m
 const workcell::PairRule* PreparedScene::ruleFor(const ScenePart& a, const ScenePart& b) const {
   if (pairs_.rules.empty()) return nullptr;
   return workcell::ruleFor(pairs_.rules, {find(a.entity)->name, a.name}, {find(b.entity)->name, b.name});
+}
+
+bool PreparedScene::isChecked(const ScenePart& a, const ScenePart& b) const {
+  if (a.body == b.body) return false;
+  const workcell::PairRule* rule = ruleFor(a, b);
+  return rule == nullptr || rule->checked;
 }
 
 PreparedScene::FoundFrame PreparedScene::findFrame(const std::string& name) const {

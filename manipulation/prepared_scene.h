@@ -30,8 +30,9 @@ struct PreparedMesh {
 struct ScenePart {
   workcell::EntityId entity = 0;
   int link = -1;     ///< Robots: index of the link; -1 for a solid.
-  std::string name;  ///< Robots: the link's name; empty for a solid.
-  PreparedMesh mesh;
+  std::string name{};  ///< Robots: the link's name; empty for a solid.
+  PreparedMesh mesh{};
+  workcell::RigidBody body{};  ///< See workcell::rigidBodyOf().
 };
 
 class PreparedScene;
@@ -72,6 +73,10 @@ class PreparedScene {
 
   /// The user's rule for two of its parts; null where there is none.
   const workcell::PairRule* ruleFor(const ScenePart& a, const ScenePart& b) const;
+
+  /// Whether these two are ever checked against each other: no rule of the user leaves them out, and they can move
+  /// against each other (what is attached is one body with the link it is attached to).
+  bool isChecked(const ScenePart& a, const ScenePart& b) const;
 
   /// A frame by its name: a frame of an entity, or an entity's own. Null entity when there is none.
   struct FoundFrame {

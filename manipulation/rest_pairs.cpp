@@ -2,6 +2,7 @@
 #include "manipulation/rest_pairs.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "collision/proximity_query.h"
 
@@ -34,18 +35,45 @@ double leastDistance(const geometry::Bounds& a, const geometry::Bounds& b) {
   return glm::length(glm::max(dvec3(0.0), glm::max(a.min - b.max, b.min - a.max)));
 }
 
-bool hangsOn(const PreparedScene& scene, const Entity& entity, const Entity& other) {
-  const Entity* carrier = &entity;
-  for (std::size_t steps = 0; carrier && !carrier->attachment.to.empty() && steps < scene.entities().size(); ++steps) {
-    carrier = scene.find(carrier->attachment.to);
-    if (carrier && carrier->id == other.id) return true;
+/// The entity and all that hangs on it, directly or by others.
+std::vector<const Entity*> familyOf(const PreparedScene& scene, const Entity& entity) {
+  std::vector<const Entity*> family{&entity};
+  for (std::size_t k = 0; k < family.size(); ++k) {
+    for (const Entity& other : scene.entities()) {
+      const bool known = std::find(family.begin(), family.end(), &other) != family.end();
+      if (!known && other.attachment.to == family[k]->name) family.push_back(&other);
+    }
   }
-  return false;
+  return family;
 }
 
-bool leftOut(const PreparedScene& scene, const PlacedPart& a, const PlacedPart& b) {
-  const workcell::PairRule* rule = scene.ruleFor(*a.part, *b.part);
-  return rule && !rule->checked;
+/// The nearest parts of two entities; nothing where none are nearer than `limit`, or none are checked.
+std::optional<PairState> nearestParts(const PreparedScene& scene, const workcell::EffectivePair& rule, double limit) {
+  PairState nearest;
+  nearest.moved = rule.moved;
+  nearest.other = rule.other;
+  nearest.near_miss_distance = rule.near_miss;
+  nearest.distance = limit;
+  bool found = false;
+  const std::vector<PlacedPart> own = placedParts(scene, rule.moved);
+  for (const PlacedPart& other : placedParts(scene, rule.other)) {
+    for (const PlacedPart& part : own) {
+      if (leastDistance(part.bounds_W, other.bounds_W) >= nearest.distance) continue;
+      if (!scene.isChecked(*part.part, *other.part)) continue;
+      const collision::DistanceResult result = collision::distance(
+          part.part->mesh.collider, part.X_WP, other.part->mesh.collider, other.X_WP, nearest.distance);
+      if (result.beyond_limit) continue;
+      found = true;
+      nearest.distance = result.distance;
+      nearest.moved_part = part.part->name;
+      nearest.other_part = other.part->name;
+      nearest.p_WA = result.p_WA;
+      nearest.p_WB = result.p_WB;
+      nearest.contact = result.colliding || result.distance <= rule.safety_distance;
+    }
+  }
+  nearest.near_miss = nearest.distance < rule.near_miss;
+  return found ? std::optional(nearest) : std::nullopt;
 }
 
 }  // namespace
@@ -54,31 +82,16 @@ std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityI
   std::vector<PairState> pairs;
   const Entity* entity = scene.find(moved);
   if (!entity) return pairs;
-  const std::vector<PlacedPart> own = placedParts(scene, moved);
-  for (const workcell::EffectivePair& rule : scene.pairsOf(moved, entity->on_contact)) {
-    PairState nearest;
-    nearest.moved = moved;
-    nearest.other = rule.other;
-    nearest.near_miss_distance = rule.near_miss;
-    nearest.distance = limit;
-    bool found = false;
-    for (const PlacedPart& other : placedParts(scene, rule.other)) {
-      for (const PlacedPart& part : own) {
-        if (leastDistance(part.bounds_W, other.bounds_W) >= nearest.distance || leftOut(scene, part, other)) continue;
-        const collision::DistanceResult result = collision::distance(
-            part.part->mesh.collider, part.X_WP, other.part->mesh.collider, other.X_WP, nearest.distance);
-        if (result.beyond_limit) continue;
-        found = true;
-        nearest.distance = result.distance;
-        nearest.moved_part = part.part->name;
-        nearest.other_part = other.part->name;
-        nearest.p_WA = result.p_WA;
-        nearest.p_WB = result.p_WB;
-        nearest.contact = result.colliding || result.distance <= rule.safety_distance;
-      }
+  const std::vector<const Entity*> family = familyOf(scene, *entity);
+  const auto goes_along = [&](workcell::EntityId id) {
+    return std::any_of(family.begin(), family.end(), [id](const Entity* one) { return one->id == id; });
+  };
+  for (const Entity* one : family) {
+    for (const workcell::EffectivePair& rule : scene.pairsOf(one->id, entity->on_contact)) {
+      // Of what goes along only what is carried against the links of what carries it all, as while it is held.
+      if (goes_along(rule.other) && (one == entity || rule.other != moved || !entity->robot)) continue;
+      if (auto nearest = nearestParts(scene, rule, limit)) pairs.push_back(std::move(*nearest));
     }
-    nearest.near_miss = nearest.distance < rule.near_miss;
-    if (found) pairs.push_back(std::move(nearest));
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
   return pairs;
@@ -97,11 +110,10 @@ std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, doubl
     for (const workcell::EffectivePair& pair : scene.pairsOf(entity.id, entity.on_contact)) {
       const std::size_t j = index(pair.other);
       const Entity& other = scene.entities()[j];
-      if (j < i || (entity.locked && other.locked) || hangsOn(scene, entity, other) || hangsOn(scene, other, entity))
-        continue;
+      if (j < i || (entity.locked && other.locked)) continue;
       for (const PlacedPart& a : parts[i]) {
         for (const PlacedPart& b : parts[j]) {
-          if (leastDistance(a.bounds_W, b.bounds_W) > tolerance || leftOut(scene, a, b)) continue;
+          if (leastDistance(a.bounds_W, b.bounds_W) > tolerance || !scene.isChecked(*a.part, *b.part)) continue;
           collision::ProximityQuery query(a.part->mesh.collider, b.part->mesh.collider);
           if (!query.within(a.X_WP, b.X_WP, tolerance) && !query.collides(a.X_WP, b.X_WP)) continue;
           rules.push_back({entity.name, a.part->name, other.name, b.part->name, false, {}});

@@ -8,14 +8,15 @@
 
 namespace hapticell::manipulation {
 
-/// Distances of everything that is checked against `moved`, as the cell stands in the document: one entry for each
-/// other entity, its nearest parts; nearest first. Farther than `limit` (m): left out. Pairs that a rule leaves out do
-/// not count. Any thread; takes as long as cold queries take.
+/// Distances of everything that is checked against `moved` and what hangs on it, as the cell stands in the document: one
+/// entry for each pair of entities, its nearest parts; nearest first. What hangs on a robot is measured against the
+/// robot's other links too, as while it is held. Farther than `limit` (m): left out. Pairs that are not checked
+/// (PreparedScene::isChecked) do not count. Any thread; takes as long as cold queries take.
 std::vector<PairState> pairsAtRest(const PreparedScene& scene, workcell::EntityId moved, double limit);
 
 /// Rules that leave out what touches or intersects as the cell stands in the document, part by part: pairs that are
-/// checked, that can move against each other (not both locked, neither hangs on the other), and that have no rule that
-/// leaves them out yet. Nearer than `tolerance` (m) counts as touching: CAD parts that stand on each other do so to
+/// checked (PreparedScene::isChecked) and not both locked; a carried part and a link that it can move against are such a
+/// pair. Nearer than `tolerance` (m) counts as touching: CAD parts that stand on each other do so to
 /// rounding. Nothing is changed here: who asks gives them to workcell::SetPairRules, or not. Any thread.
 std::vector<workcell::PairRule> touchingAtRest(const PreparedScene& scene, double tolerance = 2e-5);
 

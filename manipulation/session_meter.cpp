@@ -69,7 +69,10 @@ void ContactLog::add(double t, const ManipulationEngine& engine, double force) {
       const auto key = std::pair(held->id(), pair.other);
       if (open_.count(key) == 0) {
         open_[key] = events_.size();
-        events_.push_back({held->id(), pair.other, pair.moved_part, pair.other_part, t, t, 0.0, true});
+        // Of what it carries the carried entity's name stands for the part.
+        const bool own = pair.owner == held->id();
+        const std::string& part = own ? pair.moved_part : engine.scene()->find(pair.owner)->name;
+        events_.push_back({held->id(), pair.other, part, pair.other_part, t, t, 0.0, true});
       }
       const std::size_t event = open_[key];
       last_seen_[event] = t;

@@ -21,6 +21,23 @@ double edgeOf(const haptic::DeviceDescription& device, const dvec3& p_DS) {
   return std::max(0.0, std::min({low.x, low.y, low.z, high.x, high.y, high.z}));
 }
 
+/// Where an entity stands, and what its own parts meet.
+EntityState stateOf(workcell::EntityId id, const EntityConfiguration& at, const std::vector<PairState>& pairs) {
+  EntityState state{id, at.X_WE, at.joints, false, false};
+  for (const PairState& pair : pairs) {
+    if (pair.moved != id && pair.other != id) continue;
+    state.in_contact = state.in_contact || pair.contact;
+    state.near_miss = state.near_miss || pair.near_miss;
+  }
+  return state;
+}
+
+/// "gripper", or "link_3" of what is held.
+std::string subjectOf(const PairState& pair, workcell::EntityId held, const PreparedScene& scene) {
+  const bool own_link = pair.moved == held && pair.other == held;
+  return own_link ? pair.moved_part : scene.find(pair.moved)->name;
+}
+
 }  // namespace
 
 void ManipulationEngine::measureForDisplay(SceneSnapshot& snapshot) {
@@ -90,13 +107,14 @@ void ManipulationEngine::describe(SceneSnapshot& snapshot) const {
   } else {
     const PairState& pair = snapshot.pairs.front();
     const workcell::Entity* other = scene_->find(pair.other);
+    const std::string subject = subjectOf(pair, held_->id(), *scene_);
     if (pair.other == held_->id()) {
-      std::snprintf(text, sizeof text, pair.contact ? "%.80s touches its own %.80s" : "%.80s is near its own %.80s",
-                    pair.moved_part.c_str(), pair.other_part.c_str());
+      std::snprintf(text, sizeof text, pair.contact ? "%.80s touches %.80s of %.80s" : "%.80s is near %.80s of %.80s",
+                    subject.c_str(), pair.other_part.c_str(), other->name.c_str());
     } else if (pair.contact) {
-      std::snprintf(text, sizeof text, "%.80s touches %.80s", moved->name.c_str(), other->name.c_str());
+      std::snprintf(text, sizeof text, "%.80s touches %.80s", subject.c_str(), other->name.c_str());
     } else {
-      std::snprintf(text, sizeof text, "%.80s is %.1f mm from %.80s", moved->name.c_str(), 1e3 * pair.distance,
+      std::snprintf(text, sizeof text, "%.80s is %.1f mm from %.80s", subject.c_str(), 1e3 * pair.distance,
                     other->name.c_str());
     }
   }
@@ -122,13 +140,8 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
   if (held_) {
     measureForDisplay(snapshot);
     const EntityConfiguration stands = held_->standing();
-    EntityState moved{held_->id(), stands.X_WE, stands.joints, !contacts_.empty(), false};
-    for (const PairState& pair : snapshot.pairs) {
-      moved.in_contact = moved.in_contact || pair.contact;
-      moved.near_miss = moved.near_miss || pair.near_miss;
-    }
-    snapshot.entities.push_back(moved);
-    for (const auto& [id, at] : carried) snapshot.entities.push_back({id, at.X_WE, at.joints, moved.in_contact, false});
+    snapshot.entities.push_back(stateOf(held_->id(), stands, snapshot.pairs));
+    for (const auto& [id, at] : carried) snapshot.entities.push_back(stateOf(id, at, snapshot.pairs));
     snapshot.limits = nearLimits();
     snapshot.held = held_->id();
   }

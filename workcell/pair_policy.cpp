@@ -105,6 +105,27 @@ bool samePair(const PairRule& a, const PairRule& b) {
   return (a1 == b1 && a2 == b2) || (a1 == b2 && a2 == b1);
 }
 
+RigidBody rigidBodyOf(std::span<const Entity> entities, const Entity& entity, int link) {
+  const Entity* at = &entity;
+  for (std::size_t steps = 0; steps <= entities.size(); ++steps) {
+    int base = 0;
+    if (at->robot) {
+      const std::vector<int> bodies = kinematics::rigidBodies(*at->robot);
+      link = bodies[static_cast<std::size_t>(std::max(0, link))];
+      base = bodies.front();
+    } else {
+      link = 0;
+    }
+    if (link != base || at->attachment.to.empty()) break;
+    const auto carrier =
+        std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.name == at->attachment.to; });
+    if (carrier == entities.end()) break;
+    link = carrier->robot ? carrier->robot->findLink(at->attachment.link) : -1;
+    at = &*carrier;
+  }
+  return {at->id, link};
+}
+
 std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std::span<const PairSet> sets,
                                           EntityId moved, const PairDefaults& defaults) {
   std::vector<EffectivePair> pairs;

@@ -36,6 +36,19 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
 /// The set whose choices count for these two: the last enabled one that joins them; null where none does.
 const PairSet* lastSetFor(std::span<const Entity> entities, std::span<const PairSet> sets, EntityId a, EntityId b);
 
+/// A rigid body of the cell: an entity and the first of the links that are one body with each other (0: a solid, or a
+/// robot's base).
+struct RigidBody {
+  EntityId entity = 0;
+  int link = 0;
+  bool operator==(const RigidBody&) const = default;
+};
+
+/// The body that `link` of the entity (-1: a solid) belongs to. What is attached is one body with what it is attached
+/// to, and so on down to what stands by itself; parts of one body cannot move against each other and are never checked
+/// against each other. An attachment to an entity that does not exist counts as none.
+RigidBody rigidBodyOf(std::span<const Entity> entities, const Entity& entity, int link);
+
 /// One side of a pair: an entity and its link (empty: a solid, or a robot as a whole), by name.
 struct PairSide {
   std::string_view entity, part;

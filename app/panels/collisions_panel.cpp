@@ -227,7 +227,7 @@ void CollisionsPanel::showSnapshot(const std::optional<manipulation::SceneSnapsh
 
 void CollisionsPanel::clicked(const QModelIndex& index) {
   const PairRow row = model_.row(index.row());
-  if (index.column() == PairTableModel::kCheck) return switchPair(row);
+  if (index.column() == PairTableModel::kCheck && !row.one_body) return switchPair(row);
   if (index.column() == PairTableModel::kOnContact && row.checked)
     return chooseOnContact(row, table_->viewport()->mapToGlobal(table_->visualRect(index).bottomLeft()));
   zoomTo(row);

@@ -79,7 +79,7 @@ void PairDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     text.adjust(0, 0, -kBarWidth - 10, 0);
   } else if (index.column() == PairTableModel::kOnContact && index.data(PairTableModel::kOwnRole).toBool()) {
     painter->setFont(textFont(TextRole::kSection));
-  } else if (index.column() == PairTableModel::kCheck) {
+  } else if (index.column() == PairTableModel::kCheck && !index.data(PairTableModel::kOneBodyRole).toBool()) {
     paintSwitch(*painter, option, checked);
   }
   painter->setPen(color);

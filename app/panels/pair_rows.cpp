@@ -2,6 +2,9 @@
 #include "app/panels/pair_rows.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace hapticell::app {
 namespace {
@@ -20,34 +23,45 @@ bool matches(const PairRow& row, PairTableModel::Show show) {
          (show == PairTableModel::Show::kNearMiss && row.mark == Mark::kNearMiss);
 }
 
-/// Makes the rows of one moved entity.
+/// Makes rows for what moves: an entity and what hangs on it.
 class RowMaker {
  public:
-  RowMaker(const workcell::DocumentState& state, workcell::EntityId moved) : state_(state), moved_(moved) {
+  RowMaker(const workcell::DocumentState& state, workcell::EntityId moved, const workcell::PairDefaults& defaults)
+      : state_(state), defaults_(defaults) {
     entities_.reserve(state.entities.size());
     for (const auto& entity : state.entities) entities_.push_back(*entity);
+    if (state.find(moved)) family_.push_back(moved);
+    for (std::size_t k = 0; k < family_.size(); ++k) {
+      for (const workcell::Entity& other : entities_)
+        if (other.attachment.to == state.find(family_[k])->name && !goesAlong(other.id)) family_.push_back(other.id);
+      pairs_[family_[k]] = workcell::effectivePairs(entities_, state_.pair_sets, family_[k], defaults);
+    }
   }
-  std::vector<workcell::EffectivePair> pairs(const workcell::PairDefaults& defaults) const {
-    return workcell::effectivePairs(entities_, state_.pair_sets, moved_, defaults);
+  const std::vector<workcell::EntityId>& family() const { return family_; }
+  bool goesAlong(workcell::EntityId id) const { return std::find(family_.begin(), family_.end(), id) != family_.end(); }
+  const std::vector<workcell::EffectivePair>& pairs(workcell::EntityId moved) const { return pairs_.at(moved); }
+  /// The choices for a pair that no set names, as the parts of one robot are.
+  workcell::EffectivePair pairOf(workcell::EntityId moved, workcell::EntityId other) const {
+    const auto& all = pairs(moved);
+    const auto found = std::find_if(all.begin(), all.end(), [other](const auto& pair) { return pair.other == other; });
+    if (found != all.end()) return *found;
+    return {moved, other, defaults_.safety_distance, 0.0, state_.find(moved)->on_contact};
   }
   PairRow row(const workcell::EffectivePair& pair, const std::string& moved_part, const std::string& other_part) const {
     PairRow row;
-    row.moved = moved_;
+    row.moved = pair.moved;
     row.other = pair.other;
     row.moved_part = moved_part;
     row.other_part = other_part;
-    row.moved_name = nameOf(state_, moved_, moved_part);
+    row.moved_name = nameOf(state_, pair.moved, moved_part);
     row.other_name = nameOf(state_, pair.other, other_part);
     row.near_miss = pair.near_miss;
     row.safety_distance = pair.safety_distance;
     row.on_contact = pair.on_contact;
-    if (const workcell::PairSet* set = workcell::lastSetFor(entities_, state_.pair_sets, moved_, pair.other))
+    if (const workcell::PairSet* set = workcell::lastSetFor(entities_, state_.pair_sets, pair.moved, pair.other))
       row.set = QString::fromStdString(set->name);
-    const workcell::Entity* moved = state_.find(moved_);
-    const workcell::Entity* other = state_.find(pair.other);
-    const workcell::PairRule* rule =
-        moved && other ? workcell::ruleFor(state_.pair_rules, {moved->name, moved_part}, {other->name, other_part})
-                       : nullptr;
+    const workcell::PairRule* rule = workcell::ruleFor(state_.pair_rules, {state_.find(pair.moved)->name, moved_part},
+                                                       {state_.find(pair.other)->name, other_part});
     if (!rule) return row;
     row.checked = rule->checked;
     row.own_on_contact = rule->on_contact.has_value();
@@ -59,9 +73,19 @@ class RowMaker {
     row.distance = now.distance;
     row.p_W = {now.p_WA, now.p_WB};
   }
+  /// What hangs on something is never checked against the body it hangs on; the list says so.
+  void appendAttached(workcell::EntityId id, std::vector<PairRow>& rows) const {
+    const workcell::Entity* entity = state_.find(id);
+    const workcell::Entity* carrier = entity ? state_.findByName(entity->attachment.to) : nullptr;
+    if (!carrier) return;
+    PairRow row = this->row(pairOf(id, carrier->id), {}, carrier->robot ? entity->attachment.link : std::string());
+    row.checked = false;
+    row.one_body = true;
+    rows.push_back(std::move(row));
+  }
   /// Pairs of links that the user leaves out, where the entities as a whole are checked.
   void appendLeftOut(const workcell::EffectivePair& pair, std::vector<PairRow>& rows) const {
-    const workcell::Entity* moved = state_.find(moved_);
+    const workcell::Entity* moved = state_.find(pair.moved);
     const workcell::Entity* other = state_.find(pair.other);
     for (const workcell::PairRule& rule : state_.pair_rules) {
       if (!moved || !other || rule.checked || (rule.first_part.empty() && rule.second_part.empty())) continue;
@@ -74,9 +98,18 @@ class RowMaker {
 
  private:
   const workcell::DocumentState& state_;
-  workcell::EntityId moved_;
+  const workcell::PairDefaults defaults_;
   std::vector<workcell::Entity> entities_;
+  std::vector<workcell::EntityId> family_;
+  std::map<workcell::EntityId, std::vector<workcell::EffectivePair>> pairs_;  ///< Of each of the family.
 };
+
+/// Whether two carried things, or a carried thing and its carrier, are rows of their own: only against a robot's links.
+bool isRowWithin(const workcell::DocumentState& state, const RowMaker& maker, const workcell::EffectivePair& pair) {
+  if (!maker.goesAlong(pair.other)) return true;
+  const workcell::EntityId top = maker.family().front();
+  return pair.moved != top && pair.other == top && state.find(top)->robot != nullptr;
+}
 
 }  // namespace
 
@@ -94,25 +127,29 @@ QString onContactName(workcell::OnContact on_contact) {
 
 std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSources& sources,
                               workcell::EntityId moved, const workcell::PairDefaults& defaults) {
-  const RowMaker maker(state, moved);
+  const RowMaker maker(state, moved, defaults);
   const bool held = sources.snapshot && sources.snapshot->held == moved;
   const std::vector<manipulation::PairState>* now = held ? &sources.snapshot->pairs : sources.at_rest;
   std::vector<PairRow> measured, far, off;
-  for (const workcell::EffectivePair& pair : maker.pairs(defaults)) {
-    bool seen = false;
-    for (std::size_t i = 0; now && i < now->size(); ++i) {
-      const manipulation::PairState& state_now = (*now)[i];
-      if (state_now.moved != moved || state_now.other != pair.other) continue;
-      PairRow row = maker.row(pair, state_now.moved_part, state_now.other_part);
-      if (row.checked) RowMaker::measure(row, state_now);
-      (row.checked ? measured : off).push_back(std::move(row));
-      seen = true;
+  std::set<std::pair<workcell::EntityId, workcell::EntityId>> seen;
+  for (std::size_t i = 0; now && i < now->size(); ++i) {
+    const manipulation::PairState& state_now = (*now)[i];
+    if (!maker.goesAlong(state_now.moved) || !state.find(state_now.other)) continue;
+    PairRow row = maker.row(maker.pairOf(state_now.moved, state_now.other), state_now.moved_part, state_now.other_part);
+    if (row.checked) RowMaker::measure(row, state_now);
+    (row.checked ? measured : off).push_back(std::move(row));
+    seen.insert({state_now.moved, state_now.other});
+  }
+  for (const workcell::EntityId one : maker.family()) {
+    for (const workcell::EffectivePair& pair : maker.pairs(one)) {
+      if (!isRowWithin(state, maker, pair)) continue;
+      if (!seen.contains({pair.moved, pair.other})) {
+        PairRow row = maker.row(pair, {}, {});
+        (row.checked ? far : off).push_back(std::move(row));
+      }
+      maker.appendLeftOut(pair, off);
     }
-    if (!seen) {
-      PairRow row = maker.row(pair, {}, {});
-      (row.checked ? far : off).push_back(std::move(row));
-    }
-    maker.appendLeftOut(pair, off);
+    maker.appendAttached(one, off);
   }
   std::stable_sort(measured.begin(), measured.end(),
                    [](const PairRow& a, const PairRow& b) { return *a.distance < *b.distance; });
@@ -175,7 +212,7 @@ int PairTableModel::find(const PairRow& pair) const {
 QVariant PairTableModel::words(const PairRow& at, int column) const {
   switch (column) {
     case kState:
-      return at.checked ? markName(at.mark) : tr("Off");
+      return at.checked ? markName(at.mark) : at.one_body ? tr("Attached") : tr("Off");
     case kMoved:
       return at.moved_name;
     case kAgainst:
@@ -204,6 +241,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       return std::clamp(at.near_miss / kBarEnd, 0.0, 1.0);
     case kCheckedRole:
       return at.checked;
+    case kOneBodyRole:
+      return at.one_body;
     case kOwnRole:
       return at.own_on_contact;
     case Qt::TextAlignmentRole:
@@ -214,6 +253,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kOnContact && at.checked)
         return at.own_on_contact ? tr("This pair's own choice; click to change it")
                                  : tr("Click to choose for this pair");
+      if (at.one_body) return tr("One is attached to the other: they cannot move against each other");
       if (index.column() == kCheck) return at.checked ? tr("Leave this pair out") : tr("Check this pair again");
       return at.set.isEmpty() ? tr("Everything against everything") : tr("Set: %1").arg(at.set);
     case Qt::AccessibleTextRole:

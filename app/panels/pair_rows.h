@@ -21,7 +21,8 @@ struct PairRow {
   std::string moved_part, other_part;  ///< Link names; empty: a solid, or all of a robot.
   QString moved_name, other_name;
   Mark mark = Mark::kNone;
-  bool checked = true;             ///< False: the user leaves the pair out.
+  bool checked = true;             ///< False: the user leaves the pair out, or both are one body.
+  bool one_body = false;           ///< One is attached to the other: they cannot move against each other.
   std::optional<double> distance;  ///< Metres; nothing where none was measured.
   std::array<dvec3, 2> p_W{};      ///< The nearest points, where a distance was measured.
   double near_miss = 0.0, safety_distance = 0.0;
@@ -41,9 +42,10 @@ struct PairSources {
   const std::vector<manipulation::PairState>* at_rest = nullptr;
 };
 
-/// What is checked against `moved` (0: nothing): measured pairs first, nearest first, then those that are further away
-/// than was measured, then those that the user leaves out. Each pair of entities stands there at least once; several
-/// parts have a row each.
+/// What is checked against `moved` (0: nothing) and against what hangs on it: measured pairs first, nearest first, then
+/// those that are further away than was measured, then those that are left out, by the user or because one is attached
+/// to the other. Every pair that the loop tells of has a row, so that list, scene and sound agree. Each pair of entities
+/// stands there at least once; several parts have a row each.
 std::vector<PairRow> pairRows(const workcell::DocumentState& state, const PairSources& sources,
                               workcell::EntityId moved, const workcell::PairDefaults& defaults);
 
@@ -62,6 +64,7 @@ class PairTableModel : public QAbstractTableModel {
     kShareRole,
     kThresholdRole,  ///< Shares of the bar's length, 0 .. 1; invalid: none.
     kCheckedRole,    ///< bool
+    kOneBodyRole,    ///< bool: one is attached to the other; there is nothing to switch.
     kOwnRole         ///< bool: the choice on contact is the pair's own.
   };
   enum class Show { kAll, kContact, kNearMiss };

@@ -26,8 +26,9 @@ void RestCheck::watch(const std::shared_ptr<const manipulation::PreparedScene>& 
     return;
   }
   if (job_) return;
-  std::set<workcell::EntityId> entities;
-  for (const workcell::Entity& entity : scene->entities()) entities.insert(entity.id);
+  std::set<Standing> entities;
+  for (const workcell::Entity& entity : scene->entities())
+    entities.insert({entity.id, entity.attachment.to, entity.attachment.link});
   const bool touching_wanted = !entities.empty() && asked_entities_ != entities;
   const bool distances_wanted = measured_scene_.lock() != scene || measured_ != moved;
   if (!touching_wanted && !distances_wanted) return;

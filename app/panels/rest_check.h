@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "manipulation/scene_snapshot.h"
@@ -22,7 +23,7 @@ class RestCheck {
   static constexpr double kMeasured = 0.3;  ///< m: what is farther is not told.
 
   /// Starts what is due: distances of `moved` (0: none) when scene or entity are others than the last, touching pairs
-  /// when other entities are in the scene than before, or askAgain() was called.
+  /// when other entities are in the scene than before, one is attached elsewhere, or askAgain() was called.
   void watch(const std::shared_ptr<const manipulation::PreparedScene>& scene, workcell::EntityId moved);
   /// Takes what has become ready; true when there was something.
   bool takeResults();
@@ -35,12 +36,18 @@ class RestCheck {
   bool isBusy() const { return job_ != nullptr; }
 
  private:
+  /// An entity and what it hangs on: what touches is asked about anew where one of these has changed.
+  struct Standing {
+    workcell::EntityId entity;
+    std::string to, link;
+    auto operator<=>(const Standing&) const = default;
+  };
   struct Job;
   std::shared_ptr<Job> job_;
   std::weak_ptr<const manipulation::PreparedScene> measured_scene_;
   workcell::EntityId measured_ = 0;
   std::vector<manipulation::PairState> distances_;
-  std::optional<std::set<workcell::EntityId>> asked_entities_;
+  std::optional<std::set<Standing>> asked_entities_;
   std::optional<std::vector<workcell::PairRule>> touching_;
 };
 

@@ -32,8 +32,11 @@ std::function<bool(double)> progressOf(workcell::ImportMonitor& monitor, const s
   };
 }
 
-Expected<manipulation::PathCheckOptions> optionsFor(const Trajectory& trajectory, workcell::ImportMonitor& monitor) {
+Expected<manipulation::PathCheckOptions> optionsFor(const Trajectory& trajectory,
+                                                    const std::vector<std::shared_ptr<const Trajectory>>& take,
+                                                    workcell::ImportMonitor& monitor) {
   manipulation::PathCheckOptions options;
+  options.axes = take;
   if (!trajectory.moved.empty()) {
     auto moved_by = manipulation::parseMovedBy(trajectory.moved);
     if (!moved_by) return makeError(moved_by.error());
@@ -93,6 +96,12 @@ std::shared_ptr<const MotionWork::Cell> MotionWork::cell() const {
   cell->configuration = host_.configuration();
   cell->defaults = {cell->configuration.manipulation.safety_distance, cell->configuration.manipulation.near_miss};
   cell->revision = document.revision();
+  const Motion* current = list_.current();
+  for (const Motion& motion : list_.motions()) {
+    const bool together = current && current->trajectory && motion.trajectory && motion.name != current->name &&
+                          !motion.trajectory->take.empty() && motion.trajectory->take == current->trajectory->take;
+    if (together) cell->take.push_back(motion.trajectory);
+  }
   return cell;
 }
 
@@ -177,7 +186,7 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
           smooth.trajectory = std::move(*consistent);
         }
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
-          auto options = optionsFor(*given, monitor);
+          auto options = optionsFor(*given, cell.take, monitor);
           if (!options) return makeError(options.error());
           prepare(cell, prepared);
           auto kept = manipulation::keptFree(prepared.scene, *given, smooth.trajectory, *options, cell.configuration);
@@ -205,7 +214,7 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
         }
         Result result;
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
-          auto check = optionsFor(*given, monitor);
+          auto check = optionsFor(*given, cell.take, monitor);
           if (!check) return makeError(check.error());
           prepare(cell, prepared);
           auto free = manipulation::retimedFree(prepared.scene, *given, options, *check, cell.configuration);
@@ -232,7 +241,7 @@ void MotionWork::check() {
   run(tr("checked"),
       [](const auto& given, const Cell& cell, Prepared& prepared,
          workcell::ImportMonitor& monitor) -> Expected<Result> {
-        auto options = optionsFor(*given, monitor);
+        auto options = optionsFor(*given, cell.take, monitor);
         if (!options) return makeError(options.error());
         prepare(cell, prepared);
         auto check = manipulation::checkPath(prepared.scene, given->entity, *given, *options, cell.configuration);

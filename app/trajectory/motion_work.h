@@ -53,6 +53,8 @@ class MotionWork : public QObject {
     workcell::PairDefaults defaults;
     config::Configuration configuration;
     std::uint64_t revision = 0;
+    /// Recorded together with the motion that is worked on: what its robot stands on moves meanwhile.
+    std::vector<std::shared_ptr<const trajectory::Trajectory>> take;
   };
   struct Prepared {
     std::uint64_t revision = ~std::uint64_t{0};

@@ -285,8 +285,8 @@
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
-        <source>%1 is near its own %2</source>
-        <translation>%1 est près de son propre %2</translation>
+        <source>%1 is near %2 of %3</source>
+        <translation>%1 est près de %2 de %3</translation>
     </message>
     <message>
         <source>%1 is not there or may not be run.</source>
@@ -331,6 +331,10 @@
     <message>
         <source>%1 min</source>
         <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 mm in front of the flange. Change it in the Robot dock, or undo the insertion.</source>
+        <translation>À %1 mm devant la bride. Changez-le dans le panneau Robot, ou annulez l'insertion.</translation>
     </message>
     <message>
         <source>%1 mm&lt;br&gt;%2°</source>
@@ -469,8 +473,8 @@
         <translation>%1 touche %2.</translation>
     </message>
     <message>
-        <source>%1 touches its own %2</source>
-        <translation>%1 touche son propre %2</translation>
+        <source>%1 touches %2 of %3</source>
+        <translation>%1 touche %2 de %3</translation>
     </message>
     <message>
         <source>%1 triangles</source>
@@ -627,6 +631,10 @@
     <message>
         <source>%1: %2° to %3°, comfortable %4° to %5°</source>
         <translation>%1 : %2° à %3°, confortable %4° à %5°</translation>
+    </message>
+    <message>
+        <source>%1: at least %2 mm</source>
+        <translation>%1 : au moins %2 mm</translation>
     </message>
     <message>
         <source>%1: one lies inside the other</source>
@@ -1113,6 +1121,10 @@
         <translation>Tout</translation>
     </message>
     <message>
+        <source>Apache License 2.0. Runs with Qt %1.</source>
+        <translation>Licence Apache 2.0. Fonctionne avec Qt %1.</translation>
+    </message>
+    <message>
         <source>Appearance</source>
         <translation>Apparence</translation>
     </message>
@@ -1199,6 +1211,10 @@
     <message>
         <source>Attach</source>
         <translation>Attacher</translation>
+    </message>
+    <message>
+        <source>Attached</source>
+        <translation>Attaché</translation>
     </message>
     <message>
         <source>Axes</source>
@@ -1317,6 +1333,10 @@
         <translation>Dessous</translation>
     </message>
     <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
         <source>Brackets in the time bar: what Trim keeps and Delete takes out</source>
         <translation>Crochets dans la barre de temps : ce que Rogner garde et Supprimer retire</translation>
     </message>
@@ -1331,6 +1351,10 @@
     <message>
         <source>Bringing the work %1 nearer</source>
         <translation>En approchant le travail de %1</translation>
+    </message>
+    <message>
+        <source>Built-in parts</source>
+        <translation>Pièces intégrées</translation>
     </message>
     <message>
         <source>Built-in robots</source>
@@ -1351,6 +1375,10 @@
     <message>
         <source>By numbers</source>
         <translation>Par des nombres</translation>
+    </message>
+    <message>
+        <source>Cabinet</source>
+        <translation>Armoire</translation>
     </message>
     <message>
         <source>Calibrate glove…</source>
@@ -1411,6 +1439,10 @@
     <message>
         <source>Centre of mass and support</source>
         <translation>Centre de masse et appui</translation>
+    </message>
+    <message>
+        <source>Chair</source>
+        <translation>Chaise</translation>
     </message>
     <message>
         <source>Change</source>
@@ -1593,6 +1625,14 @@
         <translation>Cliquez où la base se posera</translation>
     </message>
     <message>
+        <source>Click where the middle of its lower side shall stand</source>
+        <translation>Cliquez là où doit se poser le milieu de sa face inférieure</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
         <source>Close the panel; the Window menu opens it again</source>
         <translation>Fermer le panneau ; le menu Fenêtre le rouvre</translation>
     </message>
@@ -1733,6 +1773,10 @@
         <translation>Enveloppe convexe</translation>
     </message>
     <message>
+        <source>Conveyor</source>
+        <translation>Convoyeur</translation>
+    </message>
+    <message>
         <source>Copies the command that mends it</source>
         <translation>Copie la commande qui y remédie</translation>
     </message>
@@ -1815,6 +1859,10 @@
     <message>
         <source>Delete</source>
         <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
     </message>
     <message>
         <source>Detents</source>
@@ -2165,6 +2213,10 @@
         <translation>Senti dans la classe Dynamique</translation>
     </message>
     <message>
+        <source>Fence</source>
+        <translation>Grillage</translation>
+    </message>
+    <message>
         <source>Fields also take a number with its unit: 2 in, 0.5 m, 1.57 rad. Files stay as they are.</source>
         <translation>Les champs acceptent aussi un nombre avec son unité : 2 in, 0.5 m, 1.57 rad. Les fichiers restent tels quels.</translation>
     </message>
@@ -2509,6 +2561,10 @@
         <translation>Saisie</translation>
     </message>
     <message>
+        <source>Gripper</source>
+        <translation>Pince</translation>
+    </message>
+    <message>
         <source>Guides</source>
         <translation>Guides</translation>
     </message>
@@ -2541,12 +2597,8 @@
         <translation>Mains, taille et posture</translation>
     </message>
     <message>
-        <source>HaptiCell %1
-Move solids and robots in a CAD workcell, and feel the contacts.
-Apache License 2.0</source>
-        <translation>HaptiCell %1
-Déplacez solides et robots dans une cellule de CAO, et sentez les contacts.
-Licence Apache 2.0</translation>
+        <source>HaptiCell %1</source>
+        <translation>HaptiCell %1</translation>
     </message>
     <message>
         <source>HaptiCell %1, driver interface %2, protocol %3, kernel %4</source>
@@ -2797,8 +2849,20 @@ Licence Apache 2.0</translation>
         <translation>En deux au curseur</translation>
     </message>
     <message>
+        <source>Inner radius</source>
+        <translation>Rayon intérieur</translation>
+    </message>
+    <message>
         <source>Insert</source>
         <translation>Insérer</translation>
+    </message>
+    <message>
+        <source>Insert %1</source>
+        <translation>Insérer %1</translation>
+    </message>
+    <message>
+        <source>Insert part</source>
+        <translation>Insérer une pièce</translation>
     </message>
     <message>
         <source>Iso</source>
@@ -3053,6 +3117,10 @@ Licence Apache 2.0</translation>
         <translation>Lâcher</translation>
     </message>
     <message>
+        <source>Libraries and their licences</source>
+        <translation>Bibliothèques et leurs licences</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Levage</translation>
     </message>
@@ -3281,6 +3349,10 @@ Licence Apache 2.0</translation>
         <translation>Mouvements importés : %1</translation>
     </message>
     <message>
+        <source>Mount on</source>
+        <translation>Monter sur</translation>
+    </message>
+    <message>
         <source>Mouse and view</source>
         <translation>Souris et vue</translation>
     </message>
@@ -3311,6 +3383,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Move joints of %1</source>
         <translation>Bouger les articulations de %1</translation>
+    </message>
+    <message>
+        <source>Move solids, robots and people in a CAD workcell, and feel the contacts.</source>
+        <translation>Déplacer solides, robots et personnes dans une cellule CAO, et sentir les contacts.</translation>
     </message>
     <message>
         <source>Move the TCP of %1</source>
@@ -3753,6 +3829,10 @@ Licence Apache 2.0</translation>
         <translation>Rien encore. On peut aussi déposer des fichiers ici.</translation>
     </message>
     <message>
+        <source>Nothing: it stands free</source>
+        <translation>Rien : elle se pose librement</translation>
+    </message>
+    <message>
         <source>OBJ (*.obj)</source>
         <translation>OBJ (*.obj)</translation>
     </message>
@@ -3807,6 +3887,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>One frame on (Right, in the time bar)</source>
         <translation>Une image en avant (Droite, dans la barre de temps)</translation>
+    </message>
+    <message>
+        <source>One is attached to the other: they cannot move against each other</source>
+        <translation>L'une est attachée à l'autre : elles ne peuvent pas bouger l'une par rapport à l'autre</translation>
     </message>
     <message>
         <source>One pair touches as the cell stands: %1. Leave it out of the check?</source>
@@ -3901,6 +3985,10 @@ Licence Apache 2.0</translation>
         <translation>Ouverts en dernier</translation>
     </message>
     <message>
+        <source>Opening</source>
+        <translation>Ouverture</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>Ouvrir…</translation>
     </message>
@@ -3935,6 +4023,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Out of balance by %1</source>
         <translation>Hors d'équilibre de %1</translation>
+    </message>
+    <message>
+        <source>Outer radius</source>
+        <translation>Rayon extérieur</translation>
     </message>
     <message>
         <source>Overhead</source>
@@ -4081,6 +4173,10 @@ Licence Apache 2.0</translation>
         <translation>Paires, jeux et journal</translation>
     </message>
     <message>
+        <source>Pallet</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
         <source>Palm length</source>
         <translation>Longueur de la paume</translation>
     </message>
@@ -4111,6 +4207,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Parts of a mechanism are solids of the cell.</source>
         <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
+    </message>
+    <message>
+        <source>Part…</source>
+        <translation>Pièce…</translation>
     </message>
     <message>
         <source>Pass</source>
@@ -4235,6 +4335,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Pinch</source>
         <translation>Pince</translation>
+    </message>
+    <message>
+        <source>Pipe</source>
+        <translation>Tube</translation>
     </message>
     <message>
         <source>Pitch</source>
@@ -4825,6 +4929,10 @@ Licence Apache 2.0</translation>
         <translation>Chercher le poste de travail…</translation>
     </message>
     <message>
+        <source>Seat height</source>
+        <translation>Hauteur d'assise</translation>
+    </message>
+    <message>
         <source>Seated</source>
         <translation>Assis</translation>
     </message>
@@ -4921,6 +5029,10 @@ Licence Apache 2.0</translation>
         <translation>Ombré, arêtes</translation>
     </message>
     <message>
+        <source>Shelf</source>
+        <translation>Étagère</translation>
+    </message>
+    <message>
         <source>Shift</source>
         <translation>Maj</translation>
     </message>
@@ -5011,6 +5123,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Sitting height</source>
         <translation>Taille assise</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Dimensions</translation>
     </message>
     <message>
         <source>Size of %1</source>
@@ -5149,6 +5265,10 @@ Licence Apache 2.0</translation>
         <translation>Raideur</translation>
     </message>
     <message>
+        <source>Stool</source>
+        <translation>Tabouret</translation>
+    </message>
+    <message>
         <source>Stooping</source>
         <translation>Penché</translation>
     </message>
@@ -5227,6 +5347,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>TOP</source>
         <translation>DESSUS</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -5323,6 +5447,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The 3-D mouse moves the view</source>
         <translation>La souris 3D déplace la vue</translation>
+    </message>
+    <message>
+        <source>The TCP of %1 is at the gripper's finger tips</source>
+        <translation>Le TCP de %1 est au bout des doigts de la pince</translation>
     </message>
     <message>
         <source>The TCP stays where it is</source>
@@ -5471,6 +5599,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>The head goes no further: neck and trunk are at their limits</source>
         <translation>La tête ne va pas plus loin : la nuque et le tronc sont à leurs butées</translation>
+    </message>
+    <message>
+        <source>The inner radius must be smaller than the outer one</source>
+        <translation>Le rayon intérieur doit être plus petit que le rayon extérieur</translation>
     </message>
     <message>
         <source>The key for the haptic server cannot be used.</source>
@@ -6185,6 +6317,10 @@ Licence Apache 2.0</translation>
         <translation>Où il s'enclenche, plusieurs séparés par des espaces</translation>
     </message>
     <message>
+        <source>Where it stands</source>
+        <translation>Où elle se pose</translation>
+    </message>
+    <message>
         <source>Where it stands now</source>
         <translation>Où il est maintenant</translation>
     </message>
@@ -6211,6 +6347,10 @@ Licence Apache 2.0</translation>
     <message>
         <source>Whole figure</source>
         <translation>Corps entier</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>Window</source>

@@ -174,6 +174,25 @@ TEST(PairRows, APairThatIsLeftOutStandsLastAndSaysSo) {
   EXPECT_EQ(table.index(1, PairTableModel::kCheck).data(Qt::AccessibleTextRole).toString(), "left out");
 }
 
+TEST(PairRows, WhatIsCarriedHasItsOwnRowsAndSaysWhatItIsAttachedTo) {
+  DocumentModel document;
+  fill(document);
+  const std::string moved = document.document().find(3)->name;
+  ASSERT_TRUE(document.execute(workcell::Attach{2, 3, ""}));
+  manipulation::SceneSnapshot now = nearTo(1, 0.0, true);
+  now.pairs[0].moved = 2;  // The carried one touches; the list must say so.
+  PairTableModel table;
+  table.setRows(pairRows(document.document().state(), {&now, nullptr}, 3, {}));
+  EXPECT_EQ(table.count(PairTableModel::Show::kContact), 1);
+  EXPECT_EQ(table.row(0).moved_name, "tower B");
+  EXPECT_EQ(table.row(0).other_name, "tower A");
+  const int last = table.rowCount() - 1;
+  EXPECT_EQ(table.index(last, PairTableModel::kState).data().toString(), "Attached");
+  EXPECT_EQ(table.row(last).moved_name, "tower B");
+  EXPECT_EQ(table.row(last).other_name, QString::fromStdString(moved));
+  EXPECT_TRUE(table.index(last, 0).data(PairTableModel::kOneBodyRole).toBool());
+}
+
 TEST(PairRows, TheSetThatCountsIsTheLastOneThatJoinsThem) {
   DocumentModel document;
   fill(document);

@@ -84,6 +84,44 @@ def test_check_against_a_wall(case):
     assert "none" in message
 
 
+def test_check_of_a_robot_that_carries_a_part(case):
+    """A gripper on the flange, a part on the gripper: both are checked, and never against what they hang on."""
+    joints = [[0.05 * i, 0.0, 0.0, 0.0, 0.0, 0.0] for i in range(11)]
+    (case.folder / "q.csv").write_text("\n".join(["A1,A2,A3,A4,A5,A6"] + [",".join(map(repr, q)) for q in joints]) + "\n")
+    poses = case.run("fk", "--robot", "library:kuka_kr6_r900", "--joints", "q.csv", "--tip", "tool0")["poses"]
+    rows = ["t,x,y,z,qw,qx,qy,qz,q1,q2,q3,q4,q5,q6"]
+    rows += [",".join(map(repr, [0.1 * i] + list(pose) + q)) for i, (pose, q) in enumerate(zip(poses, joints))]
+    (case.folder / "m.csv").write_text("\n".join(rows) + "\n")
+    # A post where the part's middle comes, 0.3 m before the flange, when A1 is at 0.3 rad.
+    x, y, z, *turn = poses[6]
+    ahead = [row[2] for row in readers.of_quaternion(*turn)]
+    post = [x + 0.3 * ahead[0], y + 0.3 * ahead[1], z + 0.3 * ahead[2]]
+    write_binary_stl(case.folder / "part.stl", box((0.08, 0.08, 0.08)))
+    write_binary_stl(case.folder / "post.stl", box((0.01, 0.01, 0.5)))
+    case.run("workcell", "new", "cell.hcell", "--add", "library:kuka_kr6_r900,name=robot",
+             "--add", "part.stl,name=gripper,unit=m", "--add", "part.stl,name=part,unit=m",
+             "--add", "post.stl,name=post,unit=m,pose=%r,%r,%r,1,0,0,0" % tuple(post))
+    cell = json.loads((case.folder / "cell.hcell").read_text())
+    robot, gripper, part = cell["entities"][:3]
+    robot["tip_link"] = "tool0"
+    at = {"position": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
+    gripper["attached"] = {"to": "robot", "link": "tool0", "placement": at}
+    part["attached"] = {"to": "gripper", "link": "", "placement": {**at, "position": [0.0, 0.0, 0.3]}}
+    (case.folder / "cell.hcell").write_text(json.dumps(cell))
+    found = case.run("trajectory", "check", "m.csv", "--workcell", "cell.hcell", "--entity", "robot", "--fail-on-contact",
+                     expect=1)
+    assert [f["pair"] for f in found["findings"] if f["kind"] == "collision"] == [["part", "post"]], found
+    assert not found["touching_at_start"], found  # The gripper lies half inside the last link, which carries it.
+    hit = [f for f in found["findings"] if f["kind"] == "collision"][0]
+    reach = math.hypot(post[0], post[1])
+    # Its side, 40 mm from its middle, meets the post's, some 5 mm from its own, on a circle of that reach.
+    assert abs(hit["t_in"] - (0.6 - 0.045 / reach / 0.5)) < 0.01, (hit, reach)
+    cell["entities"].pop()
+    (case.folder / "cell.hcell").write_text(json.dumps(cell))
+    free = case.run("trajectory", "check", "m.csv", "--workcell", "cell.hcell", "--entity", "robot", "--fail-on-contact")
+    assert free["free"] and free["least_clearance"] is None, free
+
+
 def test_a_session_is_recorded_cleaned_checked_and_exported(case):
     demo = ROOT / "config" / "workcells"
     session = case.run("session", "--workcell", demo / "demo.hcell", "--entity", "robot", "--hand", demo / "demo-hand.csv",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "manipulation/path_check.h"
 #include "manipulation/robot_manipulator.h"
 #include "tests/kinematics/test_robots.h"
 #include "tests/manipulation/test_cells.h"
@@ -158,6 +159,47 @@ TEST(ExternalAxes, AreToldOfByASessionAndSaidWhereThereAreNone) {
   const auto refused = runSession(options);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message().find("it stands on nothing that moves"), std::string::npos);
+}
+
+/// The rail drives 0.8 m along x, the arm still: a wall stands in the way of the arm, which only the rail brings there.
+TEST(ExternalAxes, ACheckOfAMotionTakesTheAxesMotionsAlong) {
+  Cell cell = cellWith(workcell::MechanismJointType::kPrismatic);
+  const workcell::Entity robot = *cell.document.find(cell.robot);
+  const auto held = taken(cell, "tcp_with_axes");
+  ASSERT_TRUE(held) << held.error().message();
+  const Pose X_WT = (*held)->movedFrame();
+  add(cell.document,
+      test::solid(0, "wall", geometry::makeBox({0.02, 3.0, 3.0}), Pose::translation({X_WT.p.x + 0.6, 0.0, 1.1})));
+  const auto scene = PreparedScene::prepare(cell.document.snapshotEntities(), {}, {});
+
+  trajectory::Trajectory arm, rail;
+  for (const int joint : robot.robot->moving)
+    arm.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  rail.joint_names = {"drive"};
+  rail.entity = "axis";
+  for (const double x : {0.0, 0.8}) {
+    arm.addFrame({x, Pose{X_WT.p + dvec3(x, 0.0, 0.0), X_WT.q}}, robot.joints);
+    rail.addFrame({x, Pose::identity()}, std::span(&x, 1));
+  }
+  const auto still = checkPath(scene, "robot", arm, {}, {});
+  ASSERT_TRUE(still) << still.error().message();
+  for (const PathFinding& finding : still->findings) EXPECT_EQ(finding.kind, PathFinding::Kind::kOffPose);
+  PathCheckOptions options;
+  options.axes = {std::make_shared<const trajectory::Trajectory>(rail)};
+  const auto driven = checkPath(scene, "robot", arm, options, {});
+  ASSERT_TRUE(driven) << driven.error().message();
+  const auto part = std::find_if(driven->findings.begin(), driven->findings.end(), [](const PathFinding& finding) {
+    return finding.kind == PathFinding::Kind::kCollision && finding.first == "part";
+  });
+  ASSERT_NE(part, driven->findings.end()) << "the part in the flange meets the wall";
+  EXPECT_EQ(part->second, "wall");
+  for (const PathFinding& finding : driven->findings) EXPECT_EQ(finding.kind, PathFinding::Kind::kCollision);
+  // The rail's own motion, which carries the robot and its part, ends at the same wall.
+  const auto of_rail = checkPath(scene, "axis", rail, {}, {});
+  ASSERT_TRUE(of_rail) << of_rail.error().message();
+  EXPECT_TRUE(std::any_of(of_rail->findings.begin(), of_rail->findings.end(), [&](const PathFinding& finding) {
+    return finding.first == "part" && finding.second == "wall" && std::abs(finding.t_in - part->t_in) < 1e-3;
+  }));
 }
 
 }  // namespace

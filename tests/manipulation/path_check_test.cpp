@@ -150,6 +150,74 @@ TEST(PathCheck, NamesJointsBeyondTheirEndsAndSpeeds) {
   EXPECT_FALSE(checkPath(PreparedScene::prepare({slide()}, {}, {}), "other", trajectory, {}, {}).has_value());
 }
 
+kinematics::LinkShape boxShape(const dvec3& size, const dvec3& p_L) {
+  kinematics::LinkShape shape;
+  shape.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(size));
+  shape.X_LS = Pose::translation(p_L);
+  return shape;
+}
+
+/// A carriage of 0.1 m that slides along x between 0 and 0.5 m, a stop of 0.02 m on its base at x = -0.3; a gripper
+/// hangs on the carriage, 0.4 m above it, and a part on the gripper, 0.2 m before it. A post stands where only the part
+/// comes.
+std::vector<workcell::Entity> carryingCell() {
+  workcell::Entity robot = slide();
+  auto model = std::make_shared<kinematics::RobotModel>(*robot.robot);
+  model->links[0].collisions = {boxShape(dvec3(0.02), {-0.3, 0.0, 0.4})};
+  model->links[1].collisions = {boxShape(dvec3(0.1), dvec3(0.0))};
+  robot.robot = model;
+  workcell::Entity gripper =
+      solid(2, "gripper", geometry::makeBox({0.1, 0.1, 0.75}), Pose::translation({0.0, 0.0, 0.4}));
+  gripper.attachment = {"slide", "carriage", gripper.X_WE};  // It reaches into the carriage it is screwed to.
+  workcell::Entity part = solid(3, "part", geometry::makeBox(dvec3(0.04)), Pose::translation({-0.2, 0.0, 0.4}));
+  part.attachment = {"gripper", "", gripper.X_WE.inverse() * part.X_WE};
+  return {robot, gripper, part,
+          solid(4, "post", geometry::makeBox({0.01, 0.01, 0.2}), Pose::translation({0.1, 0.0, 0.4}))};
+}
+
+Trajectory sliding(const std::vector<std::pair<double, double>>& frames) {
+  Trajectory trajectory;
+  trajectory.joint_names = {"x"};
+  for (const auto& [t, x] : frames) trajectory.addFrame({t, Pose::translation({x, 0, 0})}, std::span(&x, 1));
+  return trajectory;
+}
+
+TEST(PathCheck, WhatARobotCarriesAndWhatHangsOnThatIsCheckedAgainstTheCell) {
+  const auto result = checkPath(PreparedScene::prepare(carryingCell(), {}, {}), "slide",
+                                sliding({{0.0, 0.0}, {1.0, 0.2}, {2.0, 0.4}}), {}, {});
+  ASSERT_TRUE(result.has_value()) << result.error().message();
+  ASSERT_EQ(result->findings.size(), 2u) << "the gripper, then the part on it; each against the post alone";
+  EXPECT_EQ(result->findings[0].first, "gripper");
+  EXPECT_EQ(result->findings[1].first, "part");
+  for (const PathFinding& finding : result->findings) EXPECT_EQ(finding.second, "post");
+  EXPECT_NEAR(result->findings[0].t_in, (0.095 - 0.05) / 0.2, 1e-3)
+      << "its front is at 50 mm, the post's face at 95 mm";
+  EXPECT_NEAR(result->findings[1].t_in, (0.095 + 0.18) / 0.2, 1e-3);
+  EXPECT_TRUE(result->touching_at_start.empty()) << "the gripper reaches into its own link, and that is no contact";
+}
+
+TEST(PathCheck, WhatARobotCarriesIsCheckedAgainstItsOtherLinks) {
+  auto cell = carryingCell();
+  cell.pop_back();  // Without the post.
+  workcell::Entity& part = cell[2];
+  part.X_WE = Pose::translation({-0.2, 0.0, 0.4});
+  const auto free = checkPath(PreparedScene::prepare(cell, {}, {}), "slide", sliding({{0.0, 0.0}, {1.0, 0.5}}), {}, {});
+  ASSERT_TRUE(free && free->findings.empty());
+  EXPECT_TRUE(std::isinf(free->least_clearance)) << "nothing stands in the cell";
+  auto model = std::make_shared<kinematics::RobotModel>(*cell[0].robot);
+  model->joints[0].lower = -0.5;
+  cell[0].robot = model;
+  const auto met = checkPath(PreparedScene::prepare(cell, {}, {}), "slide", sliding({{0.0, 0.0}, {1.0, -0.2}}), {}, {});
+  ASSERT_TRUE(met && !met->findings.empty());
+  EXPECT_EQ(met->findings[0].first, "part");
+  EXPECT_EQ(met->findings[0].second, "slide/base");
+  EXPECT_NEAR(met->findings[0].t_in, (0.29 - 0.22) / 0.2, 1e-3) << "its back is at -220 mm, the stop's face at -290 mm";
+  const std::vector<workcell::PairRule> off{{.first = "slide", .second = "part", .checked = false}};
+  const auto silent =
+      checkPath(PreparedScene::prepare(cell, {{}, off}, {}), "slide", sliding({{0.0, 0.0}, {1.0, -0.2}}), {}, {});
+  ASSERT_TRUE(silent && silent->findings.empty()) << "the user's rule counts for a robot's own links too";
+}
+
 TEST(PathCheck, APairThatTheUserLeavesOutIsPassedThrough) {
   const std::vector<workcell::PairRule> rules{{.first = "wall", .second = "box", .checked = false}};
   const auto scene =

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "manipulation/held_entity.h"
 #include "tests/manipulation/test_cells.h"
 
 namespace hapticell::manipulation {
@@ -52,6 +53,57 @@ TEST(RestPairs, WhatCannotMoveOrIsNotCheckedIsNotAskedFor) {
   EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(carried, {}, {})).empty());
   const std::vector<workcell::PairSet> other{{.name = "s", .first = {"hovering"}, .second = {"table"}}};
   EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), other, {})).empty());
+}
+
+/// A tool in the flange of an arm of two links, so long that it reaches the first link too.
+std::vector<Entity> armWithATool() {
+  auto model = std::make_shared<kinematics::RobotModel>();
+  model->name = "arm";
+  model->links = {{"base", -1, {}, {}}, {"wrist", 0, {}, {}}, {"flange", 1, {}, {}}};
+  kinematics::Joint turn, fixed;
+  turn.name = "turn", turn.type = kinematics::JointType::kRevolute, turn.parent_link = 0, turn.child_link = 1;
+  turn.axis_J = {0, 0, 1}, turn.lower = -3.0, turn.upper = 3.0, turn.variable = 0;
+  turn.X_PJ = Pose::translation({0, 0, 0.2});
+  fixed.name = "mount", fixed.type = kinematics::JointType::kFixed, fixed.parent_link = 1, fixed.child_link = 2;
+  model->joints = {turn, fixed};
+  model->moving = {0};
+  kinematics::LinkShape box;
+  box.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(0.1)));
+  for (const std::size_t link : {0u, 1u}) model->links[link].collisions = {box};
+  Entity robot;
+  robot.id = 10, robot.name = "arm", robot.kind = workcell::EntityKind::kRobot;
+  robot.robot = model, robot.joints = {0.0}, robot.tip_link = "flange";
+  Entity tool = solid(11, "tool", geometry::makeBox({0.02, 0.02, 0.5}), Pose::translation({0, 0, 0.2}));
+  tool.attachment = {"arm", "flange", Pose::identity()};
+  return {robot, tool, solid(12, "wall", geometry::makeBox({0.1, 1.0, 1.0}), Pose::translation({0.11, 0, 0}))};
+}
+
+TEST(RestPairs, WhatHangsOnARobotIsMeasuredWithItButNeverAgainstItsOwnLink) {
+  const auto pairs = pairsAtRest(*PreparedScene::prepare(armWithATool(), {}, {}), 10, 0.3);
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_EQ(pairs[0].moved, 11u);
+  EXPECT_EQ(pairs[0].other, 10u);
+  EXPECT_EQ(pairs[0].other_part, "base") << "the wrist is one body with the flange that the tool hangs on";
+  EXPECT_TRUE(pairs[0].contact);
+  EXPECT_EQ(pairs[1].moved, 10u);
+  EXPECT_NEAR(pairs[1].distance, 0.01, 1e-9);
+  EXPECT_EQ(pairs[2].moved, 11u);
+  EXPECT_NEAR(pairs[2].distance, 0.05, 1e-9);
+}
+
+TEST(RestPairs, AToolThatTouchesAnotherLinkIsAskedAboutAndThenLeftOutEverywhere) {
+  const auto cell = armWithATool();
+  const auto rules = touchingAtRest(*PreparedScene::prepare(cell, {}, {}));
+  ASSERT_EQ(rules.size(), 1u);
+  EXPECT_EQ(rules[0].first + "/" + rules[0].first_part, "arm/base");
+  EXPECT_EQ(rules[0].second, "tool");
+  const auto scene = PreparedScene::prepare(cell, {{}, rules}, {});
+  EXPECT_TRUE(touchingAtRest(*scene).empty());
+  for (const PairState& pair : pairsAtRest(*scene, 10, 0.3)) EXPECT_EQ(pair.other, 12u);
+  // What is felt and heard while it is held knows the same pairs.
+  const auto held = HeldEntity::take(scene, 10, {}, {}, {});
+  ASSERT_TRUE(held) << held.error().message();
+  for (const HeldPair& pair : (*held)->pairs()) EXPECT_EQ(pair.other, 12u) << pair.moved_part << pair.other_part;
 }
 
 TEST(RestPairs, APairThatARuleLeavesOutIsNotMeasured) {

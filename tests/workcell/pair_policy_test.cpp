@@ -105,5 +105,29 @@ TEST(PairPolicy, aRuleIsFoundEitherWayRoundAndTheOneThatNamesLinksCountsMore) {
   EXPECT_FALSE(samePair({.first = "a", .first_part = "x", .second = "b"}, {.first = "b", .second = "a"}));
 }
 
+TEST(PairPolicy, whatIsAttachedIsOneBodyWithTheLinkItIsAttachedTo) {
+  auto entities = named({"robot", "gripper", "part", "table"});
+  auto model = std::make_shared<kinematics::RobotModel>();
+  model->links = {{"base", -1, {}, {}}, {"wrist", 0, {}, {}}, {"flange", 1, {}, {}}};
+  kinematics::Joint turn, mount;
+  turn.type = kinematics::JointType::kRevolute, turn.parent_link = 0, turn.child_link = 1, turn.variable = 0;
+  mount.type = kinematics::JointType::kFixed, mount.parent_link = 1, mount.child_link = 2;
+  model->joints = {turn, mount};
+  model->moving = {0};
+  Entity &robot = entities[0], &gripper = entities[1], &part = entities[2], &table = entities[3];
+  robot.robot = model;
+  gripper.attachment = {"robot", "flange", {}};
+  part.attachment = {"gripper", "", {}};
+  robot.attachment = {"table", "", {}};
+  EXPECT_EQ(rigidBodyOf(entities, part, -1), (RigidBody{robot.id, 1})) << "by the gripper on the flange, of the wrist";
+  EXPECT_EQ(rigidBodyOf(entities, gripper, -1), rigidBodyOf(entities, robot, 2));
+  EXPECT_EQ(rigidBodyOf(entities, robot, 0), rigidBodyOf(entities, table, -1)) << "the base stands on the table";
+  EXPECT_NE(rigidBodyOf(entities, robot, 1), rigidBodyOf(entities, table, -1));
+  table.attachment = {"part", "", {}};  // A circle, as a broken file may have it, ends too.
+  EXPECT_EQ(rigidBodyOf(entities, table, -1), (RigidBody{robot.id, 1}));
+  gripper.attachment.to = "nobody";
+  EXPECT_EQ(rigidBodyOf(entities, part, -1), (RigidBody{gripper.id, 0}));
+}
+
 }  // namespace
 }  // namespace hapticell::workcell
