@@ -137,11 +137,13 @@ void addWorkcellCommand(Subcommand app, Action& chosen) {
   Subcommand make = command.add("new", "A document of the entities and checks that are named");
   const auto options = std::make_shared<NewOptions>();
   make.option("file", options->file, "The document to write (.hcell)").required();
-  make.option("--add", options->additions,
-              "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
-              "pose=x,y,z,qw,qx,qy,qz]; "
-              "WHAT is a mesh, CAD or robot file, library:NAME, "
-              "box:X,Y,Z, cylinder:R,H or sphere:R. May be given several times")
+  make.option(
+          "--add", options->additions,
+          "WHAT[,name=N][,unit=m|mm|in][,up=x|y|z][,tree=keep|merge][,chord=M][,angle=RAD][,on=NAME[:LINK]][,"
+          "pose=x,y,z,qw,qx,qy,qz]; "
+          "WHAT is a mesh, CAD or robot file, library:NAME, mannequin:SEX:PERCENTILE, or a built-in part: box:X,Y,Z, "
+          "cylinder:R,H, table:W,D,H, fence:L,H, ... (docs/command-line.md; none of the sizes: the standard ones). "
+          "May be given several times")
       .oneAtATime();
   make.option("--check", options->checks,
               "A+B:C+D[,near_miss=M][,safety=M]: check A and B against C and D. May be given several times; "

@@ -9,6 +9,7 @@
 #include "mannequin/body_request_text.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/free_hand.h"
+#include "workcell/built_in_parts.h"
 #include "workcell/mesh_care.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/robot_library.h"
@@ -23,24 +24,13 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string schemeOf(const std::string& what) {
-  for (const char* scheme : {"library", "box", "cylinder", "sphere", "mannequin", "hand"}) {
-    if (what.starts_with(std::string(scheme) + ":")) return scheme;
+  const std::size_t colon = what.find(':');
+  if (colon == std::string::npos) return {};
+  std::string scheme = what.substr(0, colon);
+  for (const char* known : {"library", "mannequin", "hand"}) {
+    if (scheme == known) return scheme;
   }
-  return {};
-}
-
-/// Positive sizes behind the scheme, in metres; empty where they are not `count` believable numbers.
-std::vector<double> sizesOf(const std::string& what, std::size_t count, double scale) {
-  std::vector<double> sizes;
-  std::string_view rest = std::string_view(what).substr(what.find(':') + 1);
-  while (!rest.empty() || sizes.size() < count) {
-    const std::string_view word = rest.substr(0, rest.find(','));
-    const std::optional<double> value = parseNumber(word);
-    if (!value || !(*value * scale > 0.0) || !(*value * scale <= 1e6) || sizes.size() == count) return {};
-    sizes.push_back(*value * scale);
-    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-  }
-  return sizes;
+  return findBuiltInPart(scheme) != nullptr ? scheme : std::string();
 }
 
 void turnUp(geometry::TriangleMesh& mesh, const std::optional<UpAxis>& up) {
@@ -115,7 +105,7 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
   if (scheme == "mannequin") return loadMannequin(what);
   if (scheme == "hand") return loadFreeHand(what);
   if (scheme == "library") return loadLibraryRobot(what, diagnostics);
-  if (!scheme.empty()) return loadShape(what, said ? source.scale : 1.0);
+  if (!scheme.empty()) return makeBuiltInPart(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();
   if (holdsScene(file)) return loadPart(file, source, diagnostics);
   if (!looksLikeRobot(file)) {
@@ -203,27 +193,6 @@ Expected<Entity> EntityLoader::loadPart(const fs::path& file, const SourceFile& 
   }
   return makeError({file.string(), "", "no part '" + source.part + "'", "a part that the file still holds",
                     "Import the file anew."});
-}
-
-Expected<Entity> EntityLoader::loadShape(const std::string& what, double scale) const {
-  const std::string scheme = schemeOf(what);
-  geometry::TriangleMesh mesh;
-  if (scheme == "box") {
-    if (const auto s = sizesOf(what, 3, scale); !s.empty()) mesh = geometry::makeBox({s[0], s[1], s[2]});
-  } else if (scheme == "cylinder") {
-    if (const auto s = sizesOf(what, 2, scale); !s.empty()) mesh = geometry::makeCylinder(s[0], s[1]);
-  } else {
-    if (const auto s = sizesOf(what, 1, scale); !s.empty()) mesh = geometry::makeSphere(s[0]);
-  }
-  if (mesh.triangles.empty()) {
-    return makeError(
-        {what, "", "sizes that are none", "box:X,Y,Z or cylinder:RADIUS,HEIGHT or sphere:RADIUS, above 0", ""});
-  }
-  Entity entity;
-  entity.name = scheme;
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
-  entity.source = {what, scale};
-  return entity;
 }
 
 Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnostics& diagnostics) {

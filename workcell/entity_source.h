@@ -17,8 +17,8 @@ namespace hapticell::workcell {
 
 /// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readScene), a robot file
 /// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), or a
-/// built-in solid, "box:X,Y,Z", "cylinder:RADIUS,HEIGHT", "sphere:RADIUS" (sizes in the given unit). Files that are
-/// named twice are read once. One thread.
+/// built-in solid such as "box:X,Y,Z" or "table:" (see builtInParts(); sizes in the given unit). Files that are named
+/// twice are read once. One thread.
 class EntityLoader {
  public:
   /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
@@ -47,7 +47,6 @@ class EntityLoader {
   using MeshPointer = std::shared_ptr<const geometry::TriangleMesh>;
 
   Expected<Entity> loadShapeOf(const SourceFile& source, Diagnostics& diagnostics);
-  Expected<Entity> loadShape(const std::string& what, double scale) const;
   Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
   Expected<Entity> loadMannequin(const std::string& what);
   Expected<Entity> loadRobot(const std::filesystem::path& file, Diagnostics& diagnostics);
@@ -74,7 +73,7 @@ class EntityLoader {
   std::map<std::string, ImportResult> trees_;                                            // By file and how it was read.
 };
 
-/// True for a source that is no file: "library:", "box:", "cylinder:", "sphere:", "mannequin:".
+/// True for a source that is no file: "library:", "mannequin:", "hand:", or a built-in solid ("box:", "table:", ...).
 bool isBuiltIn(const std::string& what);
 
 }  // namespace hapticell::workcell

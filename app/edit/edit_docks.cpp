@@ -8,6 +8,7 @@
 #include <QScrollArea>
 
 #include "app/edit/move_panel.h"
+#include "app/edit/part_panel.h"
 #include "app/host/host.h"
 #include "app/host/user_settings.h"
 #include "app/panels/form.h"
@@ -43,6 +44,8 @@ class EditDocks : public QObject {
         if (key == QLatin1String("edit/snap")) snap->setChecked(host_.userSettings().value(key).toBool());
       });
     }
+    if (auto* insert = host.window().findChild<QAction*>("actionInsertPart"))
+      connect(insert, &QAction::triggered, this, [this] { openParts(); });
     if (auto* numbers = host.window().findChild<QAction*>("actionMoveBy"))
       connect(numbers, &QAction::triggered, dock, [dock] {
         dock->show();
@@ -64,6 +67,15 @@ class EditDocks : public QObject {
   }
 
  private:
+  void openParts() {
+    if (!parts_dock_) {
+      parts_dock_ = makeDock("dockInsertPart", tr("Insert part"), scrolledPanel(new PartPanel(host_)));
+      host_.addDock(parts_dock_, Qt::RightDockWidgetArea);
+    }
+    parts_dock_->show();
+    parts_dock_->raise();
+  }
+
   void take(const char* name, EntityGizmo::Mode mode) {
     auto* action = host_.window().findChild<QAction*>(name);
     if (!action) return;
@@ -75,6 +87,7 @@ class EditDocks : public QObject {
   Host& host_;
   EntityGizmo gizmo_;
   MovePanel* panel_;
+  QDockWidget* parts_dock_ = nullptr;
 };
 
 }  // namespace

@@ -8,11 +8,11 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QPainter>
 #include <QToolBar>
 #include <algorithm>
 
+#include "app/help/about_dialog.h"
 #include "app/help/help_dock.h"
 #include "app/host/command_box.h"
 #include "app/host/window_keys.h"
@@ -43,7 +43,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
       layouts_(*this, settings_),
       memory_(document_, [this] { return placesNow(); }) {
   setObjectName("mainWindow");
-  setWindowIcon(icon("cell"));
+  QApplication::setWindowIcon(icon("hapticell"));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -162,12 +162,7 @@ void MainWindow::connectViewActions() {
   on(actions_->edges, [this](bool checked) { viewport_->setEdges(checked); });
   on(actions_->side_docks, [this](bool checked) { layouts_.showSides(checked); });
   connect(&layouts_, &Layouts::chosen, actions_->side_docks, [this] { actions_->side_docks->setChecked(true); });
-  on(actions_->about, [this] {
-    QMessageBox::about(
-        this, tr("About HaptiCell"),
-        tr("HaptiCell %1\nMove solids and robots in a CAD workcell, and feel the contacts.\nApache License 2.0")
-            .arg(QApplication::applicationVersion()));
-  });
+  on(actions_->about, [this] { showAbout(*this); });
 }
 
 void MainWindow::connectScene() {

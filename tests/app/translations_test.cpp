@@ -25,12 +25,13 @@ TEST(Translations, EnglishHasOnePlural) {
 }
 
 TEST(HelpPages, EveryPageIsThereInBothLanguages) {
-  for (const char* dock : {"dockWorkcell", "dockProperties", "dockVirtualDesktop", "dockDeviceCheck", "dockSolid",
-                           "dockRobot",    "dockAddRobot",   "dockTools",          "dockMechanism",   "dockMannequin",
-                           "dockMarkers",  "dockGuides",     "dockMove",           "dockMeasure",     "dockImport",
-                           "dockMesh",     "dockCollisions", "dockTrajectory",     "dockMotion",      "dockTraining",
-                           "dockCurves",   "dockErgonomics", "dockErgonomicsTime", "dockWorkTask",    "dockWorkplace",
-                           "dockReport",   "dockMessages",   "dockHistory",        "dockSettings"}) {
+  for (const char* dock :
+       {"dockWorkcell",  "dockProperties", "dockVirtualDesktop", "dockDeviceCheck",    "dockSolid",
+        "dockRobot",     "dockAddRobot",   "dockInsertPart",     "dockTools",          "dockMechanism",
+        "dockMannequin", "dockMarkers",    "dockGuides",         "dockMove",           "dockMeasure",
+        "dockImport",    "dockMesh",       "dockCollisions",     "dockTrajectory",     "dockMotion",
+        "dockTraining",  "dockCurves",     "dockErgonomics",     "dockErgonomicsTime", "dockWorkTask",
+        "dockWorkplace", "dockReport",     "dockMessages",       "dockHistory",        "dockSettings"}) {
     EXPECT_NE(helpPage(dock, "en"), helpPage("", "en")) << dock << " has no page of its own";
     EXPECT_FALSE(helpPage(dock, "en").isEmpty());
     EXPECT_NE(helpPage(dock, "en"), helpPage(dock, "fr")) << dock;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "app/robot/robot_picture.h"
+#include "workcell/built_in_parts.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace hapticell::app {
+
+class Host;
+class PlaceFields;
+class ValueField;
+
+/// "Insert part": the built-in parts with pictures, their sizes, where one shall stand, and the button that adds it as
+/// one step of undo. A gripper can be mounted on a robot: it stands on the flange, is attached to it, and the robot's
+/// tool centre point moves between its fingers where it was at the flange.
+class PartPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PartPanel(Host& host, QWidget* parent = nullptr);
+  /// By its scheme: "table".
+  void choose(const QString& scheme);
+  void insert();
+  /// The part as its fields say, standing where they say; nothing where the sizes cannot be used.
+  std::optional<workcell::Entity> part() const;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  static constexpr std::size_t kMostSizes = 3;
+  QWidget* makeSizes();
+  QWidget* makePlace();
+  const workcell::BuiltInPart& chosen() const;
+  std::string source() const;
+  void showChosen();
+  void showPart();
+  void showRobots();
+  void drawPictures();
+  const workcell::Entity* robotToMountOn() const;
+  void mount(workcell::EntityId part, const workcell::Entity& robot);
+
+  Host& host_;
+  RobotPicture picture_;
+  QListWidget* list_;
+  QLabel *big_picture_, *problem_;
+  std::array<QWidget*, kMostSizes> rows_{};
+  std::array<QLabel*, kMostSizes> names_{};
+  std::array<ValueField*, kMostSizes> sizes_{};
+  PlaceFields* place_;
+  QWidget* mount_row_;
+  QComboBox* mount_on_;
+  QPushButton* insert_;
+  QTimer draw_;
+};
+
+}  // namespace hapticell::app

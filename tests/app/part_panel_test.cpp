@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inserting built-in parts in the whole window, through RobotPage.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QListWidget>
+
+#include "app/panels/pose_text.h"
+#include "tests/app/robot_page.h"
+
+namespace hapticell::app {
+namespace {
+
+class PartPage : public RobotPage {
+ public:
+  PartPage() { trigger("actionInsertPart"); }
+  void choose(const QString& name) {
+    auto* list = find<QListWidget>("listParts");
+    const auto found = list->findItems(name, Qt::MatchExactly);
+    ASSERT_EQ(found.size(), 1) << name.toStdString();
+    list->scrollToItem(found.front());
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(found.front()).center());
+    settle();
+  }
+  bool insert() { return clickForStep("buttonInsertPart"); }
+};
+
+TEST(InsertPart, ATableStandsOnTheFloorAsLargeAsTypedAndIsOneStep) {
+  PartPage page;
+  ASSERT_TRUE(page.isShown("dockInsertPart"));
+  page.choose("Table");
+  page.type("sizePart1", "1500");
+  page.type("placePartX", "700");
+  page.type("placePartY", "0");
+  ASSERT_TRUE(page.insert());
+  ASSERT_TRUE(page.selected());
+  EXPECT_EQ(page.selected()->name, "Table");
+  EXPECT_EQ(page.selected()->source.path, "table:1.5,0.8,0.75") << "it is saved as what it is made from";
+  geometry::Bounds bounds = geometry::transformed(page.selected()->X_WE, page.selected()->mesh->bounds());
+  EXPECT_NEAR(bounds.min.z, 0.0, 1e-9);
+  EXPECT_NEAR(bounds.max.x, 0.7 + 0.75, 1e-9);
+  page.choose("Box");
+  ASSERT_TRUE(page.insert());
+  bounds = geometry::transformed(page.selected()->X_WE, page.selected()->mesh->bounds());
+  EXPECT_NEAR(bounds.min.z, 0.0, 1e-9) << "plain shapes stand on the floor too";
+  ASSERT_TRUE(page.insert());
+  EXPECT_EQ(page.selected()->name, "Box 2");
+  page.trigger("actionUndo");
+  page.trigger("actionUndo");
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.entities(), 0u);
+}
+
+TEST(InsertPart, SizesThatDoNotGoAreSaidAndNothingIsInserted) {
+  PartPage page;
+  page.choose("Pipe");
+  page.type("sizePart2", "100");
+  EXPECT_FALSE(page.words("labelPartProblem").isEmpty());
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonInsertPart")->isEnabled());
+  page.type("sizePart2", "90");
+  EXPECT_TRUE(page.words("labelPartProblem").isEmpty());
+  EXPECT_TRUE(page.insert());
+  page.choose("Table");
+  page.type("sizePart3", "20");
+  EXPECT_TRUE(page.words("labelPartProblem").contains("100 mm")) << page.words("labelPartProblem").toStdString();
+}
+
+TEST(InsertPart, NothingMovesFromPartToPart) {
+  PartPage page;
+  page.choose("Box");
+  auto* button = page.find<QAbstractButton>("buttonInsertPart");
+  const QPoint before = button->mapTo(&page.window(), QPoint());
+  for (const char* name : {"Sphere", "Gripper", "Fence", "Pipe"}) {
+    page.choose(name);
+    EXPECT_EQ(button->mapTo(&page.window(), QPoint()), before) << name;
+  }
+}
+
+TEST(InsertPart, AGripperIsMountedOnTheRobotWithItsTcpInOneStep) {
+  PartPage page;
+  const workcell::EntityId robot = page.addRobot("kuka_kr6_r900");
+  const auto robotNow = [&] { return page.document().document().find(robot); };
+  const Pose X_WFlange = tcpPose_W(*robotNow(), robotNow()->X_WE, robotNow()->joints);
+  page.choose("Gripper");
+  ASSERT_EQ(page.find<QComboBox>("comboMountOn")->currentText().toStdString(), robotNow()->name) << "the only robot";
+  ASSERT_TRUE(page.insert());
+  const workcell::Entity gripper = *page.selected();
+  EXPECT_EQ(gripper.attachment.to, robotNow()->name);
+  EXPECT_LT(glm::length(gripper.X_WE.p - X_WFlange.p), 1e-9);
+  EXPECT_NEAR(robotNow()->X_LT.p.z, gripper.mesh->bounds().max.z, 1e-9) << "the TCP is between the finger tips";
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.entities(), 1u);
+  EXPECT_EQ(robotNow()->X_LT.p, dvec3(0.0));
+}
+
+}  // namespace
+}  // namespace hapticell::app
