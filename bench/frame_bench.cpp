@@ -68,6 +68,7 @@ class Bench {
   }
   void run(std::size_t triangles) {
     frame_.items.clear();
+    frame_.most_triangles = static_cast<std::size_t>(-1);
     frame_.bounds_W = {};
     addParts(frame_, triangles);
     frame_.camera = Camera().turnedTo(StandardView::kIsometric);

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kLeastRate = 10.0;
 constexpr double kMostRate = 1000.0;
 constexpr std::size_t kTimesKept = 500;  ///< Steps that the shown figures are about.
-constexpr std::chrono::milliseconds kPictureEvery{8};
+constexpr std::chrono::milliseconds kPictureEvery{8}, kContactEvery{2};
 
 std::int64_t nanoseconds(Clock::time_point t) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
@@ -61,8 +61,9 @@ class StepTimes {
 }  // namespace
 
 struct ManipulationLoop::Worker {
-  Worker(std::unique_ptr<haptic::HapticLink> the_link, const config::Configuration& the_configuration)
-      : link(std::move(the_link)), configuration(the_configuration) {
+  Worker(std::unique_ptr<haptic::HapticLink> the_link, const config::Configuration& the_configuration,
+         std::function<void()> told_of_contact)
+      : link(std::move(the_link)), configuration(the_configuration), on_felt(std::move(told_of_contact)) {
     preparer = std::thread([this] {
       workcell::stepBehind();
       prepareScenes();
@@ -188,14 +189,19 @@ struct ManipulationLoop::Worker {
     const double rate = std::clamp(configuration.manipulation.rate_hz, kLeastRate, kMostRate);
     const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
     Clock::time_point due = Clock::now(), shown{};
+    std::int64_t felt = 0;
     for (;;) {
       const Clock::time_point begin = Clock::now();
       takeCommands(engine);
       engine.step(nanoseconds(begin));
       if (second) second->step(engine, nanoseconds(begin));
-      if (begin - shown >= kPictureEvery) {
+      // A new contact is shown at once; one that chatters, no oftener than a display shows pictures.
+      const std::int64_t newest = std::max(engine.feltAt(), second ? second->engine().feltAt() : 0);
+      const bool new_contact = newest != felt && begin - shown >= kContactEvery;
+      if (new_contact || begin - shown >= kPictureEvery) {
         shown = begin;
         showStep(engine, times);
+        if (std::exchange(felt, newest) != newest && on_felt) on_felt();
       }
       times.add(begin, Clock::now());
       // A step that took longer than its period shifts the following ones: no burst to catch up.
@@ -216,6 +222,7 @@ struct ManipulationLoop::Worker {
   std::unique_ptr<haptic::HapticLink> link;
   std::unique_ptr<SecondStylus> second;  // The loop's thread alone.
   const config::Configuration configuration;
+  const std::function<void()> on_felt;
   haptic::TripleBuffer<SceneSnapshot> snapshots;
 
   std::mutex mutex;  // Guards what follows; held only while pointers are moved.
@@ -234,8 +241,9 @@ struct ManipulationLoop::Worker {
   std::thread preparer, stepper;
 };
 
-ManipulationLoop::ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration)
-    : worker_(std::make_unique<Worker>(std::move(link), configuration)) {}
+ManipulationLoop::ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration,
+                                   std::function<void()> on_felt)
+    : worker_(std::make_unique<Worker>(std::move(link), configuration, std::move(on_felt))) {}
 
 ManipulationLoop::~ManipulationLoop() = default;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,8 +22,10 @@ class PreparedScene;
 /// are prepared in a thread of their own; until they are ready the old scene goes on.
 class ManipulationLoop {
  public:
-  /// Starts the thread. The link is used by that thread alone from now on.
-  ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration);
+  /// Starts the thread. The link is used by that thread alone from now on. `on_felt` is called in that thread as soon
+  /// as latest() has a picture of a new contact, so that nobody has to wait to see it; it must not wait. May be empty.
+  ManipulationLoop(std::unique_ptr<haptic::HapticLink> link, const config::Configuration& configuration,
+                   std::function<void()> on_felt = {});
   /// Stops it: forces off, set emptied, thread joined.
   ~ManipulationLoop();
   ManipulationLoop(const ManipulationLoop&) = delete;

@@ -219,7 +219,19 @@ void ManipulationEngine::findContacts() {
   }
   findPassed();
   now.insert(now.end(), passed_.begin(), passed_.end());
+  const auto is_new = [this](std::size_t i) {
+    return std::find(contacts_.begin(), contacts_.end(), i) == contacts_.end();
+  };
+  if (std::any_of(now.begin(), now.end(), is_new)) felt_ns_ = stateTime();
   contacts_.swap(now);
+}
+
+/// When the newest state was, by this program's clock: the tick's stamp, as far as it can be brought to that clock.
+std::int64_t ManipulationEngine::stateTime() const {
+  constexpr std::int64_t kOldest = 1'000'000'000;  // ns: beyond it the clocks are not as they were told.
+  if (!statistics_.clock_offset_ms) return now_ns_;
+  const std::int64_t tick = state_->server_stamp_ns - std::llround(1e6 * *statistics_.clock_offset_ms);
+  return now_ns_ - tick > kOldest ? now_ns_ : std::min(tick, now_ns_);
 }
 
 /// Pairs that pass have no row in the set that could tell of their contact: they are measured.

@@ -74,6 +74,8 @@ class ManipulationEngine {
 
   /// Pairs of what is held that are at their boundary now: indices into held()->pairs().
   const std::vector<std::size_t>& contacts() const { return contacts_; }
+  /// When the newest of them was felt first, by now_ns's clock; 0 before any.
+  std::int64_t feltAt() const { return felt_ns_; }
 
   /// Limits of what is held that are near, nearest first, and what else holds it back: why it does not follow.
   std::vector<LimitState> nearLimits() const;
@@ -122,6 +124,7 @@ class ManipulationEngine {
   double stepTime() const;
   void findContacts();
   void findPassed();
+  std::int64_t stateTime() const;
   void tellWherePlain();
   void measureForDisplay(SceneSnapshot& snapshot);
   void describe(SceneSnapshot& snapshot) const;
@@ -194,6 +197,7 @@ class ManipulationEngine {
   Pose X_DLag_;   ///< Reference of the set before.
   std::vector<double> gaps_;
   std::vector<std::size_t> contacts_;
+  std::int64_t felt_ns_ = 0;
   std::vector<Result> results_;
   std::set<std::string> told_;  ///< Notes on what was taken: each is told once.
 

@@ -81,6 +81,9 @@ struct SceneSnapshot {
   double device_edge_m = 0.0;  ///< To the edge of the device's workspace.
   double free_gap_m = 0.0;     ///< Nearest free pair.
   double rate_manipulation_hz = 0.0, step_p99_ms = 0.0;
+  /// When the newest contact was felt first, ns of this program's steady clock: the force loop's tick, brought to that
+  /// clock. 0 before any.
+  std::int64_t felt_ns = 0;
   haptic::ServerStatistics server;  ///< The haptic server's figures, as it told them last.
   struct Recording {
     bool on = false;

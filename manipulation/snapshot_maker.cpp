@@ -162,6 +162,7 @@ void ManipulationEngine::fillSnapshot(SceneSnapshot& snapshot) {
     if (const auto device = link_.device()) snapshot.device_edge_m = edgeOf(*device, state_->X_DS.p);
   }
   fillRecording(snapshot);
+  snapshot.felt_ns = felt_ns_;
   snapshot.server = statistics_;
   describe(snapshot);
 }

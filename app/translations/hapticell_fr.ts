@@ -17,6 +17,10 @@
         <translation><numerusform>  ·  %n pièce est préparée</numerusform><numerusform>  ·  %n pièces sont préparées</numerusform></translation>
     </message>
     <message>
+        <source>  ·  Simplified while moving</source>
+        <translation>  ·  Simplifié pendant le mouvement</translation>
+    </message>
+    <message>
         <source> and %1 more</source>
         <translation> et %1 de plus</translation>
     </message>
@@ -767,6 +771,10 @@
     <message>
         <source>. Kept nearer to the recording from %1 to %2 s</source>
         <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
+    </message>
+    <message>
+        <source>. A smaller window or fewer parts in view make it sooner</source>
+        <translation>. Une fenêtre plus petite ou moins de pièces en vue l'accélèrent</translation>
     </message>
     <message>
         <source>. Real-time priority mends it: add the account to the group realtime</source>
@@ -1763,6 +1771,14 @@
     <message>
         <source>Contacts come in time</source>
         <translation>Les contacts arrivent à temps</translation>
+    </message>
+    <message>
+        <source>Contacts are seen as they are felt</source>
+        <translation>Les contacts se voient dès qu'ils sont ressentis</translation>
+    </message>
+    <message>
+        <source>Contacts are seen late</source>
+        <translation>Les contacts se voient tard</translation>
     </message>
     <message>
         <source>Contacts come late at times</source>
@@ -3581,6 +3597,10 @@
         <translation>Pas encore de contact</translation>
     </message>
     <message>
+        <source>No contact on the screen yet</source>
+        <translation>Pas encore de contact à l'écran</translation>
+    </message>
+    <message>
         <source>No contacts sent lately</source>
         <translation>Aucun contact envoyé récemment</translation>
     </message>
@@ -3859,6 +3879,10 @@
     <message>
         <source>Offset</source>
         <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>On the screen %1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
+        <translation>À l'écran %1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
     </message>
     <message>
         <source>On a seat</source>
@@ -4457,8 +4481,8 @@
         <translation>Préparation des contacts</translation>
     </message>
     <message>
-        <source>Preparing contacts %1 %</source>
-        <translation>Préparation des contacts %1 %</translation>
+        <source>Not felt yet: preparing contacts %1 %</source>
+        <translation>Pas encore ressenti : préparation des contacts %1 %</translation>
     </message>
     <message>
         <source>Preparing the contacts was given up: what was changed is not felt yet</source>
@@ -5967,6 +5991,10 @@
     <message>
         <source>Top</source>
         <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Touch something with forces on: how long after it is felt it is seen is told here</source>
+        <translation>Touchez quelque chose avec les forces : ici est dit combien de temps après le ressenti le contact se voit</translation>
     </message>
     <message>
         <source>Touches from the beginning: %1 and %2</source>

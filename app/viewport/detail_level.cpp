@@ -11,6 +11,23 @@ constexpr double kFewTriangles = 12000.0;  // Some milliseconds without a graphi
 
 }  // namespace
 
+double allowedPixels(DetailLevel level) {
+  switch (level) {
+    case DetailLevel::kFull:
+      return 0.35;
+    case DetailLevel::kNoOcclusion:
+    case DetailLevel::kPlain:
+      return 0.7;
+    case DetailLevel::kNoEdges:
+      return 1.0;
+    case DetailLevel::kHalfSize:
+      return 1.5;
+    case DetailLevel::kCoarse:
+      break;
+  }
+  return kMostPixels;
+}
+
 void DetailGovernor::learnTriangles(double seconds, std::size_t triangles) {
   const auto drawn = static_cast<double>(triangles);
   const auto most = static_cast<double>(most_triangles_);

@@ -5,16 +5,26 @@
 
 namespace hapticell::app {
 
-/// How much of the picture is drawn. Each step drops what is missed least; the last one draws the coarsest triangles of
-/// each part.
+/// How much of the picture is drawn. Each step drops what is missed least. No part is off its shape by more than
+/// kMostPixels in any of them.
 enum class DetailLevel {
   kFull,         ///< Occlusion, shadows, all edges, outlines.
   kNoOcclusion,  ///< Without ambient occlusion; shadows of what stood still.
   kPlain,        ///< Without shadows.
   kNoEdges,      ///< Faces only; states stay marked.
   kHalfSize,     ///< The same at half the resolution.
-  kCoarse        ///< Parts by their coarsest triangles.
+  kCoarse        ///< Parts by the coarsest triangles that are allowed.
 };
+
+inline constexpr double kMostPixels = 3.0;  ///< Of the window: how far a part that is drawn coarser is off at most.
+inline constexpr double kBoxPixels = 6.0;   ///< What is smaller may be drawn as the box around it.
+
+/// How far parts may be off in pixels of the window, at a level of detail.
+double allowedPixels(DetailLevel level);
+/// Pixels that are drawn for one of the window, along a side.
+inline double drawnShare(DetailLevel level) {
+  return level >= DetailLevel::kHalfSize ? 0.5 : 1.0;
+}
 
 /// Chooses the detail while things move, from the time that frames take, so that the window keeps its rate.
 ///
@@ -29,12 +39,14 @@ class DetailGovernor {
       : budget_s_(budget_s), level_(first), patience_(first == DetailLevel::kFull ? kPatience : kQuickPatience) {}
 
   DetailLevel level() const { return level_; }
-  /// What a frame may draw: learnt where a frame costs little else, so that no step up, and no cell however large,
-  /// makes one long frame. Boxes at the end: some 10 000 parts a frame without a graphics card.
+  /// What a frame should draw: learnt where a frame costs little else, so that no step up makes one long frame. What
+  /// keeps the parts' shapes is drawn all the same (Frame::most_triangles).
   std::size_t mostTriangles() const { return most_triangles_; }
   /// Tells how long a frame at level() took, in seconds, and how many triangles of faces it had (0: not known).
   void frameTook(double seconds, std::size_t triangles = 0);
   double budget() const { return budget_s_; }
+  /// Another budget from the next frame on.
+  void setBudget(double seconds) { budget_s_ = seconds; }
 
  private:
   static constexpr int kPatience = 20, kQuickPatience = 2;  // Frames.

@@ -4,74 +4,146 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <span>
+
+#include "app/viewport/surface_tree.h"
+#include "app/viewport/vertex_clusters.h"
 
 namespace hapticell::app {
 namespace {
 
-// Nothing is won below; what is large keeps its shape.
-constexpr std::size_t kFewTriangles = 100, kFewOfLarge = 600, kLeastShare = 24;
-constexpr std::size_t kQuarter = 4;
-constexpr float kMostError = 0.1f;       // Of the mesh's size, for collapsing.
-constexpr double kWorthwhile = 0.6;      // A step must have at most this share of the one before.
-constexpr std::size_t kCoarsest = 3000;  // Triangles; where collapsing leaves more, clustering makes fewer.
-constexpr float kClusterError = 0.05f;
+constexpr std::size_t kLeastTriangles = 60;  // Nothing is won below.
+constexpr double kWanted = 0.35;             // Of the triangles of the step before;
+constexpr double kWorthwhile = 0.7;          // a step must have at most this share of them.
+constexpr double kMostError = 0.05;          // Of the mesh's size: beyond it is another shape.
+constexpr double kUnseen = 2e-4;             // Of the mesh's size: nearer than that nothing is measured.
+constexpr std::size_t kStillMany = 3000;     // Triangles: where collapsing leaves more, clustering makes fewer.
+constexpr int kClusterCells = 100;
+constexpr std::size_t kPiece = 200000;  // Triangles that are simplified in one go: some 0.2 s.
+constexpr std::uint32_t kNoPlace = ~std::uint32_t{0};
 
-/// The largest side of the box of all vertices: what meshoptimizer's errors are shares of.
+/// The largest side of the box of all vertices.
 double extentOf(const DisplayMesh& mesh) {
   const dvec3 size = mesh.bounds.size();
   return std::max({size.x, size.y, size.z});
 }
 
-struct Coarser {
-  std::vector<std::uint32_t> indices;
-  float error = 0.0f;
+class Simplifier {
+ public:
+  Simplifier(DisplayMesh& mesh, double crease_angle, const std::atomic<bool>* given_up)
+      : mesh_(mesh),
+        crease_angle_(crease_angle),
+        given_up_(given_up),
+        extent_(extentOf(mesh)),
+        whole_(mesh.vertices, std::span(mesh.indices).first(mesh.steps[0].count)),
+        place_(mesh.vertices.size(), kNoPlace) {}
+
+  void run() {
+    std::vector<std::uint32_t> from = whole_.indices();
+    std::size_t last = from.size();
+    while (last / 3 > kLeastTriangles && !over()) {
+      double error = 0.0;
+      std::vector<std::uint32_t> step = collapsed(from, error);
+      if (static_cast<double>(step.size()) > kWorthwhile * static_cast<double>(last) || over()) break;
+      estimated_ += error;
+      if (!append(meshOf(step))) return;
+      last = step.size();
+      from = std::move(step);
+    }
+    if (last / 3 <= kStillMany || over()) return;
+    geometry::TriangleMesh gathered = clustered(meshOf(from), kClusterCells);
+    if (2 * gathered.triangles.size() < last / 3) append(gathered);
+  }
+
+ private:
+  bool over() const { return given_up_ && given_up_->load(std::memory_order_relaxed); }
+
+  /// Piece by piece; what borders on another piece stays as it is.
+  std::vector<std::uint32_t> collapsed(const std::vector<std::uint32_t>& from, double& error) {
+    std::vector<std::uint32_t> result;
+    for (std::size_t first = 0; first < from.size() && !over(); first += 3 * kPiece) {
+      const std::span<const std::uint32_t> piece =
+          std::span(from).subspan(first, std::min(3 * kPiece, from.size() - first));
+      collapse(piece, result, error);
+    }
+    return result;
+  }
+
+  void collapse(std::span<const std::uint32_t> piece, std::vector<std::uint32_t>& result, double& error) {
+    // Its own vertices only: the library's work grows with their number.
+    std::vector<std::uint32_t> used, local, simpler(piece.size());
+    std::vector<fvec3> positions;
+    for (const std::uint32_t v : piece) {
+      if (place_[v] == kNoPlace) {
+        place_[v] = static_cast<std::uint32_t>(used.size());
+        used.push_back(v);
+        positions.push_back(mesh_.vertices[v].position);
+      }
+      local.push_back(place_[v]);
+    }
+    for (const std::uint32_t v : used) place_[v] = kNoPlace;
+    const auto wanted = 3 * static_cast<std::size_t>(kWanted * static_cast<double>(piece.size()) / 3.0);
+    // Errors are shares of the piece's own size.
+    const double scale = static_cast<double>(meshopt_simplifyScale(&positions[0].x, positions.size(), sizeof(fvec3)));
+    const auto most = static_cast<float>(scale > 0.0 ? kMostError * extent_ / scale : 0.0);
+    float off = 0.0f;
+    const std::size_t count =
+        meshopt_simplify(simpler.data(), local.data(), local.size(), &positions[0].x, positions.size(), sizeof(fvec3),
+                         wanted, most, meshopt_SimplifyLockBorder, &off);
+    for (std::size_t i = 0; i < count; ++i) result.push_back(used[simpler[i]]);
+    error = std::max(error, static_cast<double>(off) * scale);
+  }
+
+  /// Triangles between vertices of the whole mesh, in M.
+  geometry::TriangleMesh meshOf(const std::vector<std::uint32_t>& indices) {
+    geometry::TriangleMesh result;
+    std::vector<std::uint32_t> used;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const std::uint32_t v = indices[i];
+      if (place_[v] == kNoPlace) {
+        place_[v] = static_cast<std::uint32_t>(result.vertices.size());
+        result.vertices.push_back(mesh_.center + dvec3(mesh_.vertices[v].position));
+        used.push_back(v);
+      }
+      if (i % 3 == 0) result.triangles.emplace_back();
+      result.triangles.back()[i % 3] = place_[v];
+    }
+    for (const std::uint32_t v : used) place_[v] = kNoPlace;
+    return result;
+  }
+
+  /// As the next step; false where it is too far off.
+  bool append(const geometry::TriangleMesh& step) {
+    const std::size_t first = mesh_.indices.size(), first_vertex = mesh_.vertices.size();
+    addSmoothed(step, crease_angle_, mesh_);
+    const std::span<const std::uint32_t> all(mesh_.indices), drawn = all.subspan(first);
+    const SurfaceTree surface(mesh_.vertices, drawn);
+    const double least = std::max({estimated_, mesh_.steps.back().error, kUnseen * extent_});
+    const double error = deviation(mesh_.vertices, drawn, whole_,
+                                   deviation(mesh_.vertices, all.first(mesh_.steps[0].count), surface, least));
+    if (!(error <= kMostError * extent_)) {
+      mesh_.indices.resize(first);
+      mesh_.vertices.resize(first_vertex);
+      return false;
+    }
+    mesh_.steps.push_back({first, drawn.size(), error});
+    return true;
+  }
+
+  DisplayMesh& mesh_;
+  const double crease_angle_;
+  const std::atomic<bool>* given_up_;
+  const double extent_;
+  const SurfaceTree whole_;
+  std::vector<std::uint32_t> place_;  ///< Of vertices of the whole mesh among those in use; scratch.
+  double estimated_ = 0.0;            ///< Metres, by the quadrics of all steps.
 };
-
-using Simplifier = std::size_t (*)(unsigned int*, const unsigned int*, std::size_t, const float*, std::size_t,
-                                   std::size_t, std::size_t, float, float*);
-
-Coarser coarser(const DisplayMesh& mesh, const std::vector<std::uint32_t>& from, std::size_t triangles,
-                float most_error, Simplifier simplify) {
-  Coarser result;
-  result.indices.resize(from.size());
-  const std::size_t count =
-      simplify(result.indices.data(), from.data(), from.size(), &mesh.vertices.front().position.x, mesh.vertices.size(),
-               sizeof(DisplayVertex), 3 * triangles, most_error, &result.error);
-  result.indices.resize(count);
-  return result;
-}
-
-std::size_t collapse(unsigned int* to, const unsigned int* from, std::size_t count, const float* positions,
-                     std::size_t vertices, std::size_t stride, std::size_t wanted, float most_error, float* error) {
-  return meshopt_simplify(to, from, count, positions, vertices, stride, wanted, most_error, 0, error);
-}
-
-void append(DisplayMesh& mesh, const Coarser& step, double extent, std::size_t& last_count) {
-  const double before = mesh.steps.back().error;
-  mesh.steps.push_back({mesh.indices.size(), step.indices.size(), before + static_cast<double>(step.error) * extent});
-  mesh.indices.insert(mesh.indices.end(), step.indices.begin(), step.indices.end());
-  last_count = step.indices.size();
-}
 
 }  // namespace
 
-void addDetailSteps(DisplayMesh& mesh) {
-  if (mesh.steps.empty() || mesh.vertices.empty()) return;
-  const double extent = extentOf(mesh);
-  std::vector<std::uint32_t> from = mesh.indices;
-  std::size_t last_count = from.size();
-  const std::size_t few = std::clamp(last_count / 3 / kLeastShare, kFewTriangles, kFewOfLarge);
-  while (last_count / 3 > few) {
-    Coarser step = coarser(mesh, from, last_count / 3 / kQuarter, kMostError, collapse);
-    if (static_cast<double>(step.indices.size()) > kWorthwhile * static_cast<double>(last_count)) break;
-    append(mesh, step, extent, last_count);
-    from = std::move(step.indices);
-  }
-  if (last_count / 3 <= kCoarsest) return;
-  Coarser last = coarser(mesh, from, kCoarsest, kClusterError, meshopt_simplifySloppy);
-  if (last.indices.empty())  // So fine that all of it falls together within that error.
-    last = coarser(mesh, from, kCoarsest, 1.0f, meshopt_simplifySloppy);
-  if (!last.indices.empty() && last.indices.size() < last_count) append(mesh, last, extent, last_count);
+void addDetailSteps(DisplayMesh& mesh, double crease_angle, const std::atomic<bool>* given_up) {
+  if (mesh.steps.empty() || mesh.vertices.empty() || (given_up && given_up->load())) return;
+  Simplifier(mesh, crease_angle, given_up).run();
 }
 
 std::size_t detailStepFor(const std::vector<DetailStep>& steps, double metres_per_pixel, double pixels) {

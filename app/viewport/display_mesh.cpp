@@ -9,6 +9,13 @@
 namespace hapticell::app {
 namespace {
 
+/// Whether the mesh is still wanted, looked at now and then.
+struct Given {
+  const std::atomic<bool>* up = nullptr;
+  bool now() const { return up && up->load(std::memory_order_relaxed); }
+  bool at(std::size_t i) const { return i % 8192 == 0 && now(); }
+};
+
 struct PositionHash {
   std::size_t operator()(const dvec3& p) const {
     std::uint64_t h = 1469598103934665603ULL;
@@ -19,11 +26,11 @@ struct PositionHash {
 
 /// For each vertex, the lowest index that has the same position: files without shared vertices are smoothed all the
 /// same.
-std::vector<std::uint32_t> representatives(const geometry::TriangleMesh& mesh) {
+std::vector<std::uint32_t> representatives(const geometry::TriangleMesh& mesh, const Given& given_up) {
   std::unordered_map<dvec3, std::uint32_t, PositionHash> first;
   first.reserve(mesh.vertices.size());
   std::vector<std::uint32_t> result(mesh.vertices.size());
-  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh.vertices.size() && !given_up.at(i); ++i)
     result[i] = first.try_emplace(mesh.vertices[i], i).first->second;
   return result;
 }
@@ -63,13 +70,14 @@ Stars starsOf(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_
 }
 
 void addVertices(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_t>& same, const Faces& faces,
-                 double cosine, DisplayMesh& display) {
+                 double cosine, const Given& given_up, DisplayMesh& display) {
   const Stars stars = starsOf(mesh, same);
+  const auto base = static_cast<std::int64_t>(display.vertices.size());
   // Display vertices already made for a place, as a chain: corners with the same normal share one.
   std::vector<std::int64_t> newest(mesh.vertices.size(), -1);
   std::vector<std::int64_t> previous;
-  display.indices.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  display.indices.reserve(display.indices.size() + 3 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size() && !given_up.at(t); ++t) {
     for (const auto v : mesh.triangles[t]) {
       const std::uint32_t place = same[v];
       dvec3 sum(0.0);
@@ -81,7 +89,7 @@ void addVertices(const geometry::TriangleMesh& mesh, const std::vector<std::uint
       const fvec3 normal(length > 0.0 ? sum / length : dvec3(0, 0, 1));
       std::int64_t found = newest[place];
       while (found >= 0 && glm::dot(display.vertices[static_cast<std::size_t>(found)].normal, normal) < 0.9999f)
-        found = previous[static_cast<std::size_t>(found)];
+        found = previous[static_cast<std::size_t>(found - base)];
       if (found < 0) {
         found = static_cast<std::int64_t>(display.vertices.size());
         display.vertices.push_back({fvec3(mesh.vertices[place] - display.center), normal});
@@ -128,18 +136,25 @@ void addEdges(const geometry::TriangleMesh& mesh, const std::vector<std::uint32_
 
 }  // namespace
 
-DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle) {
+DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle, const std::atomic<bool>* stop) {
+  const Given given_up{stop};
   DisplayMesh display;
   display.bounds = mesh.bounds();
   if (mesh.triangles.empty()) return display;
   display.center = display.bounds.center();
-  const std::vector<std::uint32_t> same = representatives(mesh);
+  const std::vector<std::uint32_t> same = representatives(mesh, given_up);
+  if (given_up.now()) return display;
   const Faces faces = facesOf(mesh);
   const double cosine = std::cos(crease_angle);
-  addVertices(mesh, same, faces, cosine, display);
+  addVertices(mesh, same, faces, cosine, given_up, display);
   display.steps = {{0, display.indices.size(), 0.0}};
-  addEdges(mesh, same, faces, cosine, display);
+  if (!given_up.now()) addEdges(mesh, same, faces, cosine, display);
   return display;
+}
+
+void addSmoothed(const geometry::TriangleMesh& mesh, double crease_angle, DisplayMesh& display) {
+  const std::vector<std::uint32_t> same = representatives(mesh, {});
+  addVertices(mesh, same, facesOf(mesh), std::cos(crease_angle), {}, display);
 }
 
 }  // namespace hapticell::app

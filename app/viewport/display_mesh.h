@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -45,6 +46,11 @@ inline constexpr double kPartCrease = 0.48869219;  ///< 28 degrees.
 inline constexpr double kSkinCrease = 1.9;         ///< rad: only where a surface folds back on itself.
 
 /// Normals are smoothed over faces that meet at less than `crease_angle` (rad); corners at the same place count as one.
-DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle = kPartCrease);
+/// Ends soon, with a mesh that is good for nothing, once `given_up` is set.
+DisplayMesh makeDisplayMesh(const geometry::TriangleMesh& mesh, double crease_angle = kPartCrease,
+                            const std::atomic<bool>* given_up = nullptr);
+
+/// Appends the triangles of `mesh` (in M) with vertices of their own to those of `display`, smoothed likewise.
+void addSmoothed(const geometry::TriangleMesh& mesh, double crease_angle, DisplayMesh& display);
 
 }  // namespace hapticell::app

@@ -34,7 +34,8 @@ struct Frame {
   geometry::Bounds bounds_W;  ///< Of the whole scene.
   std::optional<SectionPlane> section;
   DetailLevel detail = DetailLevel::kFull;
-  /// Where the parts have more, small ones are drawn coarser, and then as boxes. Not for pictures at rest.
+  /// Where the parts have more, they are drawn coarser, up to kMostPixels, and those under kBoxPixels as boxes; neither
+  /// is done to those that keep their shape. Not for pictures at rest.
   std::size_t most_triangles = static_cast<std::size_t>(-1);
   bool edges = true;
   bool floor = true;        ///< The grid and the shadows on it.

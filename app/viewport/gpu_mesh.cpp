@@ -13,7 +13,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over.
+constexpr std::size_t kSmallMesh = 2000;  // Triangles: sooner made ready than handed over,
+constexpr std::size_t kTinyMesh = 100;    // and so few that coarser ones would win nothing.
 constexpr std::size_t kRunBytes = std::size_t{4} << 20;
 constexpr std::size_t kEdgesABuffer = (std::size_t{16} << 20) / sizeof(DisplayEdge);
 
@@ -133,22 +134,43 @@ GpuMesh* GpuMeshCache::of(const RenderItem& item) {
   entry.used = true;
   // An address that was reused by another mesh must not show the old one.
   if (entry.source.lock() != mesh) {
-    entry.mesh.reset();
+    entry = {};
     entry.source = mesh;
-    if (mesh->triangles.size() <= kSmallMesh && hasTime())
+    if (mesh->triangles.size() <= kSmallMesh && hasTime()) {
       entry.mesh = wholeMesh(makeDisplayMesh(*mesh, crease_angle));
-    else
+      if (mesh->triangles.size() > kTinyMesh) entry.prepared = worker_.prepareLasting(mesh, crease_angle);
+    } else {
       entry.prepared = worker_.prepare(mesh, crease_angle);
-  }
-  if (entry.prepared && entry.prepared->ready.load(std::memory_order_acquire)) {
-    if (hasTime() && !entry.mesh) entry.mesh = std::make_unique<GpuMesh>(gl_, entry.prepared->mesh, counted_);
-    if (!entry.mesh || !entry.mesh->fill(entry.prepared->mesh, [this] { return hasTime(); })) {
-      left_over_ = true;
-      return nullptr;
     }
-    worker_.letGo(std::move(entry.prepared));
   }
-  return entry.prepared ? nullptr : entry.mesh.get();
+  if (!entry.mesh && !bring(entry)) left_over_ = true;
+  return entry.mesh.get();
+}
+
+/// Goes on getting the best edition there is onto the card; false where more time is needed.
+bool GpuMeshCache::bring(Entry& entry) {
+  if (!entry.prepared) return true;
+  const bool lasting = entry.prepared->ready.load(std::memory_order_acquire);
+  if (!lasting && (entry.mesh || !entry.prepared->first_ready.load(std::memory_order_acquire))) return true;
+  const DisplayMesh& made = lasting ? entry.prepared->mesh : entry.prepared->first;
+  if (entry.next && entry.next_lasts != lasting) entry.next.reset();
+  if (!entry.next) {
+    if (!hasTime()) return false;
+    entry.next = std::make_unique<GpuMesh>(gl_, made, counted_);
+    entry.next_lasts = lasting;
+  }
+  if (!entry.next->fill(made, [this] { return hasTime(); })) return false;
+  entry.mesh = std::move(entry.next);
+  const auto source = entry.source.lock();
+  entry.rough = !lasting && source && source->triangles.size() > DisplayMeshWorker::kLargeMesh;
+  if (lasting) worker_.letGo(std::move(entry.prepared));
+  return true;
+}
+
+void GpuMeshCache::wait() {
+  worker_.wait();
+  all_now_ = true;
+  for (auto& [address, entry] : entries_) bring(entry);
 }
 
 std::unique_ptr<GpuMesh> GpuMeshCache::wholeMesh(const DisplayMesh& mesh) {
@@ -170,17 +192,23 @@ bool GpuMeshCache::hasTime() {
 }
 
 std::size_t GpuMeshCache::pending() const {
-  return static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(),
-                                                [](const auto& entry) { return entry.second.prepared != nullptr; }));
+  return static_cast<std::size_t>(std::count_if(entries_.begin(), entries_.end(), [](const auto& known) {
+    return known.second.prepared && (!known.second.mesh || known.second.rough);
+  }));
 }
 
 void GpuMeshCache::collect() {
+  for (auto& [address, entry] : entries_) {
+    const bool was_rough = entry.rough;
+    // What lasts looks the same but where it was rough: only that is worth another frame.
+    if (entry.mesh && ((!bring(entry) && was_rough) || was_rough != entry.rough)) left_over_ = true;
+  }
   spending_.invalidate();
   all_now_ = false;
   if (std::exchange(left_over_, false)) on_ready_();
   std::erase_if(entries_, [](const auto& known) {
     const Entry& entry = known.second;
-    return entry.source.expired() || (!entry.used && entry.prepared);
+    return entry.source.expired() || (!entry.used && entry.prepared && !entry.mesh);
   });
   // What was not drawn may be again with the next motion, as links behind a skin; large things are not kept for it.
   std::size_t spare = 0;

@@ -18,6 +18,7 @@ namespace hapticell::app {
 /// What was drawn since it was last set back.
 struct DrawCount {
   std::size_t calls = 0, triangles = 0, instances = 0;
+  double pixels_off = 0.0;  ///< Of the window: how far parts were allowed to be off their shapes.
 };
 
 class InstanceBuffer;
@@ -77,28 +78,29 @@ class GpuMeshCache {
   /// What one frame may spend on making meshes ready; what is left over comes with the next one, which `on_ready` asks
   /// for. Negative, as it begins: without limit.
   void setFrameMilliseconds(qint64 most) { most_ms_ = most; }
-  /// The item's mesh; null while it is being made ready.
+  /// The item's mesh; null while nothing of it can be shown. What it gives stays until collect().
   GpuMesh* of(const RenderItem& item);
   /// From -0.5 to 0.5 on each axis.
   GpuMesh& unitBox();
-  /// Frees what is no more, and what was not asked for since the last call where that is much.
+  /// Between frames: puts lasting editions in place of first ones, frees what is no more, and what was not asked for
+  /// since the last call where that is much.
   void collect();
-  /// How many are being made ready.
+  /// Of how many not all can be shown yet.
   std::size_t pending() const;
-  /// Waits until of() has an answer for all that were asked for.
-  void wait() {
-    worker_.wait();
-    all_now_ = true;
-  }
+  /// Waits until of() has the lasting answer for all that were asked for.
+  void wait();
   DrawCount& counted() { return counted_; }
 
  private:
   struct Entry {
     std::weak_ptr<const geometry::TriangleMesh> source;
-    std::unique_ptr<GpuMesh> mesh;
-    std::shared_ptr<PreparedMesh> prepared;
+    std::unique_ptr<GpuMesh> mesh;           ///< What is drawn.
+    std::unique_ptr<GpuMesh> next;           ///< What is being got onto the card.
+    std::shared_ptr<PreparedMesh> prepared;  ///< While the lasting edition is not drawn.
+    bool next_lasts = false, rough = false;  ///< `rough`: what is drawn only stands for the mesh.
     bool used = true;
   };
+  bool bring(Entry& entry);
   static constexpr std::size_t kMostSpareTriangles = 200'000;
   bool hasTime();
   std::unique_ptr<GpuMesh> wholeMesh(const DisplayMesh& mesh);

@@ -68,51 +68,35 @@ struct Seen {
   std::uint32_t item = 0;
   GpuMesh* mesh = nullptr;
   std::size_t step = 0;
-  double nearness = 0.0, pixels = 0.0;  ///< `pixels`: its radius.
-  bool box = false, kept = false;       ///< `kept`: the drawn stylus stays as it is.
+  double nearness = 0.0, pixels = 0.0;  ///< `pixels`: its diameter, of the window.
+  double metres_per_pixel = 0.0;        ///< In the mesh's own metres, a pixel of the window.
+  bool box = false, kept = false;       ///< `kept`: stays as it is.
   std::size_t triangles() const { return box ? 12 : mesh->trianglesOf(step); }
 };
 
-/// Coarsens the smallest until all have at most so many triangles, or are boxes. Those of more than `largest` pixels
-/// are never boxes: that of a fence would hide all that stands behind it, or the whole view of an eye within it.
-void keepWithin(std::size_t most, double largest, std::vector<Seen>& seen) {
+/// Coarsens all until they have at most so many triangles, or as far as is allowed; then makes boxes of the small.
+/// Gives how many pixels they may be off now.
+double keepWithin(std::size_t most, double pixels, std::vector<Seen>& seen) {
+  constexpr double kStep = 1.4;
   std::size_t total = 0;
   for (const Seen& one : seen) total += one.triangles();
-  if (total <= most) return;
-  std::vector<Seen*> smallest;
-  for (Seen& one : seen)
-    if (!one.kept) smallest.push_back(&one);
-  std::sort(smallest.begin(), smallest.end(), [](const Seen* a, const Seen* b) { return a->pixels < b->pixels; });
-  const auto coarsen = [&](auto change) {
-    for (Seen* one : smallest) {
-      if (total <= most) return;
-      total -= one->triangles();
-      change(*one);
-      total += one->triangles();
-    }
+  const auto change = [&](Seen& one, const auto& coarsen) {
+    if (one.kept || total <= most) return;
+    total -= one.triangles();
+    coarsen();
+    total += one.triangles();
   };
-  coarsen([](Seen& one) { one.step = one.mesh->steps().empty() ? 0 : one.mesh->steps().size() - 1; });
-  coarsen([largest](Seen& one) { one.box = one.triangles() > 12 && one.pixels < largest; });
+  while (total > most && pixels < kMostPixels) {
+    pixels = std::min(kStep * pixels, kMostPixels);
+    for (Seen& one : seen)
+      change(one, [&] { one.step = detailStepFor(one.mesh->steps(), one.metres_per_pixel, pixels); });
+  }
+  for (Seen& one : seen)
+    if (one.pixels < kBoxPixels && one.triangles() > 12) change(one, [&] { one.box = true; });
+  return pixels;
 }
 
 }  // namespace
-
-double allowedPixels(const Frame& frame) {
-  switch (frame.detail) {
-    case DetailLevel::kFull:
-      return 0.35;
-    case DetailLevel::kNoOcclusion:
-    case DetailLevel::kPlain:
-      return 0.7;
-    case DetailLevel::kNoEdges:
-      return 1.5;
-    case DetailLevel::kHalfSize:
-      return 2.0;  // Of the small picture.
-    case DetailLevel::kCoarse:
-      break;
-  }
-  return std::numeric_limits<double>::infinity();
-}
 
 bool isOutside(const glm::dmat4& clip_from_world, const dvec3& p_WC, double radius) {
   const glm::dmat4 rows = glm::transpose(clip_from_world);
@@ -131,7 +115,8 @@ namespace {
 std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
                             GpuMeshCache& meshes) {
   std::vector<Seen> seen;
-  const double allowed = allowedPixels(frame);
+  const double share = drawnShare(frame.detail);
+  const double allowed = allowedPixels(frame.detail), as_at_rest = allowedPixels(DetailLevel::kFull) / share;
   for (std::uint32_t i = 0; i < frame.items.size(); ++i) {
     const RenderItem& item = frame.items[i];
     if (!item.mesh || kindOf(item) != kind) continue;
@@ -140,11 +125,18 @@ std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_worl
     const dvec3 p_WC = item.X_WM * (item.scale * mesh->bounds().center());
     const double radius = item.scale * mesh->bounds().radius();
     if (isOutside(clip_from_world, p_WC, radius)) continue;
-    const double metres_per_pixel = metresPerPixel(frame, p_WC, radius);
-    const std::size_t step = detailStepFor(mesh->steps(), metres_per_pixel / std::max(item.scale, 1e-12), allowed);
+    const double metres_per_pixel = share * metresPerPixel(frame, p_WC, radius);
+    const double of_mesh = metres_per_pixel / std::max(item.scale, 1e-12);
     const double nearness =
         item.over_scene ? -1e30 : glm::dot(p_WC - frame.camera.eye_W(), frame.camera.forward_W()) - radius;
-    seen.push_back({i, mesh, step, nearness, radius / std::max(metres_per_pixel, 1e-12), false, item.entity == 0});
+    Seen& one = seen.emplace_back();
+    one.item = i;
+    one.mesh = mesh;
+    one.kept = item.keeps_shape || item.entity == 0;
+    one.step = detailStepFor(mesh->steps(), of_mesh, one.kept ? std::min(allowed, as_at_rest) : allowed);
+    one.nearness = nearness;
+    one.pixels = 2.0 * radius / std::max(metres_per_pixel, 1e-12);
+    one.metres_per_pixel = of_mesh;
   }
   return seen;
 }
@@ -154,7 +146,8 @@ std::vector<Seen> seenItems(const Frame& frame, const glm::dmat4& clip_from_worl
 std::vector<ItemBatch> batchesOf(const Frame& frame, const glm::dmat4& clip_from_world, ItemKind kind,
                                  GpuMeshCache& meshes) {
   std::vector<Seen> seen = seenItems(frame, clip_from_world, kind, meshes);
-  keepWithin(frame.most_triangles, 0.2 * frame.height, seen);
+  const double off = keepWithin(frame.most_triangles, allowedPixels(frame.detail), seen);
+  meshes.counted().pixels_off = std::max(meshes.counted().pixels_off, off);
   Gathering gathering;
   for (const Seen& one : seen) {
     const RenderItem& item = frame.items[one.item];

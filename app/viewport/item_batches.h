@@ -40,9 +40,6 @@ std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel
 /// True when no point of the sphere (p_WC, radius in metres) is between the sides of the view.
 bool isOutside(const glm::dmat4& clip_from_world, const dvec3& p_WC, double radius);
 
-/// What an item's mesh may deviate, in pixels, at a level of detail: nothing that is seen in a full picture.
-double allowedPixels(const Frame& frame);
-
 /// One use of a mesh, as the graphics card gets it.
 struct ItemInstance {
   glm::vec4 rows[3];     ///< The affine map from the mesh's own coordinates to the eye's (or the light's).

@@ -166,9 +166,10 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
       usual && cell >= 1.0 ? QObject::tr("Grid %1 m").arg(cell) : QObject::tr("Grid %1").arg(lengthText(cell, 0));
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
-  const QString missing = overlay.missing_parts == 0 ? QString()
-                                                     : QObject::tr("  ·  %n parts are made ready", nullptr,
-                                                                   static_cast<int>(overlay.missing_parts));
+  QString missing = overlay.missing_parts == 0
+                        ? QString()
+                        : QObject::tr("  ·  %n parts are made ready", nullptr, static_cast<int>(overlay.missing_parts));
+  if (overlay.simplified) missing += QObject::tr("  ·  Simplified while moving");
   QPainterPath words;
   const QRectF strip = stripsBox(overlay.strips, overlay.size);
   const bool under_strip = 14 + textWidth(textFont(TextRole::kSecond), grid + missing) + 8 > strip.left();

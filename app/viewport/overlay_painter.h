@@ -41,6 +41,7 @@ struct Overlay {
   /// What the pointer is over, and where it came there.
   QString hover_name;
   QPointF hover_place;
+  bool simplified = false;        ///< The picture shows less than it does at rest, so that it keeps up.
   std::size_t missing_parts = 0;  ///< Still being made ready for drawing.
 };
 

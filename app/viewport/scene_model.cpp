@@ -306,6 +306,7 @@ std::vector<RenderItem> SceneModel::items(const StylusLook& stylus) const {
   std::vector<RenderItem> result;
   for (const workcell::Entity& entity : entities_)
     if (entity.visible) appendItems(entity, result);
+  markKept(result);
   for (const auto& [owner, ghosts] : ghosts_)
     for (const GhostPose& ghost : ghosts) appendGhost(ghost, result);
   for (const auto& [owner, extras] : extras_) result.insert(result.end(), extras.begin(), extras.end());

@@ -68,6 +68,8 @@ class SceneModel {
   std::uint64_t revision() const { return revision_; }
   bool empty() const { return entities_.empty(); }
 
+  /// How near a part must be to what is held so that it keeps its shape in motion (RenderItem::keeps_shape), m.
+  static constexpr double kNearHeld = 0.3;
   /// Everything visible; `stylus_length` in metres of the cell (0: none is drawn), colours of body and band sRGB.
   struct StylusLook {
     double length = 0.0;
@@ -98,6 +100,8 @@ class SceneModel {
   void appendShapes(const workcell::Entity& entity, const Pose& X_WE, std::vector<double> joints,
                     std::vector<RenderItem>& items) const;
   void appendGhost(const GhostPose& ghost, std::vector<RenderItem>& items) const;
+  void markKept(std::vector<RenderItem>& items) const;
+  std::vector<workcell::EntityId> held() const;
   void appendStylus(const StylusLook& look, const Pose& X_WS, std::vector<RenderItem>& items) const;
   std::vector<workcell::Entity> entities_;
   std::vector<workcell::PairSet> pair_sets_, coloured_sets_;

@@ -338,6 +338,10 @@ void SceneRenderer::present(int width, int height, GLuint framebuffer) {
   gl_.glBindTexture(GL_TEXTURE_2D, 0);
 }
 
+bool SceneRenderer::showsRest() const {
+  return passes_->mean_whole;
+}
+
 std::optional<PickedPoint> SceneRenderer::pick(int x, int y) {
   Passes& p = *passes_;
   if (p.scene.width() == 0 || last_.width != p.scene.width()) return std::nullopt;

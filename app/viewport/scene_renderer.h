@@ -43,6 +43,8 @@ class SceneRenderer {
   void render(const Frame& frame, GLuint framebuffer);
   /// Shows the last picture again: the mean of a refined one once its first sample is whole, before that the quick one.
   void present(int width, int height, GLuint framebuffer);
+  /// present() shows a picture at rest.
+  bool showsRest() const;
   /// What the last frame shows at a pixel (device pixels, origin top left); nothing over background and floor.
   std::optional<PickedPoint> pick(int x, int y);
   /// Parts that are not drawn yet because their edges and normals are still being worked out.

@@ -13,6 +13,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr double kTurnSeconds = 0.25;
+constexpr double kSeenPixels = 1.0;      // What is further off its shape is seen by who looks for it.
 constexpr double kSettleSeconds = 0.16;  // After so long without motion the picture is refined.
 
 std::array<float, 3> triple(const QColor& color) {
@@ -57,6 +58,7 @@ Frame ViewportWidget::makeFrame() const {
 void ViewportWidget::drawFrame() {
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   if (hasMoved()) return drawMoving(now);
+  simplified_ = simplified_ && !renderer_->showsRest();
   renderer_->present(static_cast<int>(std::lround(width() * devicePixelRatioF())),
                      static_cast<int>(std::lround(height() * devicePixelRatioF())), defaultFramebufferObject());
 }
@@ -79,14 +81,24 @@ void ViewportWidget::showNewPart() {
   update();
 }
 
+/// Something is held with forces on: a contact that is felt is to be seen at once.
+bool ViewportWidget::touchMatters() const {
+  const auto& now = scene_.snapshot();
+  return now &&
+         ((now->forces_on && now->held != 0) || (now->second && now->second->forces_on && now->second->held != 0));
+}
+
 void ViewportWidget::drawMoving(double now) {
   Frame frame = makeFrame();
+  governor_.setBudget(touchMatters() ? kTouchFrameSeconds : kFrameSeconds);
   frame.detail = governor_.level();
   frame.most_triangles = governor_.mostTriangles();
   renderer_->render(frame, defaultFramebufferObject());
   gl_.glFinish();
   last_motion_s_ = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   governor_.frameTook(last_motion_s_ - now, renderer_->lastCount().triangles);
+  simplified_ = frame.detail >= DetailLevel::kHalfSize || renderer_->lastCount().pixels_off > kSeenPixels;
+  touch_.drawn(scene_.snapshot() ? scene_.snapshot()->felt_ns : 0);
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
   dirty_ = false;

@@ -118,6 +118,7 @@ Overlay ViewportWidget::makeOverlay() {
   }
   overlay.view_strip = &view_strip_;
   overlay.view_strip_hover = view_strip_hover_;
+  overlay.simplified = simplified_;
   overlay.missing_parts = renderer_ ? renderer_->missingParts() : 0;
   return overlay;
 }

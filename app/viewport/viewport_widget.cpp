@@ -3,12 +3,26 @@
 
 #include <QOpenGLContext>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace hapticell::app {
 namespace {
 
 constexpr int kNewPartsMilliseconds = 12;
+
+/// As the manipulation loop stamps what is felt.
+std::int64_t steadyNanoseconds() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+bool drawsInSoftware(Gl& gl) {
+  const auto* name = reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER));
+  const QString renderer = QString::fromLatin1(name ? name : "").toLower();
+  return renderer.contains(QStringLiteral("llvmpipe")) || renderer.contains(QStringLiteral("softpipe")) ||
+         renderer.contains(QStringLiteral("swiftshader"));
+}
 
 }  // namespace
 
@@ -25,6 +39,7 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
   clock_.start();
   refine_.setSingleShot(true);
   connect(&refine_, &QTimer::timeout, this, &ViewportWidget::refineStep);
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] { touch_.shown(steadyNanoseconds()); });
 }
 
 ViewportWidget::~ViewportWidget() {
@@ -43,6 +58,7 @@ void ViewportWidget::initializeGL() {
         this, [this] { showNewPart(); }, Qt::QueuedConnection);
   });
   renderer_->setFrameMilliseconds(kNewPartsMilliseconds);
+  software_ = drawsInSoftware(gl_);
   dirty_ = true;
   // Moving the widget to another window makes a new context; everything of the old one goes with it.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
@@ -128,6 +144,11 @@ void ViewportWidget::setCurves(const std::string& owner, std::vector<SceneCurve>
   else
     curves_[owner] = std::move(curves);
   update();
+}
+
+void ViewportWidget::showEvent(QShowEvent* event) {
+  touch_.skipBefore(steadyNanoseconds());
+  QOpenGLWidget::showEvent(event);
 }
 
 void ViewportWidget::changeEvent(QEvent* event) {

@@ -18,6 +18,7 @@
 #include "app/viewport/scene_model.h"
 #include "app/viewport/scene_renderer.h"
 #include "app/viewport/tool_chain.h"
+#include "app/viewport/touch_meter.h"
 
 namespace hapticell::app {
 
@@ -93,6 +94,12 @@ class ViewportWidget : public QOpenGLWidget {
   const FrameMeter& meter() const { return meter_; }
   double lastFrameSeconds() const { return meter_.lastSeconds(); }
   DetailLevel detail() const { return governor_.level(); }
+  /// How long after they were felt the last contacts were on the screen.
+  TouchMeter::Figures touchFigures() const { return touch_.figures(); }
+  /// No graphics card: the picture is drawn by the processor.
+  bool isSoftware() const { return software_; }
+  /// What moves is drawn with fewer pixels, or parts with visibly fewer triangles; the picture says so.
+  bool isSimplified() const { return simplified_; }
 
  signals:
   /// A click on an entity, or on nothing (0).
@@ -114,6 +121,7 @@ class ViewportWidget : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -125,6 +133,7 @@ class ViewportWidget : public QOpenGLWidget {
   void drawMoving(double now);
   bool hasMoved() const;
   void showNewPart();
+  bool touchMatters() const;
   void refineStep();
   bool refine(double now);  ///< One piece of the picture at rest; true at the end of a sample.
   void paintOverlayImage();
@@ -160,10 +169,15 @@ class ViewportWidget : public QOpenGLWidget {
     QElapsedTimer clock;
     bool active = false;
   } turn_;
-  DetailGovernor governor_{0.055, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
-  static constexpr double kPieceSeconds = 0.03;             ///< Of a picture at rest.
+  /// What a frame may take: for the window's 10 Hz; and while contacts can be felt, so that they are seen within 50 ms:
+  /// one frame may be on its way when it comes, the next one shows it, and the window puts each together.
+  static constexpr double kFrameSeconds = 0.055, kTouchFrameSeconds = 0.018;
+  DetailGovernor governor_{kFrameSeconds, DetailLevel::kHalfSize};  ///< The first picture must not wait either.
+  static constexpr double kPieceSeconds = 0.03;                     ///< Of a picture at rest.
   RestPicture rest_{SceneRenderer::kSamples, kPieceSeconds};
   FrameMeter meter_;
+  TouchMeter touch_;
+  bool software_ = false, simplified_ = false;
   QElapsedTimer clock_;
   LabelLayout label_layout_;
   double last_overlay_s_ = 0.0;

@@ -43,7 +43,30 @@ DeviceCheck contactsCheck(const haptic::ServerStatistics& figures) {
               .arg(counts)};
 }
 
+/// How soon contacts are on the screen.
+DeviceCheck sightCheck(const TouchSight& sight) {
+  const TouchMeter::Figures& figures = sight.figures;
+  if (figures.contacts == 0)
+    return {DeviceCheck::Result::kOpen, tr("No contact on the screen yet"),
+            tr("Touch something with forces on: how long after it is felt it is seen is told here")};
+  const double limit = longestUnnoticed(sight);
+  const bool late = figures.median_s > limit;
+  return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
+          late ? tr("Contacts are seen late") : tr("Contacts are seen as they are felt"),
+          tr("On the screen %1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed")
+                  .arg(1e3 * figures.median_s, 0, 'f', 0)
+                  .arg(1e3 * figures.worst_s, 0, 'f', 0)
+                  .arg(figures.contacts)
+                  .arg(1e3 * limit, 0, 'f', 0) +
+              (late ? tr(". A smaller window or fewer parts in view make it sooner") : QString())};
+}
+
 }  // namespace
+
+double longestUnnoticed(const TouchSight& sight) {
+  constexpr double kSoftware = 0.050, kBeyondFrame = 0.015;
+  return sight.software ? kSoftware : kBeyondFrame + sight.frame_s;
+}
 
 ForceReason forceReason(const ForceFacts& facts) {
   using Mend = ForceReason::Mend;
@@ -88,7 +111,8 @@ QString scaleNote(double motion_scale) {
 }
 
 std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& facts,
-                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now) {
+                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now,
+                                      const TouchSight& sight) {
   using Result = DeviceCheck::Result;
   std::vector<DeviceCheck> checks;
   if (!facts.connected) {
@@ -117,6 +141,7 @@ std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& f
            .arg(now.server.late_p99_ms, 0, 'f', 2)
            .arg(slow ? tr(". Real-time priority mends it: add the account to the group realtime") : QString())});
   checks.push_back(contactsCheck(now.server));
+  checks.push_back(sightCheck(sight));
   const bool edge = now.device_edge_m < 0.005;
   checks.push_back({edge ? Result::kWarning : Result::kGood, tr("Range of motion"),
                     tr("%1 to the edge of the workspace").arg(lengthText(now.device_edge_m, 0))});

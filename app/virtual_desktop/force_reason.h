@@ -4,6 +4,7 @@
 #include <QString>
 #include <vector>
 
+#include "app/viewport/touch_meter.h"
 #include "haptic/protocol/messages.h"
 #include "manipulation/scene_snapshot.h"
 
@@ -48,8 +49,20 @@ struct DeviceCheck {
   QString title, detail;
 };
 
-/// What can be said of the device without moving it: server, device, loop, range.
+/// How soon the window shows what is felt.
+struct TouchSight {
+  TouchMeter::Figures figures;
+  bool software = false;  ///< The picture is drawn without a graphics card.
+  double frame_s = 0.0;   ///< What a frame takes.
+};
+
+/// The longest that the picture of a contact may take after it is felt, seconds: touch may lead the picture by that
+/// much before it is noticed, beyond the frame, on a graphics card; more without one.
+double longestUnnoticed(const TouchSight& sight);
+
+/// What can be said of the device without moving it: server, device, loop, contacts, their picture, range.
 std::vector<DeviceCheck> deviceChecks(const QString& server, const ForceFacts& facts,
-                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now);
+                                      const haptic::DeviceDescription* device, const manipulation::SceneSnapshot& now,
+                                      const TouchSight& sight = {});
 
 }  // namespace hapticell::app

@@ -50,7 +50,7 @@ void PreparationBar::setShare(std::optional<double> share) {
   }
   if (!since_.isValid()) since_.start();
   const int percent = static_cast<int>(100.0 * *share);
-  text_->setText(tr("Preparing contacts %1 %").arg(percent));
+  text_->setText(tr("Not felt yet: preparing contacts %1 %").arg(percent));
   bar_->setValue(percent);
   if (since_.elapsed() < patience_) return;
   adjustSize();

@@ -128,7 +128,10 @@ void VirtualDesktopController::connectDevice() {
   }
   auto link = std::make_unique<haptic::TcpLink>(*options);
   link_ = link.get();
-  loop_ = std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration());
+  // A contact that is felt is to be seen without waiting for the timer.
+  loop_ = std::make_unique<manipulation::ManipulationLoop>(std::move(link), host_.configuration(), [this] {
+    QMetaObject::invokeMethod(this, &VirtualDesktopController::takeSnapshot, Qt::QueuedConnection);
+  });
   connecting_.start();
   server_tried_ = false;
   forces_wanted_ = false;
@@ -359,32 +362,35 @@ void VirtualDesktopController::tick() {
   take(loop_->takeResults());
   host_.setPreparedScene(loop_->scene());
   preparation_->setShare(loop_->preparation());
-  manipulation::SceneSnapshot fresh;
-  if (loop_->latest(fresh)) {
-    sound_.play(soundCue(fresh, snapshot_));
-    const bool cut = snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
-    snapshot_ = std::move(fresh);
-    since_snapshot_.start();
-    if (snapshot_.forces_on) forces_cut_ = false;
-    if (cut) tellOfCut();
-    // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
-    const dquat q_WD = axes_W();
-    snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
-    updateMouse();
-    updateSecondMouse();
-    host_.setGuiRate(guiRate());
-    host_.setSnapshot(snapshot_);
-    if (device_)
-      host_.setDeviceText(QString::fromStdString(device_->name) +
-                          (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
-    else
-      host_.setDeviceText(deviceLine());
-  }
+  takeSnapshot();
   // Also without a snapshot: a loop that stands still is to be told of.
   if (!told_.isValid() || told_.elapsed() >= 100) {
     told_.start();
     emit snapshotChanged();
   }
+}
+
+void VirtualDesktopController::takeSnapshot() {
+  manipulation::SceneSnapshot fresh;
+  if (!loop_ || !loop_->latest(fresh)) return;
+  sound_.play(soundCue(fresh, snapshot_));
+  const bool cut = snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
+  snapshot_ = std::move(fresh);
+  since_snapshot_.start();
+  if (snapshot_.forces_on) forces_cut_ = false;
+  if (cut) tellOfCut();
+  // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
+  const dquat q_WD = axes_W();
+  snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
+  updateMouse();
+  updateSecondMouse();
+  host_.setGuiRate(guiRate());
+  host_.setSnapshot(snapshot_);
+  if (device_)
+    host_.setDeviceText(QString::fromStdString(device_->name) +
+                        (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
+  else
+    host_.setDeviceText(deviceLine());
 }
 
 }  // namespace hapticell::app

@@ -89,6 +89,7 @@ class VirtualDesktopController : public QObject {
 
  private:
   void tick();
+  void takeSnapshot();
   void take(const std::vector<manipulation::Result>& results);
   void handleMoved(const manipulation::result::Moved& moved);
   void postDocument();

@@ -136,8 +136,9 @@ void VirtualDesktopPanel::showChecks(DeviceCheckPanel& checks) const {
   facts.device_fault = checks.watch().isConnected() && checks.watch().state().device_fault;
   checks.setReason(forceReason(facts));
   const auto& device = controller_.device();
-  checks.setChecks(deviceChecks(controller_.serverAddress(), controller_.forceFacts(), device ? &*device : nullptr,
-                                controller_.snapshot()));
+  checks.setChecks(deviceChecks(
+      controller_.serverAddress(), controller_.forceFacts(), device ? &*device : nullptr, controller_.snapshot(),
+      {host_.viewport().touchFigures(), host_.viewport().isSoftware(), host_.viewport().lastFrameSeconds()}));
 }
 
 void VirtualDesktopPanel::showForces() {

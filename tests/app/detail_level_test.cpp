@@ -79,6 +79,15 @@ TEST(DetailGovernor, NeverDrawsSoManyTrianglesThatAFrameIsLongOnceItKnowsTheMach
   EXPECT_EQ(quick.level(), DetailLevel::kFull);
 }
 
+TEST(DetailGovernor, AnotherBudgetCountsFromTheNextFrameOn) {
+  DetailGovernor governor(0.05);
+  governor.frameTook(0.03);
+  EXPECT_EQ(governor.level(), DetailLevel::kFull);
+  governor.setBudget(0.02);
+  governor.frameTook(0.03);
+  EXPECT_EQ(governor.level(), DetailLevel::kNoOcclusion);
+}
+
 TEST(FrameMeter, CountsTheFramesOfTheLastSecond) {
   FrameMeter meter;
   for (int i = 0; i < 100; ++i) meter.frame(0.05 * i, 0.01 + 0.001 * (i % 5));

@@ -308,6 +308,28 @@ TEST(FeelWindow, TheLiveStripShowsForceGapAndRatesWhilePressing) {
   EXPECT_TRUE(WindowPage::until([&] { return !page.now().forces_on; }, kPatience));
 }
 
+/// The window measures how long after it is felt a contact is on the screen, and the device check tells it.
+TEST(FeelWindow, AContactThatIsFeltIsSeenAndTheDelayIsTold) {
+  HandPage page;
+  page.take();
+  page.trigger("actionForcesOn");
+  ASSERT_TRUE(WindowPage::until([&] { return page.now().force_ramp > 0.99; }, kPatience));
+  EXPECT_EQ(page.window().viewport().touchFigures().contacts, 0u);
+  EXPECT_EQ(page.now().felt_ns, 0);
+  page.drag(0.0, 0.035 / page.metresPerPixel());
+  ASSERT_TRUE(WindowPage::until([&] { return page.window().viewport().touchFigures().contacts > 0; }, kPatience));
+  const TouchMeter::Figures seen = page.window().viewport().touchFigures();
+  EXPECT_GT(page.now().felt_ns, 0);
+  EXPECT_GT(seen.last_s, 0.0);
+  EXPECT_LE(seen.last_s, seen.worst_s);
+  page.press("buttonCheckDevice");
+  auto* checks = page.find<QWidget>("checkRows");
+  EXPECT_TRUE(WindowPage::until(
+      [&] { return checks->accessibleDescription().contains(QStringLiteral("ms after they are felt")); }, kPatience))
+      << checks->accessibleDescription().toStdString();
+  testing::Test::RecordProperty("median_ms", static_cast<int>(1e3 * seen.median_s));
+}
+
 TEST(StripChart, DrawsTheRatesAsLines) {
   StripChart chart;
   chart.resize(700, 200);

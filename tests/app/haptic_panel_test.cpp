@@ -136,6 +136,27 @@ TEST(DeviceCheck, ALateLoopIsAWarningWithTheMeansAgainstIt) {
   EXPECT_TRUE(late->detail.contains("realtime"));
 }
 
+TEST(DeviceCheck, TellsHowSoonContactsAreSeen) {
+  ForceFacts facts;
+  facts.started = facts.connected = true;
+  manipulation::SceneSnapshot now;
+  TouchSight sight;
+  const auto line = [&](const char* words) {
+    for (const DeviceCheck& check : deviceChecks("far:4747", facts, nullptr, now, sight))
+      if (check.title.contains(words)) return check;
+    return DeviceCheck{};
+  };
+  EXPECT_EQ(line("No contact on the screen yet").result, DeviceCheck::Result::kOpen);
+  sight = {{7, 0.030, 0.031, 0.062}, true, 0.020};
+  EXPECT_EQ(line("seen as they are felt").result, DeviceCheck::Result::kGood);
+  EXPECT_EQ(line("seen as they are felt").detail,
+            "On the screen 31 ms after they are felt in the middle, 62 ms at most, of 7; 50 ms go unnoticed");
+  sight.software = false;  // A graphics card: 15 ms beyond the frame.
+  sight.frame_s = 0.004;
+  EXPECT_EQ(line("seen late").result, DeviceCheck::Result::kWarning);
+  EXPECT_TRUE(line("seen late").detail.contains("19 ms go unnoticed"));
+}
+
 TEST(DeviceCheck, TellsTheClocksAndHowOldContactsAre) {
   ForceFacts facts;
   facts.started = facts.connected = true;

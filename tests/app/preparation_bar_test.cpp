@@ -41,7 +41,7 @@ TEST_F(PreparationBarTest, ComesForLongWorkOnlyAndTellsHowFarItIs) {
   bar_->setPatience(0);
   bar_->setShare(0.42);
   ASSERT_TRUE(bar_->isVisible());
-  EXPECT_EQ(bar_->findChild<QLabel*>()->text(), "Preparing contacts 42 %");
+  EXPECT_EQ(bar_->findChild<QLabel*>()->text(), "Not felt yet: preparing contacts 42 %");
   EXPECT_EQ(bar_->findChild<QProgressBar*>("progressPreparation")->value(), 42);
   EXPECT_TRUE(view_->rect().contains(bar_->geometry())) << "in the corner of the view";
   EXPECT_GE(bar_->width(), bar_->sizeHint().width()) << "nothing is cut";

@@ -48,6 +48,42 @@ workcell::Entity turntable(workcell::EntityId id) {
   return entity;
 }
 
+/// In motion the held body, what hangs on it and what is near them keep their shape, nothing else.
+TEST(SceneModel, WhatIsHeldAndWhatIsNearKeepsItsShape) {
+  const auto at = [](workcell::EntityId id, double x) {
+    workcell::Entity entity = solid(id);
+    entity.X_WE = Pose::translation({x, 0.0, 0.0});
+    return entity;
+  };
+  SceneModel scene;
+  std::vector<workcell::Entity> cell{at(1, 0.0), at(2, 0.49), at(3, 0.51), at(4, 5.0), at(5, 5.49), at(6, 9.0)};
+  cell[3].attachment.to = "solid 1";  // A tool, far from what carries it.
+  scene.setEntities(cell);
+  const auto kept = [&scene] {
+    std::vector<workcell::EntityId> ids;
+    for (const RenderItem& item : scene.items({}))
+      if (item.keeps_shape) ids.push_back(item.entity);
+    return ids;
+  };
+  using Ids = std::vector<workcell::EntityId>;
+  EXPECT_EQ(kept(), Ids{});
+  manipulation::SceneSnapshot snapshot;
+  snapshot.held = 1;
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(kept(), (Ids{1, 2, 4, 5})) << "the third is 0.31 m off";
+  snapshot.entities.push_back({1, Pose::translation({0.1, 0, 0}), {}, false, false});
+  scene.setSnapshot(snapshot);
+  EXPECT_EQ(kept(), (Ids{1, 2, 3, 4, 5})) << "where it is now";
+  scene.setSnapshot(std::nullopt);
+  scene.setSelected({6});
+  EXPECT_EQ(kept(), Ids{6}) << "what is chosen alone is what is looked at";
+  scene.setSelected({5, 6});
+  EXPECT_EQ(kept(), Ids{});
+  cell[0].attachment.to = "solid 4";  // A loop that a file may have.
+  scene.setEntities(cell);
+  EXPECT_EQ(kept(), Ids{});
+}
+
 TEST(SceneModel, SnapshotMovesSolidsAndJoints) {
   SceneModel scene;
   scene.setEntities({solid(1), turntable(2)});

@@ -7,9 +7,11 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <cmath>
+#include <map>
 
 #include "app/style/theme.h"
 #include "app/viewport/frame_colors.h"
+#include "app/viewport/item_batches.h"
 #include "app/viewport/scene_renderer.h"
 #include "geometry/shapes.h"
 #include "tests/app/picture_compare.h"
@@ -93,6 +95,54 @@ TEST_F(ScenePicture, PartsOfOneMeshAreOneCallAndLookAsIfDrawnOneByOne) {
   const QImage apart = draw(2);
   EXPECT_EQ(renderer_->lastCount().calls, 600u);
   EXPECT_LT(test::meanSquareError(together, apart), 1e-6);
+}
+
+/// However few triangles a frame may have: no part is off by more than the most, boxes are smaller than 6 pixels, and
+/// what is held or near it has the triangles of the picture at rest.
+TEST_F(ScenePicture, ShedTrianglesKeepShapesAndBoxesAreSmall) {
+  const Mesh ball = shared(geometry::makeSphere(0.1, 60));
+  const Mesh small = shared(geometry::makeSphere(0.004, 40));
+  for (int i = 0; i < 40; ++i) add(ball, inRows(i, 8, 0.3, {-1.2, -0.6, 0.1}));
+  for (int i = 0; i < 40; ++i) add(small, inRows(i, 8, 0.3, {-1.05, -0.45, 0.1}));
+  for (const std::size_t held : {std::size_t{3}, std::size_t{17}, std::size_t{50}})
+    frame_.items[held].keeps_shape = true;
+  frame_.camera = frame_.camera.fitted(frame_.bounds_W, {320, 200});
+  GpuMeshCache meshes(gl_, [] {});
+  const ViewSize size{320.0, 200.0};
+  const glm::dmat4 clip_from_world = frame_.camera.projectionMatrix(size, frame_.bounds_W) * frame_.camera.viewMatrix();
+  const auto batches = [&](DetailLevel level, std::size_t most) {
+    frame_.detail = level;
+    frame_.most_triangles = most;
+    return batchesOf(frame_, clip_from_world, ItemKind::kPlain, meshes);
+  };
+  batches(DetailLevel::kFull, 1);
+  meshes.wait();
+  std::map<std::uint32_t, std::size_t> at_rest;
+  for (const ItemBatch& batch : batches(DetailLevel::kFull, ~std::size_t{0}))
+    for (const std::uint32_t item : batch.items) at_rest[item] = batch.step;
+  std::size_t boxes = 0, coarser = 0;
+  for (const DetailLevel level : {DetailLevel::kFull, DetailLevel::kNoEdges, DetailLevel::kCoarse}) {
+    for (const ItemBatch& batch : batches(level, 1)) {
+      for (const std::uint32_t index : batch.items) {
+        const RenderItem& item = frame_.items[index];
+        const dvec3 middle = item.X_WM.p;
+        const double pixel = frame_.camera.metresPerPixel(middle, size);
+        if (item.keeps_shape) {
+          EXPECT_FALSE(batch.box);
+          EXPECT_EQ(batch.step, at_rest[index]);
+        } else if (batch.box) {
+          ++boxes;
+          EXPECT_LT(item.bounds_M.size().x / pixel, kBoxPixels);
+        } else {
+          coarser += batch.step > at_rest[index] ? 1 : 0;
+          EXPECT_LE(batch.mesh->steps()[batch.step].error / pixel, kMostPixels);
+        }
+      }
+    }
+    EXPECT_LE(meshes.counted().pixels_off, kMostPixels);
+  }
+  EXPECT_GT(boxes, 60u);
+  EXPECT_GT(coarser, 60u);
 }
 
 TEST_F(ScenePicture, OcclusionLeavesNoLinesOverASmoothSurface) {

@@ -22,7 +22,7 @@ class HandLink final : public haptic::HapticLink {
     return description;
   }
   std::optional<haptic::HapticState> latestState() override { return connected ? std::optional(state) : std::nullopt; }
-  std::optional<haptic::ServerStatistics> latestStatistics() override { return std::nullopt; }
+  std::optional<haptic::ServerStatistics> latestStatistics() override { return statistics; }
   void sendSet(const haptic::ConstraintSet& sent) override {
     set = sent;
     ++sets;
@@ -32,6 +32,7 @@ class HandLink final : public haptic::HapticLink {
 
   bool connected = true;
   haptic::HapticState state;
+  std::optional<haptic::ServerStatistics> statistics;
   haptic::ConstraintSet set;
   haptic::HapticControl control;
   int sets = 0;  ///< Sent so far.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -162,6 +164,21 @@ TEST_F(ManipulationLoopTest, TakesCommandsMovesWhatIsHeldAndFeelsTheTable) {
   }));
   EXPECT_TRUE(std::holds_alternative<result::Grabbed>(results.front()));
   EXPECT_NEAR(std::get<result::Moved>(results.back()).X_WE.p.z, 0.031, 5e-4);
+}
+
+/// Whoever shows pictures is called as soon as there is one of a new contact.
+TEST_F(ManipulationLoopTest, SaysAtOnceThatThereIsAPictureOfAContact) {
+  std::atomic<int> called{0};
+  loop = std::make_unique<ManipulationLoop>(std::make_unique<SteppedServer>(seen), fast(), [&called] { ++called; });
+  holdTheBox();
+  EXPECT_EQ(called, 0);
+  EXPECT_EQ(snapshot.felt_ns, 0);
+  seen.setHand({0.0, 0.0, -0.024});
+  ASSERT_TRUE(comesTrue([&] { return called > 0; }));
+  while (loop->latest(snapshot)) {
+  }
+  EXPECT_GT(snapshot.felt_ns, 0);
+  EXPECT_TRUE(std::any_of(snapshot.pairs.begin(), snapshot.pairs.end(), [](const auto& pair) { return pair.contact; }));
 }
 
 TEST_F(ManipulationLoopTest, EndsWithForcesOffAndNothingToFeel) {

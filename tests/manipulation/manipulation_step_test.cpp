@@ -221,6 +221,34 @@ TEST_F(EngineTest, TipTakesWhatItTouches) {
   EXPECT_EQ(engine.held()->id(), 2U);
 }
 
+/// The force loop's tick, by the clock of the program, tells when a contact was felt; each new one anew.
+TEST_F(EngineTest, TellsWhenTheNewestContactWasFelt) {
+  link.statistics.emplace().clock_offset_ms = 5000.0;  // Its clock is five seconds ahead.
+  click({0, 0, 0});
+  const auto felt = [this] {
+    SceneSnapshot snapshot;
+    engine.fillSnapshot(snapshot);
+    return snapshot.felt_ns;
+  };
+  const auto press = [this](double z) {
+    link.state.server_stamp_ns = 5'000'000'000 + now + 7'000'000;  // 3 ms before the step.
+    moveTo({0, 0, z});
+  };
+  for (int i = 1; i <= 18; ++i) press(-0.001 * i);
+  EXPECT_EQ(felt(), 0) << "nothing was touched";
+  std::int64_t first = 0;
+  for (int i = 0; i < 20 && engine.contacts().empty(); ++i) press(-0.019), first = now - 3'000'000;
+  ASSERT_FALSE(engine.contacts().empty());
+  EXPECT_EQ(felt(), first);
+  press(-0.019);
+  EXPECT_EQ(felt(), first) << "the same contact goes on";
+  for (int i = 0; i < 20 && !engine.contacts().empty(); ++i) press(-0.010);
+  ASSERT_TRUE(engine.contacts().empty());
+  for (int i = 0; i < 20 && engine.contacts().empty(); ++i) press(-0.019);
+  EXPECT_GT(felt(), first);
+  EXPECT_EQ(felt(), now - 3'000'000);
+}
+
 TEST_F(EngineTest, SnapshotShowsTheNearestPair) {
   click({0, 0, 0});
   moveTo({0, 0, -0.005});
