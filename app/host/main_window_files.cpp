@@ -183,6 +183,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   layouts_.store();
   files_->autosaver().discard();
+  hide();  // Gone at once; what is under way is given up behind it.
   if (modules_)
     for (Module* module : modules_->modules()) module->stop();
   event->accept();
