@@ -23,6 +23,7 @@ constexpr double kProbed = 0.05;        ///< m that it is looked for ahead at mo
 constexpr double kProgress = 0.05;      ///< Of a probe's step: less is none.
 constexpr double kLeastProbe = 5e-4;    ///< m: where no step so small goes on, the reach ends.
 constexpr double kHandsArrived = 2e-5;  ///< m
+constexpr int kTurnsTried = 5;          ///< To either side, 30 deg each.
 constexpr double kReached = 1e-3;       ///< m short of what is looked for that counts as all of it.
 
 double errorOf(const mannequin::PostureResult& result) {
@@ -115,6 +116,36 @@ EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& fro
   const Posture start = postureOf(from);
   if (locks_.may_step) return proposeStepping(start, X_WM, duration_s);
   return configurationOf(follow(taskFor(X_WM, X_WF_), start, nullptr));
+}
+
+dvec3 MannequinManipulator::ahead(const EntityConfiguration& configuration) const {
+  const Feet feet = feetOf(postureOf(configuration));
+  const dvec3 way = feet[0].rotate({1.0, 0.0, 0.0}) + feet[1].rotate({1.0, 0.0, 0.0});
+  const double length = std::hypot(way.x, way.y);
+  return length > 1e-6 ? dvec3(way.x, way.y, 0.0) / length : dvec3(1.0, 0.0, 0.0);
+}
+
+std::vector<EntityConfiguration> MannequinManipulator::solvedAnew(const EntityConfiguration& from,
+                                                                  const dvec3& p_WM) const {
+  const Posture start = postureOf(from);
+  const Feet feet = feetOf(start);
+  const dvec3 forward = ahead(from), lateral = glm::cross(dvec3(0.0, 0.0, 1.0), forward);
+  const dquat q_WM = movedFrame(from).q;
+  std::vector<std::pair<double, EntityConfiguration>> found;
+  for (int i = -kTurnsTried; i <= kTurnsTried; ++i) {
+    const dquat pitch = glm::angleAxis(i * M_PI / (kTurnsTried + 1), lateral);
+    const Pose X_WM{p_WM, glm::normalize(pitch * q_WM)};
+    const mannequin::PostureResult result = solver_.solve(taskFor(X_WM, feet), start);
+    if (result.status != mannequin::PostureStatus::kSolved) continue;
+    const auto turns = mannequin::turnsBetween(start, result.posture);
+    double cost = 0.0;
+    for (const double turn : turns) cost += turn * turn;
+    found.emplace_back(cost, configurationOf(result.posture));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<EntityConfiguration> postures;
+  for (auto& [cost, posture] : found) postures.push_back(std::move(posture));
+  return postures;
 }
 
 std::vector<PartDifferential> MannequinManipulator::differentiate(const EntityConfiguration& configuration) const {

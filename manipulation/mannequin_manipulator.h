@@ -41,6 +41,12 @@ class MannequinManipulator final : public MannequinBody {
   std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
+  /// Postures with the moved frame at `p_WM` (within a millimetre), found anew and not by following, the nearest to
+  /// `from` first: how the hands turn is left open, so that arms may come from another side. Feet stand where they are.
+  std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM) const;
+  /// Unit, level: where the feet head.
+  dvec3 ahead(const EntityConfiguration& configuration) const;
+
  private:
   using Feet = std::array<Pose, 2>;
   Feet feetOf(const mannequin::Posture& posture) const;

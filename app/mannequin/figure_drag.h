@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "manipulation/held_entity.h"
+#include "manipulation/figure_way.h"
 #include "manipulation/manipulation_command.h"
 
 namespace hapticell::app {
@@ -22,12 +22,7 @@ class FigureDrag : public QObject {
   explicit FigureDrag(MannequinContext& context, QObject* parent = nullptr);
   ~FigureDrag() override;
 
-  /// How the moved frame turns on its way.
-  enum class Turn {
-    kAsWanted,        ///< As moveTo() says.
-    kWithTheForearm,  ///< Of one hand: the wrist stays as it is bent, so that the arm finds its way; only the place
-                      ///< counts.
-  };
+  using Turn = manipulation::FigureWay::Turn;
   /// Takes the mannequin as it stands. `text` names the step.
   void begin(const QString& text, const manipulation::MovedBy& moved_by, Turn turn = Turn::kAsWanted);
   /// Where the moved frame shall be; the newest counts, and is reached even when end() follows at once.
@@ -38,12 +33,7 @@ class FigureDrag : public QObject {
   bool isBusy() const { return busy_; }
 
   /// How the last motion ended.
-  struct Reach {
-    double short_m = 0.0;  ///< From the moved frame to where it was wanted.
-    std::string obstacle;  ///< What it would touch; empty: nothing is in the way.
-    Pose X_WM;             ///< Where the moved frame is.
-    bool arrived = false;  ///< It is there, or comes no nearer; else it is on its way.
-  };
+  using Reach = manipulation::FigureWay::Reach;
   const std::optional<Reach>& reach() const { return reach_; }
   /// What holds it up is the figure itself.
   bool isOwnBody() const;

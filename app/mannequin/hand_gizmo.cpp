@@ -145,16 +145,16 @@ QString nameOfHeld(Kind kind) {
 QString reachText(const FigureDrag& drag, Kind kind) {
   if (!drag.reach() || drag.reach()->short_m < kShortShown) return {};
   if (drag.isOwnBody()) {
-    return HandGizmo::tr("%1 meets the own body, %2 short of the target")
+    return HandGizmo::tr("%1: the body itself is in the way, %2 short of the target")
         .arg(nameOfHeld(kind))
         .arg(lengthText(drag.reach()->short_m, 0));
   }
   if (!drag.reach()->obstacle.empty()) {
-    return HandGizmo::tr("%1 is held up by %2, %3 short of the target")
+    return HandGizmo::tr("%1: %2 is in the way, %3 short of the target")
         .arg(nameOfHeld(kind), QString::fromStdString(drag.reach()->obstacle))
         .arg(lengthText(drag.reach()->short_m, 0));
   }
-  return HandGizmo::tr("%1 is %2 short of the target").arg(nameOfHeld(kind)).arg(lengthText(drag.reach()->short_m, 0));
+  return HandGizmo::tr("%1: %2 short of the target").arg(nameOfHeld(kind)).arg(lengthText(drag.reach()->short_m, 0));
 }
 
 }  // namespace hapticell::app

@@ -249,10 +249,6 @@
         <translation>%1 vaudra %2 dès le prochain démarrage.</translation>
     </message>
     <message>
-        <source>%1 is %2 short of the target</source>
-        <translation>%1 manque la cible de %2</translation>
-    </message>
-    <message>
         <source>%1 is as it was</source>
         <translation>%1 est comme avant</translation>
     </message>
@@ -267,10 +263,6 @@
     <message>
         <source>%1 is free</source>
         <translation>%1 est libre</translation>
-    </message>
-    <message>
-        <source>%1 is held up by %2, %3 short of the target</source>
-        <translation>%1 est retenue par %2, à %3 de la cible</translation>
     </message>
     <message>
         <source>%1 is in the cell</source>
@@ -321,16 +313,16 @@
         <translation>reste %1</translation>
     </message>
     <message>
+        <source>%1 long</source>
+        <translation>Longueur %1</translation>
+    </message>
+    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
     <message>
         <source>%1 meets %2</source>
         <translation>%1 rencontre %2</translation>
-    </message>
-    <message>
-        <source>%1 meets the own body, %2 short of the target</source>
-        <translation>%1 touche son propre corps, à %2 de la cible</translation>
     </message>
     <message>
         <source>%1 min</source>
@@ -553,6 +545,10 @@
         <translation>%1 × %2 × %3, crête %4 N, %5 N en continu, %6 axes mesurés et %7 motorisés</translation>
     </message>
     <message>
+        <source>%1 × %2 × %3, unit not known</source>
+        <translation>%1 × %2 × %3, unité inconnue</translation>
+    </message>
+    <message>
         <source>%1 – %2</source>
         <translation>%1 – %2</translation>
     </message>
@@ -621,12 +617,20 @@
         <translation>%1 : vu à %2 %, à %3, %4</translation>
     </message>
     <message>
+        <source>%1: %2 is in the way, %3 short of the target</source>
+        <translation>%1 : %2 fait obstacle, il manque %3 jusqu&apos;à la cible</translation>
+    </message>
+    <message>
         <source>%1: %2 markers, %3 s at %4 Hz</source>
         <translation>%1 : %2 marqueurs, %3 s à %4 Hz</translation>
     </message>
     <message>
         <source>%1: %2 on %3</source>
         <translation>%1 : %2 sur %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 short of the target</source>
+        <translation>%1 : il manque %2 jusqu&apos;à la cible</translation>
     </message>
     <message>
         <source>%1: %2. Choose another place.</source>
@@ -647,6 +651,10 @@
     <message>
         <source>%1: one of them has no shape to measure.</source>
         <translation>%1 : l'une d'elles n'a pas de forme à mesurer.</translation>
+    </message>
+    <message>
+        <source>%1: the body itself is in the way, %2 short of the target</source>
+        <translation>%1 : le corps lui-même fait obstacle, il manque %2 jusqu&apos;à la cible</translation>
     </message>
     <message>
         <source>%1: the nearest that %2 comes to is %3 away.</source>
@@ -1213,8 +1221,16 @@
         <translation>À bout de bras. Approchez de %1, ou laissez les pieds avancer.</translation>
     </message>
     <message>
+        <source>At least %1. You typed %2.</source>
+        <translation>Au moins %1. Vous avez saisi %2.</translation>
+    </message>
+    <message>
         <source>At most %1 from the recording; jerk %2 → %3 m/s³</source>
         <translation>Au plus %1 de l'enregistrement ; à-coup %2 → %3 m/s³</translation>
+    </message>
+    <message>
+        <source>At most %1. You typed %2.</source>
+        <translation>Au plus %1. Vous avez saisi %2.</translation>
     </message>
     <message>
         <source>Attach</source>
@@ -1553,6 +1569,10 @@
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
     </message>
     <message>
+        <source>Choose the size first</source>
+        <translation>Choisissez d&apos;abord la taille</translation>
+    </message>
+    <message>
         <source>Choose what may be moved, then search.</source>
         <translation>Choisissez ce qui peut bouger, puis cherchez.</translation>
     </message>
@@ -1783,6 +1803,10 @@
     <message>
         <source>Contacts come late at times</source>
         <translation>Les contacts tardent parfois</translation>
+    </message>
+    <message>
+        <source>Controllers load so long a program slowly or not at all, and run short moves unevenly. Simplified, only the moves are written that are needed within %1 and %2; the motion itself stays as it is.</source>
+        <translation>Les contrôleurs chargent un programme aussi long lentement ou pas du tout, et exécutent irrégulièrement les déplacements courts. Simplifié, seuls sont écrits les déplacements nécessaires à %1 et %2 près ; le mouvement lui-même reste tel quel.</translation>
     </message>
     <message>
         <source>Convex hull</source>
@@ -3265,8 +3289,8 @@
         <translation>Homme</translation>
     </message>
     <message>
-        <source>Man, %1 mm, %2 kg</source>
-        <translation>Homme, %1 mm, %2 kg</translation>
+        <source>Man, %1, %2 kg</source>
+        <translation>Homme, %1, %2 kg</translation>
     </message>
     <message>
         <source>Mannequin</source>
@@ -3325,12 +3349,20 @@
         <translation>Messages</translation>
     </message>
     <message>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
         <source>Middle</source>
         <translation>Milieu</translation>
     </message>
     <message>
         <source>Middle button</source>
         <translation>Bouton du milieu</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimètres</translation>
     </message>
     <message>
         <source>Mirror</source>
@@ -3771,6 +3803,10 @@
     <message>
         <source>Not entered</source>
         <translation>Non saisi</translation>
+    </message>
+    <message>
+        <source>Not known yet</source>
+        <translation>Pas encore connue</translation>
     </message>
     <message>
         <source>Not tried yet: the server has to answer first</source>
@@ -4686,15 +4722,15 @@
     </message>
     <message>
         <source>Record</source>
-        <translation>Enregistrer</translation>
+        <translation>Capturer</translation>
     </message>
     <message>
         <source>Record %1</source>
-        <translation>Enregistrer %1</translation>
+        <translation>Capturer %1</translation>
     </message>
     <message>
         <source>Record what moves  (R)</source>
-        <translation>Enregistrer ce qui bouge  (R)</translation>
+        <translation>Capturer ce qui bouge  (R)</translation>
     </message>
     <message>
         <source>Recorded markers</source>
@@ -5137,6 +5173,10 @@
         <translation>Simplifier</translation>
     </message>
     <message>
+        <source>Simplify first</source>
+        <translation>Simplifier d&apos;abord</translation>
+    </message>
+    <message>
         <source>Single keys without Ctrl are on</source>
         <translation>Les touches seules, sans Ctrl, sont en service</translation>
     </message>
@@ -5577,6 +5617,14 @@
         <translation>Le fichier est en lecture</translation>
     </message>
     <message>
+        <source>The file names no unit. Is this size right?</source>
+        <translation>Le fichier n&apos;indique pas d&apos;unité. Cette taille est-elle la bonne ?</translation>
+    </message>
+    <message>
+        <source>The file names no unit. Which size is right?</source>
+        <translation>Le fichier n&apos;indique pas d&apos;unité. Quelle taille est la bonne ?</translation>
+    </message>
+    <message>
         <source>The force loop is late at times</source>
         <translation>La boucle d'effort est parfois en retard</translation>
     </message>
@@ -5735,6 +5783,10 @@
     <message>
         <source>The posture was not taken</source>
         <translation>La posture n'a pas été prise</translation>
+    </message>
+    <message>
+        <source>The program would have %1 moves.</source>
+        <translation>Le programme aurait %1 déplacements.</translation>
     </message>
     <message>
         <source>The recording was not read</source>
@@ -6393,8 +6445,8 @@
         <translation>Femme</translation>
     </message>
     <message>
-        <source>Woman, %1 mm, %2 kg</source>
-        <translation>Femme, %1 mm, %2 kg</translation>
+        <source>Woman, %1, %2 kg</source>
+        <translation>Femme, %1, %2 kg</translation>
     </message>
     <message>
         <source>Work</source>
@@ -6435,6 +6487,10 @@
     <message>
         <source>Worst frame</source>
         <translation>Pire image</translation>
+    </message>
+    <message>
+        <source>Write all moves</source>
+        <translation>Écrire tous les déplacements</translation>
     </message>
     <message>
         <source>Write it as a file or a robot's program</source>

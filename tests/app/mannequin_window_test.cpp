@@ -251,20 +251,21 @@ TEST(MannequinDock, AJointIsDraggedWithinItsLimitsAsOneStep) {
   EXPECT_NEAR(page.posture()[Dof::kRightElbowFlexion], M_PI / 2.0, 0.06);
 }
 
-/// The right hand forward, seen from the right: its arrow upwards, and how far the hand is.
+/// The right hand forward, or both as they hang, seen from the right: the arrow upwards, and how far it is.
 class HandArrow {
  public:
-  explicit HandArrow(MannequinPage& page) : page_(page) {
+  explicit HandArrow(MannequinPage& page, Kind kind = Kind::kRightHand) : page_(page), kind_(kind) {
+    const bool both = kind == Kind::kBothHands;
     EXPECT_TRUE(page.addMannequin());
-    EXPECT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
-    page.click("hold2");
+    EXPECT_TRUE(page.choose("buttonPostures", both ? "posture_standing" : "posture_both_hands_forward"));
+    page.click(both ? "hold3" : "hold2");
     page.window().viewport().setStandardView(StandardView::kRight);
     page.window().viewport().fitAll(false);
     page.settle();
   }
   dvec3 grip() const {
     const workcell::Entity& figure = *page_.selected();
-    return movedFrame_W(figure, {figure.X_WE, figure.joints}, Kind::kRightHand).p;
+    return movedFrame_W(figure, {figure.X_WE, figure.joints}, kind_).p;
   }
   /// Draws it up by the mouse and waits until that is one step.
   bool drag(double up, int moves) {
@@ -279,7 +280,16 @@ class HandArrow {
 
  private:
   MannequinPage& page_;
+  Kind kind_;
 };
+
+TEST(MannequinGizmo, BothHandsDrawnUpFromHangingGetToTheShoulders) {
+  MannequinPage page;
+  HandArrow hands(page, Kind::kBothHands);
+  const dvec3 start = hands.grip();
+  ASSERT_TRUE(hands.drag(0.5, 20));
+  EXPECT_LT(glm::length(hands.grip() - start - dvec3(0.0, 0.0, 0.5)), 0.01) << page.words("labelReach").toStdString();
+}
 
 TEST(MannequinGizmo, DrawsTheHandByTheMouseAndSaysWhatIsMissing) {
   MannequinPage page;

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "manipulation/figure_way.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "manipulation/mannequin_manipulator.h"
+#include "mannequin/figure_model.h"
+#include "mannequin/forward_kinematics.h"
+
+namespace hapticell::manipulation {
+namespace {
+
+constexpr int kMostWaySteps = 12;       // Of the held entity between two pictures.
+constexpr double kStrideAtMost = 5e-3;  // m that one of them goes at the most,
+constexpr double kTurnAtMost = 0.035;  // and rad. Longer ones leave the straight way, as each turns joints only so far.
+constexpr double kForearmLever = 0.1;  // m that a radian counts like.
+constexpr double kThere = 2e-4;        // m
+constexpr double kNoNearer = 2e-5;     // m: steps that bring less than this
+constexpr int kIdleSteps = 6;          // one after the other are the last.
+constexpr double kWorthARound = 5e-3;  // m that must be missing for a way round to be looked for,
+constexpr double kBeforeTheBody = 0.28;  // m before it for a station of it;
+constexpr std::size_t kGoalsTried = 3;   // of postures at its end,
+constexpr int kMostRounds = 2;           // and of ways round to one place.
+constexpr double kPictureTurn = 1.5;     // rad of all joints from one picture of it
+constexpr int kRoundShown = 1;           // to the next.
+constexpr int kWalkingSteps = 400;       // Idle ones of a figure whose joints turn by more than so many rad in one:
+constexpr double kStillWalks = 0.01;     // it walks, and a stride takes some 30.
+constexpr double kLook = 2e-3;           // m: what is nearer when the way ends is in the way.
+
+}  // namespace
+
+Expected<std::unique_ptr<FigureWay>> FigureWay::take(std::shared_ptr<const PreparedScene> scene,
+                                                     workcell::EntityId entity, const HoldOptions& options, Turn turn,
+                                                     const config::Configuration& configuration) {
+  auto held = HeldEntity::take(scene, entity, {}, options, configuration);
+  if (!held) return makeError(held.error());
+  std::unique_ptr<FigureWay> way(new FigureWay);
+  way->figure_ = scene->find(entity)->figure;
+  way->scene_ = std::move(scene);
+  way->held_ = std::move(*held);
+  way->X_WTaken_ = way->X_WTarget_ = way->held_->movedFrame();
+  way->mapping_.anchor(way->X_WTaken_, way->X_WTaken_);
+  using Kind = MovedBy::Kind;
+  const Kind kind = options.moved_by.kind;
+  const bool both = kind == Kind::kBothHands;
+  if (turn == Turn::kWithTheForearm)
+    way->turns_with_ = {both || kind == Kind::kLeftHand, both || kind == Kind::kRightHand};
+  way->may_step_ = options.moved_by.may_step;
+  way->shown_ = way->held_->accepted();
+  way->forearms_at_start_ = way->forearms();
+  return way;
+}
+
+void FigureWay::aim(const Pose& X_WM) {
+  X_WTarget_ = X_WM;
+  rounds_left_ = kMostRounds;
+  nearest_yet_ = 1e9;
+  idle_steps_ = 0;
+}
+
+FigureWay::Reach FigureWay::follow() {
+  if (!round_.empty()) return showRound();
+  bool blocked = false, ended = false;
+  for (int step = 0; step < kMostWaySteps && !ended; ++step) {
+    const EntityConfiguration before = held_->accepted();
+    blocked = held_->follow(stride(), mapping_, nullptr).blocked;
+    const double left = missing();
+    idle_steps_ = left > nearest_yet_ - kNoNearer ? idle_steps_ + 1 : 0;
+    nearest_yet_ = std::min(nearest_yet_, left);
+    // Who walks leaves the hand behind meanwhile.
+    const bool walks = may_step_ && held_->manipulator().turnBound(before, held_->accepted()) > kStillWalks;
+    ended = left < kThere || idle_steps_ >= (walks ? kWalkingSteps : kIdleSteps);
+  }
+  shown_ = held_->accepted();
+  if (ended && missing() > kWorthARound && rounds_left_-- > 0 && goRound()) return showRound();
+  Reach reach = reachNow();
+  reach.arrived = ended;
+  if (ended && (blocked || missing() > kWorthARound)) reach.obstacle = nearest();
+  return reach;
+}
+
+FigureWay::Reach FigureWay::showRound() {
+  for (int i = 0; i < kRoundShown && !round_.empty(); ++i) {
+    shown_ = round_.back();
+    round_.pop_back();
+  }
+  return reachNow();
+}
+
+FigureWay::Reach FigureWay::reachNow() const {
+  Reach reach;
+  reach.X_WM = held_->manipulator().movedFrame(shown_);
+  reach.short_m = glm::length(reach.X_WM.p - X_WTarget_.p);
+  return reach;
+}
+
+/// Goes to a posture found anew on which the target is met, straight or by way of one before the body; true where that
+/// was free. The hands of a standing figure only, and not past what another entity holds up.
+bool FigureWay::goRound() {
+  const auto* hands = dynamic_cast<const MannequinManipulator*>(&held_->manipulator());
+  if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;
+  const EntityConfiguration start = held_->accepted();
+  const dvec3 before = kBeforeTheBody * hands->ahead(start);
+  const dvec3 p_WM = held_->movedFrame().p;
+  const auto goals = hands->solvedAnew(start, X_WTarget_.p);
+  if (goals.empty()) return false;
+  const auto near = hands->solvedAnew(start, p_WM + before), far = hands->solvedAnew(start, X_WTarget_.p + before);
+  for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried); ++i) {
+    if (goBy({goals[i]})) return true;
+    if (!far.empty() && goBy({far.front(), goals[i]})) return true;
+    if (!near.empty() && !far.empty() && goBy({near.front(), far.front(), goals[i]})) return true;
+  }
+  return false;
+}
+
+/// Goes from one station to the next; where something is in the way, back to where it stood.
+bool FigureWay::goBy(const std::vector<EntityConfiguration>& stations) {
+  std::vector<EntityConfiguration> gone{held_->accepted()};
+  bool free = true;
+  for (const EntityConfiguration& station : stations) {
+    free = free && !held_->goTo(station).blocked;
+    gone.push_back(held_->accepted());
+    if (!free) break;
+  }
+  if (!free) {
+    for (auto back = gone.rbegin() + 1; back != gone.rend(); ++back) held_->goTo(*back);
+    return false;
+  }
+  for (std::size_t leg = gone.size() - 1; leg > 0; --leg) {
+    const int pictures =
+        std::max(1, static_cast<int>(held_->manipulator().turnBound(gone[leg - 1], gone[leg]) / kPictureTurn));
+    for (int i = pictures; i > 0; --i)
+      round_.push_back(held_->manipulator().between(gone[leg - 1], gone[leg], static_cast<double>(i) / pictures));
+  }
+  idle_steps_ = 0;
+  nearest_yet_ = 1e9;
+  return true;
+}
+
+bool FigureWay::isHeldUpByOthers() {
+  std::vector<FreeMotion::PairDistance> near;
+  held_->distances(kLook, near);
+  return std::any_of(near.begin(), near.end(), [&](const auto& one) {
+    return one.result.distance < kLook && held_->pairs()[one.pair].other != held_->id();
+  });
+}
+
+double FigureWay::missing() const {
+  const Twist left = difference(X_WTarget_, held_->movedFrame());
+  const bool turn_counts = !turns_with_[0] && !turns_with_[1];
+  return glm::length(left.linear) + (turn_counts ? kForearmLever * glm::length(left.angular) : 0.0);
+}
+
+/// What the next step wants: a piece of the way; all of it where pieces do not help any more.
+Pose FigureWay::stride() const {
+  const Pose X_WM = held_->movedFrame();
+  Pose X_WT = X_WTarget_;
+  if (turns_with_[0] || turns_with_[1]) {
+    X_WT.q = glm::normalize(forearmsTurn() * X_WTaken_.q);
+  }
+  const Twist left = difference(X_WT, X_WM);
+  const double parts = std::max(glm::length(left.linear) / kStrideAtMost, glm::length(left.angular) / kTurnAtMost);
+  const bool as_a_whole = idle_steps_ > kIdleSteps / 2;
+  if (parts <= 1.0 || as_a_whole) return X_WT;
+  return interpolate(X_WM, X_WT, 1.0 / parts);
+}
+
+/// How the forearms that count have turned since the figure was taken.
+dquat FigureWay::forearmsTurn() const {
+  const std::array<dquat, 2> now = forearms();
+  std::array<dquat, 2> turned;
+  for (std::size_t i = 0; i < 2; ++i) turned[i] = now[i] * glm::conjugate(forearms_at_start_[i]);
+  if (!turns_with_[0] || !turns_with_[1]) return turned[turns_with_[0] ? 0 : 1];
+  const dquat mean = glm::slerp(turned[0], turned[1], 0.5);
+  if (!may_step_) return mean;
+  // Who walks faces what both hands are turned to: they must not turn further with the arms of a body that turns.
+  const double length = std::hypot(mean.w, mean.z);
+  return length > 1e-6 ? mean * glm::conjugate(dquat(mean.w / length, 0.0, 0.0, mean.z / length)) : mean;
+}
+
+std::array<dquat, 2> FigureWay::forearms() const {
+  using mannequin::Side;
+  const auto pose = mannequin::forwardKinematics(
+      *figure_, mannequin::toPosture(*figure_, {held_->accepted().X_WE, held_->accepted().joints}));
+  const auto turnOf = [&](Side side) {
+    return pose[mannequin::armSegment(side, mannequin::Segment::kLeftWrist)].pose().q;
+  };
+  return {turnOf(Side::kLeft), turnOf(Side::kRight)};
+}
+
+std::string FigureWay::nearest() {
+  std::vector<FreeMotion::PairDistance> near;
+  held_->distances(kLook, near);
+  double least = kLook;
+  std::string name;
+  for (const auto& one : near) {
+    if (one.result.distance >= least) continue;
+    least = one.result.distance;
+    const auto* other = scene_->find(held_->pairs()[one.pair].other);
+    name = other ? other->name : std::string();
+  }
+  return name;
+}
+
+}  // namespace hapticell::manipulation
