@@ -38,10 +38,9 @@ using mannequin::Side;
 constexpr std::array<Kind, 5> kKinds{Kind::kWhole, Kind::kLeftHand, Kind::kRightHand, Kind::kBothHands, Kind::kHead};
 
 QString bodyText(const mannequin::Figure& figure) {
-  const QString text = figure.sex == mannequin::Sex::kMale ? MannequinPanel::tr("Man, %1 mm, %2 kg")
-                                                           : MannequinPanel::tr("Woman, %1 mm, %2 kg");
-  return text.arg(std::lround(1000.0 * figure.body[mannequin::Dimension::kStature]))
-      .arg(std::lround(figure.totalMass()));
+  const QString text = figure.sex == mannequin::Sex::kMale ? MannequinPanel::tr("Man, %1, %2 kg")
+                                                           : MannequinPanel::tr("Woman, %1, %2 kg");
+  return text.arg(lengthText(figure.body[mannequin::Dimension::kStature], 0)).arg(std::lround(figure.totalMass()));
 }
 
 /// Bodies of what is held, for the sketch.

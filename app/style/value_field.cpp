@@ -4,6 +4,8 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
+#include <QTimer>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -28,6 +30,11 @@ struct TypedUnit {
 constexpr TypedUnit kLengths[]{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}, {"\"", 25.4}};
 constexpr TypedUnit kAngles[]{{"\u00b0", 1.0}, {"deg", 1.0}, {"rad", kDegreesPerRadian}};
 
+/// "mm", "mm/s", "mm a turn": what is shown by the unit of length in force.
+bool isOfMillimetres(const QString& unit) {
+  return unit.startsWith(QLatin1String("mm")) && (unit.size() == 2 || unit[2] == '/' || unit[2] == ' ');
+}
+
 template <std::size_t kCount>
 std::optional<double> withUnit(const QString& text, const TypedUnit (&units)[kCount]) {
   for (const TypedUnit& unit : units) {
@@ -45,7 +52,7 @@ std::optional<double> withUnit(const QString& text, const TypedUnit (&units)[kCo
 ValueField::ValueField(const Format& format, QWidget* parent)
     : QDoubleSpinBox(parent), unit_(format.unit), decimals_(format.decimals), quantity_(format.quantity) {
   if (quantity_ == Quantity::kByUnit)
-    quantity_ = unit_ == QLatin1String("mm") ? Quantity::kLength
+    quantity_ = isOfMillimetres(unit_)         ? Quantity::kLength
                 : unit_ == QStringLiteral("°") ? Quantity::kAngle
                                                : Quantity::kPlain;
   setButtonSymbols(NoButtons);
@@ -62,7 +69,9 @@ ValueField::ValueField(const Format& format, QWidget* parent)
   // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
   connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
+    const auto beyond = std::exchange(beyond_, std::nullopt);
     if (!std::exchange(typed_, false)) return;
+    if (beyond) sayEnd(*beyond);
     emit edited(value());
   });
 }
@@ -83,7 +92,8 @@ void ValueField::setValue(double value) {
 
 QString ValueField::shownUnit() const {
   if (unit_.isEmpty() || quantity_ == Quantity::kPlain) return unit_;
-  return quantity_ == Quantity::kLength ? unitsNow().lengthUnit() : unitsNow().angleUnit();
+  if (quantity_ == Quantity::kAngle) return unitsNow().angleUnit();
+  return isOfMillimetres(unit_) ? unitsNow().lengthUnit() + unit_.mid(2) : unitsNow().lengthUnit();
 }
 
 double ValueField::shownPerValue() const {
@@ -99,7 +109,9 @@ int ValueField::shownDecimals() const {
   return std::max(0, chosen + decimals_ - 1);
 }
 
-QString ValueField::textFromValue(double value) const { return numberText(shownPerValue() * value, shownDecimals()); }
+QString ValueField::textFromValue(double value) const {
+  return numberText(shownPerValue() * value, shownDecimals());
+}
 
 std::optional<double> ValueField::read(const QString& text) const {
   const QString plain = QString(text).replace(QLatin1Char(','), QLatin1Char('.')).trimmed();
@@ -111,11 +123,18 @@ std::optional<double> ValueField::read(const QString& text) const {
   return std::nullopt;
 }
 
-double ValueField::valueFromText(const QString& text) const { return read(text).value_or(value()); }
+double ValueField::valueFromText(const QString& text) const {
+  return read(text).value_or(value());
+}
 
 QValidator::State ValueField::validate(QString& text, int&) const {
   const auto typed = read(text);
-  if (typed) return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+  // An end itself may come back from its text by a rounding error beyond.
+  const double slack = 0.5 * std::pow(10.0, -decimals());
+  if (typed) {
+    const bool inside = *typed >= minimum() - slack && *typed <= maximum() + slack;
+    return inside ? QValidator::Acceptable : QValidator::Intermediate;
+  }
   for (const QChar c : text) {
     const bool of_number = c.isDigit() || QStringLiteral("+-.,eE ").contains(c);
     const bool of_unit = quantity_ != Quantity::kPlain && QStringLiteral("mcinradeg\"°").contains(c);
@@ -124,8 +143,35 @@ QValidator::State ValueField::validate(QString& text, int&) const {
   return QValidator::Intermediate;
 }
 
-QSize ValueField::sizeHint() const { return {76, kFieldHeight}; }
-QSize ValueField::minimumSizeHint() const { return {44, kFieldHeight}; }
+void ValueField::fixup(QString& text) const {
+  const auto typed = read(text);
+  if (!typed) return QDoubleSpinBox::fixup(text);
+  beyond_ = typed;
+  text = QLocale::c().toString(shownPerValue() * std::clamp(*typed, minimum(), maximum()), 'g', 17);
+}
+
+QString ValueField::withShownUnit(double value) const {
+  const QString unit = shownUnit(), number = textFromValue(value);
+  return unit.isEmpty() || unit == QStringLiteral("°") ? number + unit : number + QLatin1Char(' ') + unit;
+}
+
+void ValueField::sayEnd(double typed) {
+  const QString text = typed > maximum()
+                           ? tr("At most %1. You typed %2.").arg(withShownUnit(maximum()), withShownUnit(typed))
+                           : tr("At least %1. You typed %2.").arg(withShownUnit(minimum()), withShownUnit(typed));
+  // Not now: a tip goes where the focus leaves for the next field.
+  QTimer::singleShot(0, this, [this, text] {
+    constexpr int kShown = 6000;  // ms
+    QToolTip::showText(mapToGlobal(rect().bottomLeft()), text, this, {}, kShown);
+  });
+}
+
+QSize ValueField::sizeHint() const {
+  return {76, kFieldHeight};
+}
+QSize ValueField::minimumSizeHint() const {
+  return {44, kFieldHeight};
+}
 
 void ValueField::paintEvent(QPaintEvent* event) {
   QDoubleSpinBox::paintEvent(event);

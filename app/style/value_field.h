@@ -8,16 +8,17 @@ namespace hapticell::app {
 
 /// A number with its unit inside the field, right-aligned, fixed decimals, never a minus zero.
 ///
-/// The unit stands in the second text colour. Arrow keys and the wheel (while focused) step it; Enter or leaving the field ends the edit.
-/// Lengths and angles are set and told in mm and degrees, and shown in the units in force (units.h); typed with a unit
-/// behind them ("2 in", "1.5rad") they are taken as that.
+/// The unit stands in the second text colour. Arrow keys and the wheel (while focused) step it; Enter or leaving the
+/// field ends the edit. Lengths and angles are set and told in mm and degrees, and shown in the units in force
+/// (units.h); typed with a unit behind them ("2 in", "1.5rad") they are taken as that. A number typed beyond an end
+/// becomes that end, and a tip at the field says so.
 class ValueField : public QDoubleSpinBox {
   Q_OBJECT
  public:
-  enum class Quantity { kByUnit, kPlain, kLength, kAngle };  ///< kByUnit: "mm" is a length, "°" an angle.
+  enum class Quantity { kByUnit, kPlain, kLength, kAngle };  ///< kByUnit: "mm" and "mm/s" are lengths, "°" an angle.
   struct Format {
-    QString unit;         ///< "mm"; empty for none.
-    int decimals = 1;     ///< With the usual units; of lengths and angles as many more or less than 1 as those have.
+    QString unit;      ///< "mm"; empty for none.
+    int decimals = 1;  ///< With the usual units; of lengths and angles as many more or less than 1 as those have.
     double minimum = -1e6, maximum = 1e6, step = 1.0;
     Quantity quantity = Quantity::kByUnit;
   };
@@ -28,6 +29,7 @@ class ValueField : public QDoubleSpinBox {
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& place) const override;
+  void fixup(QString& text) const override;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
   /// The units in force are others.
@@ -43,13 +45,16 @@ class ValueField : public QDoubleSpinBox {
 
  private:
   std::optional<double> read(const QString& text) const;
+  QString withShownUnit(double value) const;
+  void sayEnd(double typed);
   QString shownUnit() const;
   double shownPerValue() const;
   int shownDecimals() const;
   QString unit_;
   int decimals_;
   Quantity quantity_;
-  bool typed_ = false;  ///< Since editing began.
+  bool typed_ = false;                         ///< Since editing began.
+  mutable std::optional<double> beyond_ = {};  ///< What was typed beyond an end; fixup() is const.
 };
 
 }  // namespace hapticell::app

@@ -10,6 +10,7 @@
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QToolTip>
 
 #include "app/host/user_settings.h"
 #include "app/panels/dock_front.h"
@@ -51,6 +52,25 @@ class PaintCount : public QObject {
   }
   int paints = 0;
 };
+
+TEST(ValueField, ANumberBeyondAnEndBecomesThatEndAndSaysSo) {
+  for (const auto& [typed, end, said] : {std::tuple{"200", 170.0, "At most 170.0°. You typed 200.0°."},
+                                         std::tuple{"-200", -170.0, "At least -170.0°. You typed -200.0°."},
+                                         std::tuple{"4 rad", 170.0, "At most 170.0°. You typed 229.2°."}}) {
+    ValueField field({QStringLiteral("°"), 1, -170.0, 170.0});
+    field.setValue(10.0);
+    field.show();
+    std::vector<double> edited;
+    QObject::connect(&field, &ValueField::edited, [&](double value) { edited.push_back(value); });
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, typed);
+    QTest::keyClick(&field, Qt::Key_Return);
+    EXPECT_EQ(edited, std::vector<double>{end}) << typed;
+    EXPECT_TRUE(QTest::qWaitFor([said = said] { return QToolTip::text() == QString::fromUtf8(said); }, 2000))
+        << QToolTip::text().toStdString();
+  }
+}
 
 TEST(ValueField, TheNumberThatItShowsAlreadyIsNotPaintedAnew) {
   CellPage page;
