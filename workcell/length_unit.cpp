@@ -42,4 +42,11 @@ LengthUnit guessUnit(const geometry::Bounds& bounds) {
   return std::max({size.x, size.y, size.z}) > kLargestInMetres ? LengthUnit::kMillimetre : LengthUnit::kMetre;
 }
 
+bool unitIsOpen(const geometry::Bounds& bounds) {
+  constexpr double kSmallestPart = 2.0, kLargestMachine = 30.0;  // mm and m.
+  const dvec3 size = bounds.size();
+  const double largest = std::max({size.x, size.y, size.z});
+  return largest >= kSmallestPart && largest <= kLargestMachine;
+}
+
 }  // namespace hapticell::workcell

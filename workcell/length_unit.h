@@ -26,4 +26,8 @@ Expected<LengthUnit> parseLengthUnit(std::string_view text);
 /// m conveyor in metres is guessed wrongly).
 LengthUnit guessUnit(const geometry::Bounds& bounds);
 
+/// True where such a box makes sense in metres and in millimetres (a largest edge of 2 to 30 units: a conveyor of 3 m
+/// or a pin of 3 mm): then only the user knows.
+bool unitIsOpen(const geometry::Bounds& bounds);
+
 }  // namespace hapticell::workcell

@@ -79,12 +79,22 @@ Reader readerOf(MeshFormat format) {
 }
 
 void warnAboutUnit(const geometry::Bounds& bounds, Diagnostics& diagnostics) {
-  if (guessUnit(bounds) == LengthUnit::kMetre) return;
+  const bool open = unitIsOpen(bounds);
+  if (guessUnit(bounds) == LengthUnit::kMetre && !open) return;
   const dvec3 size = bounds.size();
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the file names no unit; read in metres it measures %.4g m, so millimetres seem to be meant (unit mm)",
-                std::max({size.x, size.y, size.z}));
+  const double largest = std::max({size.x, size.y, size.z});
+  char text[200];
+  if (open) {
+    std::snprintf(text, sizeof text,
+                  "the file names no unit; it was read in metres and measures %.4g m; if it measures %.4g millimetres, "
+                  "say unit mm",
+                  largest, largest);
+  } else {
+    std::snprintf(
+        text, sizeof text,
+        "the file names no unit; read in metres it measures %.4g m, so millimetres seem to be meant (unit mm)",
+        largest);
+  }
   diagnostics.warn(text);
 }
 

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMainWindow>
 #include <algorithm>
 #include <utility>
@@ -207,7 +208,7 @@ void FileWork::offerCopies(const QString& path) {
   std::reverse(copies.begin(), copies.end());  // The newest on top.
   for (const std::filesystem::path& copy : copies) {
     const QString file = QString::fromStdString(copy.string());
-    const QString when = QFileInfo(file).lastModified().toString(tr("d MMMM, HH:mm"));
+    const QString when = QLocale().toString(QFileInfo(file).lastModified(), tr("d MMMM, HH:mm"));
     offer(Severity::kWarning, tr("%1 was not closed in order").arg(what),
           tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
           {{tr("Restore the copy"), [this, file, path] { restore(file, path); }},

@@ -41,6 +41,7 @@ ImportFacts factsOf(const workcell::ImportResult& result, const QString& path, Q
   if (!report.unit_is_stated && !bounds.isEmpty()) {
     const geometry::Bounds in_units{bounds.min / report.metres_per_unit, bounds.max / report.metres_per_unit};
     facts.likely_metres_per_unit = workcell::metresPer(workcell::guessUnit(in_units));
+    facts.unit_is_open = workcell::unitIsOpen(in_units);
   }
   facts.picture = previewPicture(result.entities, picture_size);
   return facts;

@@ -17,6 +17,7 @@ struct ImportFacts {
   double metres_per_unit = 1.0;         ///< As it was read.
   bool unit_is_stated = false;          ///< The file names it.
   double likely_metres_per_unit = 1.0;  ///< Guessed from the size where the file names none.
+  bool unit_is_open = false;            ///< It names none, and the size does not tell either.
   workcell::UpAxis up_axis = workcell::UpAxis::kZ;
   std::size_t parts = 0, triangles = 0;
   bool can_be_cut_finer = false;  ///< STEP and IGES; others hold triangles.

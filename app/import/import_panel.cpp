@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/import/unit_question.h"
 #include "app/panels/form.h"
 #include "app/style/segmented.h"
 #include "app/style/theme.h"
@@ -72,6 +73,11 @@ QString sizeLine(const FileImport& file) {
       file.choices.metres_per_unit.value_or(file.facts->metres_per_unit) / file.facts->metres_per_unit;
   const dvec3 size = file.facts->size * factor;
   const Units units = unitsNow();
+  if (file.unit_is_open) {
+    const dvec3 in_units = file.facts->size / file.facts->metres_per_unit;
+    const auto plain = [](double value) { return numberText(value, 3); };
+    return QObject::tr("%1 × %2 × %3, unit not known").arg(plain(in_units.x), plain(in_units.y), plain(in_units.z));
+  }
   const double largest = units.perMetre() * std::max({size.x, size.y, size.z});
   const int decimals = largest < 10.0 ? 3 : largest < 100.0 ? 2 : largest < 1000.0 ? 1 : 0;
   const auto number = [&](double metres) { return numberText(units.perMetre() * metres, decimals); };
@@ -133,7 +139,14 @@ void ImportPanel::addChoices() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   QVBoxLayout* section = addSection(*column, {});
+  unit_asked_ = makeLabel({}, TextRole::kText);
+  unit_asked_->setObjectName("importUnitAsked");
+  unit_asked_->setWordWrap(true);
+  section->addWidget(unit_asked_);
+  unit_question_ = new UnitQuestion;
+  section->addWidget(unit_question_);
   unit_ = new QComboBox;
+  unit_->setPlaceholderText(tr("Not known yet"));
   unit_->setObjectName("importUnit");
   addRow(*section, tr("Unit"), unit_);
   up_ = new Segmented({tr("X"), tr("Y"), tr("Z")});
@@ -155,6 +168,10 @@ void ImportPanel::addChoices() {
       const QVariant metres = unit_->itemData(row);
       choices.metres_per_unit = metres.isNull() ? std::nullopt : std::optional(metres.toDouble());
     });
+  });
+  connect(unit_question_, &UnitQuestion::chosen, this, [this](double metres) {
+    chooseCurrent([metres](ImportChoices& choices) { choices.metres_per_unit = metres; });
+    refresh();  // A card that was chosen already stays so.
   });
   connect(up_, &Segmented::chosen, this, [this](int axis) {
     chooseCurrent([axis](ImportChoices& choices) { choices.up_axis = static_cast<workcell::UpAxis>(axis); });
@@ -262,7 +279,8 @@ void ImportPanel::refresh() {
   choices_->setVisible(file && file->facts);
   if (file) showFile(*file);
   import_->setVisible(file);
-  import_->setEnabled(file && file->stage != FileImport::Stage::kImporting);
+  import_->setEnabled(file && file->stage != FileImport::Stage::kImporting && !file->unit_is_open);
+  import_->setToolTip(file && file->unit_is_open ? tr("Choose the size first") : QString());
   import_all_->setVisible(files.size() > 1);
   undo_hint_->setVisible(files.size() == 1);
   import_all_->setText(tr("Import all %1").arg(files.size()));
@@ -307,10 +325,19 @@ void ImportPanel::showUnits(const FileImport& file) {
   if (stated) unit_->addItem(tr("%1, as the file says").arg(capital(unitText(facts.metres_per_unit))));
   for (const double metres : kUnits) {
     QString text = capital(unitText(metres));
-    if (!stated && metres == facts.likely_metres_per_unit) text += tr(", guessed from the size");
+    if (!stated && !facts.unit_is_open && metres == facts.likely_metres_per_unit) text += tr(", guessed from the size");
     unit_->addItem(text, metres);
   }
+  unit_asked_->setVisible(!stated);
+  unit_asked_->setText(file.unit_is_open ? tr("The file names no unit. Which size is right?")
+                                         : tr("The file names no unit. Is this size right?"));
+  unit_question_->setVisible(!stated);
+  if (file.unit_is_open) {
+    unit_->setCurrentIndex(-1);
+    return unit_question_->setFile(facts, std::nullopt);
+  }
   const double now = file.choices.metres_per_unit.value_or(facts.metres_per_unit);
+  unit_question_->setFile(facts, now);
   if (stated && !file.choices.metres_per_unit) return unit_->setCurrentIndex(0);
   for (int row = 0; row < unit_->count(); ++row)
     if (!unit_->itemData(row).isNull() && std::abs(unit_->itemData(row).toDouble() / now - 1.0) < 1e-9)

@@ -15,6 +15,7 @@ namespace hapticell::app {
 
 class PreviewBox;
 class Segmented;
+class UnitQuestion;
 
 /// Something other than an import that takes its time: the opening of a workcell.
 struct OtherWork {
@@ -58,7 +59,8 @@ class ImportPanel : public QWidget {
   QComboBox *file_, *unit_;
   PreviewBox* preview_;
   QWidget *facts_, *choices_, *progress_;
-  QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_, *undo_hint_;
+  QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_, *undo_hint_, *unit_asked_;
+  UnitQuestion* unit_question_;
   Segmented *up_, *quality_, *tree_;
   QProgressBar* bar_;
   QPushButton *cancel_, *import_, *import_all_;

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 #include "workcell/entity_source.h"
 #include "workcell/robot_reader.h"
@@ -62,7 +63,8 @@ std::vector<int> ImportSession::add(const QStringList& paths, bool ask) {
     FileImport file;
     file.id = ++last_id_;
     file.path = path;
-    if (!ask || !hasChoices(path)) file.stage = FileImport::Stage::kImporting;
+    file.asks = ask && hasChoices(path);
+    if (!file.asks) file.stage = FileImport::Stage::kImporting;
     files_.push_back(file);
     works_.push_back({file.id, 0, {}, {}});
     start(files_.back());
@@ -115,7 +117,10 @@ void ImportSession::takeEnded(workcell::ImportId job) {
   FileImport& file = *get(work->file);
   file.seconds = static_cast<double>(work->clock.elapsed()) * 1e-3;
   auto result = std::make_shared<Expected<workcell::ImportResult>>(std::move(*taken));
-  if (file.stage == FileImport::Stage::kExamining && *result) return examined(file.id, std::move(result));
+  // Wanted before it was read, it may yet turn out that nobody knows its unit.
+  const bool unit_unknown = *result && file.asks && !file.facts && !(*result)->report.unit_is_stated;
+  if (*result && (file.stage == FileImport::Stage::kExamining || unit_unknown))
+    return examined(file.id, std::move(result));
   const QString path = file.path;
   remove(file.id);
   emit finished(path, result);
@@ -149,8 +154,14 @@ void ImportSession::showFacts(int id, ImportFacts facts) {
   const double likely = facts.likely_metres_per_unit;
   const bool other_unit = first && !facts.unit_is_stated && likely != facts.metres_per_unit;
   file->facts = std::move(facts);
-  if (file->stage == FileImport::Stage::kExamining) file->stage = FileImport::Stage::kReady;
-  if (other_unit && !file->choices.metres_per_unit) file->choices.metres_per_unit = likely;
+  const bool wanted = first && file->stage == FileImport::Stage::kImporting;
+  if (file->stage == FileImport::Stage::kExamining || wanted) file->stage = FileImport::Stage::kReady;
+  if (first && file->facts->unit_is_open && !file->choices.metres_per_unit) {
+    file->choices.metres_per_unit = said_unit_;
+    file->unit_is_open = !said_unit_;
+  }
+  if (other_unit && !file->choices.metres_per_unit && !file->unit_is_open) file->choices.metres_per_unit = likely;
+  if (wanted && !file->unit_is_open) return import(id);
   emit changed();
 }
 
@@ -159,13 +170,20 @@ void ImportSession::choose(int id, const ImportChoices& choices) {
   if (!file || file->stage == FileImport::Stage::kImporting || file->choices == choices) return;
   const bool turned = file->choices.up_axis != choices.up_axis;
   file->choices = choices;
+  if (file->unit_is_open && choices.metres_per_unit) {
+    said_unit_ = choices.metres_per_unit;
+    for (FileImport& other : files_) {
+      if (!std::exchange(other.unit_is_open, false) || other.id == id) continue;
+      other.choices.metres_per_unit = said_unit_;
+    }
+  }
   if (turned && workOf(id)->result) paint(id);
   emit changed();
 }
 
 void ImportSession::import(int id) {
   FileImport* file = get(id);
-  if (!file || file->stage == FileImport::Stage::kImporting) return;
+  if (!file || file->stage == FileImport::Stage::kImporting || file->unit_is_open) return;
   Work& work = *workOf(id);
   const bool fits = file->choices == file->examined_with;
   file->stage = FileImport::Stage::kImporting;
@@ -200,6 +218,7 @@ void ImportSession::cancelAll() {
 void ImportSession::remove(int id) {
   std::erase_if(works_, [id](const Work& work) { return work.file == id; });
   std::erase_if(files_, [id](const FileImport& file) { return file.id == id; });
+  if (files_.empty()) said_unit_.reset();
   emit changed();
 }
 

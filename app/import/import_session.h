@@ -30,6 +30,8 @@ struct FileImport {
   double elapsed = 0.0;              ///< Seconds since its reading began.
   bool queued = false;               ///< Another file is being read before it.
   std::optional<ImportFacts> facts;  ///< Of the examination.
+  bool asks = false;                 ///< Waits for the user's yes once it was read.
+  bool unit_is_open = false;         ///< Nobody knows its unit yet: the user has to say it (choose()) before import().
   ImportChoices examined_with;
   double seconds = 0.0;  ///< That the examination took.
 };
@@ -51,8 +53,10 @@ class ImportSession : public QObject {
   const FileImport* find(int id) const;
   bool isBusy() const;
 
+  /// A unit that is said counts for all other files, present and to come until all are gone, whose unit is open.
   void choose(int id, const ImportChoices& choices);
-  /// Hands over what was read where the choices are still those it was read with; else reads it again first.
+  /// Nothing for a file whose unit is open. Hands over what was read where the choices are still those it was read
+  /// with; else reads it again first.
   void import(int id);
   /// Gives one up; its reading ends within a second.
   void cancel(int id);
@@ -86,6 +90,7 @@ class ImportSession : public QObject {
   void poll();
 
   int last_id_ = 0;
+  std::optional<double> said_unit_;  ///< Metres per unit that the user said for one of these files.
   QSize picture_size_{560, 300};
   std::vector<FileImport> files_;
   std::vector<Work> works_;

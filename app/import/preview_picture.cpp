@@ -116,6 +116,10 @@ geometry::Bounds exactBounds_W(const std::vector<workcell::Entity>& entities) {
   return bounds_W;
 }
 
+double previewPixelsPerMetre(const dvec3& size, QSize picture) {
+  return viewOf({-0.5 * size, 0.5 * size}, picture).scale;
+}
+
 QImage previewPicture(const std::vector<workcell::Entity>& entities, QSize size) {
   const geometry::Bounds bounds_W = exactBounds_W(entities);
   if (bounds_W.isEmpty() || size.isEmpty()) return {};

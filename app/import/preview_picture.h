@@ -16,4 +16,7 @@ geometry::Bounds exactBounds_W(const std::vector<workcell::Entity>& entities);
 /// window answers. An empty image where nothing can be seen.
 QImage previewPicture(const std::vector<workcell::Entity>& entities, QSize size);
 
+/// Pixels of such a picture that a metre across the view takes, for a box of that size (m).
+double previewPixelsPerMetre(const dvec3& size, QSize picture);
+
 }  // namespace hapticell::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -44,7 +45,7 @@ class ImportPage : public WindowPage {
     emit found->chosen(index);
   }
   bool press(const char* button) {
-    auto* found = window().files().dock().findChild<QPushButton*>(button);
+    auto* found = window().files().dock().findChild<QAbstractButton*>(button);
     if (!found || !found->isEnabled()) return false;
     found->click();
     return true;

@@ -60,6 +60,26 @@ TEST(ImportWindow, AFileWithoutUnitIsGuessedFromItsSizeAndSaysSo) {
   EXPECT_FALSE(page.window().files().dock().isVisible()) << "it goes when there is nothing more to ask";
 }
 
+TEST(ImportWindow, ASizeThatMayBeMetresOrMillimetresIsAskedFor) {
+  QTemporaryDir folder;
+  ImportPage page;
+  ASSERT_TRUE(page.ask({writeBlock(folder.filePath("conveyor.off"), 3.071, 0.768, 0.916),
+                        writeBlock(folder.filePath("stop.off"), 4, 1, 1)}));
+  EXPECT_EQ(page.text("importUnitAsked"), "The file names no unit. Which size is right?");
+  EXPECT_EQ(page.text("importSize"), "3.071 × 0.768 × 0.916, unit not known");
+  EXPECT_FALSE(page.press("importAccept")) << "nothing is guessed";
+  ASSERT_TRUE(page.press("importAll"));
+  EXPECT_EQ(page.entities(), 0u);
+  ASSERT_TRUE(page.press("unitMetres"));
+  EXPECT_EQ(page.text("importSize"), "3071 × 768 × 916 mm");
+  ASSERT_TRUE(page.press("importAll")) << "the answer counts for all that are open";
+  ASSERT_TRUE(page.idle());
+  ASSERT_NE(page.entity("conveyor"), nullptr);
+  EXPECT_NEAR(page.entity("conveyor")->mesh->bounds().size().x, 3.071, 1e-9);
+  ASSERT_NE(page.entity("stop"), nullptr);
+  EXPECT_NEAR(page.entity("stop")->mesh->bounds().size().x, 4.0, 1e-9);
+}
+
 TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
   QTemporaryDir folder;
   ImportPage page;
