@@ -41,6 +41,8 @@ int quadrant(double angle) {
   return static_cast<int>(std::floor(angle / (0.5 * std::numbers::pi) + 1e-9));
 }
 
+constexpr double kBetween = 1e-7;  // m, m^2, sine of joint 5: what is left of an inverse's rounding
+
 int halfTurns(double angle) {
   return static_cast<int>(std::floor((angle + std::numbers::pi) / (2.0 * std::numbers::pi)));
 }
@@ -80,10 +82,11 @@ std::optional<ArmShape> ArmShapes::of(const dvec3* axis_B, const dvec3* origin_B
   const dvec3 bend = three_parallel_ ? origin_B[3] : *wrist;  // What says elbow up and down.
   const dvec3 to_wrist = bend - origin_B[1], to_elbow = origin_B[2] - origin_B[1];
   ArmShape shape;
-  shape.front = glm::dot(*wrist - origin_B[0], forward) >= 0.0;
-  shape.wrist_forward = glm::dot(glm::cross(to_wrist, to_elbow), glm::cross(forward, up_B_)) >= 0.0;
+  // Between two branches (a straight wrist, a stretched elbow, a wrist over axis 1) rounding must not choose.
+  shape.front = glm::dot(*wrist - origin_B[0], forward) >= -kBetween;
+  shape.wrist_forward = glm::dot(glm::cross(to_wrist, to_elbow), glm::cross(forward, up_B_)) >= -kBetween;
   shape.elbow_up = shape.wrist_forward == shape.front;
-  shape.flipped = glm::dot(glm::cross(axis_B[3], axis_B[5]), axis_B[4]) < 0.0;
+  shape.flipped = glm::dot(glm::cross(axis_B[3], axis_B[5]), axis_B[4]) < -kBetween;
   return shape;
 }
 

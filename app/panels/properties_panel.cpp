@@ -295,8 +295,10 @@ void PropertiesPanel::showConfiguration(const workcell::Entity& robot, const Pos
   shown_joints_ = q;
   QString words;
   const Pose X_BT = X_WE.inverse() * tcpPose_W(robot, X_WE, q) * robot.X_LT.inverse();
-  for (const kinematics::ListedSolution& solution : kinematics::listSolutions(*robot.robot, *inverse_, X_BT, q))
-    if (solution.is_now) words = shortConfiguration(solution.configuration);
+  // As the Robot dock's list says it.
+  const auto solutions = kinematics::listSolutions(*robot.robot, *inverse_, X_BT, q);
+  const auto now = std::find_if(solutions.begin(), solutions.end(), [](const auto& one) { return one.is_now; });
+  if (now != solutions.end()) words = shortConfiguration(now->configuration);
   configuration_->setText(words);
 }
 

@@ -3,6 +3,8 @@
 
 #include <QMimeData>
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "app/panels/tree_edits.h"
@@ -169,17 +171,29 @@ const workcell::Entity* WorkcellTreeModel::entityOf(const Node& node) const {
   return document_.document().find(node.entity);
 }
 
-void WorkcellTreeModel::collect(int index, std::vector<workcell::EntityId>& entities) const {
-  const Node& node = nodes_[static_cast<std::size_t>(index)];
-  if (node.kind == Kind::kEntity) entities.push_back(node.entity);
-  if (node.kind == Kind::kCell || node.kind == Kind::kFolder || node.kind == Kind::kEntity)
-    for (const int child : node.children) collect(child, entities);
-}
-
+/// By where the document has them below, not by what they hang on: hiding a robot leaves the part in its gripper.
 std::vector<workcell::EntityId> WorkcellTreeModel::entitiesOf(const QModelIndex& index) const {
-  std::vector<workcell::EntityId> entities;
-  if (index.isValid()) collect(static_cast<int>(index.internalId()), entities);
-  return entities;
+  if (!index.isValid()) return {};
+  const Node& node = nodes_[index.internalId()];
+  const auto& all = document_.document().state().entities;
+  std::vector<workcell::EntityId> found;
+  if (node.kind == Kind::kCell)
+    for (const auto& entity : all) found.push_back(entity->id);
+  if (node.kind != Kind::kFolder && node.kind != Kind::kEntity) return found;
+  std::unordered_multimap<std::string_view, const workcell::Entity*> below;
+  for (const auto& entity : all) below.emplace(entity->parent, entity.get());
+  const std::string top = node.name.toStdString();
+  if (node.kind == Kind::kEntity) found.push_back(node.entity);
+  std::vector<std::string_view> open{top};
+  while (!open.empty()) {
+    const auto [first, last] = below.equal_range(open.back());
+    open.pop_back();
+    for (auto child = first; child != last; ++child) {
+      found.push_back(child->second->id);
+      open.push_back(child->second->name);
+    }
+  }
+  return found;
 }
 
 QString WorkcellTreeModel::stateWords(const Node& node) const {
@@ -203,6 +217,12 @@ QString WorkcellTreeModel::accessibleText(const Node& node) const {
   return text;
 }
 
+QString WorkcellTreeModel::attachedText(const workcell::Entity& entity) {
+  const QString to = QString::fromStdString(entity.attachment.to),
+                link = QString::fromStdString(entity.attachment.link);
+  return link.isEmpty() ? tr("Attached to %1").arg(to) : tr("Attached to %1 of %2").arg(link, to);
+}
+
 QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Node& node = nodes_[index.internalId()];
@@ -220,6 +240,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return accessibleText(node);
     case Qt::ToolTipRole:
+      if (entity && !entity->attachment.to.empty()) return attachedText(*entity);
       return node.frame && !node.frame->finding.isEmpty() ? node.frame->finding : QVariant();
     case kEntityRole:
       return static_cast<qulonglong>(node.entity);
@@ -292,9 +313,11 @@ Qt::ItemFlags WorkcellTreeModel::flags(const QModelIndex& index) const {
 
 bool WorkcellTreeModel::renameFolder(const Node& node, const QString& name) {
   std::vector<workcell::Command> commands;
-  for (const int child : node.children) {
+  const std::string folder = node.name.toStdString();
+  for (const auto& entity : document_.document().state().entities) {
+    if (entity->parent != folder) continue;
     workcell::SetProperties change;
-    change.id = nodes_[static_cast<std::size_t>(child)].entity;
+    change.id = entity->id;
     change.parent = name.toStdString();
     commands.emplace_back(change);
   }

@@ -15,7 +15,7 @@
 namespace hapticell::app {
 
 /// The workcell as a tree: the cell, its folders and entities, assemblies and solids with what stands below them,
-/// robots with tool centre point and links, frames, pair sets, trajectories.
+/// robots with tool centre point, links and what is attached to them, frames, pair sets, trajectories.
 ///
 /// Names, places in the tree, visibility and lock are changed through the document's commands, each one step of undo.
 /// State marks come from the newest snapshot and are a role of their own, so that a screen reader can say them. GUI
@@ -73,7 +73,7 @@ class WorkcellTreeModel : public QAbstractItemModel {
   /// Shows or hides, locks or unlocks the entities of the row and below it, as one step of undo.
   bool setShown(const QModelIndex& index, bool shown);
   bool setLocked(const QModelIndex& index, bool locked);
-  /// The entities of the row and below it.
+  /// The entities of the row and those that the document has below it; what is attached only hangs there.
   std::vector<workcell::EntityId> entitiesOf(const QModelIndex& index) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent) const override;
@@ -120,7 +120,7 @@ class WorkcellTreeModel : public QAbstractItemModel {
   bool isHeld(const workcell::Entity* entity) const;
   Mark markOf(const Node& node) const;
   Mark innerMark(int node) const;
-  void collect(int node, std::vector<workcell::EntityId>& entities) const;
+  static QString attachedText(const workcell::Entity& entity);
   const workcell::Entity* entityOf(const Node& node) const;
   QString accessibleText(const Node& node) const;
   QString stateWords(const Node& node) const;

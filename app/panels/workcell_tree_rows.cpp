@@ -8,6 +8,24 @@
 
 namespace hapticell::app {
 
+namespace {
+
+/// What an entity's row stands below: what it is attached to, else its parent in the document.
+std::string shownParent(const workcell::DocumentState& state, const workcell::Entity& entity) {
+  const std::string& carrier = entity.attachment.to;
+  if (carrier.empty() || !state.findByName(carrier)) return entity.parent;
+  // What it hangs on may itself stand below it; then neither would be seen.
+  const workcell::Entity* at = state.findByName(carrier);
+  for (std::size_t steps = 0; at && steps < state.entities.size(); ++steps) {
+    if (at == &entity) return entity.parent;
+    const workcell::Entity* on = at->attachment.to.empty() ? nullptr : state.findByName(at->attachment.to);
+    at = on ? on : state.findByName(at->parent);
+  }
+  return carrier;
+}
+
+}  // namespace
+
 int WorkcellTreeModel::append(std::vector<Node>& nodes, int parent, Node node) {
   const int index = static_cast<int>(nodes.size());
   node.parent = parent;
@@ -66,11 +84,11 @@ std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build() const {
   Children children;
   for (const auto& entity : state.entities) {
     names.insert(entity->name);
-    if (!entity->parent.empty()) children.emplace(entity->parent, entity.get());
+    if (const std::string above = shownParent(state, *entity); !above.empty()) children.emplace(above, entity.get());
   }
   std::map<std::string, int> folders;
   for (const auto& entity : state.entities) {
-    if (names.contains(entity->parent)) continue;
+    if (names.contains(shownParent(state, *entity))) continue;
     int parent = cell;
     if (!entity->parent.empty()) {
       const auto [place, added] = folders.try_emplace(entity->parent, -1);

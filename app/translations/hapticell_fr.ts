@@ -1241,6 +1241,14 @@
         <translation>Attaché</translation>
     </message>
     <message>
+        <source>Attached to %1</source>
+        <translation>Attaché à %1</translation>
+    </message>
+    <message>
+        <source>Attached to %1 of %2</source>
+        <translation>Attaché à %1 de %2</translation>
+    </message>
+    <message>
         <source>Axes</source>
         <translation>Axes</translation>
     </message>

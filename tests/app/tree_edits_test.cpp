@@ -55,6 +55,19 @@ TEST_F(TreeEdits, TheTreeHasTheDepthOfTheAssembly) {
   EXPECT_EQ(tree.entitiesOf(tree.indexOf(get("rig").id)).size(), 4u);
 }
 
+TEST_F(TreeEdits, WhatIsAttachedIsShownUnderWhatItIsAttachedTo) {
+  const WorkcellTreeModel tree(document_);
+  ASSERT_TRUE(document_.execute(workcell::Attach{get("arm").id, get("box").id, ""}));
+  const QModelIndex arm = tree.indexOf(get("arm").id);
+  EXPECT_EQ(arm.parent(), tree.indexOf(get("box").id));
+  EXPECT_EQ(arm.data(Qt::ToolTipRole).toString(), "Attached to box");
+  EXPECT_EQ(tree.entitiesOf(arm.parent()), Entities{get("box").id}) << "hiding the box leaves what hangs on it";
+  EXPECT_EQ(tree.entitiesOf(tree.indexOf(get("rig").id)).size(), 4u);
+  EXPECT_EQ(tree.entitiesOf(tree.index(0, 0, {})).size(), 5u);
+  document_.undo();
+  EXPECT_EQ(tree.indexOf(get("arm").id).parent(), tree.indexOf(get("rig").id));
+}
+
 TEST_F(TreeEdits, DroppingARowPutsItBelowAndKeepsItsPlace) {
   WorkcellTreeModel tree(document_);
   const Pose before = get("box").X_WE;
