@@ -39,7 +39,7 @@ TEST(RobotLibrary, IsSearchedAndAddsOneStepAtThePlace) {
   page.type("placeLibraryA", "90");
   ASSERT_TRUE(page.clickForStep("buttonAddFromLibrary"));
   ASSERT_TRUE(page.selected());
-  EXPECT_EQ(page.selected()->name, "KUKA KR16-2");
+  EXPECT_EQ(page.selected()->name, "KUKA KR 16-2");
   EXPECT_NEAR(page.selected()->X_WE.p.x, 1.5, 1e-12);
   EXPECT_LT(glm::length(page.selected()->X_WE.rotate(dvec3(1, 0, 0)) - dvec3(0, 1, 0)), 1e-9);
   EXPECT_FALSE(page.isShown("dockAddRobot"));

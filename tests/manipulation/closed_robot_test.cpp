@@ -112,6 +112,7 @@ TEST(Carried, AGrippedPartMovesWithTheRobotAndStopsAtWhatItMeets) {
     workcell::Entity entity = load(what);
     entity.name = name;
     entity.X_WE = X_WE;
+    if (entity.robot) entity.joints.assign(entity.robot->dof(), 0.0);  // The flange ahead.
     return document.execute(workcell::AddEntity{std::move(entity)}).value();
   };
   const auto robot = add("library:fanuc_lr_mate_200id", "robot", {});
