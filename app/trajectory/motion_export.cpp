@@ -4,16 +4,20 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/style/units.h"
 #include "app/trajectory/motion_list.h"
 #include "manipulation/program_configuration.h"
 #include "manipulation/take_recorder.h"
 #include "trajectory/ros_trajectory.h"
+#include "trajectory/simplification.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
@@ -23,6 +27,8 @@ namespace {
 using trajectory::ProgramFile;
 using trajectory::ProgramFormat;
 using trajectory::Trajectory;
+
+constexpr std::size_t kManyMoves = 500;  // Our choice.
 
 ProgramFormat programFormat(const QString& word) {
   if (word == "krl") return ProgramFormat::kKrl;
@@ -63,17 +69,43 @@ const std::vector<MotionFormat>& motionFormats() {
 
 MotionExport::MotionExport(Host& host, MotionList& list, QObject* parent) : QObject(parent), host_(host), list_(list) {}
 
-void MotionExport::askExport(const QString& word, const trajectory::ProgramOptions& options) {
+MotionExport::Moves MotionExport::askMoves(std::size_t moves, const trajectory::PathTolerance& tolerance) {
+  QMessageBox question(QMessageBox::Question, tr("Export motion"), tr("The program would have %1 moves.").arg(moves),
+                       QMessageBox::NoButton, &host_.window());
+  question.setObjectName("askSimplify");
+  question.setInformativeText(
+      tr("Controllers load so long a program slowly or not at all, and run short moves unevenly. Simplified, only the "
+         "moves are written that are needed within %1 and %2; the motion itself stays as it is.")
+          .arg(lengthText(tolerance.position), angleText(tolerance.angle)));
+  QPushButton* simplify = question.addButton(tr("Simplify first"), QMessageBox::AcceptRole);
+  QPushButton* all = question.addButton(tr("Write all moves"), QMessageBox::DestructiveRole);
+  question.addButton(QMessageBox::Cancel);
+  question.setDefaultButton(simplify);
+  question.exec();
+  if (question.clickedButton() == simplify) return Moves::kNeeded;
+  return question.clickedButton() == all ? Moves::kAll : Moves::kNone;
+}
+
+void MotionExport::askExport(const QString& word, const trajectory::ProgramOptions& options,
+                             const trajectory::PathTolerance& tolerance) {
   const auto format =
       std::find_if(motionFormats().begin(), motionFormats().end(), [&](const auto& f) { return f.word == word; });
   if (format == motionFormats().end() || !list_.current()) return;
+  const std::size_t moves = list_.current()->trajectory ? list_.current()->trajectory->size() : 0;
+  std::optional<trajectory::PathTolerance> simplify;
+  if (format->is_program && moves > kManyMoves) {
+    const Moves wanted = askMoves(moves, tolerance);
+    if (wanted == Moves::kNone) return;
+    if (wanted == Moves::kNeeded) simplify = tolerance;
+  }
   const QString name = QString::fromStdString(list_.current()->name).replace(' ', '-').remove(',');
   const QString path =
       QFileDialog::getSaveFileName(&host_.window(), tr("Export motion"), name + format->extension, format->name);
-  if (!path.isEmpty()) exportTo(path, word, options);
+  if (!path.isEmpty()) exportTo(path, word, options, simplify);
 }
 
-void MotionExport::exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& given) {
+void MotionExport::exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& given,
+                            const std::optional<trajectory::PathTolerance>& simplify) {
   const Motion* motion = list_.current();
   if (!motion || !motion->trajectory) return;
   trajectory::ProgramOptions options = given;
@@ -84,19 +116,19 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
           std::make_shared<const kinematics::Chain>(std::move(*chain)), programFormat(format));
   list_.work().start(
       tr("Exporting %1").arg(QFileInfo(path).fileName()),
-      [this, trajectory = motion->trajectory, format, path,
-       options](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
-        auto files = filesOf(*trajectory, format, path, options);
+      [this, trajectory = motion->trajectory, format, path, options,
+       simplify](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
+        const Trajectory written = simplify ? trajectory::simplified(*trajectory, *simplify) : *trajectory;
+        auto files = filesOf(written, format, path, options);
         if (!files) return makeError(files.error());
         QStringList names;
         for (const ProgramFile& file : *files) {
           const QFileInfo place(QString::fromStdString(file.name));
           QDir().mkpath(place.path());
-          if (auto written = workcell::writeFileAtomically(file.name, file.content); !written)
-            return makeError(written.error());
+          if (auto kept = workcell::writeFileAtomically(file.name, file.content); !kept) return makeError(kept.error());
           names << place.fileName();
         }
-        return BackgroundWork::Then([this, names, path, frames = trajectory->size()] {
+        return BackgroundWork::Then([this, names, path, frames = written.size()] {
           const QString line =
               tr("Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there")
                   .arg(names.join(QStringLiteral(", ")))

@@ -4,8 +4,10 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <optional>
 
 #include "trajectory/program_export.h"
+#include "trajectory/trajectory.h"
 
 namespace hapticell::app {
 
@@ -28,9 +30,13 @@ class MotionExport : public QObject {
  public:
   MotionExport(Host& host, MotionList& list, QObject* parent = nullptr);
 
-  /// Asks for the place.
-  void askExport(const QString& format, const trajectory::ProgramOptions& options);
-  void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options);
+  /// Asks for the place; before that, where a program would have very many moves, whether only those are written that
+  /// are needed within `tolerance`.
+  void askExport(const QString& format, const trajectory::ProgramOptions& options,
+                 const trajectory::PathTolerance& tolerance);
+  /// `simplify`: only the frames that are needed within it; the motion itself stays as it is.
+  void exportTo(const QString& path, const QString& format, const trajectory::ProgramOptions& options,
+                const std::optional<trajectory::PathTolerance>& simplify = {});
   void askImport();
   /// .htraj, .json, .csv, .yaml; a motion that names no entity is that of `entity`.
   void importFrom(const QStringList& paths, const std::string& entity);
@@ -40,6 +46,8 @@ class MotionExport : public QObject {
   void finished(const QString& path, bool done);
 
  private:
+  enum class Moves { kAll, kNeeded, kNone };
+  Moves askMoves(std::size_t moves, const trajectory::PathTolerance& tolerance);
   Host& host_;
   MotionList& list_;
 };

@@ -147,13 +147,14 @@ void MotionPanel::addClean(QVBoxLayout& column) {
   keep_free_->setObjectName("checkKeepFree");
   keep_free_->setChecked(true);
   section->addWidget(keep_free_);
-  const auto tolerance = [this] {
-    return trajectory::PathTolerance{1e-3 * tolerance_->value(), turn_tolerance_->value() * 0.017453292519943295};
-  };
   section->addWidget(sideBySide(
       {action("buttonSmoothMotion", tr("Smooth"), tr("Takes the hand's tremor, keeps the path"), [this] { smooth(); }),
        action("buttonSimplify", tr("Simplify"), tr("Only the frames that are needed"),
-              [this, tolerance] { work_.simplify(tolerance()); })}));
+              [this] { work_.simplify(tolerance()); })}));
+}
+
+trajectory::PathTolerance MotionPanel::tolerance() const {
+  return {1e-3 * tolerance_->value(), turn_tolerance_->value() * 0.017453292519943295};
 }
 
 void MotionPanel::addTiming(QVBoxLayout& column) {
@@ -215,7 +216,7 @@ void MotionPanel::addExport(QVBoxLayout& column) {
         options.blend = 1e-3 * blend_->value();
         options.tool = program_tool_->text().trimmed().toStdString();
         options.base = program_base_->text().trimmed().toStdString();
-        files_.askExport(format_->currentData().toString(), options);
+        files_.askExport(format_->currentData().toString(), options, tolerance());
       }));
 }
 

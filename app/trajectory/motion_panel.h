@@ -61,6 +61,7 @@ class MotionPanel : public QWidget {
   void addMotion(QVBoxLayout& column);
   void addShape(QVBoxLayout& column);
   void addFrames(QVBoxLayout& column);
+  trajectory::PathTolerance tolerance() const;
   void addClean(QVBoxLayout& column);
   void addTiming(QVBoxLayout& column);
   void addCheck(QVBoxLayout& column);
