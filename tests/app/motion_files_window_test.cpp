@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QMessageBox>
 #include <QProcess>
+#include <QPushButton>
 #include <QStandardPaths>
 
 #include "app/trajectory/play_video.h"
@@ -35,6 +37,38 @@ TEST(TrajectoryDock, ExportsAndReadsBack) {
   const auto again = trajectory::readTrajectory(page.folder().filePath("x.csv").toStdString());
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(trajectory::toCsvText(*again), trajectory::toCsvText(page.newest())) << "bit for bit";
+}
+
+TEST(TrajectoryDock, AProgramOfManyMovesIsOfferedSimplified) {
+  MotionPage page;
+  std::vector<std::pair<double, dvec3>> points;
+  for (int i = 0; i <= 600; ++i) points.emplace_back(0.01 * i, dvec3(0.0005 * i, 0.0, 0.0));
+  ASSERT_TRUE(page.import(points, "long"));
+  std::optional<bool> done;
+  QObject::connect(page.window().findChild<MotionExport*>(), &MotionExport::finished, &page.window(),
+                   [&](const QString&, bool ok) { done = ok; });
+  QString asked;
+  auto* timer = new QTimer(&page.window());
+  QObject::connect(timer, &QTimer::timeout, &page.window(), [timer, &asked] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!question) return;
+    timer->deleteLater();
+    asked = question->text();
+    question->defaultButton()->click();
+  });
+  timer->start(10);
+  const QString path = page.folder().filePath("long.src");
+  page.answerFileDialog(path);
+  page.press("buttonExport");
+  ASSERT_TRUE(MotionPage::until([&] { return done.has_value(); }, MotionPage::kPatience));
+  EXPECT_TRUE(*done);
+  EXPECT_EQ(asked, "The program would have 601 moves.");
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const qsizetype moves = file.readAll().count("LIN ");
+  EXPECT_GT(moves, 0);
+  EXPECT_LT(moves, 20) << "a straight line";
+  EXPECT_EQ(page.newest().size(), 601u) << "the motion itself is as it was";
 }
 
 /// A robot's motion through the panel's own dialog into each of the eight formats.

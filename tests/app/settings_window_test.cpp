@@ -53,6 +53,26 @@ class PaintCount : public QObject {
   int paints = 0;
 };
 
+TEST(ValueField, SpeedsAreShownInTheUnitOfLength) {
+  ValueField field({QStringLiteral("mm/s"), 0, 1.0, 5000.0, 10.0});
+  field.setValue(254.0);
+  EXPECT_EQ(field.text(), "254");
+  Units inches;
+  inches.length = Units::Length::kInch;
+  setUnitsNow(inches);
+  field.unitsChanged();
+  EXPECT_EQ(field.text(), "10");
+  field.show();
+  field.setFocus();
+  field.selectAll();
+  QTest::keyClicks(&field, "900");
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_NEAR(field.value(), 5000.0, 1e-6);
+  EXPECT_TRUE(QTest::qWaitFor([] { return QToolTip::text() == "At most 197 in/s. You typed 900 in/s."; }, 2000))
+      << QToolTip::text().toStdString();
+  setUnitsNow({});
+}
+
 TEST(ValueField, ANumberBeyondAnEndBecomesThatEndAndSaysSo) {
   for (const auto& [typed, end, said] : {std::tuple{"200", 170.0, "At most 170.0°. You typed 200.0°."},
                                          std::tuple{"-200", -170.0, "At least -170.0°. You typed -200.0°."},

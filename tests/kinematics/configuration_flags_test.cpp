@@ -34,6 +34,14 @@ TEST(ConfigurationFlags, KukaHomeIsStatusTwoTurnTwo) {
   EXPECT_EQ(toString(shape), "front, elbow up, wrist not flipped");
 }
 
+TEST(ConfigurationFlags, OfAStraightWristRoundingDoesNotChooseTheName) {
+  const RobotModel model = test::kr120();
+  for (const double rest : {-1e-8, 0.0, 1e-8}) {
+    const std::array<double, 6> q{0.0, -M_PI / 2.0, M_PI / 2.0, 0.0, rest, 0.0};
+    EXPECT_EQ(toString(shapeOf(model, q)), "front, elbow up, wrist not flipped") << rest;
+  }
+}
+
 TEST(ConfigurationFlags, KukaBitsFollowTheirJoints) {
   const auto overhead = degrees({0, -150, 40, 0, 30, 0});
   EXPECT_EQ(kukaFlags(shapeOf(test::kr120(), overhead), overhead).status & 1, 1);

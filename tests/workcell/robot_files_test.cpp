@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "kinematics/chain_report.h"
 #include "kinematics/inverse_factory.h"
 #include "tests/support/test_data.h"
 #include "workcell/entity_source.h"
@@ -96,6 +97,11 @@ TEST(RobotLibrary, EveryRobotLoadsIsSolvedAndNamesItsSource) {
     const auto inverse = kinematics::createInverse(model, tip);
     ASSERT_TRUE(inverse) << robot.name;
     const std::vector<double> rest = kinematics::restPositions(model);
+    if (const kinematics::Chain* chain = (*inverse)->chain(); chain && robot.file.extension() == ".toml") {
+      kinematics::ChainPositions x{};
+      for (std::size_t k = 0; k < chain->size(); ++k) x[k] = rest[static_cast<std::size_t>(chain->variables()[k])];
+      EXPECT_FALSE(kinematics::chainIsSingular(*chain, x)) << robot.name << " starts where it can hardly be dragged";
+    }
     std::vector<double> q = rest;
     for (std::size_t k = 0; k < q.size(); ++k) {
       const auto& joint = model.joints[static_cast<std::size_t>(model.moving[k])];
