@@ -78,8 +78,9 @@ Reader readerOf(MeshFormat format) {
   return nullptr;
 }
 
-void warnAboutUnit(const geometry::Bounds& bounds, Diagnostics& diagnostics) {
-  const bool open = unitIsOpen(bounds);
+/// `assumed`: nobody said metres either.
+void warnAboutUnit(const geometry::Bounds& bounds, bool assumed, Diagnostics& diagnostics) {
+  const bool open = assumed && unitIsOpen(bounds);
   if (guessUnit(bounds) == LengthUnit::kMetre && !open) return;
   const dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
@@ -203,7 +204,7 @@ Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem
   finish(file.mesh, file.metres_per_unit, options, file.weld);
   if (file.mesh.triangles.empty()) return makeError(nothingLeft(name, file.triangles_in_file));
   warnAboutWelding(file.weld, diagnostics);
-  if (guessIsDue(file, options)) warnAboutUnit(file.mesh.bounds(), diagnostics);
+  if (guessIsDue(file, options)) warnAboutUnit(file.mesh.bounds(), !options.scale, diagnostics);
   return file;
 }
 
@@ -229,7 +230,7 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
   if (file.parts.empty()) return makeError(nothingLeft(path, file.triangles_in_file));
   if (gone > 0) diagnostics.warn(std::to_string(gone) + " solids of triangles without area were left out");
   warnAboutWelding(file.weld, diagnostics);
-  if (guessIsDue(file, options)) warnAboutUnit(bounds, diagnostics);
+  if (guessIsDue(file, options)) warnAboutUnit(bounds, !options.scale, diagnostics);
   return file;
 }
 

@@ -23,7 +23,8 @@ struct MeshReadOptions {
   /// formats have no field for it.
   std::optional<double> scale = {};
   bool weld = true;  ///< Merge corners and drop degenerate and duplicate triangles (geometry::weld).
-  /// Warn where no unit is stated, it is read in metres and the size makes millimetres likely (guessUnit).
+  /// Warn where no unit is stated, it is read in metres and the size makes millimetres likely (guessUnit) or leaves
+  /// both open (unitIsOpen).
   bool warn_about_unit = true;
 };
 
