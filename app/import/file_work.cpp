@@ -22,6 +22,7 @@
 #include "app/import/shape_reload.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
+#include "kinematics/start_posture.h"
 #include "workcell/autosave.h"
 #include "workcell/document_io.h"
 
@@ -304,6 +305,25 @@ void FileWork::import(const QStringList& paths, bool ask) {
   session_.add(paths, ask);
 }
 
+namespace {
+
+/// A robot whose file says no home and whose joints at zero make it singular starts bent, and the report says so.
+void startBent(workcell::Entity& entity, workcell::ImportReport& report) {
+  if (entity.kind != workcell::EntityKind::kRobot || !entity.robot || !entity.robot->home.empty()) return;
+  if (!entity.joints.empty() && entity.joints != kinematics::restPositions(*entity.robot)) return;
+  auto start = kinematics::bentStart(*entity.robot, entity.robot->findLink(entity.tip_link));
+  if (!start) return;
+  QStringList joints;
+  for (const std::string& joint : start->bent_joints) joints << QString::fromStdString(joint);
+  entity.joints = std::move(start->q);
+  report.warnings.push_back(FileWork::tr("The file of %1 names no home, and at zero it is singular: it could hardly be "
+                                         "dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.")
+                                .arg(QString::fromStdString(entity.name), joints.join(QStringLiteral(", ")))
+                                .toStdString());
+}
+
+}  // namespace
+
 void FileWork::takeImported(const QString& path, const ImportSession::Result& result) {
   const QString name = QFileInfo(path).fileName();
   if (!*result) {
@@ -311,7 +331,8 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
     emit imported(path, false);
     return;
   }
-  const workcell::ImportReport report = (*result)->report;
+  workcell::ImportReport report = (*result)->report;
+  for (workcell::Entity& entity : (*result)->entities) startBent(entity, report);
   host_.documentModel().beginStep(tr("Import %1").arg(name));
   const auto ids = host_.documentModel().addImported(std::move((*result)->entities));
   host_.documentModel().endStep();

@@ -5633,6 +5633,10 @@
         <translation>Le fichier n&apos;indique pas d&apos;unité. Quelle taille est la bonne ?</translation>
     </message>
     <message>
+        <source>The file of %1 names no home, and at zero it is singular: it could hardly be dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.</source>
+        <translation>Le fichier de %1 n&apos;indique pas de position d&apos;origine, et à zéro il est singulier : on pourrait à peine le tirer. Il démarre avec %2 plié. Gardez votre propre origine dans le volet Robot.</translation>
+    </message>
+    <message>
         <source>The force loop is late at times</source>
         <translation>La boucle d'effort est parfois en retard</translation>
     </message>

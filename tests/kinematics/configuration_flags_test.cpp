@@ -8,6 +8,7 @@
 
 #include "kinematics/inverse_factory.h"
 #include "kinematics/solution_list.h"
+#include "kinematics/start_posture.h"
 #include "tests/kinematics/test_robots.h"
 
 namespace hapticell::kinematics {
@@ -40,6 +41,18 @@ TEST(ConfigurationFlags, OfAStraightWristRoundingDoesNotChooseTheName) {
     const std::array<double, 6> q{0.0, -M_PI / 2.0, M_PI / 2.0, 0.0, rest, 0.0};
     EXPECT_EQ(toString(shapeOf(model, q)), "front, elbow up, wrist not flipped") << rest;
   }
+}
+
+TEST(StartPosture, OfARobotThatIsSingularAtRestOneOrTwoJointsAreBent) {
+  const RobotModel model = test::kr120();
+  const int tip = model.defaultTip();
+  const auto start = bentStart(model, tip);
+  ASSERT_TRUE(start) << "its wrist is straight at zero";
+  EXPECT_GE(start->bent_joints.size(), 1u);
+  EXPECT_LE(start->bent_joints.size(), 2u);
+  RobotModel at_home = model;
+  at_home.home = start->q;
+  EXPECT_FALSE(bentStart(at_home, tip)) << "from there nothing needs to be bent";
 }
 
 TEST(ConfigurationFlags, KukaBitsFollowTheirJoints) {
