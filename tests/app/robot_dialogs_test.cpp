@@ -164,9 +164,6 @@ TEST(Mechanisms, JointsAreLaidBetweenPartsOfTheCellAndTakenApart) {
 TEST(TcpGizmo, AnArrowDragsTheToolAlongItsAxisAsOneStep) {
   RobotPage page;
   page.addRobot("kuka_kr16_2");
-  ASSERT_TRUE(page.typeForStep("jogField2", "-90"));  // Zero is the stretched arm.
-  ASSERT_TRUE(page.typeForStep("jogField3", "90"));
-  ASSERT_TRUE(page.typeForStep("jogField5", "50"));
   page.window().viewport().setMotion(false);
   page.window().viewport().fit(page.window().viewport().scene().bounds_W(), false);
   page.find<Segmented>("segmentsJog")->button(1)->click();
