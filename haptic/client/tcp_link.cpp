@@ -93,6 +93,15 @@ class TcpLink::Connection {
     });
   }
 
+  void takeOver() {
+    asio::post(context_, [this] {
+      take_over_ = true;
+      lose("Taking the stylus.");
+    });
+  }
+
+  bool hasStylus() const { return controls_stylus_; }
+
   ClientKind grantedKind() const {
     const std::scoped_lock lock(mutex_);
     return welcome_.kind;
@@ -184,7 +193,8 @@ class TcpLink::Connection {
                                                 .kind = options_.kind,
                                                 .accept_watching = options_.accept_watching,
                                                 .program = options_.program,
-                                                .wants_condition = true})));
+                                                .wants_condition = true,
+                                                .take_over = std::exchange(take_over_, false)})));
   }
 
   std::string stranger() const {
@@ -232,7 +242,7 @@ class TcpLink::Connection {
     stream_.reset();
     // A refusal stays to be read until an attempt has another outcome.
     become(state, std::move(problem));
-    retry_timer_.expires_after(duration(options_.retry_time));
+    retry_timer_.expires_after(duration(take_over_ ? 0.0 : options_.retry_time));
     retry_timer_.async_wait([this](std::error_code cancelled) {
       if (!cancelled) connect();
     });
@@ -279,7 +289,7 @@ class TcpLink::Connection {
   Encoder encoder_;
   HeartbeatExchange heartbeat_;
   std::int64_t heard_ = 0, attempt_began_ = 0;
-  bool connecting_ = false, welcomed_ = false;
+  bool connecting_ = false, welcomed_ = false, take_over_ = false;
 
   std::atomic<LinkState> state_{LinkState::kConnecting};
   std::atomic<bool> wake_pending_{false}, controls_stylus_{false};
@@ -303,7 +313,8 @@ Expected<TcpLinkOptions> linkOptionsFor(const std::string& host, std::uint16_t p
   return options;
 }
 
-TcpLink::TcpLink(const TcpLinkOptions& options) : connection_(std::make_unique<Connection>(options)) {}
+TcpLink::TcpLink(const TcpLinkOptions& options)
+    : connection_(std::make_unique<Connection>(options)), watches_(options.accept_watching) {}
 
 TcpLink::~TcpLink() = default;
 
@@ -317,6 +328,10 @@ std::string TcpLink::problem() const {
 
 std::optional<DeviceDescription> TcpLink::device() const {
   return connection_->device();
+}
+
+void TcpLink::takeOver() {
+  connection_->takeOver();
 }
 
 ClientKind TcpLink::grantedKind() const {
@@ -338,6 +353,7 @@ std::uint64_t TcpLink::connections() const {
 std::optional<HapticState> TcpLink::latestState() {
   std::optional<HapticState> newest = Connection::newest(connection_->states);
   if (newest) newest->buttons = connection_->presses.take(newest->buttons);
+  if (newest && watches_ && !connection_->hasStylus()) newest->buttons = 0;
   return newest;
 }
 

@@ -18,7 +18,8 @@ struct TcpLinkOptions {
   std::optional<PairingKey>
       key{};  ///< What this station and the server have in common; none: plain, this machine only.
   ClientKind kind = ClientKind::kController;
-  bool accept_watching = false;       ///< Watch where another program controls the stylus already.
+  /// Watch where another program controls the stylus already; the stylus's buttons are then not heard.
+  bool accept_watching = false;
   std::string program = "HaptiCell";  ///< How the server names this client to others.
   double retry_time = 0.5;            ///< Between two attempts to connect.
   double silence_time = 1.0;          ///< A server silent for so long is given up and connected to anew.
@@ -48,6 +49,8 @@ class TcpLink final : public HapticLink {
   std::uint64_t connections() const;
   /// How the device is, once the server has told; nothing while not connected. Any thread.
   std::optional<DeviceCondition> condition() const;
+  /// Connects anew and takes the stylus from whoever controls it: the user's word. Any thread.
+  void takeOver();
   /// The user has done step `step` of its calibration. Any thread; nothing happens while not connected.
   void calibrate(std::uint32_t step);
 
@@ -60,6 +63,7 @@ class TcpLink final : public HapticLink {
  private:
   class Connection;
   std::unique_ptr<Connection> connection_;
+  bool watches_;
 };
 
 }  // namespace hapticell::haptic

@@ -49,7 +49,7 @@ Expected<void> read(const wire::Hello& from, Hello& to) {
   const auto program = text(from.program(), "Hello.program");
   if (!kind) return tl::unexpected(kind.error());
   if (!program) return tl::unexpected(program.error());
-  to = {from.protocol_version(), *kind, from.accept_watching(), *program, from.wants_condition()};
+  to = {from.protocol_version(), *kind, from.accept_watching(), *program, from.wants_condition(), from.take_over()};
   return {};
 }
 

@@ -21,7 +21,7 @@ Offset<flatbuffers::String> text(FlatBufferBuilder& builder, std::string_view te
 
 Offset<wire::Hello> write(FlatBufferBuilder& builder, const Hello& hello) {
   return wire::CreateHello(builder, hello.protocol_version, toWire(hello.kind), hello.accept_watching,
-                           text(builder, hello.program), hello.wants_condition);
+                           text(builder, hello.program), hello.wants_condition, hello.take_over);
 }
 
 Offset<wire::Device> write(FlatBufferBuilder& builder, const DeviceDescription& device) {

@@ -90,6 +90,7 @@ struct Hello {
   bool accept_watching = false;  ///< A controller that would rather watch than be refused when there is one already.
   std::string program{};         ///< Who it is, for messages to the user.
   bool wants_condition = false;  ///< Wants to be told the device's condition.
+  bool take_over = false;        ///< A user's word: this controller takes the place of the one there is.
 };
 
 /// The server's answer to a Hello that it accepts.

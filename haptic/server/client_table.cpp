@@ -119,8 +119,12 @@ bool ClientTable::controllerIsSilent() const {
   return seconds(clock_.now() - controller_->heard_ns) > options_.takeover_time;
 }
 
-bool ClientTable::grantControl(Client& client, const Hello&) {
-  if (controller_ != nullptr && controllerIsSilent()) {
+bool ClientTable::grantControl(Client& client, const Hello& hello) {
+  if (controller_ != nullptr && hello.take_over) {
+    Client& before = *controller_;
+    refuse(before, client.name + " took the stylus.");
+  } else if (controller_ != nullptr && controllerIsSilent() && !hello.accept_watching) {
+    // One that would watch leaves it to its user.
     Client& silent = *controller_;
     refuse(silent, "Silent for too long: " + client.name + " controls the stylus now.");
   }

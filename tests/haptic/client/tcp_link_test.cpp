@@ -171,6 +171,22 @@ TEST(TcpLink, watches_where_it_may_not_control) {
   EXPECT_TRUE(eventuallyState(second, [](const HapticState& s) { return s.adopted_set == 7; }));
 }
 
+TEST(TcpLink, takes_the_stylus_only_by_a_word_of_its_user) {
+  LiveServer server({.takeover_time = 0.05});
+  TcpLink first(to(server.port()));
+  ASSERT_TRUE(connects(first));
+  TcpLinkOptions options = to(server.port());
+  options.accept_watching = true;
+  TcpLink second(options);
+  ASSERT_TRUE(connects(second));
+  ASSERT_EQ(second.grantedKind(), ClientKind::kWatcher);
+  second.takeOver();
+  ASSERT_TRUE(eventually(
+      [&] { return second.linkState() == LinkState::kConnected && second.grantedKind() == ClientKind::kController; }));
+  EXPECT_TRUE(eventually([&] { return first.linkState() == LinkState::kRefused; }));
+  EXPECT_THAT(first.problem(), HasSubstr("stylus"));
+}
+
 TEST(TcpLink, a_watcher_that_tries_to_control_stays_connected) {
   LiveServer server;
   TcpLinkOptions options = to(server.port());

@@ -61,7 +61,7 @@ inline bool same(const DeviceDescription& a, const DeviceDescription& b) {
 
 inline bool same(const Hello& a, const Hello& b) {
   return a.protocol_version == b.protocol_version && a.kind == b.kind && a.accept_watching == b.accept_watching &&
-         a.program == b.program && a.wants_condition == b.wants_condition;
+         a.program == b.program && a.wants_condition == b.wants_condition && a.take_over == b.take_over;
 }
 
 inline bool same(const Welcome& a, const Welcome& b) {
