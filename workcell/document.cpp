@@ -20,6 +20,17 @@ void makeRoom(std::vector<T>& list) {
 }  // namespace
 
 Document::Document(DocumentState state) : state_(std::move(state)) {
+  number();
+}
+
+void Document::continueAfter(const Document& before) {
+  HAPTICELL_DEMAND(undo_.empty() && redo_.empty() && !inCompound());
+  next_id_ = before.next_id_;
+  revision_ = before.revision_ + 1;
+  number();
+}
+
+void Document::number() {
   for (auto& entity : state_.entities) {
     auto numbered = std::make_shared<Entity>(*entity);
     numbered->id = next_id_++;
@@ -104,6 +115,17 @@ void Document::moveStep(std::vector<Step>& from, std::vector<Step>& to) {
   state_ = std::move(step.state);
   state_id_ = step.state_id;
   ++revision_;
+}
+
+void Document::moveTrajectories(const std::map<std::string, std::string>& places) {
+  if (places.empty()) return;
+  const auto move = [&places](DocumentState& state) {
+    for (TrajectoryReference& reference : state.trajectories)
+      if (const auto place = places.find(reference.path); place != places.end()) reference.path = place->second;
+  };
+  move(state_);
+  for (Step& step : undo_) move(step.state);
+  for (Step& step : redo_) move(step.state);
 }
 
 std::vector<std::string> Document::undoTexts() const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,10 @@ class Document {
   Document() = default;
   /// A document as it was read; nothing to undo, not dirty. Ids are given anew, in order.
   explicit Document(DocumentState state);
+
+  /// Where documents follow each other: ids and revision go on from those of the one before, so that none of them means
+  /// something in both. Before the first command.
+  void continueAfter(const Document& before);
 
   const DocumentState& state() const { return state_; }
   const Entity* find(EntityId id) const { return state_.find(id); }
@@ -63,6 +68,9 @@ class Document {
   /// Makes it dirty whatever is undone: it was restored from a copy and stands in no file.
   void markUnsaved() { saved_state_id_ = ~std::uint64_t{0}; }
 
+  /// Their files stand elsewhere now (old to new path), in all states that can be undone to. Not a change by itself.
+  void moveTrajectories(const std::map<std::string, std::string>& places);
+
   /// Where it was read or last saved; empty for a new one.
   const std::filesystem::path& path() const { return path_; }
   void setPath(std::filesystem::path path) { path_ = std::move(path); }
@@ -74,6 +82,7 @@ class Document {
     std::uint64_t state_id = 0;
   };
 
+  void number();
   void moveStep(std::vector<Step>& from, std::vector<Step>& to);
 
   DocumentState state_;

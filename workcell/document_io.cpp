@@ -5,6 +5,7 @@
 
 #include "workcell/document_format.h"
 #include "workcell/file_content.h"
+#include "workcell/recordings.h"
 
 namespace hapticell::workcell {
 
@@ -59,6 +60,9 @@ std::string documentText(const DocumentState& state, const fs::path& folder) {
 
 Expected<void> saveDocument(Document& document, const fs::path& path) {
   const fs::path absolute = fs::absolute(path).lexically_normal();
+  const auto moved = gatherRecordings(document.state(), absolute);
+  if (!moved) return makeError(inFile(moved.error(), path.string()));
+  document.moveTrajectories(*moved);
   auto written = writeFileAtomically(absolute, documentText(document.state(), absolute.parent_path()));
   if (!written) return makeError(inFile(written.error(), path.string()));
   document.setPath(absolute);

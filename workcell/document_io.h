@@ -39,8 +39,9 @@ Expected<Document> parseDocument(std::string_view text, const std::filesystem::p
 /// reading it gives that state again.
 std::string documentText(const DocumentState& state, const std::filesystem::path& folder);
 
-/// Writes the document aside and moves it into place, so that a failure leaves the old file. On success the document is
-/// no longer dirty and has this path.
+/// Writes the document aside and moves it into place, so that a failure leaves the old file. Recordings that lie
+/// elsewhere are copied beside it first (gatherRecordings()). On success the document is no longer dirty and has this
+/// path.
 Expected<void> saveDocument(Document& document, const std::filesystem::path& path);
 
 /// "stop", "slide", "pass" and "constant", "contact", "dynamics".
