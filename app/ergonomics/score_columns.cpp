@@ -15,7 +15,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLabels = 72, kPicture = 126, kLine = 18, kBodies = 4;
+constexpr int kColumnLabels = 72, kPicture = 126, kLine = 18, kBodies = 4;
 constexpr int kScoreTop = kPicture + 40, kDriverTop = kScoreTop + 62, kRebaTop = kDriverTop + 40;
 
 const std::array<const char*, 4> kBodyRows{
@@ -42,8 +42,8 @@ const std::vector<mannequin::Flesh>& ScoreColumns::fleshOf(std::size_t body) {
 }
 
 QRectF ScoreColumns::columnRect(int body) const {
-  const double width = (this->width() - kLabels) / static_cast<double>(kBodies);
-  return {kLabels + width * body, 0.0, width, static_cast<double>(height())};
+  const double width = (this->width() - kColumnLabels) / static_cast<double>(kBodies);
+  return {kColumnLabels + width * body, 0.0, width, static_cast<double>(height())};
 }
 
 void ScoreColumns::choose(int body) {
@@ -71,7 +71,8 @@ void ScoreColumns::paintEvent(QPaintEvent*) {
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   const auto label = [&](int top, const QString& text, int lines = 3) {
-    painter.drawText(QRectF(0, top, kLabels - 6, lines * kLine), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, text);
+    painter.drawText(QRectF(0, top, kColumnLabels - 6, lines * kLine), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                     text);
   };
   label(kPicture + 4, tr("Same task, four bodies"), 5);
   label(kDriverTop, tr("Driver"));

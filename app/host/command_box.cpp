@@ -12,7 +12,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kWidth = 220, kHeight = 22, kIcon = 14, kPadding = 8;
+constexpr int kWidth = 220, kBoxHeight = 22, kIcon = 14, kBoxPadding = 8;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ CommandBox::CommandBox(QAction& action, QWidget* parent) : QAbstractButton(paren
   setAttribute(Qt::WA_Hover);
   setCursor(Qt::IBeamCursor);
   setFont(textFont(TextRole::kSecond));
-  setFixedSize(kWidth, kHeight);
+  setFixedSize(kWidth, kBoxHeight);
   const auto show = [this, &action] {
     setText(action.iconText());
     setAccessibleName(action.iconText());
@@ -36,21 +36,21 @@ CommandBox::CommandBox(QAction& action, QWidget* parent) : QAbstractButton(paren
 }
 
 QSize CommandBox::sizeHint() const {
-  return {kWidth, kHeight};
+  return {kWidth, kBoxHeight};
 }
 
 void CommandBox::paintEvent(QPaintEvent*) {
   const Theme& theme = themeOf(palette());
   QPainter painter(this);
   drawBox(&painter, rect(), theme.field, underMouse() ? theme.text3 : theme.line);
-  app::icon("search", theme.text2).paint(&painter, QRect(kPadding, (height() - kIcon) / 2, kIcon, kIcon));
+  app::icon("search", theme.text2).paint(&painter, QRect(kBoxPadding, (height() - kIcon) / 2, kIcon, kIcon));
   painter.setFont(font());
   painter.setPen(theme.text2);
-  painter.drawText(rect().adjusted(kPadding + kIcon + 6, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
+  painter.drawText(rect().adjusted(kBoxPadding + kIcon + 6, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, text());
   if (key_.isEmpty()) return;
   painter.setFont(textFont(TextRole::kKeyCap));
   painter.setPen(theme.text3);
-  painter.drawText(rect().adjusted(0, 0, -kPadding, 0), Qt::AlignVCenter | Qt::AlignRight, key_);
+  painter.drawText(rect().adjusted(0, 0, -kBoxPadding, 0), Qt::AlignVCenter | Qt::AlignRight, key_);
 }
 
 }  // namespace hapticell::app

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kRow = 24;
 constexpr int kColumn = 300;
-constexpr int kPadding = 20;
+constexpr int kOverlayPadding = 20;
 
 }  // namespace
 
@@ -59,18 +59,18 @@ void KeyOverlay::paintEvent(QPaintEvent*) {
   const Theme& theme = themeOf(palette());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const int columns = std::max(1, std::min(3, (width() - 2 * kPadding) / kColumn));
+  const int columns = std::max(1, std::min(3, (width() - 2 * kOverlayPadding) / kColumn));
   const int rows = (static_cast<int>(lines_.size()) + columns - 1) / columns;
-  const int wanted_height = rows * kRow + 2 * kPadding;
-  const QRect box((width() - columns * kColumn) / 2 - kPadding, std::max(8, (height() - wanted_height) / 2),
-                  columns * kColumn + 2 * kPadding, std::min(height() - 16, wanted_height));
+  const int wanted_height = rows * kRow + 2 * kOverlayPadding;
+  const QRect box((width() - columns * kColumn) / 2 - kOverlayPadding, std::max(8, (height() - wanted_height) / 2),
+                  columns * kColumn + 2 * kOverlayPadding, std::min(height() - 16, wanted_height));
   QColor fill = theme.dock;
   fill.setAlpha(240);
   drawBox(&painter, box, fill, theme.line, 6);
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
     const KeyLine& line = lines_[static_cast<std::size_t>(i)];
-    const QRect row(box.left() + kPadding + (i / rows) * kColumn, box.top() + kPadding + (i % rows) * kRow,
-                    kColumn - 16, kRow);
+    const QRect row(box.left() + kOverlayPadding + (i / rows) * kColumn,
+                    box.top() + kOverlayPadding + (i % rows) * kRow, kColumn - 16, kRow);
     painter.setFont(textFont(TextRole::kKeyCap));
     const int cap = std::max(24, painter.fontMetrics().horizontalAdvance(line.key) + 12);
     drawBox(&painter, QRect(row.left(), row.top() + 3, cap, kRow - 6), theme.field, theme.line);

@@ -16,7 +16,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kRestMilliseconds = 500;                                  // Then it is dressed.
+constexpr int kDressMilliseconds = 500;                                 // Then it is dressed.
 constexpr double kCell = 0.010, kHandCell = 0.003, kHeadCell = 0.0045;  // m
 
 /// The look of each body; none where its link has none.
@@ -100,7 +100,7 @@ void FigureSkins::look() {
       dressed.looks = std::move(looks);
       dressed.state = Dressed::State::kMoves;
       dressed.since.start();
-    } else if (dressed.state == Dressed::State::kMoves && dressed.since.elapsed() > kRestMilliseconds) {
+    } else if (dressed.state == Dressed::State::kMoves && dressed.since.elapsed() > kDressMilliseconds) {
       ask(entity, dressed);
     } else if (dressed.state == Dressed::State::kReady && host_.viewport().hasWhole(dressed.set_at)) {
       dressed.state = Dressed::State::kAlone;

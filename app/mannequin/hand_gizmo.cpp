@@ -14,7 +14,7 @@ namespace hapticell::app {
 namespace {
 
 using Kind = manipulation::MovedBy::Kind;
-constexpr double kPixels = 84.0;        // Of an arrow.
+constexpr double kHandPixels = 84.0;    // Of an arrow.
 constexpr double kShortShown = 1.5e-3;  // m
 
 }  // namespace
@@ -48,7 +48,7 @@ bool HandGizmo::isReady() const {
 Gizmo HandGizmo::gizmoNow(const Camera& camera, const ViewSize& view) const {
   Gizmo gizmo;
   gizmo.X_WG.p = frame_W().p;
-  gizmo.size = kPixels * camera.metresPerPixel(gizmo.X_WG.p, view);
+  gizmo.size = kHandPixels * camera.metresPerPixel(gizmo.X_WG.p, view);
   return gizmo;
 }
 

@@ -12,10 +12,10 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMostShots = 60;                     // Of the inverse model for one place of the mouse.
-constexpr double kLever = 0.25;                    // m that a radian counts like.
-constexpr double kPixels = 96.0;                   // Of an arrow.
-constexpr double kNearLimit = 0.0349065850398866;  // 2 degrees.
+constexpr int kMostShots = 60;                        // Of the inverse model for one place of the mouse.
+constexpr double kLever = 0.25;                       // m that a radian counts like.
+constexpr double kPixels = 96.0;                      // Of an arrow.
+constexpr double kTcpNearLimit = 0.0349065850398866;  // 2 degrees.
 
 }  // namespace
 
@@ -109,7 +109,7 @@ void TcpGizmo::follow(const Pose& X_WT) {
   }
   why_.clear();
   if (solution.status != kinematics::InverseStatus::kSolved) {
-    const std::string limit = kinematics::nearestLimitText(*robot->robot, solution.q, kNearLimit);
+    const std::string limit = kinematics::nearestLimitText(*robot->robot, solution.q, kTcpNearLimit);
     why_ = limit.empty() ? tr("The arm is at the edge of its reach") : shownLimit(limit);
   }
   emit held(why_);
