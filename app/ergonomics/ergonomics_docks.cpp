@@ -19,6 +19,7 @@
 #include "app/ergonomics/work_task_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "app/host/actions.h"
+#include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/top_menus.h"
@@ -61,6 +62,11 @@ class ErgonomicsDocks : public QObject {
     connect(panel_, &ErgonomicsPanel::bodyChosen, this, &ErgonomicsDocks::showBodies);
     connect(&scores_, &LiveScores::changed, this, &ErgonomicsDocks::showAll);
     connect(&host_.holdChoice(), &HoldChoice::changed, this, &ErgonomicsDocks::showMarks);
+    connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+      motion_.clear();
+      scores_.clear();
+      last_ = 0;
+    });
     addMenu();
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, this, [this] { look(); });

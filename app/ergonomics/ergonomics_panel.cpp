@@ -165,6 +165,7 @@ void ErgonomicsPanel::listen() {
     emit methodChanged();
   });
   connect(all_bodies_, &QCheckBox::toggled, this, [this] { emit bodyChosen(chosenBody()); });
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] { all_bodies_->setChecked(false); });
   connect(show_posture_, &QPushButton::clicked, this, &ErgonomicsPanel::takeBetterPosture);
   connect(limits_, &QPushButton::clicked, this, &ErgonomicsPanel::chooseOwnLimits);
   connect(columns_, &ScoreColumns::chose, this, &ErgonomicsPanel::bodyChosen);

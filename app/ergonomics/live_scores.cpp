@@ -100,15 +100,22 @@ int LiveScores::ownBody() const {
   return -1;
 }
 
+void LiveScores::clear() {
+  rests_.stop();
+  ++question_;
+  scores_.reset();
+  bodies_.clear();
+  advice_.reset();
+  figure_.reset();
+  task_ = {};
+  has_task_ = false;
+  emit changed();
+}
+
 void LiveScores::look() {
   const workcell::Entity* entity = context_.entity();
   if (!entity) {
-    if (isEmpty()) return;
-    scores_.reset();
-    bodies_.clear();
-    advice_.reset();
-    figure_.reset();
-    emit changed();
+    if (!isEmpty()) clear();
     return;
   }
   const mannequin::Posture posture = context_.posture();

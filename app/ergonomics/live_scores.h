@@ -22,6 +22,8 @@ class LiveScores : public QObject {
  public:
   explicit LiveScores(MannequinContext& context, QObject* parent = nullptr);
 
+  /// Another document follows: nothing is scored any more.
+  void clear();
   /// Looks whether anything moved and scores it; to be called at each frame.
   void look();
   bool isEmpty() const { return !scores_.has_value(); }

@@ -54,7 +54,8 @@ void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequi
   emit changed();
   runBeside(
       this, [path = path.toStdString(), figure = std::move(figure), task] { return read(path, *figure, task); },
-      [this, path](Expected<std::shared_ptr<const Motion>> motion) {
+      [this, path, question = question_](Expected<std::shared_ptr<const Motion>> motion) {
+        if (question != question_) return;
         busy_ = false;
         if (motion) {
           motion_ = std::move(*motion);
@@ -64,6 +65,14 @@ void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequi
         }
         emit changed();
       });
+}
+
+void MotionScoresModel::clear() {
+  ++question_;
+  busy_ = false;
+  motion_ = nullptr;
+  name_.clear();
+  emit changed();
 }
 
 QString MotionScoresModel::mostBeyond() const {

@@ -20,6 +20,8 @@ class MotionScoresModel : public QObject {
   using QObject::QObject;
   /// Begins to read a BVH or AMC file (the ASF beside it) and to score it with the task. `figure` is the mannequin's.
   void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
+  /// As before the first motion; one that is being read is not taken.
+  void clear();
   bool isEmpty() const { return !motion_; }
   bool isBusy() const { return busy_; }
   QString name() const { return name_; }
@@ -60,6 +62,7 @@ class MotionScoresModel : public QObject {
   std::shared_ptr<const Motion> motion_;
   QString name_;
   bool busy_ = false;
+  int question_ = 0;  ///< The newest; what an older one gives is not taken.
 };
 
 }  // namespace hapticell::app

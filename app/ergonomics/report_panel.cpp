@@ -82,6 +82,12 @@ ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, co
     shown_page_ = shown_page_ % pages_ + 1;
     draw();
   });
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    scene_ = {};
+    shown_page_ = 1;
+    kind_->setCurrent(0);
+    drawLater();
+  });
   connect(&scores_, &LiveScores::changed, this, &ReportPanel::drawLater);
   // Told once the figure rests: then the scene is worth a picture.
   connect(&scores_, &LiveScores::adviceChanged, this, [this] {

@@ -94,6 +94,10 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
     if (frame_ + step >= motion_.frames()) play(false);
     setFrame(std::min(frame_ + step, motion_.frames() - 1));
   });
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    play(false);
+    frame_ = 0;
+  });
   showMotion();
 }
 

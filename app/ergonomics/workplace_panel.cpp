@@ -80,6 +80,18 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
   connect(take_, &QPushButton::clicked, this, &WorkplacePanel::take);
   connect(view_, &WorkplaceView::chose, this, &WorkplacePanel::showMap);
   connect(&context_, &MannequinContext::documentChanged, this, &WorkplacePanel::fillStation);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    if (run_) run_->cancel = true;
+    run_.reset();
+    busy_ = false;
+    poll_.stop();
+    bar_->setValue(0);
+    map_.reset();
+    searched_.clear();
+    view_->setMap(nullptr);
+    station_->clear();
+    showMap();
+  });
   fillStation();
   showMap();
 }
@@ -144,7 +156,8 @@ void WorkplacePanel::search() {
         return manipulation::searchWorkplace(
             question, [&run](double share) { run->progress = share; }, run->cancel);
       },
-      [this](Expected<manipulation::WorkplaceMap> map) {
+      [this, run = run_](Expected<manipulation::WorkplaceMap> map) {
+        if (run != run_) return;
         busy_ = false;
         poll_.stop();
         bar_->setValue(map ? 100 : 0);

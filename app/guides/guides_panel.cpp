@@ -70,6 +70,7 @@ GuidesPanel::GuidesPanel(Host& host, QWidget* parent) : QWidget(parent), host_(h
   addFields(*editor);
   column->addWidget(editor_);
   column->addStretch(1);
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] { current_.clear(); });
   connect(&host_.documentModel(), &DocumentModel::changed, this, &GuidesPanel::show);
   connect(&host_.selection(), &Selection::changed, this, &GuidesPanel::show);
   show();

@@ -10,7 +10,8 @@ namespace hapticell::app {
 
 QString DocumentModel::title() const {
   const auto& path = document_.path();
-  return path.empty() ? tr("New workcell") : QString::fromStdString(path.stem().string());
+  if (!path.empty()) return QString::fromStdString(path.stem().string());
+  return origin_.empty() ? tr("New workcell") : tr("%1 copy").arg(QString::fromStdString(origin_.stem().string()));
 }
 
 bool DocumentModel::execute(const workcell::Command& command) {
@@ -77,19 +78,40 @@ void DocumentModel::cancelStep() {
 }
 
 void DocumentModel::clear() {
-  document_ = workcell::Document();
-  emit opened();
-  emit changed();
+  replaceBy(workcell::Document(), {});
 }
 
 void DocumentModel::adopt(workcell::Document document) {
+  std::filesystem::path origin = document.path();
+  replaceBy(std::move(document), std::move(origin));
+}
+
+void DocumentModel::adoptCopy(workcell::Document document) {
+  std::filesystem::path origin = document.path();
+  document.setPath({});
+  replaceBy(std::move(document), std::move(origin));
+}
+
+void DocumentModel::replaceBy(workcell::Document document, std::filesystem::path origin) {
+  cancelStep();
+  emit closing();
+  document.continueAfter(document_);
   document_ = std::move(document);
+  origin_ = std::move(origin);
+  ++number_;
   emit opened();
   emit changed();
 }
 
 Expected<void> DocumentModel::save(const QString& path) {
+  const std::vector<workcell::TrajectoryReference> before = document_.state().trajectories;
   auto saved = workcell::saveDocument(document_, path.toStdString());
+  std::map<std::string, std::string> moved;
+  for (const auto& reference : before)
+    if (const auto* now = document_.state().findTrajectory(reference.name); now && now->path != reference.path)
+      moved[reference.path] = now->path;
+  if (!moved.empty()) emit recordingsMoved(moved);
+  if (saved) origin_ = document_.path();
   if (saved) emit changed();
   return saved;
 }

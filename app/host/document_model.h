@@ -3,6 +3,9 @@
 
 #include <QObject>
 #include <QString>
+#include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "workcell/document.h"
@@ -15,8 +18,13 @@ class DocumentModel : public QObject {
  public:
   using QObject::QObject;
   const workcell::Document& document() const { return document_; }
-  /// Name for the window's title: the file's stem, or "New workcell".
+  /// Counts the documents that stood here: what was begun beside the window for one is not for the next.
+  int number() const { return number_; }
+  /// Name for the window's title: the file's stem, "demo copy" for a sample that has no file of its own yet, or "New
+  /// workcell".
   QString title() const;
+  /// Where it was read from: its own path, or that of the sample that it is a copy of; empty for a new one.
+  const std::filesystem::path& origin() const { return origin_; }
 
   /// Does a command as one step of undo; what was refused is told by refused().
   bool execute(const workcell::Command& command);
@@ -39,6 +47,8 @@ class DocumentModel : public QObject {
   void clear();
   /// A document that was read elsewhere (files are never read in this thread) in place of this one.
   void adopt(workcell::Document document);
+  /// The same, of a shipped sample: it has no file of its own until it is saved.
+  void adoptCopy(workcell::Document document);
   Expected<void> save(const QString& path);
   /// What an import made, as one step of undo, its file's frame F at X_WF. Gives the new ids in tree order.
   Expected<std::vector<workcell::EntityId>> addImported(std::vector<workcell::Entity> entities, const Pose& X_WF = {});
@@ -46,10 +56,20 @@ class DocumentModel : public QObject {
  signals:
   void changed();  ///< The document differs from before; undo and redo included.
   void refused(const QString& sentence);
+  /// Another document will stand in its place. Whoever keeps something of this one (what was picked, measured, played,
+  /// scored, drawn, chosen of it) drops it now, so that nothing of it is in the next; ids of its entities mean nothing
+  /// there.
+  void closing();
   void opened();  ///< Another document stands in its place.
+  /// Saving put recordings beside the document (old to new path); before changed().
+  void recordingsMoved(const std::map<std::string, std::string>& places);
 
  private:
+  void replaceBy(workcell::Document document, std::filesystem::path origin);
+
   workcell::Document document_;
+  std::filesystem::path origin_;
+  int number_ = 0;
 };
 
 }  // namespace hapticell::app

@@ -73,6 +73,15 @@ class HoldChoice : public QObject {
     return moved_by;
   }
 
+  /// As it is where nobody has chosen.
+  void forget() {
+    kind_ = Kind::kDefault;
+    frame_.clear();
+    robot_ = {};
+    locks_ = {};
+    emit changed();
+  }
+
   /// Whoever holds something lets it go; it stays where it is.
   void letGo() { emit letGoWanted(); }
 

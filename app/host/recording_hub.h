@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "manipulation/manipulation_command.h"
@@ -36,6 +37,13 @@ class RecordingHub : public QObject {
     recording_ = false;
     emit stopWanted();
   }
+  /// Another document follows: what is being recorded is not kept.
+  void abandon() {
+    setGuide(std::nullopt);
+    if (!recording_) return;
+    abandoned_ = true;
+    stop();
+  }
   /// A frame by hand, here and now; nothing while nothing is recorded.
   void mark() {
     if (recording_) emit markWanted();
@@ -49,6 +57,7 @@ class RecordingHub : public QObject {
   /// Of the one who moves.
   void deliver(const std::vector<trajectory::Trajectory>& trajectories) {
     recording_ = false;
+    if (std::exchange(abandoned_, false)) return;
     emit recorded(trajectories);
   }
 
@@ -61,7 +70,7 @@ class RecordingHub : public QObject {
   void recorded(const std::vector<hapticell::trajectory::Trajectory>& trajectories);
 
  private:
-  bool live_ = false, recording_ = false;
+  bool live_ = false, recording_ = false, abandoned_ = false;
   std::optional<workcell::Guide> guide_;
 };
 

@@ -30,6 +30,7 @@ FigureDrag::FigureDrag(MannequinContext& context, QObject* parent)
   pool_.setMaxThreadCount(1);
   work_->configuration = context.host().configuration();
   connect(&context_, &MannequinContext::documentChanged, this, &FigureDrag::forgetReach);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, &FigureDrag::forgetCell);
 }
 
 FigureDrag::~FigureDrag() {
@@ -102,7 +103,13 @@ void FigureDrag::pump() {
     const Reach reach = work->way->follow();
     const manipulation::EntityConfiguration stands = work->way->stands();
     QMetaObject::invokeMethod(
-        this, [this, reach, stands] { take(stands, reach); }, Qt::QueuedConnection);
+        this,
+        [this, reach, stands, work] {
+          if (work == work_) return take(stands, reach);
+          busy_ = false;  // Of a cell that is closed; what was begun since waits for it.
+          pump();
+        },
+        Qt::QueuedConnection);
   });
   wanted_.reset();
 }
@@ -138,6 +145,16 @@ void FigureDrag::forgetReach() {
     return;
   reach_.reset();
   emit moved();
+}
+
+void FigureDrag::forgetCell() {
+  open_ = ending_ = under_way_ = false;
+  auto fresh = std::make_shared<Work>();
+  fresh->configuration = work_->configuration;
+  work_ = std::move(fresh);
+  wanted_.reset();
+  reach_.reset();
+  entity_ = 0;
 }
 
 void FigureDrag::finish() {

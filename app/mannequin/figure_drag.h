@@ -48,6 +48,7 @@ class FigureDrag : public QObject {
   void take(const manipulation::EntityConfiguration& stands, const Reach& reach);
   void refuse(const QString& why);
   void finish();
+  void forgetCell();
   /// Forgets how the last motion ended once the figure stands otherwise (undo, a posture).
   void forgetReach();
   MannequinContext& context_;

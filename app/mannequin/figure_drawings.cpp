@@ -85,6 +85,15 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
   column->addWidget(seen_);
   rests_.setSingleShot(true);
   rests_.setInterval(kRestMilliseconds);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    for (QCheckBox* drawn : switches_) drawn->setChecked(false);
+    ++question_;
+    figure_.reset();
+    reach_.clear();
+    scene_ = nullptr;
+    balance_->clear();
+    seen_->clear();
+  });
   connect(&rests_, &QTimer::timeout, this, &FigureDrawings::askReach);
   connect(eyes_, &QPushButton::clicked, this, &FigureDrawings::lookThroughEyes);
   connect(gaze_, &QPushButton::clicked, this, &FigureDrawings::lookAtTarget);

@@ -59,6 +59,7 @@ class MannequinDocks : public QObject {
     host_.viewport().setPointerTool(&gizmo_, ToolChain::kFigure);
     host_.viewport().installEventFilter(this);
     connect(&context_, &MannequinContext::documentChanged, &gizmo_, &HandGizmo::showNow);
+    connect(&host_.documentModel(), &DocumentModel::closing, &gizmo_, &HandGizmo::cancel);
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, panel_, &MannequinPanel::showNow);
     connect(timer, &QTimer::timeout, drawings_, &FigureDrawings::showNow);
@@ -112,7 +113,8 @@ class MannequinDocks : public QObject {
     for (const auto& entity : host_.documentModel().document().state().entities) taken.push_back(entity->name);
     runBeside(
         this, [request, place = freePlace(), taken] { return newMannequin(request, place, taken); },
-        [this](Expected<workcell::Entity> made) {
+        [this, number = host_.documentModel().number()](Expected<workcell::Entity> made) {
+          if (number != host_.documentModel().number()) return;
           if (!made)
             return host_.messages().tell(Severity::kProblem, tr("No mannequin was added"),
                                          QString::fromStdString(made.error().message()));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/mannequin/beside.h"
@@ -61,6 +62,16 @@ MarkerPanel::MarkerPanel(MannequinContext& context, QWidget* parent)
   play_->setEnabled(false);
   at_->setEnabled(false);
   clock_.setInterval(kPlayMilliseconds);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    play(false);
+    draw(false);
+    clip_ = {};
+    at_->setRange(0, 0);
+    play_->setEnabled(false);
+    at_->setEnabled(false);
+    name_->clear();
+    state_->setText(tr("Open a recording of markers (C3D) to see them in the scene."));
+  });
   connect(open_button, &QPushButton::clicked, this, [this] {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Open recorded markers"), {}, tr("Markers (*.c3d);;All files (*)"));

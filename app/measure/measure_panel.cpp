@@ -64,6 +64,13 @@ MeasurePanel::MeasurePanel(Host& host, QWidget* parent)
     picked_.clear();
     measurePicked();
   });
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+    end();
+    picked_.clear();
+    measurePicked();
+    pick_->setEnabled(true);
+    note_->setText({});
+  });
   measurePicked();
 }
 

@@ -66,7 +66,11 @@ CollisionsPanel::CollisionsPanel(Host& host, QWidget* parent) : QWidget(parent),
   columns_->setSet(sets_->current());
   const auto refresh = [this] { showSnapshot(host_.snapshot()); };
   connect(&host_.documentModel(), &DocumentModel::changed, this, refresh);
-  connect(&host_.documentModel(), &DocumentModel::opened, this, [this] {
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+    log_page_->clear();
+    filter_->clear();
+    show_->setCurrent(0);
+    model_.setShow(PairTableModel::Show::kAll, {});
     question_->hide();
     rest_.askAgain();
   });

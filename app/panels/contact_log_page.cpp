@@ -60,16 +60,18 @@ ContactLogPage::ContactLogPage(Host& host, QWidget* parent) : QWidget(parent), h
   row->addWidget(clear);
   row->addWidget(save_log);
   column->addLayout(row);
-  connect(clear, &QPushButton::clicked, this, [this] {
-    log_.clear();
-    model_.refresh();
-    emit changed();
-  });
+  connect(clear, &QPushButton::clicked, this, &ContactLogPage::clear);
   connect(save_log, &QPushButton::clicked, this, [this] {
     const QString path =
         QFileDialog::getSaveFileName(this, tr("Save log"), QStringLiteral("contacts.csv"), tr("Table (*.csv)"));
     if (!path.isEmpty()) save(path);
   });
+}
+
+void ContactLogPage::clear() {
+  log_.clear();
+  model_.refresh();
+  emit changed();
 }
 
 void ContactLogPage::take(const manipulation::SceneSnapshot& snapshot) {

@@ -18,6 +18,7 @@ class ContactLogPage : public QWidget {
   explicit ContactLogPage(Host& host, QWidget* parent = nullptr);
   /// Takes a picture's contacts; changed() tells when that made events.
   void take(const manipulation::SceneSnapshot& snapshot);
+  void clear();
   /// As CSV; false, and told in the messages, where the file cannot be written.
   bool save(const QString& path);
   const ContactLog& log() const { return log_; }

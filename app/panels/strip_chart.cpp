@@ -56,6 +56,11 @@ void StripChart::take(const std::optional<manipulation::SceneSnapshot>& snapshot
   if (isSeen(*this) && history_.now() != before) update();
 }
 
+void StripChart::clear() {
+  history_.clear();
+  update();
+}
+
 void StripChart::setTimes(const StripTimes& times) {
   times_ = times;
   update();

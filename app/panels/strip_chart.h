@@ -26,6 +26,8 @@ class StripChart : public QWidget {
   void take(const std::optional<manipulation::SceneSnapshot>& snapshot);
   /// The near-miss distance (m) and the device's peak force (N; 0: none).
   void setLevels(double near_miss_m, double peak_n);
+  /// Another document follows.
+  void clear();
   const StripHistory& history() const { return history_; }
   QSize minimumSizeHint() const override { return {320, times_ ? 70 : 140}; }
 

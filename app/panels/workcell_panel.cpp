@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/panels/swatch_row.h"
@@ -196,6 +197,7 @@ WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
   top->addWidget(filter_);
   column->addLayout(top);
   column->addWidget(tree_, 1);
+  connect(&host_.documentModel(), &DocumentModel::closing, filter_, &QLineEdit::clear);
   filter_model_.setSourceModel(&model_);
   filter_model_.setFilterRole(Role::kFilterRole);
   filter_model_.setFilterCaseSensitivity(Qt::CaseInsensitive);

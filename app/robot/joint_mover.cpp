@@ -23,6 +23,7 @@ JointMover::JointMover(RobotContext& context, MotionWorker& worker, QObject* par
   playing_.setInterval(kFrameMilliseconds);
   playing_.setTimerType(Qt::PreciseTimer);
   connect(&playing_, &QTimer::timeout, this, &JointMover::playFrame);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, &JointMover::forgetCell);
 }
 
 JointMover::~JointMover() = default;
@@ -105,6 +106,7 @@ void JointMover::travel(const QString& text, const std::vector<double>& joints) 
   checking_ = true;
   worker_.checkMotion(robot_, joints, [this, text](const Expected<manipulation::JointMotion>& motion) {
     checking_ = false;
+    if (robot_ == 0) return;  // Its cell is closed.
     if (!motion) return emit stopped(QString::fromStdString(motion.error().message()), {});
     if (!motion->complete)
       return emit stopped(QString::fromStdString(motion->reason), QString::fromStdString(motion->obstacle));
@@ -132,6 +134,13 @@ void JointMover::playFrame() {
   viewport.scene().setPlayed(robotGhosts(context_.host().documentModel().document().state(), robot_,
                                          jointsBetween(travel_.from, travel_.motion.joints, eased(s))));
   viewport.refresh();
+}
+
+void JointMover::forgetCell() {
+  playing_.stop();
+  open_ = ending_ = false;
+  pending_.reset();
+  robot_ = 0;
 }
 
 void JointMover::finishTravel() {

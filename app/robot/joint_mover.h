@@ -48,6 +48,7 @@ class JointMover : public QObject {
   void play(const manipulation::JointMotion& motion);
   void playFrame();
   void finishTravel();
+  void forgetCell();
   RobotContext& context_;
   MotionWorker& worker_;
   workcell::EntityId robot_ = 0;

@@ -67,6 +67,9 @@ MechanismPanel::MechanismPanel(RobotContext& context, QWidget* parent) : QWidget
   connect(&context_, &RobotContext::documentChanged, this, [this] {
     if (isVisible()) show();
   });
+  // Queued: then the next cell is there.
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, &MechanismPanel::begin,
+          Qt::QueuedConnection);
   begin();
 }
 

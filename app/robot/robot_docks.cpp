@@ -11,9 +11,10 @@
 #include <QTimer>
 
 #include "app/host/actions.h"
-#include "app/host/top_menus.h"
+#include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/host/top_menus.h"
 #include "app/panels/form.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/library_panel.h"
@@ -98,6 +99,7 @@ class RobotDocks : public QObject {
     connect(&gizmo_, &TcpGizmo::held, panel_, &RobotPanel::showHeldBack);
     connect(&context_, &RobotContext::documentChanged, &gizmo_, &TcpGizmo::showNow);
     connect(&context_, &RobotContext::robotChanged, &gizmo_, &TcpGizmo::showNow);
+    connect(&host_.documentModel(), &DocumentModel::closing, &gizmo_, &TcpGizmo::cancel);
   }
 
   QDockWidget* addDock(const char* name, const QString& title, QWidget* content) {

@@ -157,7 +157,8 @@ void MotionExport::askImport() {
 void MotionExport::importFrom(const QStringList& paths, const std::string& entity) {
   list_.work().start(
       tr("Reading motions"),
-      [this, paths, entity](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
+      [this, paths, entity,
+       number = host_.documentModel().number()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto motions = std::make_shared<std::vector<std::pair<std::string, Trajectory>>>();
         for (const QString& path : paths) {
           auto read = trajectory::readTrajectory(path.toStdString());
@@ -168,7 +169,8 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
           motions->emplace_back(name.toStdString(), std::move(*read));
           monitor.report(path.toStdString(), static_cast<double>(motions->size()) / static_cast<double>(paths.size()));
         }
-        return BackgroundWork::Then([this, motions, paths] {
+        return BackgroundWork::Then([this, motions, paths, number] {
+          if (number != host_.documentModel().number()) return;
           const auto count = static_cast<int>(motions->size());
           const bool done = list_.add(tr("Import motions"), std::move(*motions));
           if (done) emit told(tr("Motions imported: %1").arg(count), false);

@@ -12,6 +12,7 @@
 #include "app/host/message_log.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
+#include "workcell/recordings.h"
 
 namespace hapticell::app {
 
@@ -19,10 +20,21 @@ using trajectory::Trajectory;
 
 MotionList::MotionList(Host& host, QObject* parent) : QObject(parent), host_(host) {
   connect(&host_.documentModel(), &DocumentModel::changed, this, &MotionList::takeDocument);
-  connect(&host_.documentModel(), &DocumentModel::opened, this, [this] {
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+    work_.cancel();
     motions_.clear();
     current_.clear();
-    takeDocument();
+    read_.clear();
+    unreadable_.clear();
+    emit changed();
+    emit currentChanged();
+  });
+  connect(&host_.documentModel(), &DocumentModel::recordingsMoved, this, [this](const auto& places) {
+    for (const auto& [from, to] : places) {
+      for (Motion& motion : motions_)
+        if (motion.path == from) motion.path = to;
+      if (const auto known = read_.find(from); known != read_.end()) read_[to] = known->second;
+    }
   });
   takeDocument();
 }
@@ -60,8 +72,7 @@ void MotionList::setCheck(const std::string& name, std::optional<manipulation::P
 QString MotionList::folder() const {
   const auto& path = host_.documentModel().document().path();
   if (!path.empty()) {
-    const QFileInfo file(QString::fromStdString(path.string()));
-    return file.dir().filePath(file.completeBaseName() + QStringLiteral("-trajectories"));
+    return QString::fromStdString(workcell::recordingsFolder(path).string());
   }
   return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
       .filePath(QStringLiteral("trajectories"));

@@ -58,6 +58,11 @@ MotionPlayer::MotionPlayer(Host& host, MotionList& list, QObject* parent) : QObj
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &MotionPlayer::tick);
   connect(&list_, &MotionList::changed, this, &MotionPlayer::takeMotions);
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+    setSwept(false);
+    setShown(false);
+    playback_.seek(0.0);
+  });
   takeMotions();
 }
 

@@ -113,11 +113,13 @@ void MotionWork::run(const QString& word, Work work) {
   list_.work().start(
       step,
       [this, given = motion->trajectory, cell = cell(), prepared = prepared_, name, word, step,
+       number = host_.documentModel().number(),
        work = std::move(work)](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto result = work(given, *cell, *prepared, monitor);
         if (!result) return makeError(result.error());
         auto done = std::make_shared<Result>(std::move(*result));
-        return BackgroundWork::Then([this, done, name, word, step] {
+        return BackgroundWork::Then([this, done, name, word, step, number] {
+          if (number != host_.documentModel().number()) return;
           if (!done->motions.empty()) {
             std::vector<std::pair<std::string, Trajectory>> named;
             for (Trajectory& made : done->motions)
@@ -130,7 +132,9 @@ void MotionWork::run(const QString& word, Work work) {
           tell(done->line, done->careful);
         });
       },
-      [this](const Error& error) { tell(QString::fromStdString(error.message()), true); });
+      [this, number = host_.documentModel().number()](const Error& error) {
+        if (number == host_.documentModel().number()) tell(QString::fromStdString(error.message()), true);
+      });
 }
 
 void MotionWork::prepare(const Cell& cell, Prepared& prepared) {

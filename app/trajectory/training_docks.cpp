@@ -35,6 +35,11 @@ TrainingDocks::TrainingDocks(Host& host, MotionList& list, QObject* parent) : QO
   host_.addDock(dock_, Qt::RightDockWidgetArea);
   dock_->hide();
   connect(panel_, &TrainingPanel::cellWanted, this, &TrainingDocks::openCell);
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+    expert_ = nullptr;
+    timer_.stop();
+    panel_->forgetCell();
+  });
   connect(panel_, &TrainingPanel::guideChanged, this, &TrainingDocks::showGuide);
   connect(panel_, &TrainingPanel::runStarted, this, [this](const trajectory::Trajectory& expert) {
     auto replay = manipulation::MotionReplay::create(host_.documentModel().document().state().entities, expert.entity,
@@ -60,16 +65,21 @@ void TrainingDocks::open() {
 
 void TrainingDocks::openCell(const QString& path) {
   const workcell::Document& document = host_.documentModel().document();
-  if (QString::fromStdString(document.path().string()) == path) return;
+  if (QString::fromStdString(host_.documentModel().origin().string()) == path) return panel_->cellCame();
   if (document.isDirty()) {
+    panel_->cellCame();
     emit panel_->told(tr("Save this cell first; then choose the exercise again."), true);
     return;
   }
   auto* window = qobject_cast<MainWindow*>(&host_.window());
-  if (!window) return;
+  if (!window) return panel_->cellCame();
   // What is opened brings its own panel to the front; who trains goes on here.
   connect(
-      &window->files(), &FileWork::opened, this, [this] { QTimer::singleShot(0, this, &TrainingDocks::open); },
+      &window->files(), &FileWork::opened, this,
+      [this] {
+        panel_->cellCame();
+        QTimer::singleShot(0, this, &TrainingDocks::open);
+      },
       Qt::SingleShotConnection);
   window->openFile(path);
 }

@@ -177,6 +177,7 @@ bool TrainingPanel::openExercise(const QString& path) {
     return false;
   }
   setExercise(*exercise, std::move(*expert));
+  cell_wanted_ = true;
   emit cellWanted(QString::fromStdString(exercise->workcell.string()));
   return true;
 }
@@ -187,7 +188,7 @@ void TrainingPanel::useCurrentMotion() {
   manipulation::Exercise exercise;
   exercise.name = motion->name;
   exercise.text = tr("Follow %1.").arg(QString::fromStdString(motion->name)).toStdString();
-  exercise.workcell = host_.documentModel().document().path();
+  exercise.workcell = host_.documentModel().origin();
   exercise.recording = motion->path;
   setExercise(exercise, *motion->trajectory);
 }
@@ -291,6 +292,19 @@ void TrainingPanel::finish(const trajectory::Trajectory& run) {
                                   .arg(exercise_->pass, 0, 'f', 0),
             !attempt.success);
   show();
+}
+
+void TrainingPanel::forgetCell() {
+  if (run_) {
+    run_.reset();
+    showGuide();
+    emit runEnded();
+  }
+  if (cell_wanted_) return show();
+  exercise_.reset();
+  expert_ = {};
+  exercises_->setCurrentIndex(0);
+  loadResults();
 }
 
 void TrainingPanel::cancel() {

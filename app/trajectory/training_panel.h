@@ -35,6 +35,9 @@ class TrainingPanel : public QWidget {
   bool openExercise(const QString& path);
   /// Makes an exercise of the current motion, in the cell as it is.
   void useCurrentMotion();
+  /// Another document follows: a run that goes on is given up, and an exercise of the cell goes; one whose own cell it
+  /// is that follows stays.
+  void forgetCell();
   /// Takes what was recorded while a run went on; false where none does.
   bool takeRecorded(const std::vector<trajectory::Trajectory>& recorded);
   /// The trainee's file; empty: results are kept by exercise and name among the user's data.
@@ -45,6 +48,8 @@ class TrainingPanel : public QWidget {
   double expertTime() const { return run_ ? run_->expertTime() : 0.0; }
   /// Where the moved frame of the exercise's entity is; called at each of the window's steps while a run goes on.
   void follow(const Pose& X_WM);
+  /// The cell that cellWanted() asked for is there, or will not be.
+  void cellCame() { cell_wanted_ = false; }
 
  signals:
   void cellWanted(const QString& path);  ///< The exercise's workcell is to be opened.
@@ -78,6 +83,7 @@ class TrainingPanel : public QWidget {
   std::unique_ptr<manipulation::TrainingRun> run_;
   trajectory::TrainingSession session_;
   QString results_;
+  bool cell_wanted_ = false;  ///< The exercise's own cell is being opened.
   QTimer tick_;
   QComboBox* exercises_;
   QLineEdit* trainee_;

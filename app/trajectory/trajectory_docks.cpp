@@ -118,6 +118,15 @@ class TrajectoryDocks : public QObject {
     connect(&files_, &MotionExport::told, this, tell);
     connect(&training_.panel(), &TrainingPanel::told, this, tell);
     connect(&host_.recording(), &RecordingHub::recorded, this, &TrajectoryDocks::takeRecorded);
+    connect(&host_.documentModel(), &DocumentModel::closing, this, [this, tell] {
+      video_.cancel();
+      gizmo_.cancel();
+      motion_->setFrame(std::nullopt);
+      panel_->timeBar().setPart(std::nullopt);
+      panel_->timeBar().showAll();
+      takes_ = 0;
+      tell({}, false);
+    });
   }
 
   void connectScene() {

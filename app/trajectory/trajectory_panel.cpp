@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/panels/form.h"
 #include "app/panels/strip_chart.h"

@@ -179,6 +179,16 @@ const SceneModel::Skin* SceneModel::skinOf(const workcell::Entity& entity) const
   return fits ? &found->second : nullptr;
 }
 
+void SceneModel::forgetCell() {
+  ghosts_.clear();
+  looks_.clear();
+  extras_.clear();
+  skins_.clear();
+  played_.clear();
+  hovered_ = 0;
+  ++revision_;
+}
+
 void SceneModel::setPlayed(std::vector<GhostPose> played) {
   if (played == played_) return;
   played_ = std::move(played);

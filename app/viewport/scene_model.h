@@ -58,6 +58,8 @@ class SceneModel {
   };
   void setSkin(workcell::EntityId entity, Skin skin);
   void showSkinAlone(workcell::EntityId entity);
+  /// Another document follows: ghosts, looks, extras, skins and what is played are dropped.
+  void forgetCell();
   /// Entities that are shown elsewhere than they stand: a motion that is played. Empty ends it.
   void setPlayed(std::vector<GhostPose> played);
 

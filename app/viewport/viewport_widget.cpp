@@ -151,6 +151,16 @@ void ViewportWidget::showEvent(QShowEvent* event) {
   QOpenGLWidget::showEvent(event);
 }
 
+void ViewportWidget::forgetCell() {
+  cancelPick();
+  curves_.clear();
+  labels_.clear();
+  setFigureStrip({});
+  hover_name_.clear();
+  scene_.forgetCell();
+  update();
+}
+
 void ViewportWidget::changeEvent(QEvent* event) {
   QOpenGLWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange) return;

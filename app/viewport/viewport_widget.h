@@ -67,6 +67,9 @@ class ViewportWidget : public QOpenGLWidget {
   /// Labels beside those of the snapshot, kept by `owner` until it gives others. Their keys must be their own: from
   /// 100.
   void setLabels(const std::string& owner, std::vector<OverlayLabel> labels);
+  /// Another document follows: picks, curves, labels, strips and all of the scene that was made of this one are
+  /// dropped. The section is the view's: its action ends it.
+  void forgetCell();
   void setStrip(const StripContext& context) { strip_ = context; }
   /// What a figure's work is told by, in place of the stylus's strip; above it while forces are on. Empty: none.
   void setFigureStrip(std::vector<StripCell> cells);

@@ -40,7 +40,7 @@ bool hasEyes(const workcell::Entity& entity) {
 
 FollowCamera::FollowCamera(Host& host, QObject* parent) : QObject(parent), host_(host) {
   connect(&timer_, &QTimer::timeout, this, &FollowCamera::look);
-  connect(&host_.documentModel(), &DocumentModel::opened, this, [this] { follow(What::kNothing); });
+  connect(&host_.documentModel(), &DocumentModel::closing, this, [this] { follow(What::kNothing); });
 }
 
 bool FollowCamera::canFollow(What what) const {

@@ -6,6 +6,8 @@
 #include <QUrl>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "app/host/user_settings.h"
 
@@ -14,6 +16,26 @@ namespace hapticell::app {
 QString SavedViews::group() const {
   const QByteArray hash = QCryptographicHash::hash(cell_.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
   return QStringLiteral("views/") + QString::fromLatin1(hash);
+}
+
+void SavedViews::setCell(const QString& path) {
+  if (path == cell_) return;
+  std::vector<std::pair<QString, Camera>> own;
+  if (cell_.isEmpty())
+    for (const QString& name : names())
+      if (const auto camera = find(name)) own.emplace_back(name, *camera);
+  if (cell_.isEmpty()) removeAll();
+  cell_ = path;
+  for (const auto& [name, camera] : own) keep(name, camera);
+}
+
+void SavedViews::closeCell() {
+  if (cell_.isEmpty()) removeAll();
+  cell_.clear();
+}
+
+void SavedViews::removeAll() {
+  for (const QString& name : names()) remove(name);
 }
 
 QStringList SavedViews::names() const {

@@ -12,12 +12,14 @@ namespace hapticell::app {
 class UserSettings;
 
 /// Views of a cell with names, kept in the user's settings by the cell's path: a view is how one looks, not what stands
-/// there. GUI thread.
+/// there. Those of a cell that has no file yet go with it, or to its file once it is saved. GUI thread.
 class SavedViews {
  public:
   explicit SavedViews(UserSettings& settings) : settings_(settings) {}
-  /// Of which cell from now on; views of a cell that has no file yet are kept under an empty path.
-  void setCell(const QString& path) { cell_ = path; }
+  /// Of which cell from now on; empty: one that has no file yet. A file that follows it takes its views over.
+  void setCell(const QString& path);
+  /// Another cell follows.
+  void closeCell();
   QStringList names() const;
   std::optional<Camera> find(const QString& name) const;
   /// Adds it or takes the place of the one of that name.
@@ -28,6 +30,7 @@ class SavedViews {
 
  private:
   QString group() const;
+  void removeAll();
   UserSettings& settings_;
   QString cell_;
 };

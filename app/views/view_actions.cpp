@@ -46,6 +46,10 @@ class ViewActions : public QObject {
                             tr("View, Saved views goes back to it."));
     });
     addPictures(host_, view, this);
+    connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
+      setCell();
+      views_.closeCell();
+    });
     fillSaved();
   }
 
