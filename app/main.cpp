@@ -132,10 +132,9 @@ void openAtStart(MainWindow& window, const QString& wanted, bool first_page) {
       window.openFile(wanted);
     else
       window.importFiles({wanted}, false);
-    return;
+    return window.files().tellLeft({});
   }
-  window.files().offerLeftOver();
-  if (first_page) return window.showStartPage();
+  if (first_page || !window.files().leftWork().empty()) return window.showStartPage();
   const QStringList recent = window.recentFiles().files();
   const auto demo = hapticell::config::findShippedFile("workcells/demo.hcell");
   if (!recent.isEmpty())
@@ -262,6 +261,7 @@ int main(int argc, char** argv) {
   const hapticell::app::EndSignals end;  // Before anything is started that must not be left behind.
   MainWindow window(*configuration, settings);
   if (!options.theme.isEmpty()) window.setTheme(options.theme != "light");
+  if (remembers) window.guardAgainstCrash();
   window.resize(options.size);
   window.show();
   openAtStart(window, options.file, remembers && window.userSettings().value("start/page", true).toBool());

@@ -3,10 +3,18 @@
 
 namespace hapticell::detail {
 
-/// Prints the broken contract and ends the process. Never returns.
+/// Prints the broken contract, keeps its words for brokenContract() and ends the process by SIGABRT. Never returns.
 [[noreturn]] void contractBroken(const char* condition, const char* file, int line);
 
 }  // namespace hapticell::detail
+
+namespace hapticell {
+
+/// "file.cpp:12: condition" of the first contract that broke in this process; empty as long as none did. Any thread,
+/// and from a signal's handler.
+const char* brokenContract();
+
+}  // namespace hapticell
 
 /// A contract between pieces of this program, checked in every build. Never for input from outside.
 #define HAPTICELL_DEMAND(condition) \

@@ -2,38 +2,67 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/error.h"
-#include "workcell/document.h"
+#include "workcell/document_state.h"
 
 namespace hapticell::workcell {
 
-// A copy of an unsaved document beside it, so that a crash costs a minute and not a day. How it is used: autosave() now
-// and then; discardAutosave() after saving and at an orderly end; findAutosave() before a document is opened, and where
-// it finds one, loadDocument() of that file, setPath() to the document's own and markUnsaved(). A program that goes on
-// autosaving while the user decides calls keepAutosaves() first.
+// What a program keeps of a document that is not saved, against its own end. Each run has a folder of its own
+// (RunFolder) in the user's state folder; it is locked while the run lives, so that what a dead run left
+// (findLeftWork()) is told from what another window is at work on.
 
-/// Where the copy of the document at `path` stands: ".NAME.autosave" in the same folder, so that relative names stay
-/// right. A document without a path has it in the user's state folder (XDG_STATE_HOME, else ~/.local/state).
-std::filesystem::path autosavePath(const std::filesystem::path& path);
+/// The folder in which the folders of runs are: $XDG_STATE_HOME/hapticell/runs, else below ~/.local/state.
+std::filesystem::path runsFolder();
 
-/// Writes the copy where the document has unsaved changes; does nothing else. The document's own path and whether it is
-/// dirty stay as they are.
-Expected<void> autosave(const Document& document);
+/// The folder of one run. It is made by the first who asks for it and goes with this object, unless it holds a copy.
+/// One thread.
+class RunFolder {
+ public:
+  RunFolder() = default;
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+  /// Made and locked. Error: no folder can be made there.
+  Expected<std::filesystem::path> path();
+  /// The document was saved, closed or replaced in an orderly way: removes the copy.
+  void discardCopy();
+  /// Takes over the copy that another run left: from here on it is this run's.
+  Expected<void> adopt(const std::filesystem::path& left);
 
-/// Writes the copy of a state that belongs to the document at `path` (empty: a new one). Any thread.
-Expected<void> autosave(const DocumentState& state, const std::filesystem::path& path);
+ private:
+  std::filesystem::path path_;
+  int lock_ = -1;
+};
 
-/// The copy of the document at `path`, where there is one that is newer than the document (or the document is gone).
-std::optional<std::filesystem::path> findAutosave(const std::filesystem::path& path);
+/// Writes the copy of a state that belongs to the document at `document` (empty: a new one) into a run's folder. What
+/// stands there stays whole until the new copy is. Any thread, one at a time.
+Expected<void> autosave(const DocumentState& state, const std::filesystem::path& document,
+                        const std::filesystem::path& run);
 
-/// The copies of the document at `path` that are newer than it, newest first, moved aside: autosave() and
-/// discardAutosave() leave them alone from then on. Each stays, and is found again, until its file is removed.
-std::vector<std::filesystem::path> keepAutosaves(const std::filesystem::path& path);
+/// Where autosave() writes to.
+std::filesystem::path copyIn(const std::filesystem::path& run);
+/// Where a picture of the copy stands, if the program made one (JPEG).
+std::filesystem::path pictureIn(const std::filesystem::path& run);
+/// Where the program notes what broke: a line of text, then what a developer reads.
+std::filesystem::path crashNoteIn(const std::filesystem::path& run);
 
-/// Removes the copy that autosave() writes; it is no error when there is none.
-void discardAutosave(const std::filesystem::path& path);
+/// A document as it was when its run ended without saving it.
+struct LeftWork {
+  std::filesystem::path run;
+  std::filesystem::path copy;              ///< Opened by loadDocument(). Empty: nothing was unsaved, it only broke.
+  std::filesystem::path document;          ///< Where it belongs; empty: a new one.
+  std::filesystem::path picture;           ///< Empty: none.
+  std::string crash;                       ///< What broke, as one line; empty: it was ended from outside.
+  std::filesystem::file_time_type time{};  ///< Of the copy, or of the note.
+};
+
+/// What runs left that are over, newest first. A document may have been saved since its copy was written.
+std::vector<LeftWork> findLeftWork();
+
+/// It was restored and saved, or is not wanted.
+void discardLeftWork(const std::filesystem::path& run);
 
 }  // namespace hapticell::workcell

@@ -57,8 +57,9 @@ class Host {
   /// The cell as a running module has prepared it for queries; null: none does. Newer than the document it never is.
   virtual void setPreparedScene(std::shared_ptr<const manipulation::PreparedScene> scene) = 0;
   virtual std::shared_ptr<const manipulation::PreparedScene> preparedScene() const = 0;
-  /// The device part of the status bar, e.g. "Phantom Desktop, simulated · forces off". Empty: no device.
-  virtual void setDeviceText(const QString& text) = 0;
+  /// The device part of the status bar, e.g. "Phantom Desktop, simulated · forces off". Empty: no device. `works`: it
+  /// has a tick, else a warning.
+  virtual void setDeviceText(const QString& text, bool works) = 0;
   /// The sound part of the status bar: its words; `on` chooses the icon. Empty: no part.
   virtual void setSoundText(const QString& text, bool on) = 0;
   /// How often the window takes in the newest scene, a second.

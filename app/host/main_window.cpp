@@ -15,6 +15,7 @@
 #include "app/help/about_dialog.h"
 #include "app/help/help_dock.h"
 #include "app/host/command_box.h"
+#include "app/host/crash_guard.h"
 #include "app/host/window_keys.h"
 #include "app/import/file_work.h"
 #include "app/measure/measure_dock.h"
@@ -84,6 +85,7 @@ MainWindow::~MainWindow() {
   // Panels and modules use the host; they end while it is whole.
   hide();
   modules_.reset();
+  crash_guard_.reset();
   files_.reset();
 }
 
@@ -169,10 +171,19 @@ void MainWindow::connectScene() {
   connect(&document_, &DocumentModel::changed, this, &MainWindow::documentChanged);
   connect(&document_, &DocumentModel::refused, this,
           [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
-  connect(&document_, &DocumentModel::opened, this, [this] {
+  // What the window itself keeps of a document; panels and modules drop theirs in the same way.
+  connect(&document_, &DocumentModel::closing, this, [this] {
+    hold_choice_.letGo();
+    recording_.abandon();
+    hold_choice_.forget();
     selection_.set(0);
-    memory_.forget();
+    going_back_ = false;
+    actions_->section->setChecked(false);
+    setPreparedScene(nullptr);
+    setSnapshot(std::nullopt);
+    viewport_->forgetCell();
   });
+  connect(&document_, &DocumentModel::opened, this, [this] { memory_.forget(); });
   connect(&messages_, &MessageLog::told, status_, &StatusLine::show);
   connectSelection();
 }
@@ -234,7 +245,11 @@ void MainWindow::documentChanged() {
 void MainWindow::updateTitle() {
   const bool dirty = document_.document().isDirty();
   setWindowTitle(document_.title() + (dirty ? " *" : "") + " – HaptiCell");
-  file_label_->setText(document_.title() + QStringLiteral(".hcell  ·  ") + (dirty ? tr("changed") : tr("saved")));
+  const bool has_file = !document_.document().path().empty();
+  file_label_->setText(document_.title() + (has_file ? QStringLiteral(".hcell") : QString()) + QStringLiteral("  ·  ") +
+                       (!has_file ? tr("not saved yet")
+                        : dirty   ? tr("changed")
+                                  : tr("saved")));
   menuBar()->cornerWidget(Qt::TopRightCorner)->adjustSize();
   // Told anew, the menu bar lays its corner out again.
   menuBar()->setCornerWidget(menuBar()->cornerWidget(Qt::TopRightCorner), Qt::TopRightCorner);
@@ -307,8 +322,8 @@ void MainWindow::setSnapshot(const std::optional<manipulation::SceneSnapshot>& s
     viewport_->refreshNumbers();
 }
 
-void MainWindow::setDeviceText(const QString& text) {
-  status_->setDevice(text);
+void MainWindow::setDeviceText(const QString& text, bool works) {
+  status_->setDevice(text, works);
 }
 void MainWindow::setGuiRate(double hertz) {
   gui_rate_ = hertz;

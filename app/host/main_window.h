@@ -21,9 +21,11 @@
 #include "app/host/user_settings.h"
 #include "app/host/view_menus.h"
 #include "app/viewport/viewport_widget.h"
+#include "workcell/autosave.h"
 
 namespace hapticell::app {
 
+class CrashGuard;
 class FileWork;
 class RecentFiles;
 class StartPage;
@@ -56,7 +58,7 @@ class MainWindow : public QMainWindow, public Host {
     prepared_scene_ = std::move(scene);
   }
   std::shared_ptr<const manipulation::PreparedScene> preparedScene() const override { return prepared_scene_; }
-  void setDeviceText(const QString& text) override;
+  void setDeviceText(const QString& text, bool works) override;
   void setSoundText(const QString& text, bool on) override { status_->setSound(text, on); }
   void setGuiRate(double hertz) override;
 
@@ -80,6 +82,9 @@ class MainWindow : public QMainWindow, public Host {
   /// Ends the program without a question, as the system asks at its shutdown: what is being recorded goes into the
   /// cell, what is not saved is kept as after a crash and offered at the next start, modules end with their server.
   void endNow();
+  /// From here on what is not saved is kept to the last edit when the program breaks (CrashGuard), and what broke is
+  /// noted for the next start. For the program itself; once.
+  void guardAgainstCrash();
   /// The whole window with the finished picture of the scene.
   QPixmap picture();
 
@@ -101,11 +106,15 @@ class MainWindow : public QMainWindow, public Host {
   void addRobotFromDialog();
   bool saveDocument(bool ask_where);
   bool mayDiscard();
+  /// Calls `then` once what is being recorded is in the cell and the user has agreed to let go what is not saved.
+  void replaceDocument(const std::function<void()>& then);
   /// Calls `then` once what is being recorded, if anything, is in the cell.
   void whenRecorded(const std::function<void()>& then);
   void showSavedView();
   void connectSelection();
   void connectStart();
+  void connectLeftWork();
+  bool mayDiscardCopy(const workcell::LeftWork& left);
   void documentChanged();
   void updateTitle();
   void updateStatus();
@@ -128,6 +137,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<ViewMenus> view_menus_;
   std::unique_ptr<ModuleLoader> modules_;
   std::unique_ptr<FileWork> files_;
+  std::unique_ptr<CrashGuard> crash_guard_;
   std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
   MotionMemory memory_;
   bool going_back_ = false;  ///< Once what is held is let go.

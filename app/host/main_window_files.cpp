@@ -10,10 +10,12 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTimer>
 #include <QUrl>
 #include <algorithm>
 
+#include "app/host/crash_guard.h"
 #include "app/host/main_window.h"
 #include "app/import/file_work.h"
 #include "app/panels/tree_edits.h"
@@ -23,9 +25,7 @@
 namespace hapticell::app {
 
 void MainWindow::connectFileActions() {
-  connect(actions_->new_cell, &QAction::triggered, this, [this] {
-    if (mayDiscard()) files_->clear();
-  });
+  connect(actions_->new_cell, &QAction::triggered, this, [this] { replaceDocument([this] { files_->clear(); }); });
   connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
   connect(actions_->save, &QAction::triggered, this, [this] { saveDocument(false); });
   connect(actions_->save_as, &QAction::triggered, this, [this] { saveDocument(true); });
@@ -55,17 +55,16 @@ void MainWindow::connectFileActions() {
 void MainWindow::connectStart() {
   connect(files_.get(), &FileWork::opened, this, [this](const QString& path, bool done) {
     if (!done) return;
-    recent_->add(path);
+    if (!document_.document().path().empty()) recent_->add(path);  // Samples stand on the first page.
     start_->hide();
     showSavedView();
   });
   connect(files_.get(), &FileWork::imported, start_, [this](const QString&, bool done) {
     if (done) start_->hide();
   });
+  connectLeftWork();
   recent_->fill(*actions_->recent);
-  const auto openAfterAsking = [this](const QString& path) {
-    if (mayDiscard()) openFile(path);
-  };
+  const auto openAfterAsking = [this](const QString& path) { replaceDocument([this, path] { openFile(path); }); };
   connect(recent_, &RecentFiles::chosen, this, openAfterAsking);
   connect(start_, &StartPage::fileWanted, this, openAfterAsking);
   connect(start_, &StartPage::actionWanted, this, [this](const QString& name) {
@@ -82,7 +81,44 @@ void MainWindow::connectStart() {
 }
 
 void MainWindow::showStartPage() {
-  start_->open();
+  start_->open(files_->leftWork());
+}
+
+/// Unsaved work after a crash: seen to on the first page.
+void MainWindow::connectLeftWork() {
+  connect(files_.get(), &FileWork::leftWorkChanged, this, &MainWindow::showStartPage);
+  connect(start_, &StartPage::restoreWanted, this,
+          [this](const workcell::LeftWork& left) { replaceDocument([this, left] { files_->restore(left); }); });
+  // Queued: the page is made anew, and the button that was clicked goes with it.
+  const auto after = [this](auto signal, auto act) {
+    connect(
+        start_, signal, this,
+        [this, act](const workcell::LeftWork& left) {
+          if (act(left)) showStartPage();
+        },
+        Qt::QueuedConnection);
+  };
+  after(&StartPage::laterWanted, [this](const workcell::LeftWork& left) {
+    files_->putOffLeft(left.run);
+    return true;
+  });
+  after(&StartPage::discardWanted, [this](const workcell::LeftWork& left) {
+    if (!left.copy.empty() && !mayDiscardCopy(left)) return false;
+    files_->discardLeft(left.run);
+    return true;
+  });
+}
+
+bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
+  const QString name =
+      left.document.empty() ? tr("New workcell") : QString::fromStdString(left.document.filename().string());
+  QMessageBox question(QMessageBox::Question, tr("Discard the copy"),
+                       tr("The unsaved changes of %1 are lost for good if its copy is discarded.").arg(name),
+                       QMessageBox::Cancel, this);
+  const QAbstractButton* discard = question.addButton(tr("Discard copy"), QMessageBox::DestructiveRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  return question.clickedButton() == discard;
 }
 
 void MainWindow::importFromDialog() {
@@ -100,10 +136,11 @@ void MainWindow::addRobotFromDialog() {
 }
 
 void MainWindow::openFromDialog() {
-  if (!mayDiscard()) return;
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
-  if (!path.isEmpty()) openFile(path);
+  replaceDocument([this] {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
+    if (!path.isEmpty()) openFile(path);
+  });
 }
 
 void MainWindow::openFile(const QString& path) {
@@ -133,7 +170,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   QMetaObject::invokeMethod(
       this,
       [this, cell, parts] {
-        if (!cell.isEmpty() && mayDiscard()) openFile(cell);
+        if (!cell.isEmpty()) replaceDocument([this, cell] { openFile(cell); });
         importFiles(parts);
       },
       Qt::QueuedConnection);
@@ -172,6 +209,12 @@ bool MainWindow::mayDiscard() {
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
 }
 
+void MainWindow::replaceDocument(const std::function<void()>& then) {
+  whenRecorded([this, then] {
+    if (mayDiscard()) then();
+  });
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (recording_.isRecording()) {
     event->ignore();
@@ -202,6 +245,18 @@ void MainWindow::whenRecorded(const std::function<void()>& then) {
   connect(&recording_, &RecordingHub::recorded, once, [once] { once->start(0); });
   once->start(kLongestMilliseconds);
   recording_.stop();
+}
+
+void MainWindow::guardAgainstCrash() {
+  Autosaver& autosaver = files_->autosaver();
+  const auto folder = autosaver.runFolder();
+  if (!folder) {
+    messages_.tell(Severity::kWarning, tr("No copy against a crash could be written"),
+                   QString::fromStdString(folder.error().message()));
+    return;
+  }
+  crash_guard_ =
+      std::make_unique<CrashGuard>([&autosaver] { return autosaver.keepNow(); }, workcell::crashNoteIn(*folder));
 }
 
 void MainWindow::endNow() {

@@ -56,9 +56,10 @@ void StatusLine::setRates(const Rates& rates) {
   update();
 }
 
-void StatusLine::setDevice(const QString& text) {
-  if (text == device_) return;
+void StatusLine::setDevice(const QString& text, bool works) {
+  if (text == device_ && works == device_works_) return;
   device_ = text;
+  device_works_ = works;
   update();
 }
 
@@ -141,7 +142,8 @@ void StatusLine::paintEvent(QPaintEvent*) {
   };
   cell(unitsNow().lengthUnit() + QStringLiteral(" · ") + unitsNow().angleUnit() + QStringLiteral(" · N"));
   if (!sound_.isEmpty()) cell(sound_, sound_on_ ? "sound" : "mute", theme.text2);
-  if (!device_.isEmpty()) cell(device_, "check", theme.axis_z);
+  if (!device_.isEmpty())
+    device_works_ ? cell(device_, "check", theme.axis_z) : cell(device_, "warning", theme.near_miss);
   right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full);
   right = paintRate(painter, right, tr("Collision"), rates_.collision_hz, rates_.collision_full);
   right = paintRate(painter, right, tr("Haptic"), rates_.haptic_hz, rates_.haptic_full);

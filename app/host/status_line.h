@@ -24,7 +24,10 @@ class StatusLine : public QStatusBar {
   void setSentence(Mark mark, const QString& sentence);
   /// Shown anew where they differ visibly, twice a second at most; at once where a loop begins or ends.
   void setRates(const Rates& rates);
-  void setDevice(const QString& text);
+  void setDevice(const QString& text, bool works);
+  const QString& device() const { return device_; }
+  bool deviceWorks() const { return device_works_; }
+  const Rates& rates() const { return rates_; }
   void setSound(const QString& text, bool on);
   void show(const Message& message);
   QString sentence() const { return sentence_; }
@@ -38,7 +41,7 @@ class StatusLine : public QStatusBar {
   int paintRate(QPainter& painter, int right, const QString& name, double value, double full) const;
   Mark mark_ = Mark::kNone;
   QString sentence_, device_, message_, sound_;
-  bool sound_on_ = false;
+  bool sound_on_ = false, device_works_ = true;
   Severity severity_ = Severity::kInformation;
   static constexpr double kShare = 0.05;  ///< A rate is shown anew when it differs by so much.
   Rates rates_;

@@ -1,32 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/import/autosaver.h"
 
-#include "workcell/autosave.h"
+#include <chrono>
+#include <utility>
 
 namespace hapticell::app {
 
 namespace {
-constexpr int kEveryMilliseconds = 60'000;
-}
+constexpr int kEveryMilliseconds = 30'000;
+constexpr std::chrono::seconds kLongestWait{1};
+}  // namespace
 
 Autosaver::Autosaver(DocumentModel& document, QObject* parent) : QObject(parent), document_(document) {
   writer_.setMaxThreadCount(1);
   timer_.start(kEveryMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &Autosaver::save);
+  connect(&document_, &DocumentModel::changed, this, &Autosaver::note);
 }
 
 Autosaver::~Autosaver() {
   writer_.waitForDone();
 }
 
-void Autosaver::save() {
+Expected<std::filesystem::path> Autosaver::runFolder() {
+  return run_.path();
+}
+
+/// Cheap, after every change: the entities are shared with the document.
+void Autosaver::note() {
   const workcell::Document& document = document_.document();
-  if (!document.isDirty() || (written_ && document.revision() == saved_revision_)) return;
-  saved_revision_ = document.revision();
-  path_ = document.path();
-  written_ = true;
-  writer_.start([this, state = document.state(), path = path_] {
-    const auto saved = workcell::autosave(state, path);
+  Unsaved fresh;
+  if (document.isDirty()) {
+    if (unsaved_.number != 0 && noted_revision_ == document.revision() && unsaved_.document == document.path()) return;
+    const auto run = run_.path();
+    if (!run) {
+      if (!std::exchange(told_, true)) emit failed(QString::fromStdString(run.error().message()));
+      return;
+    }
+    fresh = {document.state(), document.path(), *run, ++last_number_};
+    noted_revision_ = document.revision();
+  }
+  const std::scoped_lock lock(unsaved_mutex_);
+  std::swap(unsaved_, fresh);
+}
+
+void Autosaver::save() {
+  note();
+  if (unsaved_.number == 0) return;
+  const QImage picture = picture_ ? picture_() : QImage();
+  writer_.start([this, unsaved = unsaved_, picture] {
+    const auto saved = write(unsaved);
+    if (saved && !picture.isNull())
+      picture.save(QString::fromStdString(workcell::pictureIn(unsaved.run).string()), "JPG", 85);
     if (saved) return;
     const QString sentence = QString::fromStdString(saved.error().message());
     QMetaObject::invokeMethod(
@@ -34,19 +59,38 @@ void Autosaver::save() {
   });
 }
 
-void Autosaver::adopt(const std::filesystem::path& copy) {
+Expected<void> Autosaver::write(const Unsaved& unsaved) {
+  // Where the writer itself broke, it never lets go.
+  const std::unique_lock lock(write_mutex_, kLongestWait);
+  if (unsaved.number == 0 || unsaved.number <= written_) return {};
+  auto saved = workcell::autosave(unsaved.state, unsaved.document, unsaved.run);
+  if (saved) written_ = unsaved.number;
+  return saved;
+}
+
+bool Autosaver::keepNow() {
+  const std::unique_lock lock(unsaved_mutex_, kLongestWait);
+  return lock.owns_lock() && write(unsaved_).has_value();
+}
+
+void Autosaver::adopt(const std::filesystem::path& left_run) {
   writer_.waitForDone();
-  path_ = document_.document().path();
-  saved_revision_ = document_.document().revision();
-  std::error_code fault;
-  std::filesystem::rename(copy, workcell::autosavePath(path_), fault);
-  written_ = !fault;
+  const auto adopted = run_.adopt(left_run);
+  note();
+  if (adopted)
+    written_ = unsaved_.number;  // It is in the copy.
+  else
+    emit failed(QString::fromStdString(adopted.error().message()));
 }
 
 void Autosaver::discard() {
-  if (!written_) return;
-  written_ = false;
-  writer_.start([path = path_] { workcell::discardAutosave(path); });
+  {
+    Unsaved none;
+    const std::scoped_lock lock(unsaved_mutex_);
+    std::swap(unsaved_, none);
+  }
+  writer_.waitForDone();
+  run_.discardCopy();
 }
 
 }  // namespace hapticell::app

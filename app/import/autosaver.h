@@ -1,27 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <QThreadPool>
 #include <QTimer>
 #include <filesystem>
+#include <functional>
+#include <mutex>
 
 #include "app/host/document_model.h"
+#include "workcell/autosave.h"
 
 namespace hapticell::app {
 
-/// Keeps a copy of the unsaved document against a crash (workcell/autosave.h): once a minute where something changed,
-/// written by another thread. GUI thread.
+/// Keeps a copy of the unsaved document against a crash (workcell/autosave.h): twice a minute where something changed,
+/// written by another thread, and at once where the program breaks. GUI thread, but for keepNow().
 class Autosaver : public QObject {
   Q_OBJECT
  public:
   explicit Autosaver(DocumentModel& document, QObject* parent = nullptr);
   ~Autosaver() override;
   void setInterval(int milliseconds) { timer_.setInterval(milliseconds); }
+  /// Where the picture beside the copy comes from; null images are left out.
+  void setPicture(std::function<QImage()> picture) { picture_ = std::move(picture); }
   /// Writes the copy now, where there is something unsaved.
   void save();
-  /// The open document is what this copy holds: from here on the copy is as if save() had written it.
-  void adopt(const std::filesystem::path& copy);
+  /// The program breaks: writes the newest unsaved state, as of the last edit, if it is not in the copy already. False:
+  /// it could not. Any thread, while the window's stands still; does not wait longer than a second for the writer.
+  bool keepNow();
+  /// The folder of this run, where the crash note goes. Error: it cannot be made.
+  Expected<std::filesystem::path> runFolder();
+  /// The open document is what this run left: its copy is this one's from here on.
+  void adopt(const std::filesystem::path& left_run);
   /// The document was saved, closed or replaced in an orderly way: no copy is needed.
   void discard();
 
@@ -29,11 +40,23 @@ class Autosaver : public QObject {
   void failed(const QString& sentence);
 
  private:
+  struct Unsaved {
+    workcell::DocumentState state;
+    std::filesystem::path document, run;
+    std::uint64_t number = 0;  ///< Grows with each; 0: nothing is unsaved.
+  };
+  void note();
+  Expected<void> write(const Unsaved& unsaved);
+
   DocumentModel& document_;
-  std::filesystem::path path_;  ///< Of the document that the copy belongs to.
-  std::uint64_t saved_revision_ = 0;
-  bool written_ = false;
+  workcell::RunFolder run_;
+  std::function<QImage()> picture_;
+  std::uint64_t noted_revision_ = 0, last_number_ = 0;
+  bool told_ = false;  ///< That there is no folder for copies.
   QTimer timer_;
+  std::timed_mutex unsaved_mutex_, write_mutex_;
+  Unsaved unsaved_;            ///< The newest state, for keepNow(); behind unsaved_mutex_.
+  std::uint64_t written_ = 0;  ///< Its number in the copy; behind write_mutex_.
   QThreadPool writer_;
 };
 

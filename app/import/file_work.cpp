@@ -22,8 +22,8 @@
 #include "app/import/shape_reload.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
+#include "config/configuration.h"
 #include "kinematics/start_posture.h"
-#include "workcell/autosave.h"
 #include "workcell/document_io.h"
 
 namespace hapticell::app {
@@ -42,6 +42,21 @@ std::optional<std::filesystem::path> findBelow(const QString& folder, const std:
     if (files.fileName() == name) return files.filePath().toStdString();
   }
   return std::nullopt;
+}
+
+/// A cell that is shipped with the program: it is opened as a copy.
+bool isSample(const QString& path) {
+  const auto shipped = config::findShippedFile("workcells");
+  if (!shipped) return false;
+  const QString folder = QFileInfo(QString::fromStdString(*shipped)).canonicalFilePath() + '/';
+  return QFileInfo(path).canonicalFilePath().startsWith(folder);
+}
+
+/// What the scene shows, for the first page; none while the hand holds something, which must not wait.
+QImage smallPicture(Host& host) {
+  constexpr int kWidth = 496;
+  if (!host.viewport().isVisible() || (host.snapshot() && host.snapshot()->held != 0)) return {};
+  return host.viewport().grabFramebuffer().scaledToWidth(kWidth, Qt::SmoothTransformation);
 }
 
 }  // namespace
@@ -73,6 +88,7 @@ FileWork::FileWork(Host& host, QObject* parent)
   connect(&opener_, &DocumentOpener::progressed, this, &FileWork::showOther);
   connect(&background_, &BackgroundWork::progressed, this, &FileWork::showOther);
   connect(&watch_, &SourceWatch::changed, this, &FileWork::offerReload);
+  autosaver_.setPicture([this] { return smallPicture(host_); });
   connect(&autosaver_, &Autosaver::failed, this, [this](const QString& sentence) {
     host_.messages().tell(Severity::kWarning, tr("No copy against a crash could be written"), sentence);
   });
@@ -171,10 +187,12 @@ void FileWork::open(const QString& path) {
 
 void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path) {
   showOther();
-  const QString name = QFileInfo(path).fileName(), restored = std::exchange(restored_, {});
+  const std::filesystem::path restored = std::exchange(restored_, {});
+  const QString name = path.isEmpty() ? tr("New workcell") : QFileInfo(path).fileName();
   if (!opened->document) {
     tellError(tr("%1 was not opened").arg(name), opened->document.error());
     emit this->opened(path, false);
+    if (!restored.empty()) emit leftWorkChanged();
     return;
   }
   workcell::Document& document = *opened->document;
@@ -183,7 +201,10 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
     document.markUnsaved();
   }
   autosaver_.discard();
-  host_.documentModel().adopt(std::move(document));
+  if (isSample(path))
+    host_.documentModel().adoptCopy(std::move(document));
+  else
+    host_.documentModel().adopt(std::move(document));
   std::vector<std::string> remarks = opened->notes.warnings;
   std::erase_if(remarks, [&](const std::string& remark) {  // What offerMissing() tells of all of them at once.
     return std::any_of(opened->missing.begin(), opened->missing.end(), [&](const std::filesystem::path& file) {
@@ -191,39 +212,51 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
     });
   });
   tellRemarks(name, remarks);
-  if (!restored.isEmpty()) autosaver_.adopt(restored.toStdString());
   offerMissing(opened->missing);
-  offerCopies(path);  // Last, so that it stands on top.
+  if (!restored.empty())
+    autosaver_.adopt(restored);
+  else if (!path.isEmpty())
+    tellLeft(path);  // Last, so that it stands on top.
   emit this->opened(path, true);
 }
 
-void FileWork::offerCopies(const QString& path) {
-  if (host_.documentModel().document().isDirty()) return;  // It is a copy.
-  const QString what = path.isEmpty() ? tr("A new workcell") : QFileInfo(path).fileName();
-  const auto remove = [](const std::filesystem::path& copy) {
-    std::error_code ignored;
-    std::filesystem::remove(copy, ignored);
-  };
-  // Moved aside first: the next autosave would write over what is on offer.
-  std::vector<std::filesystem::path> copies = workcell::keepAutosaves(path.toStdString());
-  std::reverse(copies.begin(), copies.end());  // The newest on top.
-  for (const std::filesystem::path& copy : copies) {
-    const QString file = QString::fromStdString(copy.string());
-    const QString when = QLocale().toString(QFileInfo(file).lastModified(), tr("d MMMM, HH:mm"));
-    offer(Severity::kWarning, tr("%1 was not closed in order").arg(what),
-          tr("A copy of %1 holds changes that were never saved. What is open is the state as it was saved.").arg(when),
-          {{tr("Restore the copy"), [this, file, path] { restore(file, path); }},
-           {tr("Forget it"), [copy, remove] { remove(copy); }}});
+std::vector<workcell::LeftWork> FileWork::leftWork() const {
+  std::vector<workcell::LeftWork> left = workcell::findLeftWork();
+  std::erase_if(left, [this](const workcell::LeftWork& work) {
+    return std::find(put_off_.begin(), put_off_.end(), work.run) != put_off_.end();
+  });
+  return left;
+}
+
+void FileWork::restore(const workcell::LeftWork& left) {
+  session_.cancelAll();
+  opener_.openCopy(QString::fromStdString(left.copy.string()), QString::fromStdString(left.document.string()));
+  restored_ = left.run;
+}
+
+void FileWork::discardLeft(const std::filesystem::path& run) {
+  workcell::discardLeftWork(run);
+}
+
+void FileWork::putOffLeft(const std::filesystem::path& run) {
+  put_off_.push_back(run);
+}
+
+void FileWork::tellLeft(const QString& path) {
+  const std::string wanted = path.isEmpty() ? "" : QFileInfo(path).absoluteFilePath().toStdString();
+  for (const workcell::LeftWork& left : workcell::findLeftWork()) {
+    if (left.copy.empty() || (!wanted.empty() && left.document != wanted)) continue;
+    const QString copy = QString::fromStdString(left.copy.string());
+    const QString when = QLocale().toString(QFileInfo(copy).lastModified(), tr("d MMMM, HH:mm"));
+    const QString what =
+        left.document.empty() ? tr("A new workcell") : QString::fromStdString(left.document.filename().string());
+    return offer(Severity::kWarning, tr("%1 has unsaved work from before a crash").arg(what),
+                 tr("Changes up to %1 were kept. What is open does not have them.").arg(when),
+                 {{tr("Show"), [this] {
+                     put_off_.clear();
+                     emit leftWorkChanged();
+                   }}});
   }
-}
-
-void FileWork::restore(const QString& copy, const QString& path) {
-  opener_.openCopy(copy, path);
-  restored_ = copy;
-}
-
-void FileWork::offerLeftOver() {
-  offerCopies({});
 }
 
 void FileWork::offerReload(const QStringList& paths) {

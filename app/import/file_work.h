@@ -37,8 +37,17 @@ class FileWork : public QObject {
   /// Reads the files of these entities again; placements stay.
   void reload(const std::vector<std::string>& paths);
   void reloadSelected();
-  /// At the program's begin: whether an unsaved new workcell was left by a crash.
-  void offerLeftOver();
+  /// Unsaved work that earlier runs left at a crash, newest first, without what was put off.
+  std::vector<workcell::LeftWork> leftWork() const;
+  /// Opens it in place of the present document, as unsaved; where that fails it is left as it was, and
+  /// leftWorkChanged() tells.
+  void restore(const workcell::LeftWork& left);
+  /// Removes what that run left.
+  void discardLeft(const std::filesystem::path& run);
+  /// Not now: it is offered again at the next start.
+  void putOffLeft(const std::filesystem::path& run);
+  /// Says in the messages that the document at this path (empty: any) has unsaved work from a crash, if it has.
+  void tellLeft(const QString& path);
   bool isBusy() const { return opener_.isBusy() || session_.isBusy() || background_.isBusy(); }
   Autosaver& autosaver() { return autosaver_; }
   ExportWork& exports() { return exports_; }
@@ -53,6 +62,8 @@ class FileWork : public QObject {
   void opened(const QString& path, bool done);
   /// An import ended and is in the cell, or not.
   void imported(const QString& path, bool done);
+  /// There is left work to be seen to again: a restoring was cancelled or failed, or the user asks for it.
+  void leftWorkChanged();
 
  private:
   void takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path);
@@ -61,8 +72,6 @@ class FileWork : public QObject {
   /// All as one message: long lists would bury what is asked.
   void tellRemarks(const QString& name, const std::vector<std::string>& remarks);
   void tellError(const QString& title, const Error& error);
-  void offerCopies(const QString& path);
-  void restore(const QString& copy, const QString& path);
   void offerReload(const QStringList& paths);
   void cancelOther();
   /// Tells something with buttons, and brings the messages to the front where that is no disturbance.
@@ -84,7 +93,8 @@ class FileWork : public QObject {
   ImportPanel* panel_;
   QDockWidget *dock_, *mesh_dock_;
   QTimer patience_;
-  QString restored_;  ///< The copy that is being opened.
+  std::filesystem::path restored_;              ///< The run whose work is being opened.
+  std::vector<std::filesystem::path> put_off_;  ///< Runs.
 };
 
 }  // namespace hapticell::app

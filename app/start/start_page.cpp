@@ -15,6 +15,7 @@
 
 #include "app/host/user_settings.h"
 #include "app/panels/form.h"
+#include "app/start/left_work_card.h"
 #include "app/start/recent_files.h"
 #include "app/start/sample_card.h"
 #include "app/style/icon.h"
@@ -52,20 +53,21 @@ StartPage::StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent
   scene_.installEventFilter(this);
 }
 
-void StartPage::open() {
-  build();
+void StartPage::open(const std::vector<workcell::LeftWork>& left) {
+  build(left);
   place();
   show();
   raise();
   setFocus(Qt::OtherFocusReason);
 }
 
-void StartPage::build() {
+void StartPage::build(const std::vector<workcell::LeftWork>& left) {
   delete scroll_;
   content_ = new QWidget;
   auto* column = new QVBoxLayout(content_);
   column->setContentsMargins(24, 20, 24, 16);
   column->setSpacing(14);
+  addLeft(*column, left);
   column->addWidget(makeLabel(tr("Begin with a sample, or with your own cell"), TextRole::kPanelNumber));
   addSamples(*column);
   addOwn(*column);
@@ -82,6 +84,18 @@ void StartPage::build() {
   content_->setAutoFillBackground(false);
   scroll_->viewport()->setAutoFillBackground(false);
   whole->addWidget(scroll_);
+}
+
+void StartPage::addLeft(QVBoxLayout& column, const std::vector<workcell::LeftWork>& left) {
+  if (left.empty()) return;
+  column.addWidget(makeLabel(tr("HaptiCell was not closed properly"), TextRole::kPanelNumber));
+  for (const workcell::LeftWork& work : left) {
+    auto* card = new LeftWorkCard(work);
+    connect(card, &LeftWorkCard::restoreWanted, this, [this, work] { emit restoreWanted(work); });
+    connect(card, &LeftWorkCard::discardWanted, this, [this, work] { emit discardWanted(work); });
+    connect(card, &LeftWorkCard::laterWanted, this, [this, work] { emit laterWanted(work); });
+    column.addWidget(card);
+  }
 }
 
 void StartPage::addSamples(QVBoxLayout& column) {

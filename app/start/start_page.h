@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QFrame>
+#include <vector>
+
+#include "workcell/autosave.h"
 
 class QScrollArea;
 class QVBoxLayout;
@@ -11,17 +14,21 @@ namespace hapticell::app {
 class RecentFiles;
 class UserSettings;
 
-/// What stands over the empty scene at the start: three sample cells with pictures, what was opened last, and how to
-/// begin with one's own. A part of the viewport, not a window: it goes when a cell is opened or by Escape. GUI thread.
+/// What stands over the empty scene at the start: unsaved work after a crash, three sample cells with pictures, what
+/// was opened last, and how to begin with one's own. A part of the viewport, not a window: it goes when a cell is
+/// opened or by Escape. GUI thread.
 class StartPage : public QFrame {
   Q_OBJECT
  public:
   StartPage(QWidget& scene, UserSettings& settings, RecentFiles& recent);
-  /// Shows it with the newest list, above the scene.
-  void open();
+  /// Shows it with the newest lists, above the scene; unsaved work that a crash left stands first.
+  void open(const std::vector<workcell::LeftWork>& left);
 
  signals:
   void fileWanted(const QString& path);
+  void restoreWanted(const hapticell::workcell::LeftWork& left);
+  void discardWanted(const hapticell::workcell::LeftWork& left);
+  void laterWanted(const hapticell::workcell::LeftWork& left);
   /// One of the window's actions by its name: "actionOpen", "actionImport", "actionNew".
   void actionWanted(const QString& name);
 
@@ -31,7 +38,8 @@ class StartPage : public QFrame {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void build();
+  void build(const std::vector<workcell::LeftWork>& left);
+  void addLeft(QVBoxLayout& column, const std::vector<workcell::LeftWork>& left);
   void addSamples(QVBoxLayout& column);
   void addOwn(QVBoxLayout& column);
   void place();

@@ -57,6 +57,10 @@
         <translation> · Échap : terminer</translation>
     </message>
     <message>
+        <source> · forces lost</source>
+        <translation> · forces perdues</translation>
+    </message>
+    <message>
         <source> · forces off</source>
         <translation> · efforts coupés</translation>
     </message>
@@ -177,6 +181,10 @@
         <translation>%1 en continu</translation>
     </message>
     <message>
+        <source>%1 copy</source>
+        <translation>%1 copie</translation>
+    </message>
+    <message>
         <source>%1 edges of more than two faces</source>
         <translation>%1 arêtes de plus de deux faces</translation>
     </message>
@@ -211,6 +219,10 @@
     <message>
         <source>%1 has changes that are not saved.</source>
         <translation>%1 a des changements non enregistrés.</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved work from before a crash</source>
+        <translation>%1 a du travail non enregistré d’avant un plantage</translation>
     </message>
     <message numerus="yes">
         <source>%1 in %n frames</source>
@@ -277,12 +289,12 @@
         <translation>%1 est connu</translation>
     </message>
     <message>
-        <source>%1 is near a position where nothing holds it</source>
-        <translation>%1 est près d'une position où rien ne le retient</translation>
-    </message>
-    <message>
         <source>%1 is near %2 of %3</source>
         <translation>%1 est près de %2 de %3</translation>
+    </message>
+    <message>
+        <source>%1 is near a position where nothing holds it</source>
+        <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
         <source>%1 is not there or may not be run.</source>
@@ -465,12 +477,12 @@
         <translation>%1 touche %2</translation>
     </message>
     <message>
-        <source>%1 touches %2.</source>
-        <translation>%1 touche %2.</translation>
-    </message>
-    <message>
         <source>%1 touches %2 of %3</source>
         <translation>%1 touche %2 de %3</translation>
+    </message>
+    <message>
+        <source>%1 touches %2.</source>
+        <translation>%1 touche %2.</translation>
     </message>
     <message>
         <source>%1 triangles</source>
@@ -487,10 +499,6 @@
     <message>
         <source>%1 was not added</source>
         <translation>%1 n'a pas été ajouté</translation>
-    </message>
-    <message>
-        <source>%1 was not closed in order</source>
-        <translation>%1 ne s'est pas terminé normalement</translation>
     </message>
     <message>
         <source>%1 was not opened</source>
@@ -618,7 +626,7 @@
     </message>
     <message>
         <source>%1: %2 is in the way, %3 short of the target</source>
-        <translation>%1 : %2 fait obstacle, il manque %3 jusqu&apos;à la cible</translation>
+        <translation>%1 : %2 fait obstacle, il manque %3 jusqu'à la cible</translation>
     </message>
     <message>
         <source>%1: %2 markers, %3 s at %4 Hz</source>
@@ -630,7 +638,7 @@
     </message>
     <message>
         <source>%1: %2 short of the target</source>
-        <translation>%1 : il manque %2 jusqu&apos;à la cible</translation>
+        <translation>%1 : il manque %2 jusqu'à la cible</translation>
     </message>
     <message>
         <source>%1: %2. Choose another place.</source>
@@ -654,7 +662,7 @@
     </message>
     <message>
         <source>%1: the body itself is in the way, %2 short of the target</source>
-        <translation>%1 : le corps lui-même fait obstacle, il manque %2 jusqu&apos;à la cible</translation>
+        <translation>%1 : le corps lui-même fait obstacle, il manque %2 jusqu'à la cible</translation>
     </message>
     <message>
         <source>%1: the nearest that %2 comes to is %3 away.</source>
@@ -777,12 +785,12 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>. Kept nearer to the recording from %1 to %2 s</source>
-        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
-    </message>
-    <message>
         <source>. A smaller window or fewer parts in view make it sooner</source>
         <translation>. Une fenêtre plus petite ou moins de pièces en vue l'accélèrent</translation>
+    </message>
+    <message>
+        <source>. Kept nearer to the recording from %1 to %2 s</source>
+        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
     </message>
     <message>
         <source>. Real-time priority mends it: add the account to the group realtime</source>
@@ -871,10 +879,6 @@
     <message>
         <source>A click of the left button still chooses; a box is drawn with Ctrl and the left button.</source>
         <translation>Un clic gauche choisit toujours ; un cadre se trace avec Ctrl et le bouton gauche.</translation>
-    </message>
-    <message>
-        <source>A copy of %1 holds changes that were never saved. What is open is the state as it was saved.</source>
-        <translation>Une copie de %1 contient des changements jamais enregistrés. L'état ouvert est celui qui fut enregistré.</translation>
     </message>
     <message>
         <source>A copy of the chosen one, or at the flange</source>
@@ -1131,6 +1135,10 @@
     <message>
         <source>Another program started the server at %1; the device is chosen there.</source>
         <translation>Un autre programme a lancé le serveur à %1 ; le périphérique s'y choisit.</translation>
+    </message>
+    <message>
+        <source>Another window has the stylus; this one watches</source>
+        <translation>Une autre fenêtre a le stylet ; celle-ci observe</translation>
     </message>
     <message>
         <source>Any</source>
@@ -1493,6 +1501,10 @@
         <translation>Changements de %1</translation>
     </message>
     <message>
+        <source>Changes up to %1 were kept. What is open does not have them.</source>
+        <translation>Les modifications jusqu’au %1 ont été gardées. Ce qui est ouvert ne les contient pas.</translation>
+    </message>
+    <message>
         <source>Check</source>
         <translation>Vérifier</translation>
     </message>
@@ -1578,7 +1590,7 @@
     </message>
     <message>
         <source>Choose the size first</source>
-        <translation>Choisissez d&apos;abord la taille</translation>
+        <translation>Choisissez d'abord la taille</translation>
     </message>
     <message>
         <source>Choose what may be moved, then search.</source>
@@ -1797,16 +1809,16 @@
         <translation>Les contacts sont seulement montrés : il traverse</translation>
     </message>
     <message>
-        <source>Contacts come in time</source>
-        <translation>Les contacts arrivent à temps</translation>
-    </message>
-    <message>
         <source>Contacts are seen as they are felt</source>
         <translation>Les contacts se voient dès qu'ils sont ressentis</translation>
     </message>
     <message>
         <source>Contacts are seen late</source>
         <translation>Les contacts se voient tard</translation>
+    </message>
+    <message>
+        <source>Contacts come in time</source>
+        <translation>Les contacts arrivent à temps</translation>
     </message>
     <message>
         <source>Contacts come late at times</source>
@@ -1927,6 +1939,14 @@
     <message>
         <source>Diameter</source>
         <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Discard copy</source>
+        <translation>Supprimer la copie</translation>
+    </message>
+    <message>
+        <source>Discard the copy</source>
+        <translation>Supprimer la copie</translation>
     </message>
     <message>
         <source>Disconnect</source>
@@ -2409,6 +2429,10 @@
         <translation>Les efforts sont coupés. Connectez de nouveau pour repartir.</translation>
     </message>
     <message>
+        <source>Forces are off. The server is started again; Ctrl+Space then turns them on.</source>
+        <translation>Les forces sont coupées. Le serveur est relancé ; Ctrl+Espace les remet ensuite.</translation>
+    </message>
+    <message>
         <source>Forces are off: a second stylus has come</source>
         <translation>Les forces sont coupées : un second stylet est arrivé</translation>
     </message>
@@ -2451,10 +2475,6 @@
     <message>
         <source>Forget</source>
         <translation>Oublier</translation>
-    </message>
-    <message>
-        <source>Forget it</source>
-        <translation>L'oublier</translation>
     </message>
     <message>
         <source>Forget these</source>
@@ -2653,8 +2673,16 @@
         <translation>HaptiCell %1, interface de pilotes %2, protocole %3, noyau %4</translation>
     </message>
     <message>
+        <source>HaptiCell crashed; nothing was unsaved</source>
+        <translation>HaptiCell a planté ; rien n’était à enregistrer</translation>
+    </message>
+    <message>
         <source>HaptiCell trajectory (.htraj)</source>
         <translation>Trajectoire HaptiCell (.htraj)</translation>
+    </message>
+    <message>
+        <source>HaptiCell was not closed properly</source>
+        <translation>HaptiCell n’a pas été fermé correctement</translation>
     </message>
     <message>
         <source>HaptiCell: the middle button turns</source>
@@ -3091,6 +3119,10 @@
     <message>
         <source>Lasted</source>
         <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
     </message>
     <message>
         <source>Layout</source>
@@ -3581,6 +3613,10 @@
         <translation>Jamais devant la scène. Le plus récent reste aussi 8 secondes dans la ligne d'état.</translation>
     </message>
     <message>
+        <source>Never saved. Kept up to %1.</source>
+        <translation>Jamais enregistrée. Gardée jusqu’au %1.</translation>
+    </message>
+    <message>
         <source>New</source>
         <translation>Nouveau</translation>
     </message>
@@ -3633,12 +3669,12 @@
         <translation>Aucun corps de cette taille</translation>
     </message>
     <message>
-        <source>No contact yet</source>
-        <translation>Pas encore de contact</translation>
-    </message>
-    <message>
         <source>No contact on the screen yet</source>
         <translation>Pas encore de contact à l'écran</translation>
+    </message>
+    <message>
+        <source>No contact yet</source>
+        <translation>Pas encore de contact</translation>
     </message>
     <message>
         <source>No contacts sent lately</source>
@@ -3813,6 +3849,10 @@
         <translation>Non saisi</translation>
     </message>
     <message>
+        <source>Not felt yet: preparing contacts %1 %</source>
+        <translation>Pas encore ressenti : préparation des contacts %1 %</translation>
+    </message>
+    <message>
         <source>Not known yet</source>
         <translation>Pas encore connue</translation>
     </message>
@@ -3925,10 +3965,6 @@
         <translation>Décalage</translation>
     </message>
     <message>
-        <source>On the screen %1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
-        <translation>À l'écran %1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
-    </message>
-    <message>
         <source>On a seat</source>
         <translation>Sur un siège</translation>
     </message>
@@ -3947,6 +3983,10 @@
     <message>
         <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
         <translation>Sur l'autre poste, une fois : hapticell-haptic-server --pair montre le code ; puis hapticell-haptic-server --listen et l'adresse de ce poste.</translation>
+    </message>
+    <message>
+        <source>On the screen %1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
+        <translation>À l'écran %1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
     </message>
     <message>
         <source>One frame back (Left, in the time bar)</source>
@@ -4525,10 +4565,6 @@
         <translation>Préparation des contacts</translation>
     </message>
     <message>
-        <source>Not felt yet: preparing contacts %1 %</source>
-        <translation>Pas encore ressenti : préparation des contacts %1 %</translation>
-    </message>
-    <message>
         <source>Preparing the contacts was given up: what was changed is not felt yet</source>
         <translation>La préparation des contacts a été abandonnée : ce qui a changé ne se sent pas encore</translation>
     </message>
@@ -4813,8 +4849,8 @@
         <translation>Rapport…</translation>
     </message>
     <message>
-        <source>Restore the copy</source>
-        <translation>Reprendre la copie</translation>
+        <source>Restore</source>
+        <translation>Restaurer</translation>
     </message>
     <message>
         <source>Results</source>
@@ -5182,7 +5218,7 @@
     </message>
     <message>
         <source>Simplify first</source>
-        <translation>Simplifier d&apos;abord</translation>
+        <translation>Simplifier d'abord</translation>
     </message>
     <message>
         <source>Single keys without Ctrl are on</source>
@@ -5461,6 +5497,10 @@
         <translation>Prendre la pièce avec le stylet</translation>
     </message>
     <message>
+        <source>Take the stylus</source>
+        <translation>Prendre le stylet</translation>
+    </message>
+    <message>
         <source>Take this one</source>
         <translation>Prendre celle-ci</translation>
     </message>
@@ -5626,15 +5666,19 @@
     </message>
     <message>
         <source>The file names no unit. Is this size right?</source>
-        <translation>Le fichier n&apos;indique pas d&apos;unité. Cette taille est-elle la bonne ?</translation>
+        <translation>Le fichier n'indique pas d'unité. Cette taille est-elle la bonne ?</translation>
     </message>
     <message>
         <source>The file names no unit. Which size is right?</source>
-        <translation>Le fichier n&apos;indique pas d&apos;unité. Quelle taille est la bonne ?</translation>
+        <translation>Le fichier n'indique pas d'unité. Quelle taille est la bonne ?</translation>
     </message>
     <message>
         <source>The file of %1 names no home, and at zero it is singular: it could hardly be dragged. It starts with %2 bent. Keep a home of your own in the Robot dock.</source>
-        <translation>Le fichier de %1 n&apos;indique pas de position d&apos;origine, et à zéro il est singulier : on pourrait à peine le tirer. Il démarre avec %2 plié. Gardez votre propre origine dans le volet Robot.</translation>
+        <translation>Le fichier de %1 n'indique pas de position d'origine, et à zéro il est singulier : on pourrait à peine le tirer. Il démarre avec %2 plié. Gardez votre propre origine dans le volet Robot.</translation>
+    </message>
+    <message>
+        <source>The file was saved later, at %1.</source>
+        <translation>Le fichier a été enregistré plus tard, le %1.</translation>
     </message>
     <message>
         <source>The force loop is late at times</source>
@@ -5647,6 +5691,10 @@
     <message>
         <source>The forces went off</source>
         <translation>Les efforts se sont coupés</translation>
+    </message>
+    <message>
+        <source>The forces went off: the haptic server is gone</source>
+        <translation>Les forces sont coupées : le serveur haptique a disparu</translation>
     </message>
     <message>
         <source>The frame, or all between the brackets</source>
@@ -5675,6 +5723,10 @@
     <message>
         <source>The haptic server could not be started: %1 is not there or may not be run.</source>
         <translation>Le serveur haptique n'a pas pu être lancé : %1 n'est pas là ou ne peut pas être lancé.</translation>
+    </message>
+    <message>
+        <source>The haptic server ended, and the forces with it. Ctrl+Space turns them on again</source>
+        <translation>Le serveur haptique s’est arrêté, et les forces avec lui. Ctrl+Espace les remet</translation>
     </message>
     <message>
         <source>The haptic server has ended. %1</source>
@@ -5797,6 +5849,10 @@
         <translation>La posture n'a pas été prise</translation>
     </message>
     <message>
+        <source>The program was ended from outside, or the power failed.</source>
+        <translation>Le programme a été arrêté de l’extérieur, ou le courant a manqué.</translation>
+    </message>
+    <message>
         <source>The program would have %1 moves.</source>
         <translation>Le programme aurait %1 déplacements.</translation>
     </message>
@@ -5903,6 +5959,10 @@
     <message>
         <source>The trunk is supported (backrest)</source>
         <translation>Le tronc est appuyé (dossier)</translation>
+    </message>
+    <message>
+        <source>The unsaved changes of %1 are lost for good if its copy is discarded.</source>
+        <translation>Les modifications non enregistrées de %1 sont perdues pour de bon si sa copie est supprimée.</translation>
     </message>
     <message>
         <source>The workcell was not saved</source>
@@ -6229,6 +6289,10 @@
         <translation>Déverrouiller %1</translation>
     </message>
     <message>
+        <source>Unsaved changes, kept up to %1.</source>
+        <translation>Modifications non enregistrées, gardées jusqu’au %1.</translation>
+    </message>
+    <message>
         <source>Up axis</source>
         <translation>Axe vers le haut</translation>
     </message>
@@ -6313,6 +6377,10 @@
         <translation>Avertissement</translation>
     </message>
     <message>
+        <source>Watching: another window has the stylus</source>
+        <translation>Observe : une autre fenêtre a le stylet</translation>
+    </message>
+    <message>
         <source>Way</source>
         <translation>Chemin</translation>
     </message>
@@ -6337,6 +6405,10 @@
         <translation>Ce qui l'abaisse : %1.</translation>
     </message>
     <message>
+        <source>What broke: %1</source>
+        <translation>Ce qui a cassé : %1</translation>
+    </message>
+    <message>
         <source>What costs most first: %1.</source>
         <translation>Les plus coûteux d'abord : %1.</translation>
     </message>
@@ -6347,6 +6419,10 @@
     <message>
         <source>What is held is not checked for collision</source>
         <translation>Ce qui est tenu n'est pas vérifié pour les collisions</translation>
+    </message>
+    <message>
+        <source>What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on.</source>
+        <translation>Ce qui est tenu reste où il est. Dès qu’un serveur répond, Ctrl+Espace remet les forces.</translation>
     </message>
     <message>
         <source>What is kept where a wrist would have to swing round faster than it can</source>
@@ -6665,6 +6741,10 @@
         <translation>contacts : %1</translation>
     </message>
     <message>
+        <source>d MMMM yyyy, HH:mm:ss</source>
+        <translation>d MMMM yyyy, HH:mm:ss</translation>
+    </message>
+    <message>
         <source>d MMMM, HH:mm</source>
         <translation>d MMMM, HH:mm</translation>
     </message>
@@ -6907,6 +6987,10 @@
     <message>
         <source>not near</source>
         <translation>pas proche</translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>pas encore enregistrée</translation>
     </message>
     <message>
         <source>now</source>

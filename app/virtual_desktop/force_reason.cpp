@@ -71,6 +71,9 @@ double longestUnnoticed(const TouchSight& sight) {
 ForceReason forceReason(const ForceFacts& facts) {
   using Mend = ForceReason::Mend;
   if (!facts.started) return {tr("Forces off"), tr("No stylus is connected"), Mend::kConnect, tr("Connect")};
+  if (facts.watching)
+    return {tr("Forces off"), tr("Another window has the stylus; this one watches"), Mend::kTakeStylus,
+            tr("Take the stylus")};
   if (!facts.connected) {
     // The first sentence; the whole of it stands beside the device's state.
     const int end = static_cast<int>(facts.problem.indexOf(QStringLiteral(". ")));
@@ -83,6 +86,11 @@ ForceReason forceReason(const ForceFacts& facts) {
   if (facts.stalled)
     return {tr("Forces off"), tr("The scene's loop stands still: forces return once it answers"), Mend::kNone, {}};
   if (facts.forceless) return {tr("No forces"), tr("This device moves things, but exerts no force"), Mend::kNone, {}};
+  if (!facts.on && !facts.wanted && facts.lost)
+    return {tr("Forces off"),
+            tr("The haptic server ended, and the forces with it. Ctrl+Space turns them on again"),
+            Mend::kNone,
+            {}};
   if (!facts.on && !facts.wanted) return {tr("Forces off"), tr("Ctrl+Space turns them on"), Mend::kNone, {}};
   if (!facts.on && facts.cut)
     return {tr("Forces off"),

@@ -13,13 +13,15 @@ namespace hapticell::app {
 /// What the panel knows of the forces.
 struct ForceFacts {
   bool started = false;       ///< The loop runs.
-  bool connected = false;     ///< A haptic server answers.
+  bool connected = false;     ///< A haptic server answers, and this window has the stylus.
+  bool watching = false;      ///< It answers, but another window has the stylus.
   bool forceless = false;     ///< The device has no motors: a 3-D mouse.
   bool device_fault = false;  ///< The device itself does not answer.
   bool stalled = false;       ///< The loop of the scene stands still: the server lets the force fade.
   bool wanted = false;        ///< The user has switched forces on.
   bool on = false;            ///< They act.
   bool cut = false;           ///< They went off though nobody asked for it, and are not back yet.
+  bool lost = false;          ///< They went off with the server, and were not asked for since.
   bool at_edge = false;       ///< The device stands at the end of its own range.
   double ramp = 0.0;          ///< 0 .. 1.
   QString problem;            ///< Why there is no connection; may be empty.
@@ -30,7 +32,7 @@ struct ForceFacts {
 
 /// The state of the forces in two words, one line that says why, and what mends it.
 struct ForceReason {
-  enum class Mend { kNone, kConnect, kStartServer, kCheck, kSlide };
+  enum class Mend { kNone, kConnect, kStartServer, kTakeStylus, kCheck, kSlide };
   QString state;
   QString why;
   Mend mend = Mend::kNone;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
@@ -72,6 +73,7 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     takeInputs();
     emit connectionChanged();
   });
+  connect(&host_.documentModel(), &DocumentModel::closing, this, &VirtualDesktopController::forgetCell);
   connect(&host_.documentModel(), &DocumentModel::changed, this, [this] {
     takeEntityChoices();
     postDocument();
@@ -106,7 +108,12 @@ VirtualDesktopController::VirtualDesktopController(Host& host, QObject* parent)
     emit connectionChanged();
   });
   connect(&server_, &ServerProcess::ended, this, [this](const QString& sentence) {
-    host_.messages().tell(Severity::kProblem, sentence, tr("Forces are off. Connect again to start it anew."));
+    // One that has worked is started again; one that cannot start is not tried for ever.
+    const bool worked = std::exchange(server_worked_, false);
+    if (worked) server_tried_ = false;
+    host_.messages().tell(Severity::kProblem, sentence,
+                          worked ? tr("Forces are off. The server is started again; Ctrl+Space then turns them on.")
+                                 : tr("Forces are off. Connect again to start it anew."));
   });
 }
 
@@ -120,12 +127,13 @@ VirtualDesktopController::~VirtualDesktopController() {
 
 void VirtualDesktopController::connectDevice() {
   if (loop_) return;
-  const auto options = haptic::linkOptionsFor(server_host_.toStdString(), static_cast<std::uint16_t>(server_port_));
+  auto options = haptic::linkOptionsFor(server_host_.toStdString(), static_cast<std::uint16_t>(server_port_));
   if (!options) {
     host_.messages().tell(Severity::kProblem, tr("The key for the haptic server cannot be used."),
                           QString::fromStdString(options.error().message()));
     return;
   }
+  options->accept_watching = true;  // Where another window has the stylus, the user is asked.
   auto link = std::make_unique<haptic::TcpLink>(*options);
   link_ = link.get();
   // A contact that is felt is to be seen without waiting for the timer.
@@ -160,17 +168,27 @@ void VirtualDesktopController::disconnectDevice() {
   dropSecond();
   snapshot_ = {};
   device_.reset();
-  forces_wanted_ = was_connected_ = false;
+  forces_wanted_ = forces_lost_ = was_connected_ = was_watching_ = false;
   mouse_.setState({});
   host_.setPreparedScene(nullptr);
   host_.setSnapshot(std::nullopt);
-  host_.setDeviceText({});
+  host_.setDeviceText({}, true);
   emit snapshotChanged();
   emit connectionChanged();
 }
 
 bool VirtualDesktopController::isConnected() const {
-  return link_ && link_->linkState() == haptic::LinkState::kConnected;
+  return link_ && link_->linkState() == haptic::LinkState::kConnected &&
+         link_->grantedKind() == haptic::ClientKind::kController;
+}
+
+bool VirtualDesktopController::isWatching() const {
+  return link_ && link_->linkState() == haptic::LinkState::kConnected &&
+         link_->grantedKind() == haptic::ClientKind::kWatcher;
+}
+
+void VirtualDesktopController::takeStylus() {
+  if (isWatching()) link_->takeOver();
 }
 
 void VirtualDesktopController::postHand(const haptic::HandTarget& target) {
@@ -302,7 +320,7 @@ void VirtualDesktopController::updateStrip() {
 void VirtualDesktopController::setForces(bool on) {
   if (on && !isConnected()) return;
   forces_wanted_ = on;
-  forces_cut_ = false;
+  forces_cut_ = forces_lost_ = false;
   if (loop_) {
     loop_->post(command::SetForces{on});
     loop_->postSecond(command::SetForces{on});
@@ -321,12 +339,36 @@ void VirtualDesktopController::letGo() {
 
 void VirtualDesktopController::handleMoved(const manipulation::result::Moved& moved) {
   DocumentModel& document = host_.documentModel();
+  if (!document.document().find(moved.entity)) return;  // Of a cell that is closed, or removed meanwhile.
   const workcell::SetConfiguration own{moved.entity, moved.X_WE, moved.joints};
   std::vector<workcell::Command> commands;
   for (const auto& axis : moved.axes)
     commands.push_back(workcell::SetConfiguration{axis.entity, axis.X_WE, axis.joints});
   commands.push_back(own);
   document.executeAll(QString::fromStdString(workcell::commandText(own, document.document().state())), commands);
+}
+
+/// What was chosen of the cell's own things; how the hand moves stays.
+void VirtualDesktopController::forgetCell() {
+  mouse_.setButton(false);
+  for (const auto& entity : host_.documentModel().document().state().entities)
+    closed_ids_ = std::max(closed_ids_, entity->id);
+  VirtualDesktopSettings settings = settings_;
+  settings.entity = 0;
+  settings.moved_by = manipulation::MovedBy::Kind::kDefault;
+  settings.moved_frame.clear();
+  settings.against.clear();
+  if (settings.axes == manipulation::AxesMode::kFrame) settings.axes = VirtualDesktopSettings().axes;
+  settings.axes_frame.clear();
+  change(settings);
+}
+
+/// The loop may still be at the cell before.
+bool VirtualDesktopController::isOfCell(const manipulation::SceneSnapshot& snapshot) const {
+  const auto isOld = [this](workcell::EntityId id) { return id != 0 && id <= closed_ids_; };
+  return !isOld(snapshot.held) && std::none_of(snapshot.pairs.begin(), snapshot.pairs.end(), [&](const auto& pair) {
+    return isOld(pair.moved) || isOld(pair.other);
+  });
 }
 
 void VirtualDesktopController::take(const std::vector<manipulation::Result>& results) {
@@ -349,12 +391,18 @@ void VirtualDesktopController::tick() {
   if (connected != was_connected_) {
     was_connected_ = connected;
     device_ = connected ? link_->device() : std::nullopt;
+    if (!connected && (forces_wanted_ || snapshot_.forces_on)) tellOfLoss();
     forces_wanted_ = forces_cut_ = false;  // Never on by a reconnection.
     loop_->post(command::SetForces{false});
     loop_->postSecond(command::SetForces{false});
     loop_->post(command::SetHandTarget{mouse_.target()});
     settleMouse();
+    if (connected) server_worked_ = server_.isRunning();
     if (!connected) connecting_.restart(), server_tried_ = server_.isRunning();
+    emit connectionChanged();
+  }
+  if (isWatching() != was_watching_) {
+    was_watching_ = !was_watching_;
     emit connectionChanged();
   }
   followSecond();
@@ -363,6 +411,7 @@ void VirtualDesktopController::tick() {
   host_.setPreparedScene(loop_->scene());
   preparation_->setShare(loop_->preparation());
   takeSnapshot();
+  showDevice();
   // Also without a snapshot: a loop that stands still is to be told of.
   if (!told_.isValid() || told_.elapsed() >= 100) {
     told_.start();
@@ -372,11 +421,17 @@ void VirtualDesktopController::tick() {
 
 void VirtualDesktopController::takeSnapshot() {
   manipulation::SceneSnapshot fresh;
-  if (!loop_ || !loop_->latest(fresh)) return;
+  if (!loop_ || !loop_->latest(fresh) || !isOfCell(fresh)) return;
   sound_.play(soundCue(fresh, snapshot_));
-  const bool cut = snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
+  const bool connected = isConnected();
+  const bool cut = connected && snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
   snapshot_ = std::move(fresh);
   since_snapshot_.start();
+  if (!connected) {  // What the server said last is not so any more.
+    snapshot_.server = {};
+    snapshot_.forces_on = false;
+    snapshot_.force_n = 0.0;
+  }
   if (snapshot_.forces_on) forces_cut_ = false;
   if (cut) tellOfCut();
   // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
@@ -386,11 +441,14 @@ void VirtualDesktopController::takeSnapshot() {
   updateSecondMouse();
   host_.setGuiRate(guiRate());
   host_.setSnapshot(snapshot_);
-  if (device_)
-    host_.setDeviceText(QString::fromStdString(device_->name) +
-                        (snapshot_.forces_on ? tr(" · forces on") : tr(" · forces off")));
-  else
-    host_.setDeviceText(deviceLine());
+}
+
+void VirtualDesktopController::showDevice() {
+  if (!device_) return host_.setDeviceText(deviceLine(), false);
+  const QString forces = forces_lost_          ? tr(" · forces lost")
+                         : snapshot_.forces_on ? tr(" · forces on")
+                                               : tr(" · forces off");
+  host_.setDeviceText(QString::fromStdString(device_->name) + forces, !forces_lost_);
 }
 
 }  // namespace hapticell::app

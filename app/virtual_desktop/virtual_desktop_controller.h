@@ -35,7 +35,12 @@ class VirtualDesktopController : public QObject {
 
   void connectDevice();
   void disconnectDevice();
+  /// A server answers, and this window has the stylus.
   bool isConnected() const;
+  /// A server answers, but another window has the stylus.
+  bool isWatching() const;
+  /// Takes the stylus from the window that has it.
+  void takeStylus();
   bool isStarted() const { return loop_ != nullptr; }
   /// Why there is no connection, or what the device is called; one line.
   QString deviceLine() const;
@@ -90,6 +95,8 @@ class VirtualDesktopController : public QObject {
  private:
   void tick();
   void takeSnapshot();
+  void forgetCell();
+  bool isOfCell(const manipulation::SceneSnapshot& snapshot) const;
   void take(const std::vector<manipulation::Result>& results);
   void handleMoved(const manipulation::result::Moved& moved);
   void postDocument();
@@ -122,6 +129,9 @@ class VirtualDesktopController : public QObject {
   void tellOfPlugged(const ListedDevice& device);
   /// Forces went off though nobody asked for it: by the server's safety chain, or the loop stands still.
   void tellOfCut();
+  /// They went off because the server is gone.
+  void tellOfLoss();
+  void showDevice();
   void updateStrip();
   void takeEntityChoices();
   template <typename Set>
@@ -144,6 +154,7 @@ class VirtualDesktopController : public QObject {
   QTimer input_timer_;
   std::uint32_t input_buttons_ = 0;
   std::vector<double> gloved_joints_;  // As the glove wants them; how far they came the snapshot says.
+  workcell::EntityId closed_ids_ = 0;  // Those up to it are of cells that are closed.
   workcell::EntityId gloved_ = 0;      // The mannequin or free hand that it poses.
   manipulation::GraspKeeper grasp_;
   QString second_profile_;
@@ -161,7 +172,8 @@ class VirtualDesktopController : public QObject {
   QElapsedTimer clock_, connecting_, pressed_, told_, since_snapshot_;
   FrameMeter ticks_;
   bool mouse_is_second_ = false;  // The 3-D mouse, since it is to move entities.
-  bool forces_wanted_ = false, forces_cut_ = false, was_connected_ = false, server_tried_ = false;
+  bool forces_wanted_ = false, forces_cut_ = false, forces_lost_ = false, was_connected_ = false, was_watching_ = false,
+       server_tried_ = false, server_worked_ = false;
 };
 
 }  // namespace hapticell::app

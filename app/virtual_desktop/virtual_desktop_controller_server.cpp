@@ -17,6 +17,7 @@ constexpr int kServerPatience = 700;  // Milliseconds without an answer until a 
 
 QString VirtualDesktopController::deviceLine() const {
   if (!link_) return tr("Not connected");
+  if (isWatching()) return tr("Watching: another window has the stylus");
   if (isConnected()) {
     if (!device_) return tr("Connected");
     return device_->simulated ? tr("Connected, simulated") : tr("Connected");
@@ -50,6 +51,8 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   ForceFacts facts;
   facts.started = isStarted();
   facts.connected = isConnected();
+  facts.watching = isWatching();
+  facts.lost = forces_lost_;
   facts.forceless = device_ && device_->driven_axes == 0;
   facts.wanted = forces_wanted_;
   facts.on = facts.connected && snapshot_.forces_on;
@@ -77,6 +80,15 @@ void VirtualDesktopController::tellOfCut() {
   host_.messages().tell(Severity::kWarning, tr("The forces went off"), forceReason(forceFacts()).why);
 }
 
+void VirtualDesktopController::tellOfLoss() {
+  forces_lost_ = true;
+  sound_.strike(SoundEvent::kFault);
+  host_.messages().tell(
+      Severity::kProblem, tr("The forces went off: the haptic server is gone"),
+      shownText(link_->problem()) + QLatin1Char(' ') +
+          tr("What is held stays where it is. Once a server answers again, Ctrl+Space turns the forces on."));
+}
+
 void VirtualDesktopController::startServer() {
   server_tried_ = true;
   server_.start(profile_, server_port_);
@@ -100,7 +112,9 @@ void VirtualDesktopController::chooseDevice(const QString& profile) {
 }
 
 void VirtualDesktopController::helpServer() {
-  if (isConnected() || server_tried_ || !isThisStation(server_host_) || connecting_.elapsed() < kServerPatience) return;
+  // Refused: there is one.
+  if (isConnected() || isWatching() || link_->linkState() == haptic::LinkState::kRefused) return;
+  if (server_tried_ || !isThisStation(server_host_) || connecting_.elapsed() < kServerPatience) return;
   server_tried_ = true;
   startServer();
 }

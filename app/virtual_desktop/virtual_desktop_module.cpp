@@ -207,8 +207,12 @@ void VirtualDesktopModule::addPill() {
 void VirtualDesktopModule::showPill() {
   if (!pill_button_) return;
   const bool on = controller_->snapshot().forces_on;
-  if (on != pill_button_->isChecked() || pill_button_->icon().isNull())  // Setting it paints.
-    pill_button_->setIcon(on ? icon("forces", themeOf(pill_button_->palette()).on_text) : icon("forces"));
+  const bool lost = controller_->forceFacts().lost;
+  if (on != pill_button_->isChecked() || lost != pill_lost_ || pill_button_->icon().isNull()) {  // Setting it paints.
+    const Theme& theme = themeOf(pill_button_->palette());
+    pill_button_->setIcon(lost ? icon("warning", theme.contact) : on ? icon("forces", theme.on_text) : icon("forces"));
+  }
+  pill_lost_ = lost;
   pill_button_->setChecked(on);
   pill_button_->setEnabled(controller_->isConnected());
   pill_button_->setText(on ? tr("Forces on") : tr("Forces off"));

@@ -126,6 +126,7 @@ void VirtualDesktopPanel::mend() {
   const Mend how = forceReason(controller_.forceFacts()).mend;
   if (how == Mend::kConnect) controller_.connectDevice();
   if (how == Mend::kStartServer) controller_.startServer();
+  if (how == Mend::kTakeStylus) controller_.takeStylus();
   if (how == Mend::kSlide) controller_.setOnContact(workcell::OnContact::kSlide);
   if (how == Mend::kCheck)
     host_.documentModel().execute(workcell::SetProperties{.id = controller_.snapshot().held, .checked = true});
@@ -229,7 +230,8 @@ void VirtualDesktopPanel::showMaterial(const workcell::Entity* entity) {
 void VirtualDesktopPanel::showConnection() {
   const bool connected = controller_.isConnected();
   const Theme& theme = themeOf(palette());
-  device_icon_->setPixmap(icon(connected ? "check" : "info", connected ? theme.axis_z : theme.text2).pixmap(16, 16));
+  device_icon_->setPixmap(
+      icon(connected ? "check" : "warning", connected ? theme.axis_z : theme.near_miss).pixmap(16, 16));
   device_state_->setText(controller_.deviceLine());
   const auto& device = controller_.device();
   stylus_->setChosen(controller_.deviceProfile());

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the window ends when the system says so: nothing that was done is lost, and no server is left.
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <QDialog>
 #include <QDir>
@@ -19,6 +16,7 @@
 #include "app/host/application.h"
 #include "app/host/end_signals.h"
 #include "tests/app/cell_page.h"
+#include "tests/app/processes.h"
 #include "workcell/autosave.h"
 
 namespace hapticell::app {
@@ -101,29 +99,10 @@ TEST(EndOfTheWindow, EndNowKeepsTheTakeAndACopyOfWhatIsNotSaved) {
   ASSERT_TRUE(page.window().documentModel().document().isDirty());
   page.window().endNow();
   EXPECT_TRUE(WindowPage::until([&] { return page.state().trajectories.size() == 1u; }, 30000));
-  const auto copy = workcell::autosavePath(page.document().path());
-  EXPECT_TRUE(WindowPage::until([&] { return std::filesystem::exists(copy); }, 30000)) << copy;
-  workcell::discardAutosave(page.document().path());
-}
-
-/// A port that nobody listens on now.
-int freePort() {
-  const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  auto* any = reinterpret_cast<sockaddr*>(&address);
-  EXPECT_EQ(::bind(listener, any, size), 0);
-  EXPECT_EQ(::getsockname(listener, any, &size), 0);
-  ::close(listener);
-  return ntohs(address.sin_port);
-}
-
-/// The children of a process, by the system's own list.
-QByteArrayList childrenOf(qint64 process) {
-  QFile list(QStringLiteral("/proc/%1/task/%1/children").arg(process));
-  return list.open(QIODevice::ReadOnly) ? list.readAll().simplified().split(' ') : QByteArrayList();
+  const auto run = page.window().files().autosaver().runFolder();
+  ASSERT_TRUE(run);
+  EXPECT_TRUE(WindowPage::until([&] { return std::filesystem::exists(workcell::copyIn(*run)); }, 30000)) << *run;
+  page.window().files().autosaver().discard();
 }
 
 class EndedProgram : public testing::TestWithParam<int> {};

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModel>
+#include <QPushButton>
 #include <QWheelEvent>
 
 #include "app/panels/contact_log_model.h"
 #include "app/panels/strip_chart.h"
 #include "app/viewport/strip_text.h"
+#include "haptic/client/tcp_link.h"
 #include "manipulation/motion_mapping.h"
 #include "tests/app/cell_page.h"
 #include "tests/haptic/server/live_server.h"
@@ -328,6 +330,40 @@ TEST(FeelWindow, AContactThatIsFeltIsSeenAndTheDelayIsTold) {
       [&] { return checks->accessibleDescription().contains(QStringLiteral("ms after they are felt")); }, kPatience))
       << checks->accessibleDescription().toStdString();
   testing::Test::RecordProperty("median_ms", static_cast<int>(1e3 * seen.median_s));
+}
+
+/// A cell whose server has been taken by another window.
+struct WatchingPage : ServerFirst, CellPage {
+  WatchingPage() : CellPage(on()), other(optionsOf(server)) {
+    EXPECT_TRUE(until([this] { return other.linkState() == haptic::LinkState::kConnected; }, kPatience));
+    window().loadModules(ModuleLoader::defaultFolders());
+    EXPECT_TRUE(window().startModule("Virtual Desktop"));
+    EXPECT_TRUE(until([this] { return button().isVisible() && button().text() == "Take the stylus"; }, kPatience));
+  }
+  static haptic::TcpLinkOptions optionsOf(const haptic::LiveServer& server) {
+    haptic::TcpLinkOptions options;
+    options.port = static_cast<std::uint16_t>(server.port());
+    options.program = "Other window";
+    return options;
+  }
+  QPushButton& button() { return *find<QPushButton>("buttonMend"); }
+  haptic::TcpLink other;
+};
+
+TEST(SecondWindow, WatchesAndTakesTheStylusOnlyWhenItsUserSaysSo) {
+  WatchingPage page;
+  const StatusLine& status = page.window().statusLine();
+  EXPECT_TRUE(WindowPage::until([&] { return status.device().contains("another window"); }, kPatience))
+      << status.device().toStdString();
+  EXPECT_FALSE(status.deviceWorks()) << "no tick";
+  EXPECT_FALSE(page.find<QAbstractButton>("switchForces")->isEnabled());
+  // Longer than a silent controller is waited for.
+  QTest::qWait(1500);
+  EXPECT_EQ(page.other.linkState(), haptic::LinkState::kConnected);
+  EXPECT_EQ(page.other.grantedKind(), haptic::ClientKind::kController);
+  page.press("buttonMend");
+  EXPECT_TRUE(WindowPage::until([&] { return status.deviceWorks(); }, kPatience)) << status.device().toStdString();
+  EXPECT_TRUE(WindowPage::until([&] { return page.other.linkState() != haptic::LinkState::kConnected; }, kPatience));
 }
 
 TEST(StripChart, DrawsTheRatesAsLines) {

@@ -13,7 +13,6 @@
 #include "geometry/shapes.h"
 #include "tests/app/import_page.h"
 #include "tests/support/test_data.h"
-#include "workcell/autosave.h"
 
 namespace hapticell::app {
 namespace {
@@ -220,35 +219,6 @@ TEST(ImportWindow, AMissingFileIsAskedForOnceAndTheRestIsThere) {
   EXPECT_TRUE(told->text.contains("b.off"));
   ASSERT_EQ(told->actions.size(), 1u);
   EXPECT_EQ(page.told("was read with remarks"), nullptr) << "one message for all of them";
-}
-
-TEST(ImportWindow, TheCopyOfACrashIsOfferedAndRestoredAsUnsaved) {
-  QTemporaryDir folder;
-  const QString cell = folder.filePath("cell.hcell");
-  {
-    ImportPage page;
-    ASSERT_TRUE(page.add(writeBlock(folder.filePath("a.off"), 1, 1, 1)));
-    ASSERT_TRUE(page.window().documentModel().save(cell));
-    ASSERT_TRUE(page.add(writeBlock(folder.filePath("b.off"), 1, 1, 1)));
-    page.window().files().autosaver().save();
-  }  // Gone without closing: a crash, but for the threads.
-  ImportPage page;
-  ASSERT_TRUE(page.open(cell));
-  EXPECT_EQ(page.entities(), 1u);
-  const Message* told = page.told("cell.hcell was not closed in order");
-  ASSERT_NE(told, nullptr);
-  const auto restore = told->actions.at(0).act;
-  // Work goes on before the user decides: its autosave does not touch what is on offer.
-  ASSERT_TRUE(page.add(writeBlock(folder.filePath("c.off"), 1, 1, 1)));
-  page.window().files().autosaver().save();
-  restore();
-  ASSERT_TRUE(page.idle());
-  EXPECT_NE(page.entity("b"), nullptr);
-  EXPECT_EQ(page.entities(), 2u);
-  EXPECT_TRUE(page.window().documentModel().document().isDirty());
-  EXPECT_EQ(page.window().documentModel().document().path(), cell.toStdString());
-  ASSERT_TRUE(page.window().documentModel().save(cell));
-  page.window().files().autosaver().discard();
 }
 
 TEST(ImportWindow, AFileThatChangedIsReadAgainWithPlacementsKept) {

@@ -76,41 +76,76 @@ TEST_F(DocumentFiles, aMovedFolderIsAskedForOnce) {
   EXPECT_THAT(documentText(document->state(), folder_.path()), HasSubstr("elsewhere/b.obj"));
 }
 
-TEST_F(DocumentFiles, theCopyIsFoundAfterACrashAndGoneAfterSaving) {
+/// The user's state folder, for as long as this lives.
+class StateFolder {
+ public:
+  explicit StateFolder(const fs::path& folder) { ::setenv("XDG_STATE_HOME", folder.c_str(), 1); }
+  ~StateFolder() { ::unsetenv("XDG_STATE_HOME"); }
+};
+
+TEST_F(DocumentFiles, whatADeadRunLeftIsFoundUntilItIsDiscarded) {
+  const StateFolder state(folder_.path() / "state");
   auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
-  ASSERT_TRUE(autosave(*document));
-  EXPECT_FALSE(findAutosave(file()));  // Nothing was changed.
   ASSERT_TRUE(document->execute(SetPlacement{document->findByName("a")->id, Pose::translation({1, 2, 3})}));
-  ASSERT_TRUE(autosave(*document));
-  EXPECT_TRUE(document->isDirty());
-  const auto copy = findAutosave(file());
-  ASSERT_TRUE(copy);
-  auto restored = loadDocument(*copy, notes_);
+  {
+    RunFolder run;
+    ASSERT_TRUE(run.path());
+    ASSERT_TRUE(autosave(document->state(), file(), *run.path()));
+    EXPECT_TRUE(findLeftWork().empty()) << "the run lives";
+  }
+  const auto left = findLeftWork();
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].document, file());
+  EXPECT_TRUE(left[0].crash.empty());
+  auto restored = loadDocument(left[0].copy, notes_);
   ASSERT_TRUE(restored) << restored.error().message();
-  restored->markUnsaved();
-  EXPECT_TRUE(restored->isDirty());
   EXPECT_EQ(restored->findByName("a")->X_WE.p, dvec3(1, 2, 3));
-  discardAutosave(file());
-  EXPECT_FALSE(findAutosave(file()));
+  EXPECT_NE(restored->findByName("b")->mesh, nullptr) << "its file is found from there";
+  EXPECT_EQ(findLeftWork().size(), 1u) << "looking changes nothing";
+  discardLeftWork(left[0].run);
+  EXPECT_TRUE(findLeftWork().empty());
 }
 
-TEST_F(DocumentFiles, aCopyThatIsOnOfferIsNotWrittenOver) {
+TEST_F(DocumentFiles, runsDoNotTouchEachOthersCopies) {
+  const StateFolder state(folder_.path() / "state");
   auto document = loadDocument(file(), notes_);
   ASSERT_TRUE(document);
   const EntityId a = document->findByName("a")->id;
-  ASSERT_TRUE(document->execute(SetPlacement{a, Pose::translation({1, 2, 3})}));
-  ASSERT_TRUE(autosave(*document));
-  const auto kept = keepAutosaves(file());
-  ASSERT_EQ(kept.size(), 1u);
-  ASSERT_TRUE(document->execute(SetPlacement{a, Pose::translation({4, 5, 6})}));
-  ASSERT_TRUE(autosave(*document));  // Of the session after the crash.
-  EXPECT_EQ(loadDocument(kept[0], notes_)->findByName("a")->X_WE.p, dvec3(1, 2, 3));
-  EXPECT_EQ(keepAutosaves(file()).size(), 2u) << "after a second crash both are there";
-  EXPECT_EQ(keepAutosaves(file()).size(), 2u);
-  discardAutosave(file());
-  for (const auto& copy : keepAutosaves(file())) std::filesystem::remove(copy);
-  EXPECT_TRUE(keepAutosaves(file()).empty());
+  {
+    RunFolder first, second;
+    ASSERT_TRUE(document->execute(SetPlacement{a, Pose::translation({1, 0, 0})}));
+    ASSERT_TRUE(autosave(document->state(), file(), *first.path()));
+    ASSERT_TRUE(document->execute(SetPlacement{a, Pose::translation({2, 0, 0})}));
+    ASSERT_TRUE(autosave(document->state(), file(), *second.path()));
+  }
+  ASSERT_EQ(findLeftWork().size(), 2u);
+  {
+    RunFolder third;
+    const auto left = findLeftWork();
+    ASSERT_TRUE(third.adopt(left[0].run));
+    EXPECT_EQ(findLeftWork().size(), 1u) << "the other one is still on offer";
+    const auto restored = loadDocument(copyIn(*third.path()), notes_);
+    ASSERT_TRUE(restored);
+    EXPECT_NE(restored->findByName("a")->mesh, nullptr);
+    third.discardCopy();
+  }
+  EXPECT_EQ(findLeftWork().size(), 1u) << "a run that ends in order leaves nothing";
+  EXPECT_EQ(std::distance(fs::directory_iterator(runsFolder()), fs::directory_iterator()), 1);
+}
+
+TEST_F(DocumentFiles, whatBrokeIsFoundToo) {
+  const StateFolder state(folder_.path() / "state");
+  {
+    RunFolder run;
+    ASSERT_TRUE(run.path());
+    ASSERT_TRUE(writeFileAtomically(crashNoteIn(*run.path()), "part.cpp:12: a == b [worker]\nmore\n"));
+    ASSERT_TRUE(autosave(DocumentState(), {}, *run.path()));
+  }
+  const auto left = findLeftWork();
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].crash, "part.cpp:12: a == b [worker]");
+  EXPECT_TRUE(left[0].document.empty());
 }
 
 TEST_F(DocumentFiles, thePackStandsOnItsOwn) {

@@ -83,14 +83,14 @@ TEST_F(FullDiskTest, autosavingTellsAndLeavesTheOlderCopy) {
   const fs::path file = folder_.path() / "cell.hcell";
   ASSERT_TRUE(saveDocument(document_, file));
   ASSERT_TRUE(document_.execute(RenameEntity{document_.state().entities[0]->id, "moved"}));
-  ASSERT_TRUE(autosave(document_));
-  const std::string copy = *readFileContent(autosavePath(file));
+  ASSERT_TRUE(autosave(document_.state(), file, folder_.path()));
+  const std::string copy = *readFileContent(copyIn(folder_.path()));
   ASSERT_TRUE(document_.execute(RenameEntity{document_.state().entities[0]->id, "moved again"}));
   {
     const FullDisk full(300);
-    expectSentence(autosave(document_), autosavePath(file));
+    expectSentence(autosave(document_.state(), file, folder_.path()), copyIn(folder_.path()));
   }
-  EXPECT_EQ(*readFileContent(autosavePath(file)), copy);
+  EXPECT_EQ(*readFileContent(copyIn(folder_.path())), copy);
 }
 
 TEST_F(FullDiskTest, exportsAndArchivesLeaveWhatStoodThere) {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace hapticell::app {
+
+/// Saves what can be saved when the program breaks: a broken contract, an uncaught error, an invalid memory access
+/// (SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL), on any thread. While the thread that broke waits, a thread that was made
+/// for it beforehand calls `keep`; then what broke is noted in a file, and the program ends as it would have. Nobody
+/// waits longer than kPatience, so a lock that the broken thread holds costs the copy and not the end. Does nothing
+/// where there are no such signals. One at a time; any thread makes it.
+class CrashGuard {
+ public:
+  static constexpr double kPatience = 5.0;  ///< s; writing a copy of ten thousand parts takes a tenth of that.
+
+  /// `keep` writes what is not saved, without a thread of the window's; false: it could not. `note`: the file to write,
+  /// in a folder that is there: first what broke, then the thread, then where its calls were.
+  CrashGuard(std::function<bool()> keep, const std::filesystem::path& note);
+  ~CrashGuard();
+  CrashGuard(const CrashGuard&) = delete;
+  CrashGuard& operator=(const CrashGuard&) = delete;
+
+ private:
+  bool is_mine_ = false;  ///< False where another one stood already.
+};
+
+}  // namespace hapticell::app
