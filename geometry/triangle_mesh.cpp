@@ -141,8 +141,9 @@ Bounds TriangleMesh::bounds() const {
 double weldTolerance(const TriangleMesh& mesh) {
   const Bounds box = mesh.bounds();
   if (box.isEmpty()) return 0.0;
-  const dvec3 largest = glm::max(glm::abs(box.min), glm::abs(box.max));
-  return 1e-6 * std::max({largest.x, largest.y, largest.z});
+  // A mesh that is small beside its distance from the origin is welded as finely as it would be there.
+  const dvec3 largest = glm::max(glm::abs(box.min), glm::abs(box.max)), size = box.size();
+  return 1e-6 * std::min(std::max({largest.x, largest.y, largest.z}), std::max({size.x, size.y, size.z}));
 }
 
 WeldReport weld(TriangleMesh& mesh, double tolerance) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 namespace hapticell::workcell {
@@ -17,6 +18,18 @@ bool isName(const std::string& name) {
     return byte < 0x20 || byte == 0x7F;
   });
   return !name.empty() && name.size() <= kLongest && printable && name.front() != ' ' && name.back() != ' ';
+}
+
+double farthest(const dvec3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+Error tooFar(const std::string& name, double metres) {
+  char reach[64];
+  std::snprintf(reach, sizeof reach, metres < 1e4 ? "%.0f m" : "%.0f km", metres < 1e4 ? metres : 1e-3 * metres);
+  return refusal(quotedName(name), std::string("it reaches ") + reach + " from the origin",
+                 "parts within 2 km of it, where a tenth of a millimetre can still be drawn",
+                 "Is its unit right? Otherwise move it to the origin in the program that made it.");
 }
 
 }  // namespace
@@ -37,6 +50,22 @@ Expected<void> checkName(const std::string& what, const std::string& name) {
 Expected<void> checkPose(const std::string& what, const Pose& pose) {
   if (pose.isValid()) return {};
   return makeError(refusal(what, "a pose that is not one", "finite numbers and a quaternion of length 1"));
+}
+
+Expected<void> checkReach(const std::string& name, const dvec3& p_WE) {
+  if (farthest(p_WE) <= kFarthest) return {};
+  return makeError(tooFar(name, farthest(p_WE)));
+}
+
+Expected<void> checkReach(const Entity& entity) {
+  double reach = farthest(entity.X_WE.p);
+  const geometry::Bounds own = entity.mesh ? entity.mesh->bounds() : geometry::Bounds();
+  if (!own.isEmpty()) {
+    const geometry::Bounds there = geometry::transformed(entity.X_WE, own);
+    for (const dvec3& corner : {own.min, own.max, there.min, there.max}) reach = std::max(reach, farthest(corner));
+  }
+  if (reach <= kFarthest) return {};
+  return makeError(tooFar(entity.name, reach));
 }
 
 Error taken(const std::string& name) {
@@ -117,9 +146,9 @@ Expected<void> checkProperties(const Entity& entity) {
 
 Expected<void> checkPairSet(const PairSet& set) {
   if (auto checked = checkName("the pair set's name", set.name); !checked) return checked;
-  constexpr double kFarthest = 1.0;
+  constexpr double kLargest = 1.0;
   for (double distance : {set.safety_distance, set.near_miss}) {
-    if (!(distance >= 0.0 && distance <= kFarthest)) {
+    if (!(distance >= 0.0 && distance <= kLargest)) {
       return makeError(refusal("pair set " + quotedName(set.name), "a distance out of range", "0 to 1 m"));
     }
   }

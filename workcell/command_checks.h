@@ -25,6 +25,16 @@ Expected<void> checkName(const std::string& what, const std::string& name);
 /// Refused: numbers that are not finite, a quaternion that is not of length 1.
 Expected<void> checkPose(const std::string& what, const Pose& pose);
 
+/// How far from the origin parts may lie, m: pictures are drawn in single precision, which is a tenth of a millimetre
+/// there and gets coarser beyond.
+inline constexpr double kFarthest = 2000.0;
+
+/// Refused: a place beyond kFarthest from the origin of the cell.
+Expected<void> checkReach(const std::string& name, const dvec3& p_WE);
+
+/// Refused: also where its mesh reaches farther, in the cell or in its own frame.
+Expected<void> checkReach(const Entity& entity);
+
 /// Refused: another number of values than the robot's variables, values that are not finite.
 Expected<void> checkJoints(const Entity& entity, const std::vector<double>& joints);
 

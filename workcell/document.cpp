@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/assertion.h"
+#include "workcell/command_checks.h"
 
 namespace hapticell::workcell {
 
@@ -15,6 +16,19 @@ namespace {
 template <typename T>
 void makeRoom(std::vector<T>& list) {
   if (list.size() == list.capacity()) list.reserve(2 * list.size() + 8);
+}
+
+/// What a user may not do, though a file that was written so is still read.
+Expected<void> checkReachOf(const Command& command, const DocumentState& state) {
+  const auto placed = [&state](EntityId id, const Pose& X_WE) -> Expected<void> {
+    const Entity* entity = state.find(id);
+    return entity ? checkReach(entity->name, X_WE.p) : Expected<void>{};
+  };
+  if (const auto* add = std::get_if<AddEntity>(&command)) return checkReach(add->entity);
+  if (const auto* fresh = std::get_if<ReplaceShape>(&command)) return checkReach(fresh->fresh);
+  if (const auto* place = std::get_if<SetPlacement>(&command)) return placed(place->id, place->X_WE);
+  if (const auto* at = std::get_if<SetConfiguration>(&command)) return placed(at->id, at->X_WE);
+  return {};
 }
 
 }  // namespace
@@ -52,6 +66,7 @@ std::string Document::uniqueName(std::string_view wanted) const {
 }
 
 Expected<EntityId> Document::execute(const Command& command) {
+  if (auto near = checkReachOf(command, state_); !near) return makeError(near.error());
   // Where the memory ends, the state of before stands: nothing below the last allocation throws.
   Expected<EntityId> done = EntityId{0};
   if (inCompound()) {

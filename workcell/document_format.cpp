@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "workcell/command.h"
+#include "workcell/command_checks.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_format.h"
 #include "workcell/entity_source.h"
@@ -162,6 +163,7 @@ class StateReader {
     readEntityFields(fields, place, context_, entity);
     if (error_) return;
     fields.warnAboutOthers(diagnostics_);
+    if (const auto near = checkReach(entity); !near) diagnostics_.warn(near.error().message());
     // What it hangs on may stand further down in the file.
     Attachment attachment;
     std::swap(attachment, entity.attachment);

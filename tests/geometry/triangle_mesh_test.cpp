@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "geometry/shapes.h"
+
 namespace hapticell::geometry {
 namespace {
 
@@ -71,6 +73,16 @@ TEST(TriangleMesh, appendPlacesThePart) {
   EXPECT_EQ(whole.triangles.size(), 4u);
   EXPECT_EQ(whole.corner(2, 0), dvec3(0, 0, 2));
   EXPECT_EQ(whole.bounds().max.z, 2.0 + 1e-9);
+}
+
+TEST(TriangleMesh, weldsAsFinelyFarFromTheOrigin) {
+  TriangleMesh mesh = makeBox(dvec3(0.1));
+  const std::size_t triangles = mesh.triangles.size();
+  for (dvec3& vertex : mesh.vertices) vertex += dvec3(5e5, 0.0, 0.0);
+  EXPECT_LT(weldTolerance(mesh), 2e-7);
+  const WeldReport report = weld(mesh, weldTolerance(mesh));
+  EXPECT_EQ(report.merged_vertices, 0u);
+  EXPECT_EQ(mesh.triangles.size(), triangles);
 }
 
 TEST(TriangleMesh, emptyMeshHasEmptyBounds) {

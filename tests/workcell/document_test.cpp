@@ -47,6 +47,23 @@ TEST(Document, addsFindsAndRemovesWithUndo) {
   EXPECT_EQ(document.redoText(), "Remove table");
 }
 
+TEST(Document, refusesInASentenceWhatLiesTooFarFromTheOrigin) {
+  Document document;
+  Entity far = makeSolid("far");
+  auto mesh = std::make_shared<geometry::TriangleMesh>(*far.mesh);
+  for (dvec3& vertex : mesh->vertices) vertex.x += 5e5;
+  far.mesh = mesh;
+  const auto refused = document.execute(AddEntity{far});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(refused.error().message(), ::testing::HasSubstr("500 km"));
+  EXPECT_THAT(refused.error().message(), ::testing::HasSubstr("unit"));
+  const EntityId part = add(document, makeSolid("part"));
+  EXPECT_TRUE(document.execute(SetPlacement{part, Pose::translation({0.0, 1990.0, 0.0})}).has_value());
+  EXPECT_FALSE(document.execute(SetPlacement{part, Pose::translation({0.0, 2010.0, 0.0})}).has_value());
+  EXPECT_FALSE(document.execute(SetConfiguration{part, Pose::translation({0.0, 0.0, -3e9}), {}}).has_value());
+  EXPECT_EQ(document.find(part)->X_WE.p.y, 1990.0) << "a refused command changes nothing";
+}
+
 TEST(Document, namesAreUniqueAndIdsNeverReused) {
   Document document;
   const EntityId first = add(document, makeSolid("part"));
