@@ -20,7 +20,18 @@ void Playback::setFrames(std::vector<double> times) {
   if (frames_.empty()) playing_ = false;
 }
 
+void Playback::setStops(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  stops_ = std::move(times);
+}
+
+double Playback::stopBetween(double from, double to) const {
+  const auto stop = std::upper_bound(stops_.begin(), stops_.end(), from + kSame);
+  return stop != stops_.end() && *stop < to ? *stop : to;
+}
+
 void Playback::play() {
+  owed_ = 0.0;
   if (frames_.empty()) return;
   if (time_ >= end() - kSame) time_ = begin();
   playing_ = true;
@@ -49,10 +60,18 @@ void Playback::setSpeed(double speed) {
 bool Playback::advance(double seconds) {
   if (!playing_ || !(seconds > 0.0)) return false;
   const double length = end() - begin();
-  time_ += speed_ * seconds;
-  if (time_ < end()) return true;
-  if (loops_ && length > 0.0) {
-    time_ = begin() + std::fmod(time_ - begin(), length);
+  const double to = time_ + speed_ * (seconds + owed_);
+  const double stop = stopBetween(time_, std::min(to, end()));
+  owed_ = 0.0;
+  if (stop < to && stop < end()) {
+    owed_ = std::min((to - stop) / speed_, seconds);
+    time_ = stop;
+  } else if (to < end()) {
+    time_ = to;
+  } else if (loops_ && length > 0.0) {
+    const double wrapped = begin() + std::fmod(to - begin(), length);
+    time_ = stopBetween(begin() - 2.0 * kSame, wrapped);
+    owed_ = std::min((wrapped - time_) / speed_, seconds);
   } else {
     time_ = end();
     playing_ = false;

@@ -13,6 +13,9 @@ class Playback {
   /// Times (s, increasing) at which the motions have frames, all in one list; the play runs from the first to the last.
   /// The time is kept where it is still inside.
   void setFrames(std::vector<double> times);
+  /// Times (s) that no step of the play passes over: it stops there for a picture and makes the time up afterwards. So
+  /// what lasts less than a picture (a touch) is seen.
+  void setStops(std::vector<double> times);
 
   double time() const { return time_; }
   double begin() const { return frames_.empty() ? 0.0 : frames_.front(); }
@@ -35,8 +38,11 @@ class Playback {
   bool advance(double seconds);
 
  private:
-  std::vector<double> frames_;
+  /// The first stop after `from`, up to `to`; `to` where there is none.
+  double stopBetween(double from, double to) const;
+  std::vector<double> frames_, stops_;
   double time_ = 0.0, speed_ = 1.0;
+  double owed_ = 0.0;  ///< s of the user's time that a stop has cost, at most one step's.
   bool playing_ = false, loops_ = false;
 };
 

@@ -14,6 +14,10 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kFrameMilliseconds = 16;
+// s of the user's time from picture to picture, the window's guaranteed 10 Hz: below that it plays slower in place of
+// leaping farther.
+constexpr double kLongestStep = 0.1;
+constexpr double kSlowAfter = 1.0;          // s of that until it is said.
 constexpr std::size_t kMostGhosts = 12;     // Of one motion's swept volume.
 constexpr double kGhostApart = 0.02;        // m between two of them, at least.
 constexpr std::size_t kMostStops = 100000;  // Frames of a motion that steps stop at.
@@ -22,6 +26,15 @@ void addTimes(const trajectory::Trajectory& motion, std::vector<double>& times) 
   const std::size_t stride = 1 + motion.size() / kMostStops;
   for (std::size_t i = 0; i < motion.size(); i += stride) times.push_back(motion[i].t);
   if (!motion.empty()) times.push_back(motion.frames().back().t);
+}
+
+/// What lasts less than a picture and must not be missed: the touches of a recording, what a check found to collide.
+void addTouches(const Motion& motion, std::vector<double>& times) {
+  for (const auto& touch : motion.trajectory->touches) times.push_back(0.5 * (touch.t_in + touch.t_out));
+  if (!motion.check) return;
+  for (const manipulation::PathFinding& finding : motion.check->findings)
+    if (finding.kind == manipulation::PathFinding::Kind::kCollision)
+      times.push_back(0.5 * (finding.t_in + finding.t_out));
 }
 
 /// Turning in place needs room too.
@@ -69,10 +82,14 @@ MotionPlayer::MotionPlayer(Host& host, MotionList& list, QObject* parent) : QObj
 MotionPlayer::~MotionPlayer() = default;
 
 void MotionPlayer::takeMotions() {
-  std::vector<double> times;
-  for (const Motion& motion : list_.motions())
-    if (motion.played && motion.replay) addTimes(*motion.trajectory, times);
+  std::vector<double> times, touches;
+  for (const Motion& motion : list_.motions()) {
+    if (!motion.played || !motion.replay) continue;
+    addTimes(*motion.trajectory, times);
+    addTouches(motion, touches);
+  }
   playback_.setFrames(std::move(times));
+  playback_.setStops(std::move(touches));
   if (!playback_.isPlaying()) timer_.stop();
   show();
   if (swept_) showSwept();
@@ -90,10 +107,15 @@ void MotionPlayer::play() {
   playback_.play();
   if (!playback_.isPlaying()) return;
   shown_ = true;
+  slow_s_ = 0.0;
   clock_.start();
   timer_.start();
   show();
   emit changed();
+}
+
+bool MotionPlayer::isSlow() const {
+  return playback_.isPlaying() && slow_s_ > kSlowAfter;
 }
 
 void MotionPlayer::pause() {
@@ -150,8 +172,10 @@ void MotionPlayer::showSwept() {
 }
 
 void MotionPlayer::tick() {
-  const bool moved = playback_.advance(1e-9 * static_cast<double>(clock_.nsecsElapsed()));
+  const double since = 1e-9 * static_cast<double>(clock_.nsecsElapsed());
   clock_.restart();
+  slow_s_ = since > kLongestStep ? slow_s_ + since : 0.0;
+  const bool moved = playback_.advance(std::min(since, kLongestStep));
   if (!playback_.isPlaying()) timer_.stop();
   if (!moved) return;
   show();

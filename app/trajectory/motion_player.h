@@ -14,8 +14,9 @@ class Host;
 class MotionList;
 
 /// Plays the motions of the list that are switched on, all on one clock, in the scene: what is shown moves, the
-/// document does not. Panels that ask the scene where an entity stands (SceneModel::placement_W, joints) follow. GUI
-/// thread.
+/// document does not. It is true to the clock while ten pictures a second can be drawn, and slower, but as even, where
+/// they cannot; no touch is passed over between two pictures. Panels that ask the scene where an entity stands
+/// (SceneModel::placement_W, joints) follow. GUI thread.
 class MotionPlayer : public QObject {
   Q_OBJECT
  public:
@@ -28,6 +29,8 @@ class MotionPlayer : public QObject {
   void setShown(bool on);
   void play();
   void pause();
+  /// The machine draws fewer than ten pictures a second, so the play is slower than the motion was.
+  bool isSlow() const;
   void seek(double time);
   void step(int direction);
   void setSpeed(double speed);
@@ -51,6 +54,7 @@ class MotionPlayer : public QObject {
   trajectory::Playback playback_;
   QTimer timer_;
   QElapsedTimer clock_;
+  double slow_s_ = 0.0;  ///< For so long pictures have come too seldom.
   bool shown_ = false, swept_ = false;
 };
 

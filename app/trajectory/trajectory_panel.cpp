@@ -217,6 +217,9 @@ void TrajectoryPanel::showTime() {
   play_->setIcon(icon(playback.isPlaying() ? "pause" : "play"));
   play_->setToolTip(playback.isPlaying() ? tr("Pause") : tr("Play"));
   play_->setAccessibleName(play_->toolTip());
+  if (player_.isSlow() && !slow_told_)
+    showLine(tr("Plays slower than recorded: fewer than 10 pictures a second can be drawn"), true);
+  slow_told_ = player_.isSlow() || (slow_told_ && playback.isPlaying());
   shown_->setChecked(player_.isShown());
   swept_->setChecked(player_.isSwept());
   const bool playable = playback.end() > playback.begin();

@@ -69,8 +69,8 @@ class TrajectoryPanel : public QWidget {
   QComboBox *speed_, *group_, *order_;
   QLabel* info_;
   QTimer live_timer_;
-  bool recording_ = false;
-  double recorded_from_s_ = 0.0;  ///< The snapshots' time at which the recording began.
+  bool recording_ = false, slow_told_ = false;  ///< Told once a play.
+  double recorded_from_s_ = 0.0;                ///< The snapshots' time at which the recording began.
   std::shared_ptr<const trajectory::Trajectory> shown_motion_;
 };
 

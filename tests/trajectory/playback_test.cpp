@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace hapticell::trajectory {
 namespace {
 
@@ -41,6 +44,28 @@ TEST(Playback, LoopsWithoutLosingTime) {
   playback.advance(4.75);
   EXPECT_NEAR(playback.time(), 0.75, 1e-12);
   EXPECT_TRUE(playback.isPlaying());
+}
+
+TEST(Playback, PassesOverNoStopAndMakesTheTimeUp) {
+  Playback playback = threeFrames();
+  playback.setStops({1.3, 0.4});
+  playback.play();
+  std::vector<double> seen;
+  for (int i = 0; i < 8 && playback.isPlaying(); ++i) {
+    playback.advance(0.35);
+    seen.push_back(playback.time());
+  }
+  ASSERT_EQ(seen.size(), 6u) << "2 s in steps of 0.35 s, as without stops";
+  for (const double stop : {0.4, 1.3}) EXPECT_NE(std::find(seen.begin(), seen.end(), stop), seen.end()) << stop;
+  EXPECT_NEAR(seen[2], 1.05, 1e-12) << "it is where the clock is";
+  playback.setLoop(true);
+  playback.setStops({0.1});
+  playback.seek(1.9);
+  playback.play();
+  playback.advance(0.3);
+  EXPECT_DOUBLE_EQ(playback.time(), 0.1) << "beyond the turn of the loop too";
+  playback.advance(0.05);
+  EXPECT_NEAR(playback.time(), 0.25, 1e-12);
 }
 
 TEST(Playback, StepsFromFrameToFrame) {
