@@ -10,6 +10,7 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/style/units.h"
+#include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {
@@ -21,8 +22,8 @@ constexpr const char* kCurves = "entity gizmo";
 
 EntityGizmo::EntityGizmo(Host& host, QObject* parent) : QObject(parent), host_(host) {
   connect(&host_.viewport(), &ViewportWidget::cameraChanged, this, &EntityGizmo::showNow);
+  connect(&host_.viewport(), &ViewportWidget::sceneChanged, this, &EntityGizmo::showNow);
   connect(&host_.selection(), &Selection::allChanged, this, &EntityGizmo::showNow);
-  connect(&host_.documentModel(), &DocumentModel::changed, this, &EntityGizmo::showNow);
   connect(&host_.holdChoice(), &HoldChoice::changed, this, &EntityGizmo::showNow);
 }
 
@@ -42,14 +43,20 @@ void EntityGizmo::setAxes(EditAxes axes) {
   showNow();
 }
 
-bool EntityGizmo::isHeldByModule(const std::vector<workcell::EntityId>& ids) const {
+bool EntityGizmo::isShownElsewhere(const std::vector<workcell::EntityId>& ids) const {
   const auto& snapshot = host_.snapshot();
-  return snapshot && snapshot->held != 0 && std::find(ids.begin(), ids.end(), snapshot->held) != ids.end();
+  const SceneModel& scene = host_.viewport().scene();
+  return std::any_of(ids.begin(), ids.end(), [&](workcell::EntityId id) {
+    const Pose& X_WE = host_.documentModel().document().find(id)->X_WE;
+    const workcell::Entity* shown = scene.find(id);
+    const Pose X_WShown = shown ? scene.placement_W(*shown) : X_WE;
+    return (snapshot && snapshot->held == id) || X_WShown.p != X_WE.p || X_WShown.q != X_WE.q;
+  });
 }
 
 std::vector<workcell::EntityId> EntityGizmo::moved() const {
   const auto ids = movedTogether(host_.documentModel().document().state(), host_.selection().all());
-  return isHeldByModule(ids) ? std::vector<workcell::EntityId>{} : ids;
+  return isShownElsewhere(ids) ? std::vector<workcell::EntityId>{} : ids;
 }
 
 std::optional<Pose> EntityGizmo::pose_W() const {
@@ -96,7 +103,6 @@ void EntityGizmo::showNow() {
       curves.push_back({{X_WG->p}, Role::kSelection, SceneCurve::Style::kSolid, 1.5, drag_->number.toStdString()});
   }
   viewport.setCurves(kCurves, std::move(curves));
-  viewport.refresh();
 }
 
 bool EntityGizmo::press(const PointerEvent& event) {

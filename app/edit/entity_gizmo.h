@@ -76,7 +76,7 @@ class EntityGizmo final : public QObject, public PointerTool {
   };
   Gizmo gizmoAt(const Pose& X_WG, const Camera& camera, const ViewSize& view) const;
   std::vector<workcell::EntityId> moved() const;
-  bool isHeldByModule(const std::vector<workcell::EntityId>& ids) const;
+  bool isShownElsewhere(const std::vector<workcell::EntityId>& ids) const;  ///< Held or carried by a hand, or played.
   Pose dragPose(const PointerEvent& event);
   double valueNow(const PointerEvent& event, double otherwise);
   double snappedValue(double value) const;

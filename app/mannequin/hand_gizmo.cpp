@@ -21,7 +21,10 @@ constexpr double kShortShown = 1.5e-3;  // m
 
 HandGizmo::HandGizmo(MannequinContext& context, FigureDrag& drag, QObject* parent)
     : QObject(parent), context_(context), figure_(drag) {
+  connect(&context_, &MannequinContext::mannequinChanged, this, &HandGizmo::showNow);
+  connect(&context_, &MannequinContext::documentChanged, this, &HandGizmo::showNow);
   connect(&context_.host().viewport(), &ViewportWidget::cameraChanged, this, &HandGizmo::showNow);
+  connect(&context_.host().viewport(), &ViewportWidget::sceneChanged, this, &HandGizmo::showNow);
   connect(&context_.host().holdChoice(), &HoldChoice::changed, this, &HandGizmo::showNow);
   connect(&figure_, &FigureDrag::moved, this, &HandGizmo::showNow);
   connect(&figure_, &FigureDrag::ended, this, &HandGizmo::showNow);
@@ -63,8 +66,7 @@ void HandGizmo::setOn(bool on) {
 void HandGizmo::showNow() {
   ViewportWidget& viewport = context_.host().viewport();
   std::vector<SceneCurve> curves;
-  shown_ = isReady();
-  if (shown_) {
+  if (isReady()) {
     const ViewSize view{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
     curves = gizmoNow(viewport.camera(), view).curves(drag_ ? drag_->handle : over_);
     const QString text = drag_ ? reachText(figure_, kind()) : QString();
@@ -72,7 +74,6 @@ void HandGizmo::showNow() {
       curves.push_back({{frame_W().p}, SceneCurve::Role::kLimit, SceneCurve::Style::kSolid, 2.0, text.toStdString()});
   }
   viewport.setCurves("hand", std::move(curves));
-  viewport.refresh();
 }
 
 bool HandGizmo::press(const PointerEvent& event) {

@@ -31,10 +31,6 @@ class HandGizmo final : public QObject, public PointerTool {
   bool release(const PointerEvent& event) override;
   bool wheel(const PointerEvent&) override { return false; }
   QString hint() const override;
-  /// Shows or hides it where the figure was taken or let go by the stylus since; to be called some times a second.
-  void look() {
-    if (isReady() != shown_) showNow();
-  }
 
  private:
   manipulation::MovedBy::Kind kind() const;
@@ -43,7 +39,7 @@ class HandGizmo final : public QObject, public PointerTool {
   Gizmo gizmoNow(const Camera& camera, const ViewSize& view) const;
   MannequinContext& context_;
   FigureDrag& figure_;
-  bool on_ = false, shown_ = false;
+  bool on_ = false;
   std::optional<Gizmo::Handle> over_;
   struct Drag {
     Gizmo gizmo;

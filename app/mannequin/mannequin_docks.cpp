@@ -58,15 +58,11 @@ class MannequinDocks : public QObject {
     addMenu();
     host_.viewport().setPointerTool(&gizmo_, ToolChain::kFigure);
     host_.viewport().installEventFilter(this);
-    connect(&context_, &MannequinContext::documentChanged, &gizmo_, &HandGizmo::showNow);
     connect(&host_.documentModel(), &DocumentModel::closing, &gizmo_, &HandGizmo::cancel);
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, panel_, &MannequinPanel::showNow);
     connect(timer, &QTimer::timeout, drawings_, &FigureDrawings::showNow);
-    connect(timer, &QTimer::timeout, this, [this] {
-      skins_.look();
-      gizmo_.look();
-    });
+    connect(timer, &QTimer::timeout, this, [this] { skins_.look(); });
     timer->start(kRefreshMilliseconds);
   }
 

@@ -24,6 +24,7 @@
 #include "app/robot/robot_docks.h"
 #include "app/style/dock_title_bar.h"
 #include "app/trajectory/trajectory_docks.h"
+#include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {
@@ -79,6 +80,8 @@ QDockWidget* addRightDocks(Host& host) {
     solid->showNow();
     guides->showCurves();
   });
+  QObject::connect(&host.viewport(), &ViewportWidget::sceneChanged, solid, &SolidPanel::showMarks);
+  QObject::connect(&host.viewport(), &ViewportWidget::sceneChanged, guides, &GuidesPanel::showCurves);
   return solid_dock;
 }
 

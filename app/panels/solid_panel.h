@@ -28,6 +28,8 @@ class SolidPanel : public QWidget {
   explicit SolidPanel(Host& host, QWidget* parent = nullptr);
   /// Newest numbers and the marks in the scene; called a few times a second.
   void showNow();
+  /// The marks alone, where the solid is shown now.
+  void showMarks();
 
  private:
   void addTurn(QVBoxLayout& column);
@@ -38,7 +40,6 @@ class SolidPanel : public QWidget {
   void showTurn(const workcell::Entity& solid);
   void showPlace(const workcell::Entity& solid);
   void showFeel(const workcell::Entity& solid);
-  void showMarks();
   void pickFrame();
   void place();
   void execute(workcell::SetProperties change);

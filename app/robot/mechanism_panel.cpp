@@ -190,7 +190,6 @@ void MechanismPanel::drawAxes() {
     curves = axisCurves(*joint, length);
   }
   context_.host().viewport().setCurves("mechanism", std::move(curves));
-  context_.host().viewport().refresh();
 }
 
 void MechanismPanel::showEvent(QShowEvent* event) {

@@ -97,7 +97,6 @@ class RobotDocks : public QObject {
     connect(panel_, &RobotPanel::cartesianShown, &gizmo_, &TcpGizmo::setOn);
     connect(panel_, &RobotPanel::jogFrameChosen, &gizmo_, &TcpGizmo::setFrame);
     connect(&gizmo_, &TcpGizmo::held, panel_, &RobotPanel::showHeldBack);
-    connect(&context_, &RobotContext::documentChanged, &gizmo_, &TcpGizmo::showNow);
     connect(&context_, &RobotContext::robotChanged, &gizmo_, &TcpGizmo::showNow);
     connect(&host_.documentModel(), &DocumentModel::closing, &gizmo_, &TcpGizmo::cancel);
   }

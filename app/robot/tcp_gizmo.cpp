@@ -22,6 +22,7 @@ constexpr double kTcpNearLimit = 0.0349065850398866;  // 2 degrees.
 TcpGizmo::TcpGizmo(RobotContext& context, JointMover& mover, QObject* parent)
     : QObject(parent), context_(context), mover_(mover) {
   connect(&context_.host().viewport(), &ViewportWidget::cameraChanged, this, &TcpGizmo::showNow);
+  connect(&context_.host().viewport(), &ViewportWidget::sceneChanged, this, &TcpGizmo::showNow);
 }
 
 TcpGizmo::~TcpGizmo() = default;
@@ -60,7 +61,6 @@ void TcpGizmo::showNow() {
           {{context_.tool_W().p}, SceneCurve::Role::kLimit, SceneCurve::Style::kSolid, 2.0, why_.toStdString()});
   }
   viewport.setCurves("gizmo", std::move(curves));
-  viewport.refresh();
 }
 
 bool TcpGizmo::press(const PointerEvent& event) {

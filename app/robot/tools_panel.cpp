@@ -62,6 +62,7 @@ ToolsPanel::ToolsPanel(RobotContext& context, QWidget* parent) : QWidget(parent)
   column->addStretch(1);
   connect(&context_, &RobotContext::robotChanged, this, &ToolsPanel::show);
   connect(&context_, &RobotContext::documentChanged, this, &ToolsPanel::show);
+  connect(&context_.host().viewport(), &ViewportWidget::sceneChanged, this, &ToolsPanel::drawFrame);
   show();
 }
 
@@ -230,7 +231,6 @@ void ToolsPanel::drawFrame() {
     }
   }
   context_.host().viewport().setCurves("tools", std::move(curves));
-  context_.host().viewport().refresh();
 }
 
 void ToolsPanel::showEvent(QShowEvent* event) {

@@ -42,7 +42,6 @@ void FrameGizmo::draw() {
     curves = gizmoAt(*X_WT_, viewport.camera(), view).curves(drag_ ? drag_->handle : over_);
   }
   viewport.setCurves(kOwner, std::move(curves));
-  viewport.refresh();
 }
 
 bool FrameGizmo::press(const PointerEvent& event) {

@@ -89,7 +89,6 @@ void TrainingDocks::showGuide(const std::optional<workcell::Guide>& guide) {
   std::vector<SceneCurve> curves;
   if (guide && guide->enabled) curves = guideCurves(*guide, guide->path.front(), false);
   host_.viewport().setCurves("training", std::move(curves));
-  host_.viewport().refresh();
 }
 
 void TrainingDocks::follow() {

@@ -191,7 +191,6 @@ class TrajectoryDocks : public QObject {
       curves.insert(curves.end(), trace.begin(), trace.end());
     }
     host_.viewport().setCurves("motions", std::move(curves));
-    host_.viewport().refresh();
   }
 
   void addActions() {

@@ -4473,6 +4473,10 @@
         <translation>Joué ; un clic le met de côté</translation>
     </message>
     <message>
+        <source>Plays slower than recorded: fewer than 10 pictures a second can be drawn</source>
+        <translation>Lecture ralentie : moins de 10 images par seconde peuvent être dessinées</translation>
+    </message>
+    <message>
         <source>Plugged in at</source>
         <translation>Branché sur</translation>
     </message>
@@ -6835,6 +6839,10 @@
     <message>
         <source>hold: clutch</source>
         <translation>tenu : débrayer</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>au repos</translation>
     </message>
     <message>
         <source>in balance</source>

@@ -38,7 +38,8 @@ QColor colorOf(SceneCurve::Role role, const Theme& theme) {
   return theme.text2;
 }
 
-/// The runs of the curve that lie before the eye.
+}  // namespace
+
 std::vector<QPolygonF> seenRuns(const SceneCurve& curve, const Camera& camera, const ViewSize& size) {
   std::vector<QPolygonF> runs(1);
   for (const dvec3& p_W : curve.points_W) {
@@ -51,12 +52,25 @@ std::vector<QPolygonF> seenRuns(const SceneCurve& curve, const Camera& camera, c
   return runs;
 }
 
-QRectF textBox(const QPointF& end, const QString& text) {
+QSizeF curveTextSize(const SceneCurve& curve) {
   const QFontMetricsF metrics(textFont(TextRole::kSecond));
-  return {end.x() + 10, end.y() - 10, metrics.horizontalAdvance(text) + 12, 20};
+  return {std::ceil(metrics.horizontalAdvance(QString::fromStdString(curve.text)) + 12.0), 20.0};
 }
 
-}  // namespace
+std::optional<QPointF> curveTextPoint(const SceneCurve& curve, const Camera& camera, const ViewSize& size) {
+  if (curve.text.empty()) return std::nullopt;
+  const auto runs = seenRuns(curve, camera, size);
+  return runs.back().isEmpty() ? std::nullopt : std::optional(runs.back().back());
+}
+
+void paintCurveText(QPainter& painter, const SceneCurve& curve, const QRectF& box, const Theme& theme) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.label_box);
+  painter.drawRoundedRect(box, 4, 4);
+  painter.setFont(textFont(TextRole::kSecond));
+  painter.setPen(theme.text1);
+  painter.drawText(box, Qt::AlignCenter, QString::fromStdString(curve.text));
+}
 
 void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera, const ViewSize& size,
                 const Theme& theme) {
@@ -88,15 +102,6 @@ void paintCurve(QPainter& painter, const SceneCurve& curve, const Camera& camera
     painter.setPen(pen);
     painter.drawPolyline(run);
   }
-  if (curve.text.empty() || runs.back().isEmpty()) return;
-  const QString text = QString::fromStdString(curve.text);
-  const QRectF box = textBox(runs.back().back(), text);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme.label_box);
-  painter.drawRoundedRect(box, 4, 4);
-  painter.setFont(textFont(TextRole::kSecond));
-  painter.setPen(theme.text1);
-  painter.drawText(box, Qt::AlignCenter, text);
 }
 
 QRectF curveBox(const SceneCurve& curve, const Camera& camera, const ViewSize& size) {
@@ -104,8 +109,6 @@ QRectF curveBox(const SceneCurve& curve, const Camera& camera, const ViewSize& s
   const auto runs = seenRuns(curve, camera, size);
   for (const QPolygonF& run : runs)
     for (const QPointF& p : run) box = box.united(QRectF(p.x() - kRoom, p.y() - kRoom, 2 * kRoom, 2 * kRoom));
-  if (!curve.text.empty() && !runs.back().isEmpty())
-    box = box.united(textBox(runs.back().back(), QString::fromStdString(curve.text)).adjusted(-2, -2, 2, 2));
   return box.intersected(QRectF(0, 0, size.width, size.height));
 }
 

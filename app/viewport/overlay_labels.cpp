@@ -63,4 +63,20 @@ dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot) {
   return contact != snapshot.pairs.end() ? contact->p_WB : snapshot.X_WStylus.p;
 }
 
+std::optional<ForceArrow> forceArrow(const manipulation::SceneSnapshot& snapshot, const Camera& camera,
+                                     const ViewSize& size) {
+  const double opacity = forceArrowOpacity(snapshot.force_n);
+  const double force = glm::length(snapshot.force_W);
+  if (opacity <= 0.0 || force <= 0.0) return std::nullopt;
+  const auto from = camera.project(forceArrowStart_W(snapshot), size);
+  if (!from) return std::nullopt;
+  const dvec3 direction = snapshot.force_W / force;
+  const glm::dvec2 seen(glm::dot(direction, camera.right_W()), -glm::dot(direction, camera.up_W()));
+  const double share = glm::length(seen);
+  const glm::dvec2 along = share > 1e-6 ? seen / share : glm::dvec2(0, -1);
+  // Seen from its end an arrow is short, but it never disappears.
+  const double length = forceArrowLength(snapshot.force_n) * std::max(share, 0.25);
+  return ForceArrow{*from, *from + length * along, opacity, newtons(snapshot.force_n)};
+}
+
 }  // namespace hapticell::app

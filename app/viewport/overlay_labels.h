@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/viewport/camera.h"
 #include "app/viewport/scene_model.h"
 #include "app/viewport/strip_text.h"
 
@@ -29,6 +31,19 @@ std::vector<OverlayLabel> overlayLabels(const SceneModel& scene);
 /// forceArrowOpacity().
 double forceArrowLength(double newtons);
 double forceArrowOpacity(double newtons);
+
+/// Keys of the texts that have no leader: the force's number, and the texts of curves, one after the other.
+inline constexpr std::uint64_t kForceKey = 4, kCurveKeys = std::uint64_t{1} << 32;
+
+/// The force as it is seen: pixels at 100 %.
+struct ForceArrow {
+  glm::dvec2 from{0.0}, tip{0.0};
+  double opacity = 1.0;
+  std::string number;  ///< "1.4 N"
+};
+/// Nothing where there is no force, or it lies behind the eye.
+std::optional<ForceArrow> forceArrow(const manipulation::SceneSnapshot& snapshot, const Camera& camera,
+                                     const ViewSize& size);
 
 /// Where the force arrow starts: the nearest contact, or the stylus's tip while nothing touches.
 dvec3 forceArrowStart_W(const manipulation::SceneSnapshot& snapshot);

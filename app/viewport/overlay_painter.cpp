@@ -10,7 +10,6 @@
 #include "app/viewport/frame.h"
 #include "app/viewport/overlay_boxes.h"
 #include "app/viewport/pen_tags.h"
-#include "app/viewport/stylus_mesh.h"
 
 namespace hapticell::app {
 namespace {
@@ -118,43 +117,28 @@ void paintPairs(QPainter& painter, const Overlay& overlay) {
 
 void paintForce(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
-  const manipulation::SceneSnapshot& snapshot = *overlay.scene->snapshot();
-  const double opacity = forceArrowOpacity(snapshot.force_n);
-  const double force = glm::length(snapshot.force_W);
-  if (opacity <= 0.0 || force <= 0.0) return;
-  const dvec3 start_W = forceArrowStart_W(snapshot);
-  const auto start = overlay.camera.project(start_W, overlay.size);
-  if (!start) return;
-  const dvec3 direction = snapshot.force_W / force;
-  const glm::dvec2 seen(glm::dot(direction, overlay.camera.right_W()), -glm::dot(direction, overlay.camera.up_W()));
-  const double share = glm::length(seen);
-  const glm::dvec2 along = share > 1e-6 ? seen / share : glm::dvec2(0, -1);
-  // Seen from its end an arrow is short, but it never disappears.
-  const double length = forceArrowLength(snapshot.force_n) * std::max(share, 0.25);
-  const QPointF from = point(*start);
-  const QPointF u(along.x, along.y);
-  const QPointF v(-along.y, along.x);
+  const auto force = forceArrow(*overlay.scene->snapshot(), overlay.camera, overlay.size);
+  if (!force) return;
+  const double length = glm::length(force->tip - force->from);
+  const QPointF from = point(force->from);
+  const QPointF u = (point(force->tip) - from) / length;
+  const QPointF v(-u.y(), u.x());
   const double head = std::min(26.0, 0.6 * length);
   QPolygonF arrow;
   arrow << from + v * 4 << from + u * (length - head) + v * 4 << from + u * (length - head) + v * 11
         << from + u * length << from + u * (length - head) - v * 11 << from + u * (length - head) - v * 4
         << from - v * 4;
-  painter.setOpacity(opacity);
+  painter.setOpacity(force->opacity);
   painter.setBrush(theme.force);
   painter.setPen(QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolygon(arrow);
-  const QString number = QString::fromStdString(newtons(snapshot.force_n));
-  const QFont number_font = bold15();
-  const double width = textWidth(number_font, number) + 16;
-  // On the side where the stylus is not.
-  const dvec3 pen_W = snapshot.X_WStylus.rotate(stylusDirection_S());
-  const bool left = glm::dot(pen_W, overlay.camera.right_W()) > 0.0;
-  const QRectF box(from.x() + along.x * length + (left ? -18 - width : 18), from.y() + along.y * length - 12, width,
-                   24);
-  paintBox(painter, box, theme);
-  painter.setFont(number_font);
-  painter.setPen(theme.text1);
-  painter.drawText(box, Qt::AlignCenter, number);
+  if (const PlacedLabel* place = overlay.placeOf(kForceKey)) {
+    const QRectF box(point(place->box.min), point(place->box.max));
+    paintBox(painter, box, theme);
+    painter.setFont(bold15());
+    painter.setPen(theme.text1);
+    painter.drawText(box, Qt::AlignCenter, QString::fromStdString(force->number));
+  }
   painter.setOpacity(1.0);
 }
 
@@ -188,7 +172,7 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
 
 void paintEmpty(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
-  const QPointF middle(0.5 * overlay.size.width, 0.46 * overlay.size.height);
+  const QPointF middle(0.5 * overlay.size.width, overlay.empty_height * overlay.size.height);
   painter.setPen(QPen(theme.text3, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   const QPointF c = middle - QPointF(0, 60);
@@ -233,6 +217,11 @@ void paintRubberBand(QPainter& painter, const Overlay& overlay) {
 
 }  // namespace
 
+PixelBox emptyBox(const ViewSize& size, double height) {
+  const glm::dvec2 middle(0.5 * size.width, height * size.height);
+  return {middle - glm::dvec2(250.0, 96.0), middle + glm::dvec2(250.0, 60.0)};
+}
+
 std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   const double reach = 2.9 * overlay.cube.halfEdge();
   std::vector<QRectF> pieces{{overlay.cube.center().x - reach, overlay.cube.center().y - reach, 2 * reach, 2 * reach}};
@@ -241,7 +230,8 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
   if (overlay.view_strip) pieces.push_back(overlay.view_strip->box().adjusted(-2, -2, 2, 2));
   if (overlay.box) pieces.push_back(overlay.box->adjusted(-2, -2, 2, 2));
   if (!overlay.hover_name.isEmpty()) pieces.push_back(hoverBox(overlay).adjusted(-2, -2, 2, 2));
-  if (overlay.empty) pieces.emplace_back(0.5 * overlay.size.width - 320, 0.46 * overlay.size.height - 120, 640, 220);
+  if (overlay.empty)
+    pieces.emplace_back(0.5 * overlay.size.width - 320, overlay.empty_height * overlay.size.height - 120, 640, 220);
   QRectF curves;
   for (const SceneCurve& curve : overlay.curves) curves = curves.united(curveBox(curve, overlay.camera, overlay.size));
   if (!curves.isEmpty()) pieces.push_back(curves);
@@ -259,8 +249,10 @@ std::vector<QRectF> overlayPieces(const Overlay& overlay) {
     for (const auto& pair : snapshot.pairs)
       for (const dvec3& p_WQ : {pair.p_WA, pair.p_WB})
         if (const auto p = overlay.camera.project(p_WQ, overlay.size)) add(point(*p), 20);
-    if (forceArrowOpacity(snapshot.force_n) > 0.0)
-      if (const auto p = overlay.camera.project(forceArrowStart_W(snapshot), overlay.size)) add(point(*p), 300);
+    if (const auto force = forceArrow(snapshot, overlay.camera, overlay.size)) {
+      add(point(force->from), 20);
+      add(point(force->tip), 20);
+    }
   }
   if (!middle.isEmpty())
     pieces.push_back(middle.intersected(QRectF(0, 0, overlay.size.width, overlay.size.height - bottom)));
@@ -278,6 +270,9 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
     paintPairs(painter, overlay);
     paintForce(painter, overlay);
   }
+  for (std::size_t i = 0; i < overlay.curves.size(); ++i)
+    if (const PlacedLabel* place = overlay.placeOf(kCurveKeys + i))
+      paintCurveText(painter, overlay.curves[i], QRectF(point(place->box.min), point(place->box.max)), *overlay.theme);
   for (const PlacedLabel& place : overlay.places)
     for (const OverlayLabel& label : overlay.labels)
       if (label.key == place.key) paintLabel(painter, label, place, *overlay.theme);

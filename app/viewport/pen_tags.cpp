@@ -28,7 +28,7 @@ std::vector<PenTag> penTags(const Overlay& overlay) {
   const double pixel = overlay.camera.metresPerPixel(snapshot.X_WStylus.p, overlay.size);
   for (const bool second : {false, true}) {
     const Pose& X_WS = second ? snapshot.second->X_WStylus : snapshot.X_WStylus;
-    const dvec3 middle_W = X_WS.p + (kStylusPixels + kAway) * pixel * X_WS.rotate(stylusDirection_S());
+    const dvec3 middle_W = X_WS.p + (penPixels(overlay.size) + kAway) * pixel * X_WS.rotate(stylusDirection_S());
     const auto middle = overlay.camera.project(middle_W, overlay.size);
     if (!middle) continue;
     PenTag tag{second ? 2 : 1, within({middle->x - 0.5 * kSize, middle->y - 0.5 * kSize, kSize, kSize}, overlay.size)};

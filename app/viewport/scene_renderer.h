@@ -34,8 +34,8 @@ class SceneRenderer {
     double longest_least = 0.0;  ///< Seconds of what could not be cut: only narrower bands make it shorter.
   };
   /// Draws for about `seconds` at the shadows of the refined sample `frame`, or at its band, which comes after them,
-  /// and shows nothing yet. To be called until it is whole; the scene must not change in between. What else is drawn in
-  /// between loses what was begun.
+  /// and shows nothing yet. To be called until it is whole; neither the scene nor the frame's size may change in
+  /// between, nor from one sample to the next. What else is drawn in between loses what was begun.
   PieceDone drawPiece(const Frame& frame, bool shadows, double seconds);
   /// Draws one sample, or a band of it, and shows nothing yet.
   void draw(const Frame& frame);

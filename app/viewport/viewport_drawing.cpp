@@ -39,13 +39,13 @@ Frame ViewportWidget::makeFrame() const {
   Frame frame;
   frame.camera = camera_;
   frame.pixel_ratio = devicePixelRatioF();
-  frame.width = std::max(1, static_cast<int>(std::lround(width() * frame.pixel_ratio)));
-  frame.height = std::max(1, static_cast<int>(std::lround(height() * frame.pixel_ratio)));
+  frame.width = devicePixels().width();
+  frame.height = devicePixels().height();
   const Theme& theme = themeOf(palette());
   frame.colors = frameColors(theme, scene_.colouredSets());
   SceneModel::StylusLook look;
   if (scene_.snapshot())
-    look.length = kStylusPixels * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
+    look.length = penPixels(viewSize()) * camera_.metresPerPixel(scene_.snapshot()->X_WStylus.p, viewSize());
   look.body = penColor(false, theme.dark);
   look.band = triple(theme.selection);
   frame.items = scene_.items(look);
@@ -59,12 +59,12 @@ void ViewportWidget::drawFrame() {
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   if (hasMoved()) return drawMoving(now);
   simplified_ = simplified_ && !renderer_->showsRest();
-  renderer_->present(static_cast<int>(std::lround(width() * devicePixelRatioF())),
-                     static_cast<int>(std::lround(height() * devicePixelRatioF())), defaultFramebufferObject());
+  renderer_->present(devicePixels().width(), devicePixels().height(), defaultFramebufferObject());
 }
 
 bool ViewportWidget::hasMoved() const {
-  return dirty_ || scene_.revision() != drawn_revision_ || !sameCamera(camera_, drawn_camera_);
+  return dirty_ || devicePixels() != drawn_pixels_ || scene_.revision() != drawn_revision_ ||
+         !sameCamera(camera_, drawn_camera_);
 }
 
 bool ViewportWidget::isFinished() const {
@@ -101,6 +101,7 @@ void ViewportWidget::drawMoving(double now) {
   touch_.drawn(scene_.snapshot() ? scene_.snapshot()->felt_ns : 0);
   drawn_revision_ = scene_.revision();
   drawn_camera_ = camera_;
+  drawn_pixels_ = devicePixels();
   dirty_ = false;
   rest_.begin();
   refine_.start(static_cast<int>(1000 * kSettleSeconds) + 10);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/curve_painter.h"
+#include "app/viewport/pen_look.h"
+#include "app/viewport/pen_tags.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -63,30 +66,68 @@ std::vector<SceneCurve> ViewportWidget::allCurves() const {
   return all;
 }
 
-std::vector<PlacedLabel> ViewportWidget::placeLabels(const std::vector<OverlayLabel>& labels) {
+KeptFree ViewportWidget::keptFree(const Overlay& overlay) const {
+  const ViewSize size = viewSize();
+  const auto pixels = [](const QRectF& box) { return PixelBox{{box.left(), box.top()}, {box.right(), box.bottom()}}; };
+  KeptFree kept;
+  const QRectF strip = stripsBox(overlay.strips, size);
+  if (!strip.isEmpty()) kept.boxes.push_back(pixels(strip));
+  constexpr double kHintHeight = 44.0, kHintHalfWidth = 320.0;  // It stands above the strip.
+  if (!tools_.hint().isEmpty() && !strip.isEmpty())
+    kept.boxes.push_back({{strip.center().x() - kHintHalfWidth, strip.top() - kHintHeight},
+                          {strip.center().x() + kHintHalfWidth, strip.top()}});
+  kept.boxes.push_back({{size.width - 140, 0}, {size.width, 130}});
+  const QRectF views = view_strip_.box();
+  if (!views.isEmpty()) kept.boxes.push_back({{0, 0}, {views.right() + 8, views.bottom() + 8}});
+  for (const PenTag& tag : penTags(overlay)) kept.boxes.push_back(pixels(tag.box));
+  const auto add = [&kept](const glm::dvec2& from, const glm::dvec2& to, double room) {
+    kept.lines.push_back({from, to, room});
+  };
+  // What is grabbed: the axes and rings of gizmos and frames.
+  for (const SceneCurve& curve : overlay.curves) {
+    using Role = SceneCurve::Role;
+    if (curve.role != Role::kAxisX && curve.role != Role::kAxisY && curve.role != Role::kAxisZ) continue;
+    for (const QPolygonF& run : seenRuns(curve, camera_, size))
+      for (qsizetype i = 1; i < run.size(); ++i) add({run[i - 1].x(), run[i - 1].y()}, {run[i].x(), run[i].y()}, 6.0);
+  }
+  const auto& snapshot = scene_.snapshot();
+  if (!snapshot) return kept;
+  if (const auto force = forceArrow(*snapshot, camera_, size)) add(force->from, force->tip, 14.0);
+  const auto addPen = [&](const Pose& X_WS) {
+    const double length = penPixels(size) * camera_.metresPerPixel(X_WS.p, size);
+    const auto tip = camera_.project(X_WS.p, size);
+    const auto end = camera_.project(X_WS.p + length * X_WS.rotate(stylusDirection_S()), size);
+    if (tip && end) add(*tip, *end, 12.0);
+  };
+  if (snapshot->connected) addPen(snapshot->X_WStylus);
+  if (snapshot->second && snapshot->second->connected) addPen(snapshot->second->X_WStylus);
+  return kept;
+}
+
+std::vector<PlacedLabel> ViewportWidget::placeLabels(const Overlay& overlay, const KeptFree& kept) {
+  constexpr double kBesideArrow = 18.0, kBesideCurve = 10.0;
   std::vector<LabelWish> wishes;
-  for (const OverlayLabel& label : labels) {
+  const auto& snapshot = scene_.snapshot();
+  if (const auto force = snapshot ? forceArrow(*snapshot, camera_, viewSize()) : std::nullopt)
+    wishes.push_back({kForceKey,
+                      force->tip,
+                      {std::ceil(textWidth(bold15(), QString::fromStdString(force->number))) + 16.0, 24.0},
+                      kBesideArrow});
+  for (std::size_t i = 0; i < overlay.curves.size(); ++i) {
+    const auto end = curveTextPoint(overlay.curves[i], camera_, viewSize());
+    if (!end) continue;
+    const QSizeF size = curveTextSize(overlay.curves[i]);
+    wishes.push_back({kCurveKeys + i, {end->x(), end->y()}, {size.width(), size.height()}, kBesideCurve});
+  }
+  for (const OverlayLabel& label : overlay.labels) {
     const auto anchor = camera_.project(label.p_WQ, viewSize());
     const QSizeF size = labelSize(label);
     if (anchor) wishes.push_back({label.key, *anchor, {size.width(), size.height()}});
   }
-  std::vector<PixelBox> keep_free;
-  const QRectF strip = stripsBox(strips(), viewSize());
-  if (!strip.isEmpty()) keep_free.push_back({{strip.left(), strip.top()}, {strip.right(), strip.bottom()}});
-  constexpr double kHintHeight = 44.0, kHintHalfWidth = 320.0;  // It stands above the strip.
-  if (!tools_.hint().isEmpty() && !strip.isEmpty())
-    keep_free.push_back({{strip.center().x() - kHintHalfWidth, strip.top() - kHintHeight},
-                         {strip.center().x() + kHintHalfWidth, strip.top()}});
-  keep_free.push_back({{viewSize().width - 140, 0}, {viewSize().width, 130}});
-  const QRectF views = view_strip_.box();
-  if (!views.isEmpty()) keep_free.push_back({{0, 0}, {views.right() + 8, views.bottom() + 8}});
-  if (scene_.snapshot() && forceArrowOpacity(scene_.snapshot()->force_n) > 0.0)
-    if (const auto start = camera_.project(forceArrowStart_W(*scene_.snapshot()), viewSize()))
-      keep_free.push_back({*start - glm::dvec2(24, 200), *start + glm::dvec2(80, 12)});
   const double now = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
   const double seconds = now - last_overlay_s_;
   last_overlay_s_ = now;
-  return label_layout_.place(wishes, keep_free, viewSize(), seconds, motion_);
+  return label_layout_.place(wishes, kept, viewSize(), seconds, motion_);
 }
 
 Overlay ViewportWidget::makeOverlay() {
@@ -97,17 +138,26 @@ Overlay ViewportWidget::makeOverlay() {
   overlay.size = viewSize();
   overlay.scene = &scene_;
   overlay.labels = allLabels();
-  overlay.places = placeLabels(overlay.labels);
+  overlay.curves = allCurves();
   overlay.strips = strips();
+  const KeptFree kept = keptFree(overlay);
+  overlay.places = drawn_labels_ = placeLabels(overlay, kept);
   overlay.hint = tools_.hint();
   if (pick_) {
     overlay.hint = pick_->prompt;
     if (pick_hover_) overlay.hint += QStringLiteral(" · ") + QString::fromStdString(featureText(*pick_hover_));
   }
-  overlay.curves = allCurves();
   overlay.cube = viewCube();
   overlay.cube_hover = cube_hover_;
   if (scene_.empty()) overlay.empty = empty_;
+  // Not where a pen is drawn.
+  const auto isFree = [&](double height) {
+    const PixelBox words = emptyBox(viewSize(), height);
+    return std::none_of(kept.lines.begin(), kept.lines.end(),
+                        [&](const PixelLine& line) { return line.reaches(words); });
+  };
+  for (const double height : {0.74, 0.28})
+    if (!isFree(overlay.empty_height) && isFree(height)) overlay.empty_height = height;
   if (drag_ == Drag::kBox) {
     overlay.box = QRectF(press_place_, last_place_).normalized();
     overlay.box_touching = last_place_.x() < press_place_.x();

@@ -72,8 +72,20 @@ ViewSize ViewportWidget::viewSize() const {
   return {static_cast<double>(width()), static_cast<double>(height())};
 }
 
+QSize ViewportWidget::devicePixels() const {
+  return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  emit cameraChanged();
+}
+
 void ViewportWidget::refresh() {
   update();
+  if (scene_.revision() == told_revision_) return;
+  told_revision_ = scene_.revision();
+  emit sceneChanged();
 }
 
 void ViewportWidget::refreshNumbers() {

@@ -62,8 +62,11 @@ class ViewportWidget : public QOpenGLWidget {
                                              const FeatureFilter& filter = {});
   /// Entities in a box of the widget (pixels at 100 %): wholly inside, or, `touching`, those too that reach into it.
   std::vector<workcell::EntityId> entitiesIn(const QRectF& box, bool touching);
-  /// Lines over the scene, kept by `owner` until it gives others (none: takes them away).
+  /// Lines over the scene, kept by `owner` until it gives others (none: takes them away). Others are drawn without
+  /// refresh().
   void setCurves(const std::string& owner, std::vector<SceneCurve> curves);
+  /// All of them that are drawn, the section plane's and those of an open pick too.
+  std::vector<SceneCurve> allCurves() const;
   /// Labels beside those of the snapshot, kept by `owner` until it gives others. Their keys must be their own: from
   /// 100.
   void setLabels(const std::string& owner, std::vector<OverlayLabel> labels);
@@ -76,12 +79,14 @@ class ViewportWidget : public QOpenGLWidget {
   const std::vector<StripCell>& figureStrip() const { return figure_strip_; }
   /// All labels that are to be seen, those of the snapshot first.
   std::vector<OverlayLabel> allLabels() const;
+  /// Where labels, the force's number and the texts of curves were drawn last.
+  const std::vector<PlacedLabel>& drawnLabels() const { return drawn_labels_; }
   void setViewStrip(std::vector<ViewStripCell> cells);
   const ViewStrip& viewStrip() const { return view_strip_; }
   /// What the pointer is over, as it is written beside it: "robot · link_3". Empty: nothing.
   const QString& hoverName() const { return hover_name_; }
   void setEmptyState(const std::optional<EmptyState>& state) { empty_ = state; }
-  /// The scene changed: draws when Qt finds time.
+  /// The scene changed: says so where it did (sceneChanged()), and draws when Qt finds time.
   void refresh();
   /// The picture at rest is refined as far as it will be; from now on nothing is drawn until something changes. Sooner
   /// where a sample is dear (software rendering): a picture takes some seconds of work at the most.
@@ -111,13 +116,18 @@ class ViewportWidget : public QOpenGLWidget {
   void boxed(const std::vector<hapticell::workcell::EntityId>& entities, Qt::KeyboardModifiers modifiers);
   void hovered(hapticell::workcell::EntityId entity);
   void contextMenuWanted(hapticell::workcell::EntityId entity, QPoint global);
+  /// Where a point of the scene lies in the widget: another camera, or another size of the widget.
   void cameraChanged();
+  /// Entities were added, moved, held, played or marked. Who gives curves or labels that lie at an entity gives them
+  /// anew, so that they are in the same picture.
+  void sceneChanged();
   /// By its handle.
   void sectionMoved();
 
  protected:
   void initializeGL() override;
   void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -131,6 +141,7 @@ class ViewportWidget : public QOpenGLWidget {
 
  private:
   ViewSize viewSize() const;
+  QSize devicePixels() const;  ///< At least one each way.
   Frame makeFrame() const;
   void drawFrame();
   void drawMoving(double now);
@@ -140,7 +151,8 @@ class ViewportWidget : public QOpenGLWidget {
   void refineStep();
   bool refine(double now);  ///< One piece of the picture at rest; true at the end of a sample.
   void paintOverlayImage();
-  std::vector<PlacedLabel> placeLabels(const std::vector<OverlayLabel>& labels);
+  KeptFree keptFree(const Overlay& overlay) const;
+  std::vector<PlacedLabel> placeLabels(const Overlay& overlay, const KeptFree& kept);
   Overlay makeOverlay();
   /// What the strip and the labels say of the snapshot, to be compared with what is drawn.
   std::vector<StripCell> spokenNumbers() const;
@@ -157,7 +169,6 @@ class ViewportWidget : public QOpenGLWidget {
   void releaseClick(const QMouseEvent& event, bool over_cube);
   bool wheelOfTouchpad(const QWheelEvent& event);
   bool isMovingCamera() const { return drag_ == Drag::kOrbit || drag_ == Drag::kPan || drag_ == Drag::kZoom; }
-  std::vector<SceneCurve> allCurves() const;
   Strips strips() const;
   bool pressViewStrip(const QMouseEvent& event);
   ViewCube viewCube() const;
@@ -184,10 +195,12 @@ class ViewportWidget : public QOpenGLWidget {
   QElapsedTimer clock_;
   LabelLayout label_layout_;
   double last_overlay_s_ = 0.0;
-  std::uint64_t drawn_revision_ = 0;
+  std::uint64_t drawn_revision_ = 0, told_revision_ = 0;
   Camera drawn_camera_;
   std::vector<StripCell> drawn_numbers_;
-  bool dirty_ = true;  ///< Size or theme changed.
+  std::vector<PlacedLabel> drawn_labels_;
+  QSize drawn_pixels_;
+  bool dirty_ = true;  ///< Theme or what is shown of the scene changed, or a part came.
   double last_motion_s_ = 0.0;
   QTimer refine_;
   ToolChain tools_;

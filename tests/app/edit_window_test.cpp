@@ -127,6 +127,29 @@ TEST(GizmoInTheScene, StepsKeepToTheGridAndControlSnapsToTheOtherPart) {
   EXPECT_NEAR(page.place(page.left).x, 0.35, 1e-9);
 }
 
+TEST(GizmoInTheScene, IsGoneWhileAHandHasThePartAndBackWhereItWasPut) {
+  EditPage page;
+  page.select(page.left);
+  page.key(Qt::Key_W);
+  const auto arrows = [&] {
+    std::vector<dvec3> tips;
+    for (const SceneCurve& curve : page.window().viewport().allCurves())
+      if (curve.text == "X" && curve.points_W.size() == 2) tips.push_back(curve.points_W.back());
+    return tips;
+  };
+  ASSERT_EQ(arrows().size(), 1u);
+  const dvec3 before = arrows().front();
+  manipulation::SceneSnapshot snapshot;  // It hangs on what is held: held is another entity.
+  snapshot.held = page.right;
+  snapshot.entities.push_back({page.left, Pose::translation({0, 0.1, 0}), {}});
+  page.window().setSnapshot(snapshot);
+  EXPECT_TRUE(arrows().empty());
+  page.window().documentModel().execute(workcell::SetPlacement{page.left, Pose::translation({0, 0.1, 0})});
+  page.window().setSnapshot(manipulation::SceneSnapshot{});
+  ASSERT_EQ(arrows().size(), 1u);
+  EXPECT_LT(glm::length(arrows().front() - before - dvec3(0, 0.1, 0)), 0.01);
+}
+
 TEST(GizmoInTheScene, LockedPartsHaveNone) {
   EditPage page;
   page.window().documentModel().execute(workcell::SetProperties{.id = page.left, .locked = true});

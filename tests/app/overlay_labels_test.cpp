@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/viewport/pen_look.h"
 #include "app/viewport/pen_tags.h"
 
 namespace hapticell::app {
@@ -55,6 +56,12 @@ TEST(OverlayLabels, TheNearestFreePairIsNamedUnlessSomethingTouches) {
   snapshot.pairs.push_back(pair(0.0, true));
   EXPECT_EQ(overlayLabels(sceneWith(snapshot)).size(), 1u);
   EXPECT_EQ(overlayLabels(sceneWith(snapshot))[0].mark, Mark::kContact);
+}
+
+TEST(PenLook, IsAFifthOfTheViewsHeightWithinBounds) {
+  EXPECT_DOUBLE_EQ(penPixels({1600.0, 600.0}), 120.0);
+  EXPECT_DOUBLE_EQ(penPixels({1600.0, 1200.0}), 150.0);
+  EXPECT_DOUBLE_EQ(penPixels({400.0, 200.0}), 70.0);
 }
 
 /// A number at each pen's end while there are two; where they would cover each other the second gives way.

@@ -7,8 +7,8 @@
 #include <QMouseEvent>
 
 #include "app/panels/pose_text.h"
-#include "app/viewport/gizmo.h"
 #include "app/style/segmented.h"
+#include "app/viewport/gizmo.h"
 #include "geometry/shapes.h"
 #include "tests/app/robot_page.h"
 
@@ -68,6 +68,40 @@ TEST(Tools, SeveralAreKeptEditedUsedAndRemoved) {
   page.trigger("actionUndo");
   ASSERT_TRUE(page.clickForStep("buttonRemoveTool"));
   EXPECT_EQ(page.selected()->tools.size(), before + 1);
+}
+
+/// Where the frame's axis of this letter begins among what is drawn over the scene; far off where there is none.
+dvec3 drawnFrame(RobotPage& page, const char* letter) {
+  for (const SceneCurve& curve : page.window().viewport().allCurves())
+    if (curve.text == letter && curve.points_W.size() == 2) return curve.points_W.front();
+  return dvec3(1e9);
+}
+
+TEST(Tools, TheFrameInTheSceneGoesWithTheRobotWhoeverMovesIt) {
+  RobotPage page;
+  const workcell::EntityId robot = page.addRobot("kuka_kr16_2");
+  page.click("buttonTools");
+  ASSERT_TRUE(page.clickForStep("buttonNewTool"));
+  const auto tool = [&](const std::vector<double>& joints) {
+    workcell::Entity with = *page.selected();
+    with.tip_link = with.tools.back().tip_link;
+    with.X_LT = with.tools.back().X_LT;
+    return tcpPose_W(with, with.X_WE, joints).p;
+  };
+  EXPECT_LT(glm::length(drawnFrame(page, "X") - tool(page.joints())), 1e-9);
+  std::vector<double> led = page.joints();
+  led[1] += 0.3;
+  manipulation::SceneSnapshot snapshot;  // As from the stylus that drags it.
+  snapshot.held = robot;
+  snapshot.entities.push_back({robot, page.selected()->X_WE, led});
+  page.window().setSnapshot(snapshot);
+  EXPECT_LT(glm::length(drawnFrame(page, "X") - tool(led)), 1e-9);
+  page.window().setSnapshot(std::nullopt);
+  EXPECT_LT(glm::length(drawnFrame(page, "X") - tool(page.joints())), 1e-9);
+  led[0] -= 0.5;  // A motion that is played.
+  page.window().viewport().scene().setPlayed({{robot, page.selected()->X_WE, led}});
+  page.window().viewport().refresh();
+  EXPECT_LT(glm::length(drawnFrame(page, "X") - tool(led)), 1e-9);
 }
 
 TEST(Tools, APartIsAttachedGoesAlongAndIsReleasedWhereItIs) {

@@ -6,9 +6,12 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
 
 #include "app/style/proxy_style.h"
 #include "app/style/theme.h"
+#include "tests/app/picture_compare.h"
 #include "tests/app/window_page.h"
 
 namespace hapticell::app {
@@ -145,6 +148,78 @@ TEST(Window, TheSectionPlaneCutsTheSceneOpenAndClosesAgain) {
   ASSERT_TRUE(viewport.section());
   EXPECT_EQ(viewport.viewStrip().cells().back().text, "Section Z");
   EXPECT_NE(viewport.finishedPicture(), whole);
+}
+
+TEST(Window, ResizedAtRestTheSceneIsDrawnAnew) {
+  QTemporaryDir folder;
+  WindowPage page;
+  ViewportWidget& viewport = page.window().viewport();
+  viewport.setMotion(false);
+  page.add(writeSolid(folder, "corner.off"));
+  page.window().selection().set(0);
+  const auto rests = [&] { return WindowPage::until([&] { return viewport.isFinished(); }, 120000); };
+  ASSERT_TRUE(rests());
+  // As a layout with other panels does, and back again: neither picture is the old one, stretched or darkened.
+  const QSize before = viewport.size();
+  for (const QSize& size : {QSize(1000, 640), QSize(1200, 800)}) {
+    page.window().resize(size);
+    ASSERT_TRUE(WindowPage::until([&] { return page.window().size() == size; }, 10000));
+    ASSERT_TRUE(rests());
+    EXPECT_EQ(viewport.size() == before, size == QSize(1200, 800));
+    const QImage shown = viewport.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    const QImage fresh = viewport.finishedPicture().convertToFormat(QImage::Format_RGB32);
+    ASSERT_EQ(shown.size(), fresh.size());
+    EXPECT_LT(test::meanSquareError(shown, fresh), 5e-4);
+  }
+}
+
+/// A gap, a contact and a force at one place, beside the gizmo of the part.
+TEST(Window, LabelsOverlapNeitherEachOtherNorTheArrowsOfTheGizmo) {
+  QTemporaryDir folder;
+  WindowPage page;
+  ViewportWidget& viewport = page.window().viewport();
+  viewport.setMotion(false);
+  page.add(writeSolid(folder, "corner.off"));
+  const workcell::EntityId part = page.window().selection().current();
+  viewport.fit(viewport.scene().bounds_W(), false);
+  page.trigger("actionMove");
+  manipulation::SceneSnapshot snapshot;
+  snapshot.connected = true;
+  snapshot.X_WStylus = Pose::translation({0.02, 0.02, 0.02});
+  manipulation::PairState near;
+  near.moved = near.other = part;
+  near.distance = 0.0461;
+  near.near_miss = true;
+  near.p_WA = near.p_WB = dvec3(0.03, 0.02, 0.02);
+  manipulation::PairState contact = near;
+  contact.contact = true;
+  contact.p_WB = dvec3(0.02);
+  snapshot.pairs = {near, contact};
+  snapshot.forces_on = true;
+  snapshot.force_n = 1.4;
+  for (int degrees = 0; degrees < 360; degrees += 30) {
+    const double angle = degrees * M_PI / 180.0;
+    snapshot.force_W =
+        1.4 * (std::cos(angle) * viewport.camera().right_W() + std::sin(angle) * viewport.camera().up_W());
+    snapshot.X_WStylus.p.x += 1e-3;  // Seen: it is drawn anew.
+    page.window().setSnapshot(snapshot);
+    viewport.grabFramebuffer();
+    const std::vector<PlacedLabel>& labels = viewport.drawnLabels();
+    const auto has = [&](std::uint64_t key) {
+      return std::any_of(labels.begin(), labels.end(), [key](const PlacedLabel& label) { return label.key == key; });
+    };
+    EXPECT_TRUE(has(kForceKey) && has(1)) << "the force and the contact are told, at " << degrees;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_FALSE(labels[i].box.overlaps(labels[j].box)) << labels[i].key << " and " << labels[j].key;
+    for (const SceneCurve& curve : viewport.allCurves()) {
+      if (curve.points_W.size() != 2 || curve.text.empty()) continue;
+      const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+      const PixelLine shaft{*viewport.camera().project(curve.points_W[0], size),
+                            *viewport.camera().project(curve.points_W[1], size), 2.0};
+      for (const PlacedLabel& label : labels) EXPECT_FALSE(shaft.reaches(label.box)) << curve.text << label.key;
+    }
+  }
 }
 
 TEST(Window, NamesWhatThePointerIsOver) {
