@@ -24,7 +24,10 @@ using Clock = std::chrono::steady_clock;
 constexpr double kLeastRate = 10.0;
 constexpr double kMostRate = 1000.0;
 constexpr std::size_t kTimesKept = 500;  ///< Steps that the shown figures are about.
-constexpr std::chrono::milliseconds kPictureEvery{8}, kContactEvery{2};
+constexpr std::chrono::milliseconds kPictureEvery{8}, kContactEvery{2}, kPictureAtRest{100};
+constexpr std::chrono::milliseconds kRestsAfter{500}, kPeriodAtRest{20};
+/// m, rad: a stylus that lies still trembles by its encoders' steps.
+constexpr double kStill = 1e-4, kStillTurn = 1e-3;
 
 std::int64_t nanoseconds(Clock::time_point t) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(t.time_since_epoch()).count();
@@ -40,6 +43,8 @@ class StepTimes {
     if (periods_.size() > kTimesKept) periods_.pop_front();
     if (durations_.size() > kTimesKept) durations_.pop_front();
   }
+  /// The time until the next one is not a period.
+  void pause() { last_ = {}; }
   double rate() const {
     double sum = 0.0;
     for (const double period : periods_) sum += period;
@@ -56,6 +61,25 @@ class StepTimes {
  private:
   Clock::time_point last_;
   std::deque<double> periods_, durations_;
+};
+
+/// Whether there has been nothing to do for a while but to watch a stylus that lies still.
+class StylusRest {
+ public:
+  void look(const ManipulationEngine& engine, bool busy, Clock::time_point now) {
+    const auto& state = engine.hapticState();
+    const bool moved = state && (glm::length(state->X_DS.p - X_DStill_.p) > kStill ||
+                                 glm::length(rotationVector(glm::conjugate(X_DStill_.q) * state->X_DS.q)) > kStillTurn);
+    if (moved) X_DStill_ = state->X_DS;
+    if (moved || busy || !engine.isIdle()) busy_ = now;
+    rests_ = now - busy_ > kRestsAfter;
+  }
+  bool rests() const { return rests_; }
+
+ private:
+  Pose X_DStill_;
+  Clock::time_point busy_{};
+  bool rests_ = false;
 };
 
 }  // namespace
@@ -124,10 +148,12 @@ struct ManipulationLoop::Worker {
       previous = made;
       ready_scene = made;
       newest_scene = made;
+      steps_wait.notify_one();
     }
   }
 
-  void takeCommands(ManipulationEngine& engine) {
+  /// True where there were some.
+  bool takeCommands(ManipulationEngine& engine) {
     std::vector<Command> taken, for_second;
     std::optional<std::unique_ptr<haptic::HapticLink>> link_of_second;
     std::shared_ptr<const PreparedScene> scene;
@@ -138,13 +164,18 @@ struct ManipulationLoop::Worker {
       link_of_second.swap(second_link);
       scene.swap(ready_scene);
     }
+    const bool any = link_of_second || scene || !taken.empty() || !for_second.empty();
     if (link_of_second) changeSecond(engine, std::move(*link_of_second));
     if (scene && second) second->engine().setScene(scene);
     if (scene) engine.setScene(std::move(scene));
     for (const Command& one : taken) engine.apply(one);
-    if (!second) return;
+    if (!second) return any;
     for (const Command& one : for_second) second->engine().apply(one);
+    return any;
   }
+
+  /// Something that a loop at rest is woken for. Under the lock.
+  bool hasOrders() const { return !commands.empty() || !second_commands.empty() || second_link || ready_scene; }
 
   void changeSecond(ManipulationEngine& engine, std::unique_ptr<haptic::HapticLink> the_link) {
     endSecond(engine);
@@ -164,12 +195,13 @@ struct ManipulationLoop::Worker {
     second.reset();
   }
 
-  void showStep(ManipulationEngine& engine, const StepTimes& times) {
+  void showStep(ManipulationEngine& engine, const StepTimes& times, bool idle) {
     SceneSnapshot& snapshot = snapshots.writeSlot();
     engine.fillSnapshot(snapshot);
     if (second) second->addTo(snapshot);
     snapshot.rate_manipulation_hz = times.rate();
     snapshot.step_p99_ms = 1e3 * times.p99();
+    snapshot.idle = idle;
     snapshots.publish();
     keepResults(engine);
     if (second) keepResults(second->engine());
@@ -186,28 +218,41 @@ struct ManipulationLoop::Worker {
     ManipulationEngine engine(*link, configuration);
     engine.searchInThread();
     StepTimes times;
+    StylusRest rest;
     const double rate = std::clamp(configuration.manipulation.rate_hz, kLeastRate, kMostRate);
     const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate));
     Clock::time_point due = Clock::now(), shown{};
     std::int64_t felt = 0;
     for (;;) {
       const Clock::time_point begin = Clock::now();
-      takeCommands(engine);
+      const bool commanded = takeCommands(engine);
       engine.step(nanoseconds(begin));
       if (second) second->step(engine, nanoseconds(begin));
+      const bool rested = rest.rests();
+      rest.look(engine, commanded || second, begin);
       // A new contact is shown at once; one that chatters, no oftener than a display shows pictures.
       const std::int64_t newest = std::max(engine.feltAt(), second ? second->engine().feltAt() : 0);
       const bool new_contact = newest != felt && begin - shown >= kContactEvery;
-      if (new_contact || begin - shown >= kPictureEvery) {
+      const bool other = new_contact || rested != rest.rests();
+      if (other || begin - shown >= (rested ? kPictureAtRest : kPictureEvery)) {
         shown = begin;
-        showStep(engine, times);
+        showStep(engine, times, rest.rests());
         if (std::exchange(felt, newest) != newest && on_felt) on_felt();
       }
-      times.add(begin, Clock::now());
+      const Clock::time_point end = Clock::now();
+      if (rest.rests()) {
+        times.pause();
+        due = end;
+      } else {
+        times.add(begin, end);
+      }
       // A step that took longer than its period shifts the following ones: no burst to catch up.
-      due = std::max(due + period, Clock::now());
+      due = std::max(due + period, end);
       std::unique_lock lock(mutex);
-      steps_wait.wait_until(lock, due, [this] { return stopping; });
+      if (rest.rests())
+        steps_wait.wait_until(lock, end + kPeriodAtRest, [this] { return stopping || hasOrders(); });
+      else
+        steps_wait.wait_until(lock, due, [this] { return stopping; });
       if (stopping) break;
     }
     takeCommands(engine);
@@ -256,17 +301,20 @@ void ManipulationLoop::post(Command command) {
     return;
   }
   worker_->commands.push_back(std::move(command));
+  worker_->steps_wait.notify_one();
 }
 
 void ManipulationLoop::setSecondStylus(std::unique_ptr<haptic::HapticLink> link) {
   const std::lock_guard lock(worker_->mutex);
   worker_->second_link = std::move(link);
   worker_->second_commands.clear();
+  worker_->steps_wait.notify_one();
 }
 
 void ManipulationLoop::postSecond(Command command) {
   const std::lock_guard lock(worker_->mutex);
   worker_->second_commands.push_back(std::move(command));
+  worker_->steps_wait.notify_one();
 }
 
 bool ManipulationLoop::latest(SceneSnapshot& snapshot) {

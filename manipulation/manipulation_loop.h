@@ -16,7 +16,8 @@ namespace hapticell::manipulation {
 class PreparedScene;
 
 /// The manipulation loop in its own thread: as fast as its queries allow, from 10 up to Configuration::Manipulation's
-/// rate. It never waits for the window or for the socket.
+/// rate. It never waits for the window or for the socket. While nothing is held, forces are off and the stylus lies
+/// still, it rests: 50 steps a second, until the stylus moves or a command comes (SceneSnapshot::idle).
 ///
 /// post() and takeResults() may be called from any thread; latest() from one (the window's). Meshes of a new document
 /// are prepared in a thread of their own; until they are ready the old scene goes on.

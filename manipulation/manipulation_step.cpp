@@ -203,6 +203,11 @@ void ManipulationEngine::updateSet() {
   link_.sendSet(built_.set);
 }
 
+bool ManipulationEngine::isIdle() const {
+  const bool forces = control_.forces_enabled || (state_ && state_->forces_on);
+  return !forces && !held_ && !posed_ && !recorder_ && other_held_ == 0 && scripted_.empty();
+}
+
 /// What the joints may use of time in this step. A loop that was held up does not let them catch up at once.
 double ManipulationEngine::stepTime() const {
   constexpr double kLongest = 0.1, kShortest = 1e-4;  // s

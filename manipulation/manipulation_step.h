@@ -69,6 +69,9 @@ class ManipulationEngine {
 
   const haptic::ServerStatistics& serverStatistics() const { return statistics_; }
 
+  /// Nothing is held, posed, recorded or on its way, and forces are off: all there is to do is to watch the stylus.
+  bool isIdle() const;
+
   /// Sequence of the newest set that was sent; 0 before the first.
   std::uint64_t sentSet() const { return sequence_; }
 

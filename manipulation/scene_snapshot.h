@@ -84,6 +84,8 @@ struct SceneSnapshot {
   /// When the newest contact was felt first, ns of this program's steady clock: the force loop's tick, brought to that
   /// clock. 0 before any.
   std::int64_t felt_ns = 0;
+  /// The loop rests: nothing is held, forces are off, the stylus lies still. The rate is the one before that.
+  bool idle = false;
   haptic::ServerStatistics server;  ///< The haptic server's figures, as it told them last.
   struct Recording {
     bool on = false;

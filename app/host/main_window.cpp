@@ -275,6 +275,7 @@ void MainWindow::updateStatus() {
   rates.haptic_hz = now->server.rate_hz;
   rates.collision_hz = now->rate_manipulation_hz;
   rates.window_hz = gui_rate_;
+  rates.idle = now->idle;
   rates.collision_full = configuration_.manipulation.rate_hz;
   rates.window_full = configuration_.gui.rate_hz;
   status_->setRates(rates);

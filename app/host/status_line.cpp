@@ -43,11 +43,13 @@ void StatusLine::setSentence(Mark mark, const QString& sentence) {
 void StatusLine::setRates(const Rates& rates) {
   const bool full = rates.haptic_full == rates_.haptic_full && rates.collision_full == rates_.collision_full &&
                     rates.window_full == rates_.window_full;
-  const bool began =
-      (rates.haptic_hz > 0.0) != (rates_.haptic_hz > 0.0) || (rates.collision_hz > 0.0) != (rates_.collision_hz > 0.0);
+  const bool began = rates.idle != rates_.idle || (rates.haptic_hz > 0.0) != (rates_.haptic_hz > 0.0) ||
+                     (rates.collision_hz > 0.0) != (rates_.collision_hz > 0.0);
   if (full && !began && rates_shown_.isValid() && !rates_shown_.hasExpired(kRatesMilliseconds)) return;
-  const bool haptic = haptic_.take(rates.haptic_hz), collision = collision_.take(rates.collision_hz);
-  if (!window_.take(rates.window_hz) && !haptic && !collision && full) return;
+  const bool haptic = haptic_.take(rates.haptic_hz, rates.idle ? SteadyNumber::kAtRest : 1.0);
+  const bool collision = !rates.idle && collision_.take(rates.collision_hz);
+  const bool window = !rates.idle && window_.take(rates.window_hz);
+  if (!window && !haptic && !collision && full && !began) return;
   rates_ = rates;
   rates_.haptic_hz = haptic_.shown();
   rates_.collision_hz = collision_.shown();
@@ -77,13 +79,15 @@ void StatusLine::show(const Message& message) {
   update();
 }
 
-int StatusLine::paintRate(QPainter& painter, int right, const QString& name, double value, double full) const {
+int StatusLine::paintRate(QPainter& painter, int right, const QString& name, double value, double full,
+                          bool idle) const {
   const Theme& theme = themeOf(palette());
   const int left = right - kRateWidth;
   painter.fillRect(QRect(left, 6, 1, height() - 12), theme.line);
   painter.setPen(theme.text2);
   painter.drawText(QRect(left + 12, 0, 60, height()), Qt::AlignVCenter | Qt::AlignLeft, name);
-  const QString number = value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : tr("off");
+  if (idle) value = 0.0;
+  const QString number = value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : idle ? tr("idle") : tr("off");
   painter.setPen(value > 0.0 ? theme.text1 : theme.text3);
   painter.drawText(QRect(left + 50, 0, 58, height()), Qt::AlignVCenter | Qt::AlignRight, number);
   const QRectF bar(left + 114, 0.5 * height() - 2.0, 28, 4);
@@ -144,8 +148,8 @@ void StatusLine::paintEvent(QPaintEvent*) {
   if (!sound_.isEmpty()) cell(sound_, sound_on_ ? "sound" : "mute", theme.text2);
   if (!device_.isEmpty())
     device_works_ ? cell(device_, "check", theme.axis_z) : cell(device_, "warning", theme.near_miss);
-  right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full);
-  right = paintRate(painter, right, tr("Collision"), rates_.collision_hz, rates_.collision_full);
+  right = paintRate(painter, right, tr("Window"), rates_.window_hz, rates_.window_full, rates_.idle);
+  right = paintRate(painter, right, tr("Collision"), rates_.collision_hz, rates_.collision_full, rates_.idle);
   right = paintRate(painter, right, tr("Haptic"), rates_.haptic_hz, rates_.haptic_full);
   paintSentence(painter, QRect(10, 0, right - 20, height()));
 }

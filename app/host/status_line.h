@@ -20,9 +20,10 @@ class StatusLine : public QStatusBar {
   struct Rates {
     double haptic_hz = 0.0, collision_hz = 0.0, window_hz = 0.0;
     double haptic_full = 1000.0, collision_full = 1000.0, window_full = 60.0;
+    bool idle = false;  ///< Nothing is to be done: collision and window are said to be idle.
   };
   void setSentence(Mark mark, const QString& sentence);
-  /// Shown anew where they differ visibly, twice a second at most; at once where a loop begins or ends.
+  /// Shown anew where they differ visibly, twice a second at most; at once where a loop begins, ends or is idle.
   void setRates(const Rates& rates);
   void setDevice(const QString& text, bool works);
   const QString& device() const { return device_; }
@@ -38,7 +39,7 @@ class StatusLine : public QStatusBar {
 
  private:
   void paintSentence(QPainter& painter, const QRect& rect) const;
-  int paintRate(QPainter& painter, int right, const QString& name, double value, double full) const;
+  int paintRate(QPainter& painter, int right, const QString& name, double value, double full, bool idle = false) const;
   Mark mark_ = Mark::kNone;
   QString sentence_, device_, message_, sound_;
   bool sound_on_ = false, device_works_ = true;

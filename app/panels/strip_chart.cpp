@@ -51,6 +51,7 @@ StripChart::StripChart(double length_s, QWidget* parent) : QWidget(parent), hist
 
 void StripChart::take(const std::optional<manipulation::SceneSnapshot>& snapshot) {
   if (!snapshot) return;
+  if (snapshot->idle) return;  // It stands still while nothing happens.
   const double before = history_.now();
   history_.add(*snapshot);
   if (isSeen(*this) && history_.now() != before) update();

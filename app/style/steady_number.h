@@ -12,13 +12,15 @@ class SteadyNumber {
   /// `share`: what it must differ by, as a part of the shown value; `least`: and by this much at the least.
   explicit SteadyNumber(double share, double least = 0.0) : share_(share), least_(least) {}
   /// The newest value; true when another one is shown from now on. Zero is never held back, nor what leaves it.
-  bool take(double now) {
+  /// `patience`: it must differ by so many times as much, where nobody watches it.
+  bool take(double now, double patience = 1.0) {
     const bool same_sign = (now == 0.0) == (shown_ == 0.0);
-    if (same_sign && std::abs(now - shown_) <= std::fmax(share_ * std::abs(shown_), least_)) return false;
+    if (same_sign && std::abs(now - shown_) <= patience * std::fmax(share_ * std::abs(shown_), least_)) return false;
     shown_ = now;
     return true;
   }
   double shown() const { return shown_; }
+  static constexpr double kAtRest = 10.0;  ///< The patience while the stylus lies still: half of a rate, with 5 %.
 
  private:
   double share_, least_, shown_ = 0.0;

@@ -151,7 +151,7 @@ void VirtualDesktopController::connectDevice() {
   host_.viewport().setPointerTool(&pens_);
   startSecond();
   timer_.setTimerType(Qt::PreciseTimer);
-  timer_.start(static_cast<int>(std::lround(1000.0 / host_.configuration().gui.rate_hz)));
+  timer_.start(busyPeriod());
   emit connectionChanged();
 }
 
@@ -206,6 +206,10 @@ void VirtualDesktopController::postHand(const haptic::HandTarget& target) {
   loop_->post(command::SetHandTarget{sent});
 }
 
+int VirtualDesktopController::busyPeriod() const {
+  return static_cast<int>(std::lround(1000.0 / host_.configuration().gui.rate_hz));
+}
+
 double VirtualDesktopController::guiRate() const {
   return ticks_.rate(static_cast<double>(clock_.nsecsElapsed()) * 1e-9);
 }
@@ -225,32 +229,6 @@ void VirtualDesktopController::postGuides() {
   std::vector<workcell::Guide> guides = host_.documentModel().document().state().guides;
   if (const auto& training = host_.recording().guide()) guides.push_back(*training);
   loop_->post(command::SetGuides{std::move(guides)});
-}
-
-Pose VirtualDesktopController::cameraPose_W() const {
-  const Camera& camera = host_.viewport().camera();
-  return {camera.eye_W(), glm::normalize(glm::quat_cast(dmat3(camera.right_W(), camera.up_W(), -camera.forward_W())))};
-}
-
-dquat VirtualDesktopController::axes_W() const {
-  const workcell::Entity* frame = host_.documentModel().document().findByName(settings_.axes_frame);
-  const Pose X_WF = frame ? host_.viewport().scene().placement_W(*frame) : Pose::identity();
-  return manipulation::deviceAxes(settings_.axes, cameraPose_W(), X_WF);
-}
-
-void VirtualDesktopController::postCamera() {
-  if (!loop_) return;
-  const ViewportWidget& viewport = host_.viewport();
-  const Camera& camera = viewport.camera();
-  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  command::SetCamera seen;
-  seen.X_WCamera = cameraPose_W();
-  seen.visible_width = size.width * camera.metresPerPixel(camera.target_W, size);
-  seen.p_WFocus = camera.target_W;
-  loop_->post(seen);
-  // Beside the first one's tip, that both pens can be taken.
-  seen.p_WFocus += 0.12 * seen.visible_width * camera.right_W();
-  loop_->postSecond(seen);
 }
 
 void VirtualDesktopController::postSettings() {
@@ -417,38 +395,6 @@ void VirtualDesktopController::tick() {
     told_.start();
     emit snapshotChanged();
   }
-}
-
-void VirtualDesktopController::takeSnapshot() {
-  manipulation::SceneSnapshot fresh;
-  if (!loop_ || !loop_->latest(fresh) || !isOfCell(fresh)) return;
-  sound_.play(soundCue(fresh, snapshot_));
-  const bool connected = isConnected();
-  const bool cut = connected && snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
-  snapshot_ = std::move(fresh);
-  since_snapshot_.start();
-  if (!connected) {  // What the server said last is not so any more.
-    snapshot_.server = {};
-    snapshot_.forces_on = false;
-    snapshot_.force_n = 0.0;
-  }
-  if (snapshot_.forces_on) forces_cut_ = false;
-  if (cut) tellOfCut();
-  // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
-  const dquat q_WD = axes_W();
-  snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
-  updateMouse();
-  updateSecondMouse();
-  host_.setGuiRate(guiRate());
-  host_.setSnapshot(snapshot_);
-}
-
-void VirtualDesktopController::showDevice() {
-  if (!device_) return host_.setDeviceText(deviceLine(), false);
-  const QString forces = forces_lost_          ? tr(" · forces lost")
-                         : snapshot_.forces_on ? tr(" · forces on")
-                                               : tr(" · forces off");
-  host_.setDeviceText(QString::fromStdString(device_->name) + forces, !forces_lost_);
 }
 
 }  // namespace hapticell::app

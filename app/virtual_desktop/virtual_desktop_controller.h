@@ -93,6 +93,7 @@ class VirtualDesktopController : public QObject {
   void connectionChanged();
 
  private:
+  int busyPeriod() const;  ///< Milliseconds between two ticks while something moves.
   void tick();
   void takeSnapshot();
   void forgetCell();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the mouse, a glove and a 3-D mouse do.
+// How the view lies to the hand, and what the mouse, a glove and a 3-D mouse do.
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +24,32 @@ constexpr double kGloveStep = 0.02;  // rad of a finger that count as a motion.
 constexpr int kGloveRest = 400;      // Milliseconds without one: the hand's pose goes into the document.
 
 }  // namespace
+
+Pose VirtualDesktopController::cameraPose_W() const {
+  const Camera& camera = host_.viewport().camera();
+  return {camera.eye_W(), glm::normalize(glm::quat_cast(dmat3(camera.right_W(), camera.up_W(), -camera.forward_W())))};
+}
+
+dquat VirtualDesktopController::axes_W() const {
+  const workcell::Entity* frame = host_.documentModel().document().findByName(settings_.axes_frame);
+  const Pose X_WF = frame ? host_.viewport().scene().placement_W(*frame) : Pose::identity();
+  return manipulation::deviceAxes(settings_.axes, cameraPose_W(), X_WF);
+}
+
+void VirtualDesktopController::postCamera() {
+  if (!loop_) return;
+  const ViewportWidget& viewport = host_.viewport();
+  const Camera& camera = viewport.camera();
+  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
+  manipulation::command::SetCamera seen;
+  seen.X_WCamera = cameraPose_W();
+  seen.visible_width = size.width * camera.metresPerPixel(camera.target_W, size);
+  seen.p_WFocus = camera.target_W;
+  loop_->post(seen);
+  // Beside the first one's tip, that both pens can be taken.
+  seen.p_WFocus += 0.12 * seen.visible_width * camera.right_W();
+  loop_->postSecond(seen);
+}
 
 void VirtualDesktopController::takeInputs() {
   const double seconds = 1e-9 * static_cast<double>(input_clock_.nsecsElapsed());
@@ -81,7 +107,7 @@ void VirtualDesktopController::updateMouse() {
   state.scale = snapshot_.motion_scale;
   state.p_WTip = snapshot_.X_WStylus.p;
   state.d_WPen = snapshot_.X_WStylus.rotate(stylusDirection_S());
-  state.pen_length = kStylusPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
+  state.pen_length = penPixels(size) * viewport.camera().metresPerPixel(state.p_WTip, size);
   if (device_) state.workspace_min = device_->workspace_min, state.workspace_max = device_->workspace_max;
   mouse_.setState(state);
 }

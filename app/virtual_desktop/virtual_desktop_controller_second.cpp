@@ -137,7 +137,7 @@ void VirtualDesktopController::updateSecondMouse() {
     state.scale = second.motion_scale;
     state.p_WTip = second.X_WStylus.p;
     state.d_WPen = second.X_WStylus.rotate(stylusDirection_S());
-    state.pen_length = kStylusPixels * viewport.camera().metresPerPixel(state.p_WTip, size);
+    state.pen_length = penPixels(size) * viewport.camera().metresPerPixel(state.p_WTip, size);
     state.workspace_min = second_device_->workspace_min;
     state.workspace_max = second_device_->workspace_max;
   }

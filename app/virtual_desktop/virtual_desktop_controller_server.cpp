@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which haptic server is used, what it says of the device, and starting one of our own.
+// Which haptic server is used, what it says of the device, starting one of our own, and taking the newest scene.
+#include <algorithm>
+
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
@@ -12,6 +14,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kServerPatience = 700;  // Milliseconds without an answer until a server is started.
+constexpr int kIdlePeriod = 50;       // Milliseconds between two looks at a scene in which nothing moves.
 
 }  // namespace
 
@@ -72,6 +75,40 @@ ForceFacts VirtualDesktopController::forceFacts() const {
   }
   if (link_ && !facts.connected) facts.problem = shownText(link_->problem());
   return facts;
+}
+
+void VirtualDesktopController::takeSnapshot() {
+  manipulation::SceneSnapshot fresh;
+  if (!loop_ || !loop_->latest(fresh) || !isOfCell(fresh)) return;
+  sound_.play(soundCue(fresh, snapshot_));
+  const bool connected = isConnected();
+  const bool cut = connected && snapshot_.forces_on && !fresh.forces_on && forces_wanted_;
+  snapshot_ = std::move(fresh);
+  since_snapshot_.start();
+  if (!connected) {  // What the server said last is not so any more.
+    snapshot_.server = {};
+    snapshot_.forces_on = false;
+    snapshot_.force_n = 0.0;
+  }
+  if (snapshot_.forces_on) forces_cut_ = false;
+  if (cut) tellOfCut();
+  const int period = snapshot_.idle ? std::max(kIdlePeriod, busyPeriod()) : busyPeriod();
+  if (timer_.interval() != period) timer_.setInterval(period);
+  // The pen is drawn as the hand holds it, whatever frame of the entity it moves.
+  const dquat q_WD = axes_W();
+  snapshot_.X_WStylus.q = glm::normalize(q_WD * snapshot_.X_DS.q);
+  updateMouse();
+  updateSecondMouse();
+  host_.setGuiRate(guiRate());
+  host_.setSnapshot(snapshot_);
+}
+
+void VirtualDesktopController::showDevice() {
+  if (!device_) return host_.setDeviceText(deviceLine(), false);
+  const QString forces = forces_lost_          ? tr(" · forces lost")
+                         : snapshot_.forces_on ? tr(" · forces on")
+                                               : tr(" · forces off");
+  host_.setDeviceText(QString::fromStdString(device_->name) + forces, !forces_lost_);
 }
 
 void VirtualDesktopController::tellOfCut() {

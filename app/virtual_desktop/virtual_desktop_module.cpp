@@ -217,7 +217,6 @@ void VirtualDesktopModule::showPill() {
   pill_button_->setEnabled(controller_->isConnected());
   pill_button_->setText(on ? tr("Forces on") : tr("Forces off"));
   pill_key_->setText(on ? tr("Esc") : tr("Ctrl+Space"));
-  pill_key_->updateGeometry();
   pill_words_->setText(on ? tr("forces off") : tr("turn on"));
 }
 

@@ -190,9 +190,10 @@ void VirtualDesktopPanel::showRates(const manipulation::SceneSnapshot& now) {
   const QString words[3]{tr("late %1 ms"), tr("step %1 ms"), tr("frame %1 ms")};
   const auto rate = [](double value) { return value > 0.0 ? tr("%1 Hz").arg(std::lround(value)) : tr("off"); };
   for (int i = 0; i < 3; ++i) {
-    steady_rates_[i].take(hertz[i]);
-    steady_times_[i].take(times[i]);
-    rates_[i][0]->setText(rate(steady_rates_[i].shown()));
+    const bool idle = now.idle && i > 0;
+    if (!idle) steady_rates_[i].take(hertz[i], now.idle ? SteadyNumber::kAtRest : 1.0);
+    if (!idle) steady_times_[i].take(times[i], now.idle ? SteadyNumber::kAtRest : 1.0);
+    rates_[i][0]->setText(idle ? tr("idle") : rate(steady_rates_[i].shown()));
     rates_[i][1]->setText(words[i].arg(steady_times_[i].shown(), 0, 'f', i == 0 ? 2 : 1));
   }
 }

@@ -13,6 +13,9 @@ namespace hapticell::haptic {
 namespace {
 
 constexpr double kFarewellTime = 1.0;  // For a refused client to read why.
+constexpr double kStillPeriod = 0.05;  // s between two states of a stylus that lies still.
+// A stylus that lies still trembles by its encoders' steps: so many of the device's own, and rad.
+constexpr double kStillSteps = 1.5, kStillTurn = 1e-3;
 
 double seconds(std::int64_t nanoseconds) {
   return kSecondsPerNanosecond * static_cast<double>(nanoseconds);
@@ -133,6 +136,7 @@ bool ClientTable::grantControl(Client& client, const Hello& hello) {
 
 void ClientTable::welcome(Client& client, ClientKind kind) {
   client.kind = kind;
+  told_ns_ = 0;
   if (kind == ClientKind::kController) {
     controller_ = &client;
     loop_.openLink();
@@ -175,7 +179,11 @@ void ClientTable::broadcast() {
     }
   };
   if (loop_.updateState()) {
-    sendToAll(MessageStream::Slot::kState, encoder_.encode(loop_.state()));
+    if (isNews(loop_.state())) {
+      sendToAll(MessageStream::Slot::kState, encoder_.encode(loop_.state()));
+      told_state_ = loop_.state();
+      told_ns_ = clock_.now();
+    }
     tellOfStall(loop_.state().client_stalled);
   }
   if (!loop_.updateFigures()) return;
@@ -186,6 +194,19 @@ void ClientTable::broadcast() {
       link.clock_offset = kSecondsPerNanosecond * static_cast<double>(*offset);
   }
   sendToAll(MessageStream::Slot::kStatistics, encoder_.encode(Message(statisticsOf(loop_.figures(), link))));
+}
+
+bool ClientTable::isNews(const HapticState& state) const {
+  if (told_ns_ == 0 || state.forces_on || state.force_ramp > 0.0 || state.force_D != dvec3(0.0)) return true;
+  if (seconds(clock_.now() - told_ns_) >= kStillPeriod) return true;
+  const auto moved = [this](const Pose& a, const Pose& b) {
+    return glm::length(a.p - b.p) > kStillSteps * device_.resolution ||
+           glm::length(rotationVector(glm::conjugate(a.q) * b.q)) > kStillTurn;
+  };
+  return state.buttons != told_state_.buttons || state.adopted_set != told_state_.adopted_set ||
+         state.forces_on != told_state_.forces_on || state.device_fault != told_state_.device_fault ||
+         state.client_stalled != told_state_.client_stalled || moved(state.X_DS, told_state_.X_DS) ||
+         moved(state.X_DP, told_state_.X_DP);
 }
 
 void ClientTable::tellOfStall(bool stalled) {

@@ -25,7 +25,8 @@ class ClientTable {
   /// Takes a connection that has just been made.
   void add(std::unique_ptr<ByteStream> connection);
 
-  /// Sends the loop's newest state and, about ten times a second, its statistics to all who were welcomed.
+  /// Sends the loop's newest state and, about ten times a second, its statistics to all who were welcomed. A stylus
+  /// that lies still without forces is told of 20 times a second only, so that the clients can rest too.
   void broadcast();
 
   /// Ends what has been silent for too long and forgets what is closed.
@@ -54,6 +55,7 @@ class ClientTable {
   void refuse(Client& client, const std::string& sentence);
   void drop(Client& client, const std::string& why);
   void report(const std::string& sentence) const;
+  bool isNews(const HapticState& state) const;
   void tellOfStall(bool stalled);
   void tellCondition();
   bool overdue(const Client& client, std::int64_t now) const;
@@ -67,8 +69,10 @@ class ClientTable {
   ConstraintSet stamped_;  // A set on its way to the loop, with its stamp in the loop's clock.
   std::vector<std::unique_ptr<Client>> clients_;
   Client* controller_ = nullptr;
+  HapticState told_state_;
+  std::int64_t told_ns_ = 0;          // When it was sent; 0: whatever is next is news.
   std::uint64_t told_condition_ = 0;  // DeviceCare::changes() that was sent.
-  bool stalled_ = false;  // As it was reported last.
+  bool stalled_ = false;              // As it was reported last.
 };
 
 }  // namespace hapticell::haptic

@@ -13,22 +13,13 @@
 #include "haptic/client/tcp_link.h"
 #include "manipulation/motion_mapping.h"
 #include "tests/app/cell_page.h"
-#include "tests/haptic/server/live_server.h"
+#include "tests/app/server_first.h"
 
 namespace hapticell::app {
 namespace {
 
 constexpr int kPatience = 60000;  // ms.
 constexpr double kHalf = 0.03;    // m of the box that is held.
-
-struct ServerFirst {
-  haptic::LiveServer server;
-  config::Configuration on(config::Configuration configuration = {}) const {
-    configuration.server.host = "127.0.0.1";
-    configuration.server.port = server.port();
-    return configuration;
-  }
-};
 
 /// A box over a table, the Virtual Desktop connected, the stylus following the mouse.
 class HandPage : public ServerFirst, public CellPage {

@@ -9,11 +9,12 @@
 #include "app/host/status_line.h"
 #include "app/style/steady_number.h"
 #include "tests/app/cell_page.h"
+#include "tests/app/server_first.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kPatience = 120000;  // ms: a picture at rest takes its time where the renderer is slow.
+constexpr int kRestPatience = 120000;  // ms: a picture at rest takes its time where the renderer is slow.
 
 /// How often each widget was painted since it was made.
 class PaintCount : public QObject {
@@ -44,16 +45,19 @@ class PaintCount : public QObject {
   std::map<std::string, int> count_;
 };
 
-/// A box on a table, one of them selected, so that all panels have something to tell.
+/// A window that may come to rest.
 struct IdlePage : CellPage {
-  IdlePage() {
+  explicit IdlePage(const config::Configuration& configuration = {}) : CellPage(configuration) {
     window().resize(1000, 700);
+  }
+  /// A box on a table, one of them selected, so that all panels have something to tell.
+  void addParts() {
     addSolid("table", geometry::makeBox({0.6, 0.6, 0.1}), Pose::translation({0, 0, -0.05}));
     select(addSolid("box", geometry::makeBox(dvec3(0.06)), Pose::translation({0, 0, 0.2})));
     lookAt({0, 0, 0}, 0.4);
   }
   bool rests() {
-    return until([this] { return window().viewport().isFinished(); }, kPatience);
+    return until([this] { return window().viewport().isFinished(); }, kRestPatience);
   }
   /// Goes on until the panels were told of their numbers so many times.
   void refreshes(int times) {
@@ -61,22 +65,61 @@ struct IdlePage : CellPage {
     int told = 0;
     QObject::connect(&panels, &QTimer::timeout, [&told] { ++told; });
     panels.start(100);
-    until([&] { return told >= times; }, kPatience);
+    until([&] { return told >= times; }, kRestPatience);
+  }
+  /// What is painted once it rests. What is worked out in threads may still come in: it rests once a round of refreshes
+  /// paints nothing.
+  std::string paintedAtRest() {
+    std::string painted_last;
+    for (int round = 0; round < 20; ++round) {
+      const PaintCount painted;
+      refreshes(16);
+      painted_last = painted.text();
+      if (painted_last.empty()) break;
+    }
+    return painted_last;
+  }
+};
+
+/// Connected to a haptic server, the forces off and nobody at the stylus, with all that is to be seen at a start.
+struct ConnectedIdlePage : ServerFirst, IdlePage {
+  ConnectedIdlePage() : IdlePage(on()) {
+    window().resize(1400, 880);
+    window().loadModules(ModuleLoader::defaultFolders());
+    EXPECT_TRUE(window().startModule("Virtual Desktop"));
+    window().restoreLayout();
+    settle();
+  }
+  bool rests() {
+    const auto idle = [this] {
+      return window().snapshot() && window().snapshot()->connected && window().snapshot()->idle;
+    };
+    return until(idle, kRestPatience) && IdlePage::rests();
   }
 };
 
 TEST(IdleWindow, PaintsNothing) {
   IdlePage page;
+  page.addParts();
   ASSERT_TRUE(page.rests());
-  // What is worked out in threads may still come in: it rests once a round of refreshes paints nothing.
-  std::string painted_last;
-  for (int round = 0; round < 20; ++round) {
-    const PaintCount painted;
-    page.refreshes(8);
-    painted_last = painted.text();
-    if (painted_last.empty()) break;
-  }
-  EXPECT_EQ(painted_last, "");
+  EXPECT_EQ(page.paintedAtRest(), "");
+}
+
+TEST(IdleWindow, PaintsNothingConnectedWithAnEmptyCell) {
+  ConnectedIdlePage page;
+  ASSERT_TRUE(page.rests());
+  EXPECT_EQ(page.paintedAtRest(), "");
+}
+
+TEST(IdleWindow, PaintsNothingConnectedWithPartsAndWakesWithTheHand) {
+  ConnectedIdlePage page;
+  page.addParts();
+  ASSERT_TRUE(page.rests());
+  EXPECT_EQ(page.paintedAtRest(), "");
+  const PaintCount painted;
+  page.trigger("actionForcesOn");
+  EXPECT_TRUE(page.until([&] { return !page.window().snapshot()->idle; }, kRestPatience));
+  EXPECT_GT(painted.times("statusLine"), 0) << "it says that it works again";
 }
 
 TEST(StatusLine, RatesThatDanceArePaintedNowAndThenOnly) {

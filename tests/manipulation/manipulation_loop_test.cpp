@@ -147,6 +147,25 @@ TEST_F(ManipulationLoopTest, StepsAndShowsWithNothingInItsScene) {
   EXPECT_GT(snapshot.step, step);
 }
 
+TEST_F(ManipulationLoopTest, RestsWhileNothingIsHeldAndWakesByACommandByForcesAndByTheHand) {
+  const auto idle = [](const SceneSnapshot& s) { return s.idle; };
+  const auto works = [](const SceneSnapshot& s) { return !s.idle; };
+  ASSERT_TRUE(takesSnapshotWhere(idle));
+  loop->post(command::SetClutch{false});
+  ASSERT_TRUE(takesSnapshotWhere(works));
+  ASSERT_TRUE(takesSnapshotWhere(idle));
+  seen.setHand({0.0, 0.0, 0.01});
+  ASSERT_TRUE(takesSnapshotWhere(works));
+  ASSERT_TRUE(takesSnapshotWhere(idle));
+  EXPECT_NEAR(snapshot.X_DS.p.z, 0.01, 1e-3) << "it goes on looking";
+  loop->post(command::SetForces{true});
+  ASSERT_TRUE(takesSnapshotWhere([](const SceneSnapshot& s) { return s.force_ramp == 1.0; }));
+  EXPECT_FALSE(snapshot.idle);
+  const std::uint64_t step = snapshot.step;
+  ASSERT_TRUE(takesSnapshotWhere([step](const SceneSnapshot& s) { return s.step > step + 600; }));
+  EXPECT_FALSE(snapshot.idle) << "with forces on it never rests";
+}
+
 TEST_F(ManipulationLoopTest, TakesCommandsMovesWhatIsHeldAndFeelsTheTable) {
   holdTheBox();
   seen.setHand({0.0, 0.0, -0.024});
