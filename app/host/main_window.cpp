@@ -173,6 +173,7 @@ void MainWindow::connectScene() {
           [this](const QString& sentence) { messages_.tell(Severity::kWarning, sentence); });
   // What the window itself keeps of a document; panels and modules drop theirs in the same way.
   connect(&document_, &DocumentModel::closing, this, [this] {
+    keepPicture();
     hold_choice_.letGo();
     recording_.abandon();
     hold_choice_.forget();

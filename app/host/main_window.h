@@ -114,6 +114,8 @@ class MainWindow : public QMainWindow, public Host {
   void connectSelection();
   void connectStart();
   void connectLeftWork();
+  /// What the cell looks like, for the first page.
+  void keepPicture();
   bool mayDiscardCopy(const workcell::LeftWork& left);
   void documentChanged();
   void updateTitle();

@@ -24,6 +24,10 @@
 
 namespace hapticell::app {
 
+namespace {
+constexpr int kPictureWidth = 368;  // Pixels: for the first page at 200 %.
+}
+
 void MainWindow::connectFileActions() {
   connect(actions_->new_cell, &QAction::triggered, this, [this] { replaceDocument([this] { files_->clear(); }); });
   connect(actions_->open, &QAction::triggered, this, &MainWindow::openFromDialog);
@@ -195,6 +199,7 @@ bool MainWindow::saveDocument(bool ask_where) {
     return false;
   }
   recent_->add(path);
+  keepPicture();
   files_->autosaver().discard();
   messages_.tell(Severity::kInformation, tr("%1 is saved").arg(QFileInfo(path).fileName()));
   return true;
@@ -207,6 +212,12 @@ bool MainWindow::mayDiscard() {
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   const int answer = question.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
+}
+
+void MainWindow::keepPicture() {
+  const QString path = QString::fromStdString(document_.document().path().string());
+  if (settings_.isKept() && !path.isEmpty() && !document_.document().isDirty())
+    recent_->keepPicture(path, viewport_->smallPicture(kPictureWidth));
 }
 
 void MainWindow::replaceDocument(const std::function<void()>& then) {
@@ -224,6 +235,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  keepPicture();
   layouts_.store();
   files_->autosaver().discard();
   hide();  // Gone at once; what is under way is given up behind it.

@@ -28,6 +28,8 @@ class UserSettings : public QObject {
   void remove(const QString& key);
   /// Keys below a group ("keys"): "keys/actionFit" gives "actionFit".
   QStringList keysBelow(const QString& group) const;
+  /// There is a file: what is chosen is there at the next start.
+  bool isKept() const { return file_ != nullptr; }
   /// Writes what was changed; false where the file cannot be written.
   bool flush();
 

@@ -55,8 +55,7 @@ bool isSample(const QString& path) {
 /// What the scene shows, for the first page; none while the hand holds something, which must not wait.
 QImage smallPicture(Host& host) {
   constexpr int kWidth = 496;
-  if (!host.viewport().isVisible() || (host.snapshot() && host.snapshot()->held != 0)) return {};
-  return host.viewport().grabFramebuffer().scaledToWidth(kWidth, Qt::SmoothTransformation);
+  return host.snapshot() && host.snapshot()->held != 0 ? QImage() : host.viewport().smallPicture(kWidth);
 }
 
 }  // namespace

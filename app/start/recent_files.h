@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <QStringList>
 
@@ -19,6 +20,10 @@ class RecentFiles : public QObject {
   QStringList files() const;
   void add(const QString& path);
   void clear();
+  /// What a cell looked like when it was left or saved last; null: not known. Kept in the user's cache,
+  /// where settings are kept at all.
+  static QImage picture(const QString& path);
+  void keepPicture(const QString& path, const QImage& picture) const;
   /// Fills the menu whenever it is opened; a choice tells chosen().
   void fill(QMenu& menu);
 

@@ -2,8 +2,7 @@
 #include "app/start/start_page.h"
 
 #include <QCheckBox>
-#include <QDir>
-#include <QFileInfo>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -11,11 +10,13 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <vector>
 
 #include "app/host/user_settings.h"
 #include "app/panels/form.h"
 #include "app/start/left_work_card.h"
+#include "app/start/recent_card.h"
 #include "app/start/recent_files.h"
 #include "app/start/sample_card.h"
 #include "app/style/icon.h"
@@ -138,15 +139,16 @@ void StartPage::addOwn(QVBoxLayout& column) {
   last->setSpacing(8);
   last->addWidget(makeLabel(tr("Opened last"), TextRole::kSection));
   const QStringList files = recent_.files();
-  for (const QString& path : files.mid(0, kMostRecent)) {
-    const QFileInfo info(path);
-    auto* button = new QPushButton(icon("cell"), info.completeBaseName());
-    button->setObjectName("start_recent");
-    button->setToolTip(QDir::toNativeSeparators(path));
-    button->setFixedWidth(248);
-    connect(button, &QPushButton::clicked, this, [this, path] { emit fileWanted(path); });
-    last->addWidget(button);
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  for (int i = 0; i < std::min<int>(kMostRecent, static_cast<int>(files.size())); ++i) {
+    const QString& path = files[i];
+    auto* card = new RecentCard(path, QPixmap::fromImage(RecentFiles::picture(path)));
+    card->setObjectName("start_recent");
+    connect(card, &QAbstractButton::clicked, this, [this, path] { emit fileWanted(path); });
+    grid->addWidget(card, i / 2, i % 2);
   }
+  last->addLayout(grid);
   if (files.isEmpty())
     last->addWidget(makeLabel(tr("Nothing yet. Files can also be dropped here."), TextRole::kSecond, true));
   last->addStretch(1);

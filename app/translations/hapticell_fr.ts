@@ -6745,6 +6745,10 @@
         <translation>contacts : %1</translation>
     </message>
     <message>
+        <source>d MMM yyyy, HH:mm</source>
+        <translation>d MMM yyyy, HH:mm</translation>
+    </message>
+    <message>
         <source>d MMMM yyyy, HH:mm:ss</source>
         <translation>d MMMM yyyy, HH:mm:ss</translation>
     </message>

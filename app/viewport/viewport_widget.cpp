@@ -163,6 +163,10 @@ void ViewportWidget::showEvent(QShowEvent* event) {
   QOpenGLWidget::showEvent(event);
 }
 
+QImage ViewportWidget::smallPicture(int width) {
+  return isVisible() ? grabFramebuffer().scaledToWidth(width, Qt::SmoothTransformation) : QImage();
+}
+
 void ViewportWidget::forgetCell() {
   cancelPick();
   curves_.clear();

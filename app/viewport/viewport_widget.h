@@ -95,6 +95,8 @@ class ViewportWidget : public QOpenGLWidget {
   bool hasWhole(std::uint64_t revision) const;
   /// Draws anew only where the strip or a label would say something else than is drawn: a cell at rest costs nothing.
   void refreshNumbers();
+  /// The scene as it is drawn now, so many pixels wide: for lists. Null where it is not shown.
+  QImage smallPicture(int width);
   /// All samples of the picture, overlay included, as an image of the widget's size.
   QImage finishedPicture();
   /// Median seconds of `count` frames at each level of detail, every one waited for: what the machine can do.

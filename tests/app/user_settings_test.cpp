@@ -79,6 +79,22 @@ TEST(SavedViews, BelongToTheirCellAndComeBackExactly) {
   EXPECT_TRUE(views.names().isEmpty());
 }
 
+TEST(SavedViews, OfACellWithoutAFileGoWithItOrToItsFile) {
+  UserSettings settings;
+  SavedViews views(settings);
+  views.setCell({});
+  views.keep("first", Camera());
+  views.closeCell();
+  views.setCell({});
+  EXPECT_TRUE(views.names().isEmpty()) << "of the cell before";
+  views.keep("second", Camera());
+  views.setCell("/cells/saved.hcell");
+  EXPECT_EQ(views.names(), QStringList{"second"}) << "it was saved";
+  views.closeCell();
+  views.setCell({});
+  EXPECT_TRUE(views.names().isEmpty());
+}
+
 TEST(SavedViews, WhatIsNoCameraIsNone) {
   for (const char* text : {"", "1 2 3", "1 2 3 4 5 -6 0.6 perspective", "nan 2 3 4 5 6 0.6 perspective"})
     EXPECT_FALSE(cameraFromText(text).has_value()) << text;
@@ -100,6 +116,20 @@ TEST(RecentFiles, KeepTheNewestOnceAndLeaveOutWhatIsGone) {
   EXPECT_EQ(recent.files().front(), paths[5]);
   QFile::remove(paths[5]);
   EXPECT_NE(recent.files().front(), paths[5]);
+}
+
+TEST(RecentFiles, HaveTheirPicturesWhereSettingsAreKept) {
+  QTemporaryDir folder;
+  qputenv("XDG_CACHE_HOME", folder.path().toLocal8Bit());
+  QImage picture(92, 52, QImage::Format_RGB32);
+  picture.fill(Qt::red);
+  UserSettings forgotten, kept(folder.filePath("window.ini"));
+  RecentFiles(forgotten).keepPicture("/cells/a.hcell", picture);
+  EXPECT_TRUE(RecentFiles::picture("/cells/a.hcell").isNull());
+  RecentFiles(kept).keepPicture("/cells/a.hcell", picture);
+  EXPECT_EQ(RecentFiles::picture("/cells/a.hcell").size(), picture.size());
+  EXPECT_TRUE(RecentFiles::picture("/cells/b.hcell").isNull());
+  qunsetenv("XDG_CACHE_HOME");
 }
 
 TEST(TomlEdit, ChangesOneLineAndKeepsTheRest) {
