@@ -5505,6 +5505,10 @@
         <translation>Prendre le stylet</translation>
     </message>
     <message>
+        <source>Take the stylus in the panel Virtual Desktop takes it back.</source>
+        <translation>« Prendre le stylet » dans le panneau Virtual Desktop le reprend.</translation>
+    </message>
+    <message>
         <source>Take this one</source>
         <translation>Prendre celle-ci</translation>
     </message>
@@ -5695,6 +5699,10 @@
     <message>
         <source>The forces went off</source>
         <translation>Les efforts se sont coupés</translation>
+    </message>
+    <message>
+        <source>The forces went off: another window took the stylus</source>
+        <translation>Les forces sont coupées : une autre fenêtre a pris le stylet</translation>
     </message>
     <message>
         <source>The forces went off: the haptic server is gone</source>

@@ -118,8 +118,13 @@ void VirtualDesktopController::tellOfCut() {
 }
 
 void VirtualDesktopController::tellOfLoss() {
-  forces_lost_ = true;
   sound_.strike(SoundEvent::kFault);
+  if (isWatching() || link_->linkState() == haptic::LinkState::kRefused) {
+    host_.messages().tell(Severity::kProblem, tr("The forces went off: another window took the stylus"),
+                          tr("Take the stylus in the panel Virtual Desktop takes it back."));
+    return;
+  }
+  forces_lost_ = true;
   host_.messages().tell(
       Severity::kProblem, tr("The forces went off: the haptic server is gone"),
       shownText(link_->problem()) + QLatin1Char(' ') +
