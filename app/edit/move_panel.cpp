@@ -61,8 +61,7 @@ void MovePanel::addTool(QVBoxLayout& column) {
   title_ = makeLabel({}, TextRole::kPanelState);
   title_->setObjectName("labelMoved");
   section->addWidget(title_);
-  note_ = makeLabel({}, TextRole::kSecond, true);
-  note_->setWordWrap(true);
+  note_ = makeLive(2, TextRole::kSecond, true);
   section->addWidget(note_);
   mode_ = new Segmented({tr("Select"), tr("Move"), tr("Rotate")});
   mode_->setObjectName("segmentsTool");
@@ -194,7 +193,6 @@ void MovePanel::showSelection() {
                  : moved.empty()  ? tr("It is locked in place. Unlock it in the tree first.")
                  : all.size() > 1 ? tr("They move together, about the one chosen last.")
                                   : QString());
-  note_->setVisible(!note_->text().isEmpty());
   about_->setChoiceEnabled(2, now && !now->frames.empty(), tr("It has no frame yet: the panel Solid makes one"));
   apply_->setEnabled(!moved.empty());
   onto_->setEnabled(!moved.empty());

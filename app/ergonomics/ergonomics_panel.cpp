@@ -38,9 +38,8 @@ QVBoxLayout* makeRows(QWidget* page) {
 }
 
 QLabel* makeWords(const char* name, bool faint) {
-  QLabel* words = makeLabel({}, TextRole::kSecond, faint);
+  QLabel* words = makeLive(2, TextRole::kSecond, faint);
   words->setObjectName(name);
-  words->setWordWrap(true);
   return words;
 }
 
@@ -114,9 +113,8 @@ QWidget* ErgonomicsPanel::makeWhyBox() {
   inside->setContentsMargins(10, 8, 10, 8);
   title_ = makeLabel({}, TextRole::kSection);
   title_->setObjectName("labelWhyTitle");
-  why_ = makeLabel({}, TextRole::kText);
+  why_ = makeLive(6, TextRole::kText);
   why_->setObjectName("labelWhy");
-  why_->setWordWrap(true);
   inside->addWidget(title_);
   inside->addWidget(why_);
   auto* buttons = new QHBoxLayout;
@@ -226,14 +224,15 @@ void ErgonomicsPanel::showScores() {
   table_title_->setText(shows_load_ ? tr("Lift (NIOSH) and forces on the hands") : tr("Sub-scores of the worse side"));
   const QString sums = sumsText();
   sums_->setText(sums);
-  sums_->setVisible(!sums.isEmpty());
   limits_->setVisible(shows_load_);
   lift_->setVisible(scores_.task().is_lift);
   if (scores_.task().is_lift) lift_->setText(liftText());
   QStringList missing;
   for (const auto& name : scores.missing) missing << shown(ergonomics::word(name, shownLanguage()));
-  missing_->setText(tr("The scores are partial: %1 not entered. Task data… completes them.").arg(missing.join(", ")));
-  missing_->setVisible(!missing.isEmpty());
+  missing_->setText(
+      missing.isEmpty()
+          ? QString()
+          : tr("The scores are partial: %1 not entered. Task data… completes them.").arg(missing.join(", ")));
   showAdvice();
 }
 

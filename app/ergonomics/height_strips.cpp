@@ -12,7 +12,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLabels = 76, kStrip = 13, kStripLine = 18;
+constexpr int kHeightLabels = 76, kStrip = 13, kStripLine = 18;
 const std::array<const char*, 4> kStripBodies{
     QT_TRANSLATE_NOOP("HeightStrips", "P5 woman"), QT_TRANSLATE_NOOP("HeightStrips", "P50 woman"),
     QT_TRANSLATE_NOOP("HeightStrips", "P50 man"), QT_TRANSLATE_NOOP("HeightStrips", "P95 man")};
@@ -32,10 +32,10 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   for (int i = 0; i < 4; ++i)
-    painter.drawText(QRectF(0, kStripLine * i, kLabels - 6, kStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, kStripLine * i, kHeightLabels - 6, kStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
                      tr(kStripBodies[static_cast<std::size_t>(i)]));
   const auto& advice = scores_.advice();
-  const QRectF area(kLabels, 0, width() - kLabels - 1, 4 * kStripLine - 4);
+  const QRectF area(kHeightLabels, 0, width() - kHeightLabels - 1, 4 * kStripLine - 4);
   if (!advice || advice->by_height.size() < 4) {
     painter.setPen(theme.text3);
     painter.drawText(area, Qt::AlignCenter, tr("Told once the figure rests"));

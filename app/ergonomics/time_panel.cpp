@@ -55,20 +55,21 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   save_->setToolTip(tr("The motion as it is on this mannequin"));
   name_ = makeLabel({}, TextRole::kSection);
   name_->setObjectName("labelMotion");
-  at_ = makeLabel({}, TextRole::kSecond, true);
+  at_ = makeLive(1, TextRole::kSecond, true);
   at_->setObjectName("labelScoredFrame");
-  at_->setWordWrap(true);  // The window fits a small screen.
   line->addWidget(open_button);
   line->addWidget(play_);
   line->addWidget(worst_);
   line->addWidget(take_);
   line->addWidget(save_);
-  line->addWidget(name_);
-  line->addWidget(at_, 1);
+  line->addStretch(1);
   column->addLayout(line);
-  beyond_ = makeLabel({}, TextRole::kSecond);
+  auto* told = new QHBoxLayout;
+  told->addWidget(name_);
+  told->addWidget(at_, 1);
+  column->addLayout(told);
+  beyond_ = makeLive(1, TextRole::kSecond);
   beyond_->setObjectName("labelBeyondLimits");
-  beyond_->setWordWrap(true);
   column->addWidget(beyond_);
   history_ = new ScoreHistory(motion_);
   column->addWidget(history_, 1);
@@ -129,9 +130,10 @@ void TimePanel::showMotion() {
   const bool any = !motion_.isEmpty();
   for (QPushButton* button : {play_, worst_, take_, save_}) button->setEnabled(any);
   const QString beyond = motion_.beyondLimits();
-  beyond_->setText(tr("Beyond limits of the figure, not clamped; longest: %1.").arg(motion_.mostBeyond()));
+  beyond_->setText(beyond.isEmpty()
+                       ? QString()
+                       : tr("Beyond limits of the figure, not clamped; longest: %1.").arg(motion_.mostBeyond()));
   beyond_->setToolTip(beyond);
-  beyond_->setVisible(!beyond.isEmpty());
   name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
   at_->setText(any ? QString() : tr("Open a recording (BVH, AMC) to score each of its frames."));
   frame_ = std::min(frame_, std::max(0, motion_.frames() - 1));

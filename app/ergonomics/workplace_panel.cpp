@@ -63,9 +63,8 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
   QVBoxLayout* found = addSection(*column, tr("Worst RULA of four bodies"));
   view_ = new WorkplaceView;
   found->addWidget(view_);
-  result_ = makeLabel({}, TextRole::kText);
+  result_ = makeLive(3, TextRole::kText);
   result_->setObjectName("labelSearch");
-  result_->setWordWrap(true);
   found->addWidget(result_);
   take_ = new QPushButton(tr("Put it there"));
   take_->setObjectName("buttonTakePlace");

@@ -117,15 +117,15 @@ void ImportPanel::addFacts() {
   column->addWidget(file_);
   preview_ = new PreviewBox;
   column->addWidget(preview_);
-  auto* line = new QHBoxLayout;
   size_ = makeLabel({}, TextRole::kSection);
   size_->setObjectName("importSize");
   kind_ = makeLabel({}, TextRole::kSecond, true);
   kind_->setObjectName("importKind");
-  line->addWidget(size_);
-  line->addStretch(1);
-  line->addWidget(kind_);
-  column->addLayout(line);
+  auto* lines = new QVBoxLayout;
+  lines->setSpacing(2);
+  lines->addWidget(size_);
+  lines->addWidget(kind_);
+  column->addLayout(lines);
   layout()->addWidget(facts_);
   connect(file_, &QComboBox::activated, this, [this](int row) {
     current_ = file_->itemData(row).toInt();
@@ -155,9 +155,8 @@ void ImportPanel::addChoices() {
   quality_ = new Segmented({tr("Coarse"), tr("Medium"), tr("Fine")});
   quality_->setObjectName("importQuality");
   addRow(*section, tr("Mesh"), quality_);
-  estimate_ = makeLabel({}, TextRole::kSecond, true);
+  estimate_ = makeLive(2, TextRole::kSecond, true);
   estimate_->setObjectName("importEstimate");
-  estimate_->setWordWrap(true);
   addRow(*section, {}, estimate_);
   tree_ = new Segmented({tr("One solid"), tr("Tree")});
   tree_->setObjectName("importTree");

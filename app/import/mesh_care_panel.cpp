@@ -47,9 +47,8 @@ MeshCarePanel::MeshCarePanel(Host& host, BackgroundWork& background, QWidget* pa
   column->setSpacing(0);
   QVBoxLayout* what = addSection(*column, {});
   name_ = makeLabel({}, TextRole::kSection);
-  counts_ = makeLabel({}, TextRole::kSecond, true);
+  counts_ = makeLive(3, TextRole::kSecond, true);
   counts_->setObjectName("meshCounts");
-  counts_->setWordWrap(true);
   what->addWidget(name_);
   what->addWidget(counts_);
   QVBoxLayout* fewer = addSection(*column, tr("Mesh"));
@@ -65,9 +64,8 @@ MeshCarePanel::MeshCarePanel(Host& host, BackgroundWork& background, QWidget* pa
   proxy_ = new Segmented({tr("Itself"), tr("Coarse"), tr("Convex hull")});
   proxy_->setObjectName("meshProxy");
   checked->addWidget(proxy_);
-  proxy_text_ = makeLabel({}, TextRole::kSecond, true);
+  proxy_text_ = makeLive(2, TextRole::kSecond, true);
   proxy_text_->setObjectName("meshProxyText");
-  proxy_text_->setWordWrap(true);
   checked->addWidget(proxy_text_);
   column->addStretch(1);
   connect(simplify_, &QPushButton::clicked, this, &MeshCarePanel::simplify);

@@ -79,9 +79,8 @@ FigureDrawings::FigureDrawings(MannequinContext& context, QWidget* parent) : QWi
   gaze_->setToolTip(tr("Turns its eyes, as far as they go, to the part that was chosen last"));
   column->addWidget(sideBySide({eyes_, gaze_}));
   column->addWidget(sight_);
-  seen_ = makeLabel({}, TextRole::kSecond);
+  seen_ = makeLive(2, TextRole::kSecond);
   seen_->setObjectName("labelSees");
-  seen_->setWordWrap(true);
   column->addWidget(seen_);
   rests_.setSingleShot(true);
   rests_.setInterval(kRestMilliseconds);

@@ -220,15 +220,13 @@ void MannequinPanel::addReach(QVBoxLayout& column) {
   auto* line = new QHBoxLayout;
   reach_mark_ = new QLabel;
   reach_mark_->setFixedWidth(18);
-  reach_ = makeLabel({}, TextRole::kText);
+  reach_ = makeLive(2, TextRole::kText);
   reach_->setObjectName("labelReach");
-  reach_->setWordWrap(true);
   line->addWidget(reach_mark_, 0, Qt::AlignTop);
   line->addWidget(reach_, 1);
   section->addLayout(line);
-  reach_advice_ = makeLabel({}, TextRole::kSecond, true);
+  reach_advice_ = makeLive(2, TextRole::kSecond, true);
   reach_advice_->setObjectName("labelReachAdvice");
-  reach_advice_->setWordWrap(true);
   section->addWidget(reach_advice_);
 }
 
@@ -389,7 +387,6 @@ void MannequinPanel::showReach() {
   reach_->setText(any ? text : tr("Drag the arrows at the hand, or take it with the stylus."));
   reach_->setForegroundRole(any ? QPalette::WindowText : kQuietText);
   reach_advice_->setText(advice);
-  reach_advice_->setVisible(!advice.isEmpty());
 }
 
 }  // namespace hapticell::app

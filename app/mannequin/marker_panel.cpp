@@ -54,9 +54,9 @@ MarkerPanel::MarkerPanel(MannequinContext& context, QWidget* parent)
   at_->setObjectName("sliderMarkers");
   at_->setAccessibleName(tr("Moment of the recording"));
   column->addWidget(at_);
-  state_ = makeLabel(tr("Open a recording of markers (C3D) to see them in the scene."), TextRole::kSecond, true);
+  state_ = makeLive(3, TextRole::kSecond, true);
+  state_->setText(tr("Open a recording of markers (C3D) to see them in the scene."));
   state_->setObjectName("labelMarkerState");
-  state_->setWordWrap(true);
   column->addWidget(state_);
   column->addStretch(1);
   play_->setEnabled(false);

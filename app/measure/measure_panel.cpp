@@ -36,8 +36,7 @@ MeasurePanel::MeasurePanel(Host& host, QWidget* parent)
   column->setSpacing(0);
   addTop(*column);
   QVBoxLayout* section = addSection(*column, {});
-  about_ = makeLabel({}, TextRole::kSecond, true);
-  about_->setWordWrap(true);
+  about_ = makeLive(2, TextRole::kSecond, true);
   about_->setObjectName("labelMeasured");
   number_ = makeLabel({}, TextRole::kPanelNumber);
   number_->setObjectName("labelMeasure");
@@ -86,8 +85,7 @@ void MeasurePanel::addTop(QVBoxLayout& column) {
   what_->setCurrent(0);
   what_->setAccessibleName(tr("What is picked"));
   section->addWidget(what_);
-  note_ = makeLabel({}, TextRole::kSecond, true);
-  note_->setWordWrap(true);
+  note_ = makeLive(2, TextRole::kSecond, true);
   pick_ = new QPushButton(tr("Pick"));
   pick_->setObjectName("buttonMeasurePick");
   pick_->setProperty("main", true);

@@ -20,6 +20,13 @@ QLabel* makeLabel(const QString& text, TextRole role, bool quiet) {
   return label;
 }
 
+LiveLabel* makeLive(int lines, TextRole role, bool quiet) {
+  auto* label = new LiveLabel(lines);
+  label->setFont(textFont(role));
+  if (quiet) label->setForegroundRole(kQuietText);
+  return label;
+}
+
 QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading) {
   auto* section = new QVBoxLayout;
   section->setContentsMargins(12, 10, 12, 10);

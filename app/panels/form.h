@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "app/style/fonts.h"
+#include "app/style/live_label.h"
 
 class QBoxLayout;
 class QHBoxLayout;
@@ -19,6 +20,9 @@ constexpr int kLabelColumn = 84;
 
 /// A label; quiet ones have the second text colour and follow the theme.
 QLabel* makeLabel(const QString& text, TextRole role, bool quiet = false);
+
+/// A label whose words change while the panel is used: it keeps the room of so many lines.
+LiveLabel* makeLive(int lines, TextRole role, bool quiet = false);
 
 /// A section of a panel: its own margins, a heading (empty: none), a line below.
 QVBoxLayout* addSection(QVBoxLayout& column, const QString& heading);

@@ -96,10 +96,9 @@ void SolidPanel::addTurn(QVBoxLayout& column) {
   new_frame_->setObjectName("buttonNewFrame");
   new_frame_->setToolTip(tr("A frame of this solid on picked geometry"));
   addRow(*section, {}, new_frame_);
-  turn_note_ = makeLabel({}, TextRole::kSecond, true);
+  turn_note_ = makeLive(2, TextRole::kSecond, true);
   turn_note_->setObjectName("labelTurns");
   turn_note_->setContentsMargins(kLabelColumn, 0, 0, 0);
-  turn_note_->setWordWrap(true);
   section->addWidget(turn_note_);
   connect(turns_, &Segmented::chosen, this, [this](int index) {
     const Kind kinds[]{Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame};

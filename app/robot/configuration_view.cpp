@@ -28,7 +28,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kTableRow = 24;
-constexpr int kMostRows = 8;       // More are scrolled.
+constexpr int kMostRows = 8;       // Room for an arm's usual eight; more are scrolled.
 constexpr std::size_t kMost = 64;  // Of a robot with infinitely many.
 constexpr int kAskMilliseconds = 120;
 
@@ -97,7 +97,9 @@ QTableView* makeTable(QAbstractItemModel* model) {
   header->setHighlightSections(false);
   header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header->setSectionResizeMode(QHeaderView::Stretch);
-  header->setSectionResizeMode(ConfigurationModel::kFlags, QHeaderView::ResizeToContents);
+  // The names of the arms are what is chosen by; what is on the way has a tip.
+  for (const int column : {static_cast<int>(ConfigurationModel::kArm), static_cast<int>(ConfigurationModel::kFlags)})
+    header->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   return table;
 }
 
@@ -116,10 +118,10 @@ ConfigurationView::ConfigurationView(RobotContext& context, MotionWorker& worker
   column->addLayout(top);
   table_ = makeTable(&model_);
   table_->viewport()->installEventFilter(this);
+  table_->setFixedHeight(26 + kTableRow * kMostRows + 2);  // However many there are: what is below stays.
   column->addWidget(table_);
   auto* bottom = new QHBoxLayout;
-  foot_ = makeLabel({}, TextRole::kSecond, true);
-  foot_->setWordWrap(true);
+  foot_ = makeLive(3, TextRole::kSecond, true);
   take_ = new QPushButton(tr("Take this one"));
   take_->setObjectName("buttonTake");
   take_->setProperty("main", true);
@@ -191,7 +193,6 @@ void ConfigurationView::show(std::vector<kinematics::ListedSolution> solutions) 
   count_->setText(rows == 0     ? QString()
                   : all > kMost ? tr("%1 of many, nearest first").arg(rows)
                                 : tr("%1 of %2 solutions inside the limits").arg(model_.reachable()).arg(rows));
-  table_->setFixedHeight(26 + kTableRow * std::clamp(rows, 1, kMostRows) + 2);
   // What was chosen stays chosen while the list says the same again.
   if (const int row = chosen.empty() ? -1 : model_.rowOf(chosen); row >= 0) table_->selectRow(row);
   std::vector<std::vector<double>> targets;

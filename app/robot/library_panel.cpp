@@ -7,6 +7,7 @@
 #include <QListView>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -29,6 +30,7 @@ constexpr QSize kThumb{72, 60};
 constexpr QSize kBig{308, 190};
 constexpr int kRow = 66;
 constexpr int kListHeight = 5 * kRow;
+constexpr int kSheetLines = 10;  // Five facts and a source of many words.
 constexpr int kDrawMilliseconds = 30;
 
 class LibraryDelegate final : public QStyledItemDelegate {
@@ -86,12 +88,17 @@ LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_
     host_.messages().tell(Severity::kWarning, tr("A built-in robot was left out"), QString::fromStdString(warning));
   filter_.setSourceModel(model_);
   pool_.setMaxThreadCount(1);
-  auto* column = new QVBoxLayout(this);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* scrolled = new QWidget;
+  auto* column = new QVBoxLayout(scrolled);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   QVBoxLayout* choice = addSection(*column, {});
   search_ = new QLineEdit;
   search_->setObjectName("searchLibrary");
+  search_->setProperty("search", true);
   search_->setPlaceholderText(tr("Name, maker, kind or payload"));
   search_->setClearButtonEnabled(true);
   search_->addAction(icon("search"), QLineEdit::LeadingPosition);
@@ -110,11 +117,13 @@ LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_
   list_->setItemDelegate(new LibraryDelegate(list_));
   list_->setUniformItemSizes(true);
   list_->setMouseTracking(true);
-  list_->setMinimumHeight(kListHeight);
+  list_->setFixedHeight(kListHeight);
+  list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // Its width must not depend on how many are found.
   choice->addWidget(list_);
   column->addWidget(makeSheet());
-  column->addWidget(makePlace());
   column->addStretch(1);
+  whole->addWidget(scrolledPanel(scrolled), 1);
+  whole->addWidget(makePlace());  // Never scrolled away: it holds the button that adds.
   const auto search = [this] { filter_.set(search_->text(), maker_->currentData().toString()); };
   connect(search_, &QLineEdit::textChanged, this, search);
   connect(maker_, &QComboBox::activated, this, search);
@@ -143,6 +152,8 @@ QWidget* LibraryPanel::makeSheet() {
   sheet_ = makeLabel({}, TextRole::kSecond, true);
   sheet_->setWordWrap(true);
   sheet_->setTextFormat(Qt::RichText);
+  sheet_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  sheet_->setMinimumHeight(kSheetLines * sheet_->fontMetrics().lineSpacing());
   inside->addWidget(big_picture_);
   inside->addWidget(name_);
   inside->addWidget(sheet_);

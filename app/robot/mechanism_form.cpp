@@ -98,9 +98,8 @@ void MechanismPanel::addJoint(QVBoxLayout& column) {
   addRow(*rows, tr("Kind"), kind_, kLabel);
   partRow(*rows, tr("Moves"), "comboChild", child_, tr("Click the part that moves"));
   partRow(*rows, tr("Carried by"), "comboParent", parent_, tr("Click the part that it moves on"));
-  axis_ = makeLabel({}, TextRole::kText);
+  axis_ = makeLive(2, TextRole::kText);
   axis_->setObjectName("labelAxis");
-  axis_->setWordWrap(true);
   addRow(*rows, tr("Axis"), axis_, kLabel);
   auto* pick = new QPushButton(tr("Pick axis"));
   pick->setObjectName("buttonPickAxis");
@@ -205,9 +204,8 @@ void MechanismPanel::addLimits(QVBoxLayout& column) {
 
 void MechanismPanel::addFoot(QVBoxLayout& column) {
   QVBoxLayout* rows = addSection(column, {});
-  fault_ = makeLabel({}, TextRole::kSecond, true);
+  fault_ = makeLive(2, TextRole::kSecond, true);
   fault_->setObjectName("labelMechanismFault");
-  fault_->setWordWrap(true);
   rows->addWidget(fault_);
   make_ = new QPushButton;
   make_->setObjectName("buttonMakeMechanism");

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -121,13 +122,15 @@ class RobotDocks : public QObject {
   void openLibrary() {
     if (!library_dock_) {
       auto* library = new LibraryPanel(host_);
-      library_dock_ = addDock("dockAddRobot", tr("Add robot"), library);
+      library_dock_ = makeDock(QStringLiteral("dockAddRobot"), tr("Add robot"), library);
+      host_.addDock(library_dock_, Qt::RightDockWidgetArea);
       connect(library, &LibraryPanel::added, this, [this] { library_dock_->close(); });
       connect(library, &LibraryPanel::fileWanted, this, [this] {
         if (auto* file = host_.window().findChild<QAction*>("actionAddRobotFile")) file->trigger();
       });
     }
     bringToFront(library_dock_);
+    if (auto* search = library_dock_->findChild<QLineEdit*>("searchLibrary")) search->setFocus();
   }
 
   void bringToFront(QDockWidget* dock) {

@@ -118,8 +118,7 @@ void RobotPanel::addHeading(QVBoxLayout& column) {
   rows->addSpacing(4);
   name_ = makeLabel({}, TextRole::kPanelState);
   name_->setObjectName("labelRobot");
-  kind_ = makeLabel({}, TextRole::kSecond, true);
-  kind_->setWordWrap(true);
+  kind_ = makeLive(2, TextRole::kSecond, true);
   rows->addWidget(name_);
   rows->addWidget(kind_);
 }

@@ -12,12 +12,10 @@
 
 namespace hapticell::app {
 
-StopLine::StopLine(QWidget* parent) : QWidget(parent), words_(makeLabel({}, TextRole::kSecond)) {
+StopLine::StopLine(QWidget* parent) : QWidget(parent), words_(makeLive(2, TextRole::kSecond)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(20, 0, 0, 0);
   words_->setObjectName("labelStop");
-  words_->setWordWrap(true);
-  words_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   row->addWidget(words_);
   setMinimumHeight(34);
 }

@@ -47,14 +47,15 @@ class ConfigurationPage : public QWidget {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* section = addSection(*column, tr("Feel and files"));
-    note_ = makeLabel(tr("What stands in hapticell.toml, in SI units. A double click or F2 changes a value; it holds "
-                         "from the next start."),
-                      TextRole::kSecond, true);
-    note_->setWordWrap(true);
+    note_ = makeLive(4, TextRole::kSecond, true);
+    note_->setText(
+        tr("What stands in hapticell.toml, in SI units. A double click or F2 changes a value; it holds "
+           "from the next start."));
     note_->setObjectName("labelConfiguration");
     section->addWidget(note_);
     filter_ = new QLineEdit;
     filter_->setObjectName("fieldConfigurationFilter");
+    filter_->setProperty("search", true);
     filter_->setPlaceholderText(tr("Filter by name"));
     filter_->setClearButtonEnabled(true);
     section->addWidget(filter_);

@@ -51,6 +51,7 @@ class KeysPage : public QWidget {
     section->addWidget(letters);
     filter_ = new QLineEdit;
     filter_->setObjectName("fieldKeyFilter");
+    filter_->setProperty("search", true);
     filter_->setPlaceholderText(tr("Filter by what it does or by key"));
     filter_->setClearButtonEnabled(true);
     connect(filter_, &QLineEdit::textChanged, this, &KeysPage::fill);
@@ -79,9 +80,8 @@ class KeysPage : public QWidget {
     edit_ = new QKeySequenceEdit;
     edit_->setObjectName("fieldKey");
     addRow(*section, tr("New key"), edit_);
-    note_ = makeLabel({}, TextRole::kSecond, true);
+    note_ = makeLive(2, TextRole::kSecond, true);
     note_->setObjectName("labelKey");
-    note_->setWordWrap(true);
     section->addWidget(note_);
     auto* row = new QHBoxLayout;
     const auto add = [&](const QString& text, const char* name, auto&& slot) {

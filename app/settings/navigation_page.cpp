@@ -50,9 +50,8 @@ class NavigationPage : public QWidget {
       connect(fields_[i], &GestureField::recorded, this,
               [this, motion](const ViewGesture& gesture) { bind(motion, gesture); });
     }
-    note_ = makeLabel({}, TextRole::kSecond, true);
+    note_ = makeLive(2, TextRole::kSecond, true);
     note_->setObjectName("labelGesture");
-    note_->setWordWrap(true);
     section->addWidget(note_);
   }
 

@@ -30,10 +30,9 @@ ValueField* field(const char* name, const ValueField::Format& format, double val
   return made;
 }
 
-QLabel* wrapped(const char* name) {
-  auto* label = makeLabel({}, TextRole::kSecond, true);
+QLabel* said(const char* name, int lines) {
+  auto* label = makeLive(lines, TextRole::kSecond, true);
   label->setObjectName(name);
-  label->setWordWrap(true);
   return label;
 }
 
@@ -109,7 +108,7 @@ void MotionPanel::addMotion(QVBoxLayout& column) {
   name_ = new QLineEdit;
   name_->setObjectName("editMotionName");
   addRow(*section, tr("Name"), name_);
-  facts_ = wrapped("labelMotionFacts");
+  facts_ = said("labelMotionFacts", 2);
   section->addWidget(facts_);
   auto* import = new QPushButton(tr("Import…"));
   import->setObjectName("buttonImportMotion");
@@ -118,7 +117,7 @@ void MotionPanel::addMotion(QVBoxLayout& column) {
       {import, action("buttonRemoveMotion", tr("Remove"), tr("Takes it out of the cell; its file stays"), [this] {
          if (const Motion* motion = list_.current()) list_.remove(motion->name);
        })}));
-  line_ = wrapped("labelMotionResult");
+  line_ = said("labelMotionResult", 3);
   section->addWidget(line_);
   busy_ = makeLabel({}, TextRole::kSecond, true);
   busy_->setObjectName("labelMotionBusy");
@@ -127,9 +126,13 @@ void MotionPanel::addMotion(QVBoxLayout& column) {
   progress_->setFixedHeight(6);
   cancel_ = new QPushButton(tr("Cancel"));
   cancel_->setObjectName("buttonCancelMotionWork");
-  section->addWidget(busy_);
-  section->addWidget(progress_);
-  section->addWidget(cancel_);
+  for (QWidget* widget :
+       {static_cast<QWidget*>(busy_), static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+    section->addWidget(widget);
+  }
   connect(cancel_, &QPushButton::clicked, this, [this] { list_.work().cancel(); });
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     const Motion* motion = list_.current();
@@ -278,7 +281,7 @@ void MotionPanel::addShape(QVBoxLayout& column) {
 
 void MotionPanel::addFrames(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Frame"));
-  frame_label_ = wrapped("labelFrame");
+  frame_label_ = said("labelFrame", 2);
   section->addWidget(frame_label_);
   reach_ = field("fieldReach", {tr("s"), 2, 0, 60, 0.1}, 0.5);
   reach_->setToolTip(tr("Frames so near in time go along when a frame is moved"));

@@ -36,10 +36,9 @@
 namespace hapticell::app {
 namespace {
 
-QLabel* wrapped(const char* name, TextRole role, bool quiet) {
-  auto* label = makeLabel({}, role, quiet);
+QLabel* said(const char* name, int lines, TextRole role, bool quiet) {
+  auto* label = makeLive(lines, role, quiet);
   label->setObjectName(name);
-  label->setWordWrap(true);
   return label;
 }
 
@@ -94,7 +93,7 @@ void TrainingPanel::addExercise(QVBoxLayout& column) {
         exercises_->addItem(QString::fromStdString(exercise->name), QString::fromStdString(file.string()));
   exercises_->addItem(tr("From a file…"), QStringLiteral("?"));
   addRow(*section, tr("Exercise"), exercises_);
-  text_ = wrapped("labelExercise", TextRole::kText, false);
+  text_ = said("labelExercise", 4, TextRole::kText, false);
   section->addWidget(text_);
   use_ = new QPushButton(tr("Teach the current motion"));
   use_->setObjectName("buttonTeachMotion");
@@ -118,7 +117,7 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
   help_->setObjectName("fieldHelp");
   help_->setValue(100);
   addRow(*section, tr("Help"), help_);
-  help_label_ = wrapped("labelHelp", TextRole::kSecond, true);
+  help_label_ = said("labelHelp", 2, TextRole::kSecond, true);
   help_label_->setText(tr("Help fades by a fifth with each success, to nothing; after two failures it grows again."));
   section->addWidget(help_label_);
   connect(trainee_, &QLineEdit::editingFinished, this, &TrainingPanel::loadResults);
@@ -129,7 +128,7 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
 
 void TrainingPanel::addRun(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Run"));
-  state_ = wrapped("labelRun", TextRole::kPanelState, false);
+  state_ = said("labelRun", 1, TextRole::kPanelState, false);
   section->addWidget(state_);
   way_ = new QProgressBar;
   way_->setObjectName("progressWay");
@@ -145,11 +144,11 @@ void TrainingPanel::addRun(QVBoxLayout& column) {
 
 void TrainingPanel::addResults(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Results"));
-  score_ = wrapped("labelScore", TextRole::kSecond, false);
+  score_ = said("labelScore", 4, TextRole::kSecond, false);
   section->addWidget(score_);
   plot_ = new ProgressPlot;
   section->addWidget(plot_);
-  auto* legend = wrapped("labelLegend", TextRole::kSecond, true);
+  auto* legend = said("labelLegend", 2, TextRole::kSecond, true);
   legend->setText(tr("Bars: points of each run, hatched where it was not passed. Line: help."));
   section->addWidget(legend);
   export_ = new QPushButton(tr("Export results…"));

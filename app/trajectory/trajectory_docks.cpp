@@ -227,6 +227,10 @@ class TrajectoryDocks : public QObject {
         if (QWidget* widget = tools->widgetForAction(tool); widget && widget->objectName() == "toolSpacer")
           right = tool;
       tools->insertAction(right, record_);
+      // As wide as it is while it counts: its neighbours stay.
+      constexpr int kMargins = 12;
+      if (QWidget* button = tools->widgetForAction(record_))
+        button->setMinimumWidth(tools->fontMetrics().horizontalAdvance(tr("Rec %1:%2").arg("00", "00.0")) + kMargins);
     }
   }
 

@@ -111,6 +111,9 @@ QWidget* TrajectoryPanel::makeTransport() {
   speed_->setCurrentIndex(kNormalSpeed);
   record_ = button("buttonRecord", "record", tr("Record what moves  (R)"), tr("Record"));
   record_->setAutoRaise(false);
+  record_->setText(tr("Stop recording"));  // It is as wide as it will be: its neighbours stay.
+  record_->setMinimumWidth(record_->sizeHint().width());
+  record_->setText(tr("Record"));
   info_ = makeLabel({}, TextRole::kSecond, true);
   info_->setObjectName("labelMotionLine");
   info_->setMinimumWidth(60);

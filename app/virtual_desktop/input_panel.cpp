@@ -14,18 +14,12 @@
 namespace hapticell::app {
 namespace {
 
-QLabel* line(const char* name) {
-  QLabel* label = makeLabel({}, TextRole::kSecond, true);
+QLabel* line(const char* name, int lines) {
+  QLabel* label = makeLive(lines, TextRole::kSecond, true);
   label->setObjectName(name);
-  label->setWordWrap(true);
   label->setContentsMargins(kLabelColumn, 0, 0, 2);
   label->hide();
   return label;
-}
-
-void say(QLabel& label, const QString& text) {
-  label.setText(text);
-  label.setVisible(!text.isEmpty());
 }
 
 std::vector<DeviceCombo::Entry> entriesOf(const DeviceListing& listing, const QString& kind) {
@@ -44,12 +38,12 @@ InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent),
   glove_ = new DeviceCombo;
   glove_->setObjectName("comboGlove");
   addRow(*column, tr("Glove"), glove_);
-  column->addWidget(glove_line_ = line("labelGlove"));
+  column->addWidget(glove_line_ = line("labelGlove", 2));
   addCalibration();
   mouse_ = new DeviceCombo;
   mouse_->setObjectName("comboSpaceMouse");
   addRow(*column, tr("3-D mouse"), mouse_);
-  column->addWidget(mouse_line_ = line("labelSpaceMouse"));
+  column->addWidget(mouse_line_ = line("labelSpaceMouse", 2));
   moves_ = new Segmented({tr("View"), tr("Entity")});
   moves_->setObjectName("segmentsMouseMoves");
   moves_->setToolTip(tr("What the 3-D mouse moves; its second button changes it"));
@@ -73,7 +67,7 @@ InputPanel::InputPanel(InputDevices& inputs, QWidget* parent) : QWidget(parent),
 
 void InputPanel::addCalibration() {
   auto* column = static_cast<QVBoxLayout*>(layout());
-  instruction_ = line("labelCalibration");
+  instruction_ = line("labelCalibration", 3);
   column->addWidget(instruction_);
   calibrate_ = new QPushButton(tr("Calibrate glove…"));
   next_ = new QPushButton(tr("I hold it: next"));
@@ -100,7 +94,7 @@ void InputPanel::addCalibration() {
 
 void InputPanel::stepCalibration() {
   const auto readings = inputs_.gloveReadings();
-  if (!calibrator_ || !readings) return say(*instruction_, tr("The glove does not answer: nothing was taken."));
+  if (!calibrator_ || !readings) return instruction_->setText(tr("The glove does not answer: nothing was taken."));
   calibrator_->take(*readings);
   if (calibrator_->next() < GloveCalibrator::kPoses) return showCalibration();
   QString words = tr("Calibrated for you.");
@@ -112,7 +106,7 @@ void InputPanel::stepCalibration() {
   }
   calibrator_.reset();
   showCalibration();
-  say(*instruction_, words);
+  instruction_->setText(words);
 }
 
 void InputPanel::showCalibration() {
@@ -124,11 +118,11 @@ void InputPanel::showCalibration() {
   calibrate_->setEnabled(inputs_.gloveReadings().has_value());
   next_->setVisible(runs);
   cancel_->setVisible(runs);
-  say(*instruction_, runs ? tr("Pose %1 of %2: %3")
-                                .arg(calibrator_->next() + 1)
-                                .arg(GloveCalibrator::kPoses)
-                                .arg(GloveCalibrator::instruction(calibrator_->next()))
-                          : QString());
+  instruction_->setText(runs ? tr("Pose %1 of %2: %3")
+                                   .arg(calibrator_->next() + 1)
+                                   .arg(GloveCalibrator::kPoses)
+                                   .arg(GloveCalibrator::instruction(calibrator_->next()))
+                             : QString());
 }
 
 void InputPanel::setFreeHandMissing(bool missing) {
@@ -144,15 +138,18 @@ void InputPanel::setListing(const DeviceListing& listing) {
 void InputPanel::refresh() {
   glove_->setChosen(inputs_.glove());
   mouse_->setChosen(inputs_.mouse());
-  say(*glove_line_, inputs_.gloveLine());
-  say(*mouse_line_, inputs_.mouseLine());
+  glove_line_->setText(inputs_.gloveLine());
+  mouse_line_->setText(inputs_.mouseLine());
   setFreeHandMissing(free_hand_missing_);
+  glove_line_->setVisible(!inputs_.glove().isEmpty());
+  instruction_->setVisible(!inputs_.glove().isEmpty());
+  mouse_line_->setVisible(!inputs_.mouse().isEmpty());
   moves_row_->setVisible(!inputs_.mouse().isEmpty());
   moves_->setCurrent(inputs_.mouseMoves() == InputDevices::MouseMoves::kView ? 0 : 1);
   if (!calibrator_) {
     const QString said = instruction_->text();
     showCalibration();
-    if (!inputs_.glove().isEmpty()) say(*instruction_, said);
+    if (!inputs_.glove().isEmpty()) instruction_->setText(said);
   } else {
     calibrate_->setEnabled(inputs_.gloveReadings().has_value());
   }

@@ -74,9 +74,8 @@ void StationPanel::addFields() {
   use_ = new QPushButton(tr("Pair and use"));
   use_->setObjectName("buttonPairStation");
   column->addWidget(sideBySide({use_}));
-  line_ = makeLabel({}, TextRole::kSecond, true);
+  line_ = makeLive(3, TextRole::kSecond, true);
   line_->setObjectName("labelStation");
-  line_->setWordWrap(true);
   column->addWidget(line_);
   layout()->addWidget(fields_);
   connect(host_, &QLineEdit::textChanged, this, &StationPanel::showKnown);
@@ -110,7 +109,6 @@ void StationPanel::showKnown() {
 
 void StationPanel::say(const QString& sentence) {
   line_->setText(sentence);
-  line_->setVisible(!sentence.isEmpty());
 }
 
 }  // namespace hapticell::app

@@ -32,6 +32,9 @@
 namespace hapticell::app {
 namespace {
 
+constexpr int kWorkspaceLines = 8;  // Size, way to the edge, and four keys with their margins.
+constexpr int kMendHeight = 56;     // Three lines beside the button that mends it; the meter has the same room.
+
 std::vector<DeviceCombo::Entry> simulatedStyluses() {
   std::vector<DeviceCombo::Entry> entries;
   for (const char* profile : {"phantom_desktop", "touch", "touch_x", "premium", "premium_6dof"}) {
@@ -85,8 +88,7 @@ void VirtualDesktopPanel::addForces(QVBoxLayout& column) {
   auto* words = new QVBoxLayout;
   words->setSpacing(0);
   forces_state_ = makeLabel({}, TextRole::kPanelState);
-  forces_why_ = makeLabel({}, TextRole::kSecond, true);
-  forces_why_->setWordWrap(true);
+  forces_why_ = makeLive(2, TextRole::kSecond, true);
   words->addWidget(forces_state_);
   words->addWidget(forces_why_);
   auto* number = new QVBoxLayout;
@@ -106,8 +108,7 @@ void VirtualDesktopPanel::addForces(QVBoxLayout& column) {
   auto* mending = new QWidget;
   auto* mending_row = new QHBoxLayout(mending);
   mending_row->setContentsMargins(0, 4, 0, 4);
-  mend_why_ = makeLabel({}, TextRole::kSecond, true);
-  mend_why_->setWordWrap(true);
+  mend_why_ = makeLive(3, TextRole::kSecond, true);
   mend_ = new QPushButton;
   mend_->setObjectName("buttonMend");
   mend_->setProperty("main", true);
@@ -116,7 +117,7 @@ void VirtualDesktopPanel::addForces(QVBoxLayout& column) {
   meter_or_mend_ = new QStackedWidget;
   meter_or_mend_->addWidget(meter_);
   meter_or_mend_->addWidget(mending);
-  meter_or_mend_->setFixedHeight(36);
+  meter_or_mend_->setFixedHeight(kMendHeight);
   section->addWidget(meter_or_mend_);
   connect(mend_, &QPushButton::clicked, this, &VirtualDesktopPanel::mend);
   connect(forces_, &QCheckBox::clicked, this, [this](bool on) {
@@ -145,8 +146,7 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   device_icon_ = new QLabel;
-  device_state_ = makeLabel({}, TextRole::kText);
-  device_state_->setWordWrap(true);
+  device_state_ = makeLive(2, TextRole::kText);
   row->addWidget(device_icon_);
   row->addWidget(device_state_, 1);
   addRow(*section, tr("State"), state);
@@ -178,9 +178,8 @@ void VirtualDesktopPanel::addSecond(QVBoxLayout& section) {
   second_->setObjectName("comboSecondStylus");
   second_->setToolTip(tr("For the mannequin's other hand, or whatever its tip touches"));
   addRow(section, tr("Second"), second_);
-  second_state_ = makeLabel({}, TextRole::kSecond, true);
+  second_state_ = makeLive(2, TextRole::kSecond, true);
   second_state_->setObjectName("labelSecondStylus");
-  second_state_->setWordWrap(true);
   second_state_->setContentsMargins(kLabelColumn, 0, 0, 2);
   second_state_->hide();
   section.addWidget(second_state_);
@@ -337,6 +336,7 @@ void VirtualDesktopPanel::addHand(QVBoxLayout& column) {
   workspace_ = new WorkspaceView;
   workspace_text_ = makeLabel({}, TextRole::kSecond, true);
   workspace_text_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  workspace_text_->setMinimumHeight(kWorkspaceLines * workspace_text_->fontMetrics().lineSpacing());
   row->addWidget(workspace_);
   row->addWidget(workspace_text_, 1);
   section->addLayout(row);

@@ -30,8 +30,6 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kMeterHeight = 36, kMendHeight = 56;
-
 /// A key as a cap, what it does beside it.
 QString keyLine(const QString& key, const QString& does, const Theme& theme) {
   return QStringLiteral(
@@ -154,7 +152,6 @@ void VirtualDesktopPanel::showForces() {
   mend_why_->setText(reason.why);
   mend_->setText(reason.button);
   meter_or_mend_->setCurrentIndex(broken ? 1 : 0);
-  meter_or_mend_->setFixedHeight(broken ? kMendHeight : kMeterHeight);  // Whole sentences.
   force_now_->setText(QString::fromStdString(newtons(now.force_n)));
   meter_->setForce(now.force_n);
 }
@@ -238,7 +235,7 @@ void VirtualDesktopPanel::showConnection() {
   stylus_->setChosen(controller_.deviceProfile());
   second_->setChosen(controller_.secondProfile());
   second_state_->setText(controller_.secondLine());
-  second_state_->setVisible(!second_state_->text().isEmpty());
+  second_state_->setVisible(!controller_.secondProfile().isEmpty());
   inputs_->setFreeHandMissing(!controller_.hasFreeHand());
   inputs_->refresh();
   meter_->setDevice(device ? device->continuous_force : 0.0, device ? device->peak_force : 0.0);
