@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/host/layouts.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
@@ -18,18 +20,23 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kVersion = 1;  // Of the blobs: a new one where docks were renamed.
+constexpr int kVersion = 2;  // Of the blobs: a new one where docks were renamed, or arranged by other rules.
 
 /// How a layout stands until it was touched. Docks that are not there are passed over.
 struct Drawn {
   QString name;
   QStringList left, bottom, right;  // Shown; the first of bottom and right lies in front.
-  int left_width, bottom_height, right_width;
+  struct Sizes {
+    int left, bottom, right;  // Pixels.
+  };
+  Sizes wide, narrow;
   QString beside = {};  // One of the right ones that has a column of its own where the window is wide enough.
   int beside_width = 0;
 };
 
-constexpr int kWideWindow = 1500;  // px; below, all docks of the right share one place.
+// px; below, all docks of the right share one place, columns are narrower, and the bottom goes to the left edge: its
+// tables need the width more than the tree needs the height.
+constexpr int kWideWindow = 1500;
 
 const std::vector<Drawn>& drawn() {
   static const std::vector<Drawn> all{
@@ -37,32 +44,28 @@ const std::vector<Drawn>& drawn() {
        {"dockWorkcell", "dockProperties"},
        {"dockCollisions", "dockTrajectory", "dockCurves", "dockErgonomicsTime", "dockMessages", "dockHistory"},
        {"dockVirtualDesktop", "dockSolid", "dockRobot", "dockMannequin", "dockGuides"},
-       296,
-       272,
-       344},
+       {296, 272, 344},
+       {240, 190, 332}},
       {"teach",
        {"dockWorkcell", "dockProperties"},
        {"dockTrajectory", "dockCurves", "dockCollisions", "dockMessages", "dockHistory"},
        {"dockTraining", "dockVirtualDesktop", "dockRobot", "dockGuides"},
-       296,
-       360,
-       344},
+       {296, 360, 344},
+       {240, 240, 332}},
       {"ergonomics",
        {},
        {"dockErgonomicsTime", "dockTrajectory", "dockCollisions", "dockMessages", "dockHistory"},
        {"dockErgonomics", "dockMannequin", "dockReport"},
-       0,
-       262,
-       540,
+       {0, 262, 540},
+       {0, 190, 440},
        "dockReport",
        360},
       {"device",
        {"dockWorkcell"},
        {"dockCurves", "dockMessages"},
        {"dockDeviceCheck", "dockVirtualDesktop"},
-       240,
-       240,
-       440}};
+       {240, 240, 440},
+       {240, 190, 400}}};
   return all;
 }
 
@@ -74,8 +77,34 @@ const Drawn& drawnAs(const QString& name) {
 
 }  // namespace
 
-Layouts::Layouts(QMainWindow& window, UserSettings& settings)
-    : QObject(&window), window_(window), settings_(settings) {}
+Layouts::Layouts(QMainWindow& window, UserSettings& settings) : QObject(&window), window_(window), settings_(settings) {
+  qApp->installEventFilter(this);  // The window's own filters hear of a new size when its docks are squeezed already.
+}
+
+bool Layouts::isWide() const {
+  return window_.width() >= kWideWindow;
+}
+
+QString Layouts::key(const char* what) const {
+  return QLatin1String(what) + (wide_ ? QLatin1String("/") : QLatin1String("_narrow/")) + current_;
+}
+
+/// Wide and narrow windows each keep their own arrangement: one that was squeezed is not what the other shall have.
+bool Layouts::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != &window_ || event->type() != QEvent::Resize || !stands_ || isWide() == wide_) return false;
+  keep();
+  wide_ = isWide();
+  QTimer::singleShot(0, this, [this] {
+    sides_.clear();
+    setCorners();
+    if (!bringBack()) arrange(current_);
+  });
+  return false;
+}
+
+void Layouts::setCorners() {
+  window_.setCorner(Qt::BottomLeftCorner, wide_ ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea);
+}
 
 QStringList Layouts::names() {
   QStringList names;
@@ -92,27 +121,30 @@ QString Layouts::title(const QString& name) {
 
 void Layouts::choose(const QString& name) {
   if (name == current_ || !names().contains(name)) return;
+  wide_ = isWide();
+  setCorners();
   keep();
   current_ = name;
+  stands_ = true;
   sides_.clear();
   emit chosen(name);  // Docks that are made when they are first wanted are made now.
   if (!bringBack()) arrange(name);
 }
 
 void Layouts::keep() {
-  settings_.setValue("layout/" + current_, window_.saveState(kVersion));
+  settings_.setValue(key("layout"), window_.saveState(kVersion));
   const QStringList front = inFront();
-  if (!front.isEmpty()) settings_.setValue("layout_front/" + current_, front);
+  if (!front.isEmpty()) settings_.setValue(key("layout_front"), front);
 }
 
 bool Layouts::bringBack() {
-  const QByteArray state = settings_.value("layout/" + current_).toByteArray();
+  const QByteArray state = settings_.value(key("layout")).toByteArray();
   if (state.isEmpty()) return false;
   // Docks that were made since it was kept are not in it, and Qt would leave them as the layout before had them.
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
     if (!dock->isFloating()) dock->hide();
   if (!window_.restoreState(state, kVersion)) return false;
-  raiseLater(settings_.value("layout_front/" + current_).toStringList());
+  raiseLater(settings_.value(key("layout_front")).toStringList());
   return true;
 }
 
@@ -131,13 +163,17 @@ void Layouts::raiseLater(const QStringList& docks) {
 }
 
 void Layouts::reset() {
-  settings_.remove("layout/" + current_);
-  settings_.remove("layout_front/" + current_);
+  settings_.remove(key("layout"));
+  settings_.remove(key("layout_front"));
   arrange(current_);
 }
 
 void Layouts::arrange(const QString& name) {
   const Drawn& want = drawnAs(name);
+  wide_ = isWide();
+  stands_ = true;
+  setCorners();
+  const Drawn::Sizes& sizes = wide_ ? want.wide : want.narrow;
   const auto find = [this](const QString& dock) { return window_.findChild<QDockWidget*>(dock); };
   for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
     const QString& id = dock->objectName();
@@ -149,13 +185,13 @@ void Layouts::arrange(const QString& name) {
     for (const QString& id : docks)
       if (QDockWidget* dock = find(id)) return window_.resizeDocks({dock}, {pixels}, way);
   };
-  size(want.left, want.left_width, Qt::Horizontal);
+  size(want.left, sizes.left, Qt::Horizontal);
   QDockWidget* first = want.right.isEmpty() ? nullptr : find(want.right.front());
   if (beside && first)
-    window_.resizeDocks({first, beside}, {want.right_width, want.beside_width}, Qt::Horizontal);
+    window_.resizeDocks({first, beside}, {sizes.right, want.beside_width}, Qt::Horizontal);
   else
-    size(want.right, want.right_width, Qt::Horizontal);
-  size(want.bottom, want.bottom_height, Qt::Vertical);
+    size(want.right, sizes.right, Qt::Horizontal);
+  size(want.bottom, sizes.bottom, Qt::Vertical);
   // Queued: Qt forgets a tab that is raised before its docks were laid out.
   QTimer::singleShot(0, this, [this, want] {
     raiseFirst(want.right);
@@ -181,7 +217,7 @@ QDockWidget* Layouts::placeRight(const QStringList& docks, const QString& beside
   QDockWidget* aside = nullptr;
   window_.addDockWidget(Qt::RightDockWidgetArea, all.front());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0 && all[i]->objectName() == beside && window_.width() >= kWideWindow)
+    if (i > 0 && all[i]->objectName() == beside && isWide())
       aside = all[i];
     else if (i > 0)
       window_.tabifyDockWidget(all.front(), all[i]);
@@ -227,8 +263,11 @@ bool Layouts::restore() {
   const QString name = settings_.value("window/layout").toString();
   if (!names().contains(name)) return false;
   current_ = name;
+  wide_ = isWide();
+  setCorners();
   emit chosen(name);
-  return bringBack();
+  stands_ = bringBack();
+  return stands_;
 }
 
 void Layouts::store() {

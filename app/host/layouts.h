@@ -14,7 +14,8 @@ namespace hapticell::app {
 class UserSettings;
 
 /// Named arrangements of the docks: Move, Teach, Ergonomics, Check device. Each is as it was left; until it was touched
-/// it stands as drawn. What is there now, and the window's place, come back at the next start. GUI thread.
+/// it stands as drawn, for a wide and for a narrow window. What is there now, and the window's place, come back at the
+/// next start. GUI thread.
 class Layouts : public QObject {
   Q_OBJECT
  public:
@@ -40,7 +41,13 @@ class Layouts : public QObject {
  signals:
   void chosen(const QString& name);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  bool isWide() const;
+  QString key(const char* what) const;
+  void setCorners();
   void arrange(const QString& name);
   /// Gathers the right area's docks in one place; the one beside it gets a column of its own and is given back where
   /// the window is wide enough.
@@ -55,7 +62,8 @@ class Layouts : public QObject {
   QMainWindow& window_;
   UserSettings& settings_;
   QString current_ = QStringLiteral("move");
-  QStringList sides_, sides_front_;  // What showSides() took away.
+  bool wide_ = true, stands_ = false;  ///< What the docks are arranged for; whether they are.
+  QStringList sides_, sides_front_;    // What showSides() took away.
 };
 
 }  // namespace hapticell::app

@@ -16,6 +16,8 @@
 namespace hapticell::app {
 namespace {
 
+constexpr int kTabMargins = 28;  // Pixels, both together, as the style has them.
+
 QToolButton* cornerButton(QWidget* parent, const QString& icon_name, const QString& tip) {
   auto* button = new QToolButton(parent);
   button->setIcon(icon(icon_name));
@@ -62,10 +64,25 @@ QString iconNameOf(const QString& dock) {
   return names.value(dock, "apps");
 }
 
+/// How wide tabs are that have no room for their names: icons stand closer before the chosen one's name is cut.
+void setTabWidths(QTabBar& bar, int room) {
+  constexpr int kIconTab = 34, kLeastIconTab = 22, kLeastName = 60;  // Pixels.
+  const int others = std::max(1, bar.count() - 1);
+  const int name = bar.currentIndex() < 0
+                       ? kLeastName
+                       : bar.fontMetrics().horizontalAdvance(bar.tabText(bar.currentIndex())) + kTabMargins;
+  const int icon_tab = std::clamp((room - name) / others, kLeastIconTab, kIconTab);
+  const int chosen = std::max(kLeastName, room - others * icon_tab);
+  if (bar.property("iconTab").toInt() == icon_tab && bar.property("chosenTab").toInt() == chosen) return;
+  bar.setProperty("iconTab", icon_tab);
+  bar.setProperty("chosenTab", chosen);
+  if (bar.count() > 0) bar.setTabText(0, bar.tabText(0));  // Lays it out anew.
+}
+
 /// Names in place of icons, and icons where there is no room for all names (the chosen tab keeps its name).
 void fitTabs(QTabBar& bar, int room) {
   int wanted = 0;
-  for (int i = 0; i < bar.count(); ++i) wanted += bar.fontMetrics().horizontalAdvance(bar.tabText(i)) + 28;
+  for (int i = 0; i < bar.count(); ++i) wanted += bar.fontMetrics().horizontalAdvance(bar.tabText(i)) + kTabMargins;
   const bool compact = wanted > room;
   bar.setProperty("compact", compact);
   bar.setElideMode(Qt::ElideNone);
@@ -78,6 +95,7 @@ void fitTabs(QTabBar& bar, int room) {
     if (bar.tabIcon(i).isNull() == wants_icon)
       bar.setTabIcon(i, wants_icon ? icon(iconNameOf(dock->objectName())) : QIcon());
   }
+  if (compact) setTabWidths(bar, room);
 }
 
 }  // namespace

@@ -159,7 +159,8 @@ QSize ProxyStyle::sizeFromContents(ContentsType type, const QStyleOption* option
       // Where there is no room for all names the chosen tab has its name, the others their icons.
       const bool chosen = tab->state.testFlag(State_Selected);
       const QString words = plainTabText(tab->text);
-      result.setWidth(chosen ? tab->fontMetrics.horizontalAdvance(words) + 28 : 34);
+      const int name = tab->fontMetrics.horizontalAdvance(words) + 28;
+      result.setWidth(chosen ? qMin(name, widget->property("chosenTab").toInt()) : widget->property("iconTab").toInt());
       break;
     }
     case CT_ItemViewItem:

@@ -157,7 +157,9 @@ void drawTabLabel(QPainter* painter, const QStyleOptionTab* option, bool compact
   }
   if (compact) {
     painter->setPen(theme.text1);
-    painter->drawText(option->rect.adjusted(0, 1, 0, 0), Qt::AlignCenter, plainTabText(option->text));
+    const QRect room = option->rect.adjusted(4, 1, -4, 0);
+    painter->drawText(room, Qt::AlignCenter,
+                      painter->fontMetrics().elidedText(plainTabText(option->text), Qt::ElideRight, room.width()));
     return;
   }
   static const QRegularExpression counted(QStringLiteral("^(.*) \\((\\d+)\\)$"));

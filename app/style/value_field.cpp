@@ -68,6 +68,7 @@ ValueField::ValueField(const Format& format, QWidget* parent)
   unitsChanged();
   // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
+  connect(lineEdit(), &QLineEdit::textChanged, this, &ValueField::fitUnit);
   connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
     const auto beyond = std::exchange(beyond_, std::nullopt);
     if (!std::exchange(typed_, false)) return;
@@ -77,10 +78,26 @@ ValueField::ValueField(const Format& format, QWidget* parent)
 }
 
 void ValueField::unitsChanged() {
-  const QString unit = shownUnit();
-  lineEdit()->setTextMargins(0, 0, unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + 4, 0);
   if (!hasFocus()) lineEdit()->setText(textFromValue(value()));
+  fitUnit();
   update();
+}
+
+void ValueField::fitUnit() {
+  constexpr int kGap = 4, kEdge = 6;  // Pixels: before the unit; of the field itself.
+  const QString unit = shownUnit();
+  const int taken = unit.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit) + kGap;
+  const int number = fontMetrics().horizontalAdvance(lineEdit()->text());
+  unit_fits_ = number + taken + kEdge <= lineEdit()->width();
+  const QMargins margins(0, 0, unit_fits_ ? taken : 0, 0);
+  if (lineEdit()->textMargins() == margins) return;
+  lineEdit()->setTextMargins(margins);
+  update();
+}
+
+void ValueField::resizeEvent(QResizeEvent* event) {
+  QDoubleSpinBox::resizeEvent(event);
+  fitUnit();
 }
 
 void ValueField::setValue(double value) {
@@ -176,7 +193,7 @@ QSize ValueField::minimumSizeHint() const {
 void ValueField::paintEvent(QPaintEvent* event) {
   QDoubleSpinBox::paintEvent(event);
   const QString unit = shownUnit();
-  if (unit.isEmpty()) return;
+  if (unit.isEmpty() || !unit_fits_) return;
   QPainter painter(this);
   painter.setPen(isEnabled() ? themeOf(palette()).text2 : themeOf(palette()).text3);
   painter.drawText(rect().adjusted(0, 0, -6, 0), Qt::AlignRight | Qt::AlignVCenter, unit);

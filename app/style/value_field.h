@@ -8,10 +8,10 @@ namespace hapticell::app {
 
 /// A number with its unit inside the field, right-aligned, fixed decimals, never a minus zero.
 ///
-/// The unit stands in the second text colour. Arrow keys and the wheel (while focused) step it; Enter or leaving the
-/// field ends the edit. Lengths and angles are set and told in mm and degrees, and shown in the units in force
-/// (units.h); typed with a unit behind them ("2 in", "1.5rad") they are taken as that. A number typed beyond an end
-/// becomes that end, and a tip at the field says so.
+/// The unit stands in the second text colour; where the number needs its room it goes. Arrow keys and the wheel (while
+/// focused) step it; Enter or leaving the field ends the edit. Lengths and angles are set and told in mm and degrees,
+/// and shown in the units in force (units.h); typed with a unit behind them ("2 in", "1.5rad") they are taken as that.
+/// A number typed beyond an end becomes that end, and a tip at the field says so.
 class ValueField : public QDoubleSpinBox {
   Q_OBJECT
  public:
@@ -41,6 +41,7 @@ class ValueField : public QDoubleSpinBox {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void stepBy(int steps) override;
 
  private:
@@ -49,10 +50,12 @@ class ValueField : public QDoubleSpinBox {
   void sayEnd(double typed);
   QString shownUnit() const;
   double shownPerValue() const;
+  void fitUnit();
   int shownDecimals() const;
   QString unit_;
   int decimals_;
   Quantity quantity_;
+  bool unit_fits_ = true;
   bool typed_ = false;                         ///< Since editing began.
   mutable std::optional<double> beyond_ = {};  ///< What was typed beyond an end; fixup() is const.
 };

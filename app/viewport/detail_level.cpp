@@ -6,8 +6,8 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kLongPatience = 300;         // Frames: about half a minute at 10 Hz.
-constexpr double kFewTriangles = 12000.0;  // Some milliseconds without a graphics card; a figure needs 9000.
+constexpr int kLongPatience = 300;      // Frames: about half a minute at 10 Hz.
+constexpr double kFewForAll = 12000.0;  // Some milliseconds without a graphics card; a figure needs 9000.
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void DetailGovernor::learnTriangles(double seconds, std::size_t triangles) {
   } else if (seconds > budget_s_ && level_ >= DetailLevel::kHalfSize) {
     // Above that level other things than triangles may take the time.
     const double share = std::max(0.7 * budget_s_ / seconds, 0.1);
-    most_triangles_ = static_cast<std::size_t>(std::max(share * std::min(drawn, most), kFewTriangles));
+    most_triangles_ = static_cast<std::size_t>(std::max(share * std::min(drawn, most), kFewForAll));
   }
 }
 
