@@ -101,6 +101,11 @@ void GuidesPanel::addList(QVBoxLayout& column) {
   });
   connect(list_, &SwitchList::switched, this,
           [this](int, bool on) { edit([on](auto& guide) { guide.enabled = on; }); });
+  connect(list_, &SwitchList::renamed, this, [this](int index, const QString& name) {
+    list_->setCurrent(index);
+    edit([&name](auto& guide) { guide.name = name.toStdString(); });
+    show();
+  });
   connect(new_, &QPushButton::clicked, this, &GuidesPanel::startNew);
   connect(remove_, &QPushButton::clicked, this, &GuidesPanel::removeGuide);
 }

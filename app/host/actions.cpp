@@ -3,8 +3,11 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QEvent>
+#include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
+#include <QTimer>
 #include <QToolBar>
 
 #include "app/host/top_menus.h"
@@ -21,6 +24,35 @@ QKeySequence pad(Qt::Key key) {
 QString tr(const char* text) {
   return QObject::tr(text);
 }
+
+/// A tool bar whose words go before any of its tools does: icons alone where there is no room for the words too.
+class ToolFit final : public QObject {
+ public:
+  explicit ToolFit(QToolBar& bar) : QObject(&bar), bar_(bar) { bar_.installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // Queued: the style of the buttons lays the bar out anew.
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
+      QTimer::singleShot(0, this, [this] { fit(); });
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void fit() {
+    const int needed = bar_.layout()->sizeHint().width();
+    if (bar_.toolButtonStyle() == Qt::ToolButtonTextUnderIcon) {
+      if (needed <= bar_.width()) return;
+      bar_.setToolButtonStyle(Qt::ToolButtonIconOnly);
+      words_ = needed - bar_.layout()->sizeHint().width();
+    } else if (needed + words_ <= bar_.width()) {
+      bar_.setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    }
+  }
+
+  QToolBar& bar_;
+  int words_ = 0;  ///< Pixels that the words took when they went.
+};
 
 }  // namespace
 
@@ -79,8 +111,8 @@ void Actions::makeActions(QMainWindow& window) {
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
   redo = make({"actionRedo", tr("Redo"), "redo", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), tr("Redo")});
-  go_back =
-      make({"actionGoBack", tr("Go back ten seconds of motion"), "history", QKeySequence(Qt::Key_G), tr("Go back")});
+  go_back = make({"actionGoBack", tr("Go back ten seconds of motion"), "history", QKeySequence(Qt::CTRL | Qt::Key_G),
+                  tr("Go back")});
   remove = make({"actionRemove", tr("Remove from the cell"), "delete", QKeySequence(Qt::Key_Delete), tr("Remove")});
   select = make({"actionSelect", tr("Select"), "select", QKeySequence(Qt::Key_Q), {}});
   move = make({"actionMove", tr("Move"), "move", QKeySequence(Qt::Key_W), {}});
@@ -170,6 +202,7 @@ void Actions::fillToolBar(QMainWindow& window) {
   tool_bar->addActions({measure, section, fit_selection});
   tool_bar->addSeparator();
   tool_bar->addAction(go_back);
+  new ToolFit(*tool_bar);
 }
 
 }  // namespace hapticell::app

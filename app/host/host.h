@@ -44,6 +44,10 @@ class Host {
   /// What the user chose for this window and what is remembered of it (layouts, keys, recent files).
   virtual UserSettings& userSettings() = 0;
 
+  /// True while letters, digits and Space are commands rather than text: the hand is in the scene and nothing waits for
+  /// text. What hears keys itself must ask.
+  virtual bool typedKeysAct() const = 0;
+
   /// Takes a dock (see makeDock()) into an area, tabbed onto `onto` where that is given. The Window menu lists it.
   virtual void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto = nullptr) = 0;
   virtual void removeDock(QDockWidget* dock) = 0;

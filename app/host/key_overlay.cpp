@@ -18,14 +18,14 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kRow = 24;
-constexpr int kColumn = 300;
+constexpr int kColumn = 340;
 constexpr int kOverlayPadding = 20;
 
 }  // namespace
 
 std::vector<KeyLine> keyLines(const QMainWindow& window) {
   std::vector<KeyLine> lines{
-      {QStringLiteral("Esc"), QObject::tr("Forces off at once; with forces off: leave the tool")},
+      {QStringLiteral("Esc"), QObject::tr("Forces off; else ends a pick or a tool")},
       {QStringLiteral("Space"), QObject::tr("Held: the hand moves without the entity (clutch)")},
       {QStringLiteral("B"), QObject::tr("The stylus button: grabs and releases")},
       {QObject::tr("Middle button"), QObject::tr("Turns the view; with Shift it shifts it")},
@@ -43,6 +43,7 @@ std::vector<KeyLine> keyLines(const QMainWindow& window) {
 KeyOverlay::KeyOverlay(const QMainWindow& window, QWidget& scene) : QWidget(&scene), window_(window), scene_(scene) {
   setObjectName("keyOverlay");
   setAccessibleName(tr("Keys"));
+  setProperty("seeThrough", true);  // Keys act through it.
   hide();
 }
 
@@ -61,16 +62,23 @@ void KeyOverlay::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const int columns = std::max(1, std::min(3, (width() - 2 * kOverlayPadding) / kColumn));
   const int rows = (static_cast<int>(lines_.size()) + columns - 1) / columns;
-  const int wanted_height = rows * kRow + 2 * kOverlayPadding;
+  const int wanted_height = (rows + 1) * kRow + 2 * kOverlayPadding;  // The rule stands above the keys.
   const QRect box((width() - columns * kColumn) / 2 - kOverlayPadding, std::max(8, (height() - wanted_height) / 2),
                   columns * kColumn + 2 * kOverlayPadding, std::min(height() - 16, wanted_height));
   QColor fill = theme.dock;
   fill.setAlpha(240);
   drawBox(&painter, box, fill, theme.line, 6);
+  const QRect inside = box.adjusted(kOverlayPadding, kOverlayPadding - 4, -kOverlayPadding, 0);
+  painter.setFont(textFont(TextRole::kSecond));
+  painter.setPen(theme.text1);
+  painter.drawText(inside.left(), inside.top(), inside.width(), kRow, Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(
+                       tr("Single keys act while the pointer is over the scene; elsewhere they are text."),
+                       Qt::ElideRight, inside.width()));
   for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
     const KeyLine& line = lines_[static_cast<std::size_t>(i)];
     const QRect row(box.left() + kOverlayPadding + (i / rows) * kColumn,
-                    box.top() + kOverlayPadding + (i % rows) * kRow, kColumn - 16, kRow);
+                    box.top() + kOverlayPadding + (1 + i % rows) * kRow, kColumn - 16, kRow);
     painter.setFont(textFont(TextRole::kKeyCap));
     const int cap = std::max(24, painter.fontMetrics().horizontalAdvance(line.key) + 12);
     drawBox(&painter, QRect(row.left(), row.top() + 3, cap, kRow - 6), theme.field, theme.line);

@@ -16,6 +16,7 @@
 #include "app/help/help_dock.h"
 #include "app/host/command_box.h"
 #include "app/host/crash_guard.h"
+#include "app/host/escape_key.h"
 #include "app/host/window_keys.h"
 #include "app/import/file_work.h"
 #include "app/measure/measure_dock.h"
@@ -42,7 +43,8 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
       recent_(new RecentFiles(settings_, this)),
       start_(new StartPage(*viewport_, settings_, *recent_)),
       layouts_(*this, settings_),
-      memory_(document_, [this] { return placesNow(); }) {
+      memory_(document_, [this] { return placesNow(); }),
+      typed_keys_(*this) {
   setObjectName("mainWindow");
   QApplication::setWindowIcon(icon("hapticell"));
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -72,6 +74,7 @@ MainWindow::MainWindow(const config::Configuration& configuration, const QString
   connectStart();
   addHelp(*this);
   addWindowKeys(*this, *viewport_);
+  addEscape();
   addCorner();
   fillMenus();
   setTheme(configuration_.gui.theme != "light");
@@ -101,6 +104,15 @@ void MainWindow::addCorner() {
   row->addWidget(new CommandBox(*findChild<QAction*>("actionFindCommand")));
   corner->setMinimumHeight(28);
   menuBar()->setCornerWidget(corner, Qt::TopRightCorner);
+}
+
+void MainWindow::addEscape() {
+  auto* escape = new EscapeKey(*this, *viewport_);
+  escape->add([this] {
+    if (!start_->isVisible()) return false;
+    start_->hide();
+    return true;
+  });
 }
 
 /// Menus whose actions belong to several panels.

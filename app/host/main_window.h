@@ -18,6 +18,7 @@
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/host/status_line.h"
+#include "app/host/typed_keys.h"
 #include "app/host/user_settings.h"
 #include "app/host/view_menus.h"
 #include "app/viewport/viewport_widget.h"
@@ -49,6 +50,7 @@ class MainWindow : public QMainWindow, public Host {
   RecordingHub& recording() override { return recording_; }
   const config::Configuration& configuration() const override { return configuration_; }
   UserSettings& userSettings() override { return settings_; }
+  bool typedKeysAct() const override { return typed_keys_.act(); }
   void addDock(QDockWidget* dock, Qt::DockWidgetArea area, QDockWidget* onto) override;
   void removeDock(QDockWidget* dock) override;
   void addToToolBar(QWidget* widget) override;
@@ -96,6 +98,7 @@ class MainWindow : public QMainWindow, public Host {
  private:
   void connectFileActions();
   void addCorner();
+  void addEscape();
   void fillMenus();
   MotionMemory::Places placesNow() const;
   void goBack();
@@ -142,6 +145,7 @@ class MainWindow : public QMainWindow, public Host {
   std::unique_ptr<CrashGuard> crash_guard_;
   std::shared_ptr<const manipulation::PreparedScene> prepared_scene_;
   MotionMemory memory_;
+  TypedKeys typed_keys_;
   bool going_back_ = false;  ///< Once what is held is let go.
   double gui_rate_ = 0.0;
   QElapsedTimer since_numbers_;

@@ -112,6 +112,7 @@ void CollisionsPanel::addTop(QBoxLayout& column) {
   pages_->setMaximumWidth(pages_->sizeHint().width() + 24);
   filter_ = new QLineEdit;
   filter_->setObjectName("filterPairs");
+  filter_->setProperty("search", true);
   filter_->setPlaceholderText(tr("Filter by name"));
   filter_->setClearButtonEnabled(true);
   filter_->addAction(icon("search"), QLineEdit::LeadingPosition);

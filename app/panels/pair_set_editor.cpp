@@ -69,6 +69,10 @@ PairSetEditor::PairSetEditor(Host& host, QWidget* parent) : QWidget(parent), hos
     emit chosen(current());
   });
   connect(sets_, &SwitchList::switched, this, [this](int, bool on) { edit([on](auto& set) { set.enabled = on; }); });
+  connect(sets_, &SwitchList::renamed, this, [this](int index, const QString& name) {
+    sets_->setCurrent(index);
+    edit([&name](auto& set) { set.name = name.toStdString(); });
+  });
   connect(&host_.documentModel(), &DocumentModel::changed, this, &PairSetEditor::showSets);
   showSets();
 }

@@ -13,10 +13,12 @@
 #include "app/host/host.h"
 #include "app/mannequin/mannequin_docks.h"
 #include "app/panels/collisions_panel.h"
+#include "app/panels/entity_menu.h"
 #include "app/panels/form.h"
 #include "app/panels/history_panel.h"
 #include "app/panels/messages_panel.h"
 #include "app/panels/properties_panel.h"
+#include "app/panels/scene_menu.h"
 #include "app/panels/solid_panel.h"
 #include "app/panels/strip_chart.h"
 #include "app/panels/tabbed_docks.h"
@@ -90,11 +92,13 @@ QDockWidget* addRightDocks(Host& host) {
 void addPanels(Host& host) {
   auto* workcell = new WorkcellPanel(host);
   auto* properties = new PropertiesPanel(host);
+  addCopyAndPaste(host);
   QDockWidget* workcell_dock = makeDock("dockWorkcell", QObject::tr("Workcell"), workcell);
   QDockWidget* properties_dock = makeDock("dockProperties", QObject::tr("Properties"), scrolledPanel(properties, 240));
   host.addDock(workcell_dock, Qt::LeftDockWidgetArea);
   host.addDock(properties_dock, Qt::LeftDockWidgetArea);
   host.window().resizeDocks({workcell_dock, properties_dock}, {556, 414}, Qt::Vertical);
+  new SceneMenu(host, *workcell);
   addBottomDocks(host);
   addRobotDocks(host);
   addMannequinDocks(host);

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QElapsedTimer>
 #include <QString>
 #include <QWidget>
 #include <map>
 #include <vector>
 
+class QLineEdit;
+
 namespace hapticell::app {
 
 /// Names, one a row, each with a switch (pair sets, guides). A click on the switch asks for on or off, elsewhere it
-/// chooses the row; arrow keys move, Enter switches.
+/// chooses the row; a double click on the name or F2 renames, arrow keys move, Enter switches, letters search.
 class SwitchList : public QWidget {
   Q_OBJECT
  public:
@@ -30,17 +33,28 @@ class SwitchList : public QWidget {
  signals:
   void chosen(int index);
   void switched(int index, bool on);
+  /// Another name was typed for the row, not empty.
+  void renamed(int index, const QString& name);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void rename(int index);
+  void endRename(bool keep);
+  void search(const QString& typed);
   QString empty_;
   std::vector<Row> rows_;
   std::map<QString, int> alerts_;
   int current_ = -1;
+  QLineEdit* field_ = nullptr;  ///< While a name is edited.
+  int renamed_row_ = -1;
+  QString searched_;  ///< What was typed so far.
+  QElapsedTimer since_typed_;
 };
 
 }  // namespace hapticell::app

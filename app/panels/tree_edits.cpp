@@ -72,6 +72,24 @@ bool showExactly(DocumentModel& document, const QString& text, const std::functi
   return document.executeAll(text, commands);
 }
 
+Entities addCopies(DocumentModel& document, const QString& text, std::vector<Entity> copies,
+                   const std::optional<dvec3>& p_W) {
+  if (copies.empty()) return {};
+  geometry::Bounds bounds_W;
+  for (const Entity& copy : copies)
+    if (copy.mesh) bounds_W.add(geometry::transformed(copy.X_WE, copy.mesh->bounds()));
+  constexpr double kOtherwise = 0.5;  // Metres; robots are about as wide.
+  dvec3 by{bounds_W.isEmpty() ? kOtherwise : 1.1 * bounds_W.size().x, 0.0, 0.0};
+  if (p_W) {
+    const dvec3 now = bounds_W.isEmpty() ? copies.front().X_WE.p : bounds_W.center();
+    by = {p_W->x - now.x, p_W->y - now.y, 0.0};
+  }
+  document.beginStep(text);
+  const auto added = document.addImported(std::move(copies), Pose::translation(by));
+  document.endStep();
+  return added ? *added : Entities{};
+}
+
 }  // namespace
 
 Entities withBelow(const DocumentState& state, const Entities& ids) {
@@ -133,23 +151,46 @@ bool removeEntities(DocumentModel& document, const Entities& ids) {
   return !commands.empty() && document.executeAll(QObject::tr("Remove %1").arg(nameOf(state, top)), commands);
 }
 
-Entities duplicateEntities(DocumentModel& document, const Entities& ids) {
-  const DocumentState& state = document.document().state();
-  const Entities top = topmost(state, ids);
+std::vector<Entity> copiesOf(const DocumentState& state, const Entities& ids) {
   std::vector<Entity> copies;
-  geometry::Bounds bounds_W;
   for (const EntityId id : withBelow(state, ids)) {
     copies.push_back(*state.find(id));
     copies.back().attachment = {};
-    if (copies.back().mesh) bounds_W.add(geometry::transformed(copies.back().X_WE, copies.back().mesh->bounds()));
   }
+  return copies;
+}
+
+Entities pasteEntities(DocumentModel& document, std::vector<Entity> copies, const std::optional<dvec3>& p_W) {
   if (copies.empty()) return {};
-  constexpr double kOtherwise = 0.5;  // Metres; robots are about as wide.
-  const double beside = bounds_W.isEmpty() ? kOtherwise : 1.1 * bounds_W.size().x;
-  document.beginStep(QObject::tr("Duplicate %1").arg(nameOf(state, top)));
-  const auto added = document.addImported(std::move(copies), Pose::translation({beside, 0.0, 0.0}));
-  document.endStep();
-  return added ? *added : Entities{};
+  const QString text = QObject::tr("Paste %1").arg(QString::fromStdString(copies.front().name));
+  return addCopies(document, text, std::move(copies), p_W);
+}
+
+Entities duplicateEntities(DocumentModel& document, const Entities& ids) {
+  const DocumentState& state = document.document().state();
+  const QString text = QObject::tr("Duplicate %1").arg(nameOf(state, topmost(state, ids)));
+  return addCopies(document, text, copiesOf(state, ids), std::nullopt);
+}
+
+bool attachEntities(DocumentModel& document, const Entities& ids, EntityId to) {
+  const DocumentState& state = document.document().state();
+  const Entity* carrier = state.find(to);
+  if (!carrier) return false;
+  std::vector<workcell::Command> commands;
+  for (const EntityId id : topmost(state, ids))
+    if (id != to) commands.emplace_back(workcell::Attach{id, to, {}});
+  const QString text =
+      QObject::tr("Attach %1 to %2").arg(nameOf(state, topmost(state, ids)), QString::fromStdString(carrier->name));
+  return !commands.empty() && document.executeAll(text, commands);
+}
+
+bool detachEntities(DocumentModel& document, const Entities& ids) {
+  const DocumentState& state = document.document().state();
+  std::vector<workcell::Command> commands;
+  for (const EntityId id : ids)
+    if (const Entity* entity = state.find(id); entity && !entity->attachment.to.empty())
+      commands.emplace_back(workcell::Detach{id});
+  return !commands.empty() && document.executeAll(QObject::tr("Detach %1").arg(nameOf(state, ids)), commands);
 }
 
 bool moveBelow(DocumentModel& document, const Entities& ids, const QString& parent) {

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "app/host/document_model.h"
@@ -27,6 +28,14 @@ bool showAll(DocumentModel& document);
 bool removeEntities(DocumentModel& document, const Entities& ids);
 /// Copies beside the originals, along x; gives the new ones, those of the top first.
 Entities duplicateEntities(DocumentModel& document, const Entities& ids);
+/// Copies as values, of those and all below them; attachments are not kept.
+std::vector<workcell::Entity> copiesOf(const workcell::DocumentState& state, const Entities& ids);
+/// Puts copies into the cell: the middle of the floor under them at `p_W`, or beside where they stood. Gives the new
+/// ones.
+Entities pasteEntities(DocumentModel& document, std::vector<workcell::Entity> copies, const std::optional<dvec3>& p_W);
+/// Attached to a robot's tip, or to a part as it stands.
+bool attachEntities(DocumentModel& document, const Entities& ids, workcell::EntityId to);
+bool detachEntities(DocumentModel& document, const Entities& ids);
 /// Puts them below `parent` (an entity's or a folder's name; empty: at the top). They stay where they stand.
 bool moveBelow(DocumentModel& document, const Entities& ids, const QString& parent);
 

@@ -2,7 +2,9 @@
 #include "app/panels/workcell_panel.h"
 
 #include <QAction>
+#include <QDockWidget>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
@@ -14,8 +16,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
-#include "app/panels/swatch_row.h"
-#include "app/panels/tree_edits.h"
+#include "app/panels/entity_menu.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/style_painting.h"
@@ -99,19 +100,6 @@ class RowDelegate final : public QStyledItemDelegate {
   }
 };
 
-/// "Folder", "Folder 2" ...: one that is not there.
-QString newFolderName(const DocumentModel& document) {
-  const auto& entities = document.document().state().entities;
-  const auto isUsed = [&](const QString& name) {
-    return std::any_of(entities.begin(), entities.end(), [text = name.toStdString()](const auto& entity) {
-      return entity->name == text || entity->parent == text;
-    });
-  };
-  QString name = QObject::tr("Folder");
-  for (int number = 2; isUsed(name); ++number) name = QObject::tr("Folder %1").arg(number);
-  return name;
-}
-
 }  // namespace
 
 WorkcellTreeView::WorkcellTreeView(QWidget* parent) : QTreeView(parent) {
@@ -182,6 +170,11 @@ void WorkcellTreeView::mouseDoubleClickEvent(QMouseEvent* event) {
   QTreeView::mouseDoubleClickEvent(event);
 }
 
+void WorkcellTreeView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Delete) return QTreeView::keyPressEvent(event);
+  emit removeWanted();
+}
+
 WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
     : QWidget(parent), host_(host), model_(host.documentModel()), filter_(new QLineEdit), tree_(new WorkcellTreeView) {
   setMinimumWidth(240);
@@ -191,6 +184,7 @@ WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
   auto* top = new QVBoxLayout;
   top->setContentsMargins(8, 0, 8, 0);
   filter_->setObjectName("fieldFilter");
+  filter_->setProperty("search", true);
   filter_->setPlaceholderText(tr("Filter by name or state"));
   filter_->setClearButtonEnabled(true);
   filter_->addAction(icon("search", QColor()), QLineEdit::LeadingPosition);
@@ -222,6 +216,9 @@ WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
   });
   connect(tree_, &WorkcellTreeView::lockClicked, this,
           [this](const QModelIndex& index) { model_.setLocked(source(index), false); });
+  connect(tree_, &WorkcellTreeView::removeWanted, this, [this] {
+    if (auto* remove = host_.window().findChild<QAction*>("actionRemove")) remove->trigger();
+  });
   connect(tree_, &QWidget::customContextMenuRequested, this, &WorkcellPanel::openMenu);
 }
 
@@ -311,61 +308,22 @@ void WorkcellPanel::openMenu(const QPoint& place) {
 }
 
 void WorkcellPanel::fillMenu(QMenu& menu, const QModelIndex& index) {
-  DocumentModel& document = host_.documentModel();
-  const auto ids = chosenEntities();
-  const workcell::Entity* first = ids.empty() ? nullptr : document.document().find(ids.front());
-  const auto add = [&](const char* name, const QString& text, const QString& icon_name, auto&& act) {
-    QAction* action = menu.addAction(icon_name.isEmpty() ? QIcon() : icon(icon_name), text, this, act);
-    action->setObjectName(QString::fromLatin1(name));
-    action->setEnabled(first);
-    return action;
-  };
-  add("treeFit", tr("Fit"), "fit", [this, ids] {
-    geometry::Bounds bounds;
-    for (const auto id : ids) bounds.add(host_.viewport().scene().boundsOf_W(id));
-    if (!bounds.isEmpty()) host_.viewport().fit(bounds);
-  });
-  const bool shown = index.data(Role::kVisibleRole).toBool(), locked = index.data(Role::kLockedRole).toBool();
-  add("treeShow", shown ? tr("Hide") : tr("Show"), shown ? "eye_closed" : "eye",
-      [&document, ids, shown] { showEntities(document, ids, !shown); });
-  add("treeIsolate", tr("Isolate"), "select", [&document, ids] { isolateEntities(document, ids); });
-  QAction* all = add("treeShowAll", tr("Show all"), "eye", [&document] { showAll(document); });
-  all->setEnabled(true);
-  add("treeLock", locked ? tr("Unlock") : tr("Lock"), locked ? "unlock" : "lock",
-      [&document, ids, locked] { lockEntities(document, ids, !locked); });
-  const bool checked = first && first->checked;
-  QAction* check = add("treeCheck", tr("Checked for collision"), {},
-                       [&document, ids, checked] { checkEntities(document, ids, !checked); });
-  check->setCheckable(true);
-  check->setChecked(checked);
-  addColors(menu, ids);
-  menu.addSeparator();
   const QPersistentModelIndex row = index;
-  add("treeRename", tr("Rename"), {}, [this, row] {
-    tree_->edit(row);
-  })->setEnabled(model_.flags(source(index)) & Qt::ItemIsEditable);
-  add("treeDuplicate", tr("Duplicate"), "plus", [this, &document, ids] {
-    const auto copies = duplicateEntities(document, ids);
-    if (!copies.empty()) host_.selection().set(copies.front());
-  });
-  add("treeGroup", tr("Put into a new folder"), "folder",
-      [&document, ids] { moveBelow(document, ids, newFolderName(document)); });
-  add("treeRemove", tr("Remove from the cell"), "delete", [&document, ids] { removeEntities(document, ids); });
-  menu.addSeparator();
-  for (const char* name : {"actionReload", "actionMeshCare", "actionExportSelection"})
-    if (auto* action = host_.window().findChild<QAction*>(name)) menu.addAction(action);
+  const bool named = model_.flags(source(index)) & Qt::ItemIsEditable;
+  fillEntityMenu(menu, host_, chosenEntities(), named ? [this, row] { tree_->edit(row); } : std::function<void()>());
 }
 
-void WorkcellPanel::addColors(QMenu& menu, const std::vector<workcell::EntityId>& ids) {
-  QMenu* colors = menu.addMenu(tr("Colour"));
-  colors->setEnabled(!ids.empty());
-  for (const QColor& color : quietColors()) {
-    QPixmap swatch(16, 16);
-    swatch.fill(color);
-    colors->addAction(QIcon(swatch), color.name().toUpper(), this, [this, ids, color] {
-      colorEntities(host_.documentModel(), ids, {color.redF(), color.greenF(), color.blueF()});
-    });
-  }
+void WorkcellPanel::rename(workcell::EntityId entity) {
+  for (QWidget* holder = parentWidget(); holder; holder = holder->parentWidget())
+    if (auto* dock = qobject_cast<QDockWidget*>(holder)) {
+      dock->show();
+      dock->raise();
+    }
+  if (!filter_model_.mapFromSource(model_.indexOf(entity)).isValid()) filter_->clear();
+  const QModelIndex index = filter_model_.mapFromSource(model_.indexOf(entity));
+  if (!index.isValid()) return;
+  tree_->scrollTo(index);
+  tree_->edit(index);
 }
 
 }  // namespace hapticell::app

@@ -27,11 +27,13 @@ class WorkcellTreeView : public QTreeView {
  signals:
   void eyeClicked(const QModelIndex& index);
   void lockClicked(const QModelIndex& index);
+  void removeWanted();  ///< Delete was pressed: what is selected.
 
  protected:
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   bool pressedMark(const QPoint& place);
@@ -49,12 +51,13 @@ class WorkcellPanel : public QWidget {
   std::vector<workcell::EntityId> chosenEntities() const;
   /// What can be done with the selected rows; `index` is the one that was pointed at.
   void fillMenu(QMenu& menu, const QModelIndex& index);
+  /// Brings the tree to the front and edits the name there.
+  void rename(workcell::EntityId entity);
 
  private:
   void takeSelection();
   void showSelection();
   void openMenu(const QPoint& place);
-  void addColors(QMenu& menu, const std::vector<workcell::EntityId>& ids);
   void keepExpanded();
   QString keyOf(const QModelIndex& index) const;
   QModelIndex source(const QModelIndex& index) const { return filter_model_.mapToSource(index); }

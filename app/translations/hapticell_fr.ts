@@ -145,6 +145,10 @@
         <translation>%1 un pas de plus</translation>
     </message>
     <message>
+        <source>%1 acts while the pointer is over the scene</source>
+        <translation>%1 agit tant que le pointeur est sur la scène</translation>
+    </message>
+    <message>
         <source>%1 and %2 in all</source>
         <translation>%1 et %2 au total</translation>
     </message>
@@ -1245,6 +1249,14 @@
         <translation>Attacher</translation>
     </message>
     <message>
+        <source>Attach %1 to %2</source>
+        <translation>Attacher %1 à %2</translation>
+    </message>
+    <message>
+        <source>Attach to</source>
+        <translation>Attacher à</translation>
+    </message>
+    <message>
         <source>Attached</source>
         <translation>Attaché</translation>
     </message>
@@ -1921,6 +1933,14 @@
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Detach</source>
+        <translation>Détacher</translation>
+    </message>
+    <message>
+        <source>Detach %1</source>
+        <translation>Détacher %1</translation>
+    </message>
+    <message>
         <source>Depth</source>
         <translation>Profondeur</translation>
     </message>
@@ -2099,6 +2119,10 @@
     <message>
         <source>Edit…</source>
         <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>Elsewhere letters and digits are text: lists and panels are searched by typing.</source>
+        <translation>Ailleurs lettres et chiffres sont du texte : taper cherche dans les listes et les panneaux.</translation>
     </message>
     <message>
         <source>End stops, from where it stands now</source>
@@ -2449,8 +2473,8 @@
         <translation>Efforts coupés</translation>
     </message>
     <message>
-        <source>Forces off at once; with forces off: leave the tool</source>
-        <translation>Efforts coupés aussitôt ; s'ils le sont déjà : quitter l'outil</translation>
+        <source>Forces off; else ends a pick or a tool</source>
+        <translation>Coupe les efforts ; sinon quitte pointage ou outil</translation>
     </message>
     <message>
         <source>Forces on</source>
@@ -4333,6 +4357,18 @@
         <translation>Réussi avec %1 points</translation>
     </message>
     <message>
+        <source>Paste</source>
+        <translation>Coller</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Coller %1</translation>
+    </message>
+    <message>
+        <source>Paste here</source>
+        <translation>Coller ici</translation>
+    </message>
+    <message>
         <source>Path</source>
         <translation>Chemin</translation>
     </message>
@@ -5223,6 +5259,10 @@
     <message>
         <source>Simplify first</source>
         <translation>Simplifier d'abord</translation>
+    </message>
+    <message>
+        <source>Single keys act while the pointer is over the scene; elsewhere they are text.</source>
+        <translation>Les touches seules agissent tant que le pointeur est sur la scène ; ailleurs c'est du texte.</translation>
     </message>
     <message>
         <source>Single keys without Ctrl are on</source>

@@ -78,7 +78,7 @@ bool MouseStylus::press(const PointerEvent& event) {
     setButton(true);
     return true;
   }
-  if (follow_ && event.button == Qt::LeftButton) {
+  if (follow_ && (event.button == Qt::LeftButton || event.button == Qt::RightButton)) {
     setButton(true);
     return true;
   }
@@ -106,8 +106,8 @@ bool MouseStylus::move(const PointerEvent& event) {
 }
 
 bool MouseStylus::release(const PointerEvent& event) {
-  const bool stylus_button =
-      (dragging_ && event.button == Qt::RightButton) || (follow_ && event.button == Qt::LeftButton);
+  const bool right = event.button == Qt::RightButton, left = event.button == Qt::LeftButton;
+  const bool stylus_button = (right && (dragging_ || follow_)) || (left && follow_);
   if (stylus_button) setButton(false);
   if (event.button == Qt::LeftButton) dragging_ = false;
   return true;

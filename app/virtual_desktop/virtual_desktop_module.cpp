@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_desktop/virtual_desktop_module.h"
 
-#include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -9,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMainWindow>
 #include <QMenu>
 #include <QPushButton>
@@ -36,14 +34,7 @@
 #include "app/virtual_desktop/virtual_desktop_panel.h"
 
 namespace hapticell::app {
-namespace {
-
-bool typing() {
-  const QWidget* focus = QApplication::focusWidget();
-  return qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 VirtualDesktopModule::VirtualDesktopModule() = default;
 VirtualDesktopModule::~VirtualDesktopModule() {
@@ -271,16 +262,13 @@ bool VirtualDesktopModule::handleKey(int key, bool pressed, bool repeated) {
     if (!was_on && controller_->mouse().follow()) controller_->mouse().setFollow(false);
     return was_on;
   }
-  if (typing()) return false;
-  if (key == Qt::Key_Space && (pressed || clutch_)) {
-    if (!repeated) controller_->setClutch(clutch_ = pressed);
-    return true;
-  }
-  if (key == Qt::Key_B) {
-    if (!repeated) controller_->mouse().setButton(pressed);
-    return true;
-  }
-  return false;
+  bool* const held = key == Qt::Key_Space ? &clutch_ : key == Qt::Key_B ? &button_key_ : nullptr;
+  // What was pressed in the scene is let go wherever the pointer is by then.
+  if (!held || !(pressed ? *held || host_->typedKeysAct() : *held)) return false;
+  if (repeated) return true;
+  *held = pressed;
+  key == Qt::Key_Space ? controller_->setClutch(pressed) : controller_->mouse().setButton(pressed);
+  return true;
 }
 
 bool VirtualDesktopModule::eventFilter(QObject* watched, QEvent* event) {

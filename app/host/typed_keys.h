@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+class QKeyEvent;
+class QWidget;
+
+namespace hapticell::app {
+
+class Host;
+
+/// A key that is text where text is wanted: letters, digits, signs, Space, Delete and Backspace, with Shift or on the
+/// keypad too. Not with Ctrl, Alt or Meta; not Enter, arrows, function keys.
+bool isTypedKey(int key, Qt::KeyboardModifiers modifiers);
+
+/// Decides for the whole window (and its floating docks) whether a typed key is a command or text.
+///
+/// It is a command where the hand is in the scene: the pointer is over it, or the stylus holds a part; and nothing
+/// waits for text (a field, a menu, a dialog). Everywhere else it goes to what has the focus: a list searches, and a
+/// panel whose property `search` marks a field types into that. A choice that is closed opens its list and searches
+/// there, so that typing alone takes nothing. Delete goes by the focus alone: a command in the scene, else the focus'
+/// own. Says so once where a command's key was typed beside the scene and nothing took it. GUI thread.
+class TypedKeys : public QObject {
+  Q_OBJECT
+ public:
+  explicit TypedKeys(Host& host, QObject* parent = nullptr);
+  ~TypedKeys() override;
+  /// True while a typed key is a command; for modules that hear keys themselves.
+  bool act() const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool isOurs(const QWidget* widget) const;
+  bool keepFromCommands(QWidget& focus, QKeyEvent& key) const;
+  bool press(QWidget& widget, const QKeyEvent& key);
+  void sayWhere(const QKeyEvent& key);
+  Host& host_;
+  bool said_ = false;
+};
+
+}  // namespace hapticell::app
