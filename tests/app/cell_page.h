@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QCursor>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
@@ -73,9 +74,23 @@ class CellPage : public WindowPage {
     QTest::keyClick(found, Qt::Key_Return);
     settle();
   }
+  /// Over the scene, as who presses a letter has the pointer.
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     activate();
+    if (isTypedKey(key, modifiers)) pointAt(window().viewport());
     QTest::keyClick(&window().viewport(), key, modifiers);
+    settle();
+  }
+  /// The pointer goes to the middle of it, if it is not over it already.
+  void pointAt(const QWidget& widget) {
+    if (QApplication::widgetAt(QCursor::pos()) == &widget) return;
+    QCursor::setPos(widget.mapToGlobal(widget.rect().center()));
+    settle();
+  }
+  /// Presses the keys of a text, wherever the focus is.
+  void typeText(const char* text) {
+    activate();
+    for (; *text; ++text) QTest::keyClick(window().windowHandle(), *text);
     settle();
   }
   /// A click of the left button where the scene shows this point.

@@ -15,6 +15,7 @@
 #include "app/host/language.h"
 #include "app/panels/joint_row.h"
 #include "app/style/fonts.h"
+#include "app/style/live_label.h"
 #include "app/style/proxy_style.h"
 #include "app/style/theme.h"
 #include "geometry/shapes.h"
@@ -65,6 +66,10 @@ class Look {
     if (wide > room + 1) tell(widget, QStringLiteral("\"%1\" needs %2 px of %3").arg(text).arg(wide).arg(room));
   }
   void look(const QLabel& label) {
+    if (const auto* live = dynamic_cast<const LiveLabel*>(&label)) {
+      if (!live->isWhole()) tell(label, QStringLiteral("\"%1\" needs more lines").arg(live->text()));
+      return;
+    }
     if (label.wordWrap() || Qt::mightBeRichText(label.text()) || label.text().isEmpty()) return;
     const QString brief = label.property("short").toString();
     for (const QString& line : (brief.isEmpty() ? label.text() : brief).split('\n'))

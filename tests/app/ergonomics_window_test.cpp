@@ -149,7 +149,7 @@ TEST(TaskData, IsEnteredKeptWithTheCellAndUndone) {
   EXPECT_EQ(page.task()->grip, ergonomics::Grip::kFair);
   ASSERT_TRUE(page.typeForStep("fieldRepetitions", "5"));
   page.bringDock("actionErgonomics");
-  EXPECT_TRUE(page.until([&] { return !page.find<QLabel>("labelPartial")->isVisible(); }, ErgonomicsPage::kPatience));
+  EXPECT_TRUE(page.until([&] { return page.words("labelPartial").isEmpty(); }, ErgonomicsPage::kPatience));
   for (int i = 0; i < 4; ++i) page.trigger("actionUndo");
   EXPECT_EQ(page.task(), nullptr);
 }

@@ -13,6 +13,7 @@
 #include "haptic/client/tcp_link.h"
 #include "manipulation/motion_mapping.h"
 #include "tests/app/cell_page.h"
+#include "tests/app/control_places.h"
 #include "tests/app/server_first.h"
 
 namespace hapticell::app {
@@ -244,6 +245,30 @@ TEST(FeelWindow, PassGoesThroughAndOnlyShows) {
   EXPECT_FALSE(page.now().stopped);
 }
 
+TEST(FeelWindow, NoControlOfThePanelMovesWhileItIsUsed) {
+  HandPage page;
+  page.showDock("dockVirtualDesktop");
+  const ControlPlaces before(*page.find<QDockWidget>("dockVirtualDesktop"));
+  EXPECT_GT(before.count(), 20u);
+  page.trigger("actionForcesOn");
+  ASSERT_TRUE(WindowPage::until([&] { return page.now().forces_on; }, kPatience));
+  WindowPage::settle();
+  EXPECT_EQ(before.moved(), "") << "forces on";
+  push(page, 1);
+  WindowPage::settle();
+  EXPECT_EQ(before.moved(), "") << "in contact";
+  page.key(Qt::Key_Escape);
+  ASSERT_TRUE(WindowPage::until([&] { return !page.now().forces_on; }, kPatience));
+  WindowPage::settle();
+  EXPECT_EQ(before.moved(), "") << "forces off";
+  auto* connect = page.find<QAbstractButton>("buttonConnect");
+  const QString connected = connect->text();
+  page.press("buttonConnect");
+  ASSERT_TRUE(WindowPage::until([&] { return connect->text() != connected; }, kPatience));
+  WindowPage::settle();
+  EXPECT_EQ(before.moved(), "") << "not connected";
+}
+
 TEST(FeelWindow, TheClutchMovesTheHandAlone) {
   HandPage page;
   page.take();
@@ -391,7 +416,10 @@ TEST(FeelWindow, ForceClassAndMaterialAreChosenInTheEntitysDialog) {
   EXPECT_EQ(page.document().find(page.box)->force_class, workcell::ForceClass::kDynamics);
   auto* material = page.find<QComboBox>("comboMaterial");
   material->setFocus();
+  page.pointAt(*material);
   QTest::keyClicks(material, "Foam");
+  EXPECT_EQ(page.document().find(page.box)->material, "steel") << "typing only searches";
+  QTest::keyClick(material->view(), Qt::Key_Return);
   EXPECT_EQ(page.document().find(page.box)->material, "foam");
   page.showDock("dockSolid");
   EXPECT_EQ(page.find<QComboBox>("comboSolidMaterial")->currentData().toString(), "foam") << "one entity, one material";

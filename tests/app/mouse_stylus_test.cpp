@@ -126,8 +126,15 @@ TEST_F(MouseStylusTest, FollowingNeedsNoButtonAndNothingWorksWithoutADevice) {
   EXPECT_TRUE(mouse.move(at(505, 300, Qt::NoButton, {})));
   EXPECT_NE(sent.X_DH.p, dvec3(0.0));
   EXPECT_FALSE(mouse.hint().isEmpty());
+  for (const Qt::MouseButton button : {Qt::LeftButton, Qt::RightButton}) {
+    EXPECT_TRUE(mouse.press(at(505, 300, button, button))) << "it leads the pen: both are the stylus's button";
+    EXPECT_EQ(sent.buttons, 1u);
+    mouse.release(at(505, 300, button, {}));
+    EXPECT_EQ(sent.buttons, 0u);
+  }
   mouse.setState({});
   EXPECT_FALSE(mouse.press(at(500, 300, Qt::LeftButton, Qt::LeftButton)));
+  EXPECT_FALSE(mouse.press(at(500, 300, Qt::RightButton, Qt::RightButton)));
   EXPECT_TRUE(mouse.hint().isEmpty());
 }
 

@@ -278,6 +278,77 @@ TEST(LayoutsInTheWindow, TheSideDocksGoAndComeBackAsTheyWere) {
   EXPECT_TRUE(comesToFront(page.window(), "dockReport"));
 }
 
+TEST(LayoutsInTheWindow, ASmallWindowHasASceneAndTheForcesSwitch) {
+  CellPage page;
+  page.window().loadModules(ModuleLoader::defaultFolders());
+  ASSERT_TRUE(page.window().startModule("Virtual Desktop"));
+  page.window().resize(1366, 768);
+  for (const QString& name : Layouts::names()) {
+    page.window().layouts().choose(name == "move" ? "teach" : "move");
+    page.window().layouts().choose(name);
+    page.window().layouts().reset();
+    for (int i = 0; i < 4; ++i) CellPage::settle();
+    EXPECT_EQ(page.window().width(), 1366) << name.toStdString();
+    const QSize scene = page.window().viewport().size();
+    EXPECT_GT(scene.width() * scene.height(), 1366 * 768 / 3) << name.toStdString();
+    auto* pill = page.find<QAbstractButton>("pillForces");
+    EXPECT_TRUE(pill->isVisible() && !pill->visibleRegion().isEmpty()) << name.toStdString();
+  }
+  page.window().resize(1100, 700);
+  for (int i = 0; i < 4; ++i) CellPage::settle();
+  EXPECT_FALSE(page.find<QAbstractButton>("pillForces")->visibleRegion().isEmpty());
+}
+
+TEST(LayoutsInTheWindow, ASmallWindowLeavesNoNarrowColumnBehind) {
+  CellPage page;
+  page.window().resize(1590, 900);
+  page.window().layouts().choose("ergonomics");
+  page.window().layouts().reset();
+  for (int i = 0; i < 4; ++i) CellPage::settle();
+  auto* report = page.find<QDockWidget>("dockReport");
+  const int wide = report->width();
+  EXPECT_GT(wide, 300);
+  page.window().resize(1100, 700);
+  for (int i = 0; i < 4; ++i) CellPage::settle();
+  EXPECT_TRUE(page.window().tabifiedDockWidgets(report).contains(page.find<QDockWidget>("dockErgonomics")))
+      << "no column of its own where there is no room";
+  page.window().resize(1590, 900);
+  for (int i = 0; i < 4; ++i) CellPage::settle();
+  EXPECT_NEAR(report->width(), wide, 4);
+}
+
+TEST(ValueFields, GiveTheirUnitAwayBeforeANumberIsCut) {
+  ValueField field({"mm", 1, -1e6, 1e6, 1.0});
+  field.resize(64, 26);
+  field.show();
+  for (const double value : {1.0, 1512.0, -123456.7}) {
+    field.setValue(value);
+    const QLineEdit* line = field.findChild<QLineEdit*>();
+    const int room = line->width() - line->textMargins().right();
+    EXPECT_LE(line->fontMetrics().horizontalAdvance(line->text()), room) << value;
+  }
+}
+
+TEST(Tabs, ManyOnTheRightLeaveRoomForTheButtonsAtTheEnd) {
+  CellPage page;
+  page.window().resize(1366, 768);
+  page.window().layouts().reset();
+  for (const char* opens : {"actionMechanism", "actionTools", "actionMeasure", "actionMoveBy", "actionMotionPanel"})
+    page.trigger(opens);
+  page.showDock("dockMechanism");
+  for (int i = 0; i < 6; ++i) CellPage::settle();
+  const auto* mechanism = page.find<QDockWidget>("dockMechanism");
+  int bars = 0;
+  for (QTabBar* bar : page.window().findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (bar->currentIndex() < 0 || bar->tabText(bar->currentIndex()) != mechanism->windowTitle()) continue;
+    ++bars;
+    EXPECT_GE(bar->count(), 7);
+    constexpr int kButtons = 46;  // Float and close.
+    EXPECT_LE(bar->tabRect(bar->count() - 1).right(), bar->width() - kButtons);
+  }
+  EXPECT_EQ(bars, 1);
+}
+
 TEST(Wheel, GivesNoFieldTheFocus) {
   CellPage page;
   int fields = 0;
