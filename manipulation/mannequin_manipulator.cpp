@@ -118,7 +118,7 @@ EntityConfiguration MannequinManipulator::propose(const EntityConfiguration& fro
   return configurationOf(follow(taskFor(X_WM, X_WF_), start, nullptr));
 }
 
-dvec3 MannequinManipulator::ahead(const EntityConfiguration& configuration) const {
+dvec3 MannequinManipulator::facing_W(const EntityConfiguration& configuration) const {
   const Feet feet = feetOf(postureOf(configuration));
   const dvec3 way = feet[0].rotate({1.0, 0.0, 0.0}) + feet[1].rotate({1.0, 0.0, 0.0});
   const double length = std::hypot(way.x, way.y);
@@ -129,7 +129,7 @@ std::vector<EntityConfiguration> MannequinManipulator::solvedAnew(const EntityCo
                                                                   const dvec3& p_WM) const {
   const Posture start = postureOf(from);
   const Feet feet = feetOf(start);
-  const dvec3 forward = ahead(from), lateral = glm::cross(dvec3(0.0, 0.0, 1.0), forward);
+  const dvec3 forward = facing_W(from), lateral = glm::cross(dvec3(0.0, 0.0, 1.0), forward);
   const dquat q_WM = movedFrame(from).q;
   std::vector<std::pair<double, EntityConfiguration>> found;
   for (int i = -kTurnsTried; i <= kTurnsTried; ++i) {

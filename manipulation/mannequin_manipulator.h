@@ -45,7 +45,7 @@ class MannequinManipulator final : public MannequinBody {
   /// `from` first: how the hands turn is left open, so that arms may come from another side. Feet stand where they are.
   std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM) const;
   /// Unit, level: where the feet head.
-  dvec3 ahead(const EntityConfiguration& configuration) const;
+  dvec3 facing_W(const EntityConfiguration& configuration) const;
 
  private:
   using Feet = std::array<Pose, 2>;
