@@ -101,7 +101,7 @@ bool FigureWay::goRound() {
   const auto* hands = dynamic_cast<const MannequinManipulator*>(&held_->manipulator());
   if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;
   const EntityConfiguration start = held_->accepted();
-  const dvec3 before = kBeforeTheBody * hands->ahead(start);
+  const dvec3 before = kBeforeTheBody * hands->facing_W(start);
   const dvec3 p_WM = held_->movedFrame().p;
   const auto goals = hands->solvedAnew(start, X_WTarget_.p);
   if (goals.empty()) return false;
