@@ -161,7 +161,7 @@ TEST(Window, ResizedAtRestTheSceneIsDrawnAnew) {
   ASSERT_TRUE(rests());
   // As a layout with other panels does, and back again: neither picture is the old one, stretched or darkened.
   QSize before = viewport.size();
-  for (const QSize& size : {QSize(1000, 640), QSize(1200, 800)}) {
+  for (const QSize& size : {QSize(1380, 880), QSize(1200, 800)}) {
     page.window().resize(size);
     ASSERT_TRUE(WindowPage::until([&] { return page.window().size() == size; }, 10000));
     ASSERT_TRUE(rests());
