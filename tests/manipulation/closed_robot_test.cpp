@@ -124,7 +124,7 @@ TEST(Carried, AGrippedPartMovesWithTheRobotAndStopsAtWhatItMeets) {
   const auto scene = PreparedScene::prepare(document.snapshotEntities(), {}, {});
   auto held = HeldEntity::take(scene, robot, {}, {}, config::Configuration{});
   ASSERT_TRUE(held) << held.error().message();
-  const auto touches = [&](const HeldPair& pair) { return pair.moved_part == "rod" && pair.other == wall; };
+  const auto touches = [&](const HeldPair& pair) { return pair.owner == rod && pair.other == wall; };
   EXPECT_TRUE(std::any_of((*held)->pairs().begin(), (*held)->pairs().end(), touches));
   for (const HeldPair& pair : (*held)->pairs()) EXPECT_NE(pair.other, rod) << "it is not checked against its own part";
   MotionMapping mapping;
