@@ -16,7 +16,7 @@ enum class Care { kBoxes, kPoints, kLines };
 
 /// What is taken already.
 struct Taken {
-  std::vector<PixelBox> boxes, points;
+  std::vector<PixelBox> boxes, points, labels;
   const std::vector<PixelLine>& lines;
 };
 
@@ -36,7 +36,7 @@ bool fits(const PixelBox& box, const Taken& taken, const ViewSize& size, Care ca
   if (box.min.x < kBorder || box.min.y < kBorder || box.max.x > size.width - kBorder ||
       box.max.y > size.height - kBorder)
     return false;
-  if (!isClear(box, taken.boxes)) return false;
+  if (!isClear(box, taken.boxes) || !isClear(box, taken.labels)) return false;
   if (care == Care::kBoxes) return true;
   if (!isClear(box, taken.points)) return false;
   if (care == Care::kPoints) return true;
@@ -139,7 +139,7 @@ bool LabelLayout::mayGlide(const LabelWish& wish, const Memory& memory, const st
 
 std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelWish>& wishes, const KeptFree& keep_free,
                                             const ViewSize& size, double seconds, bool motion) {
-  Taken taken{keep_free.boxes, {}, keep_free.lines};
+  Taken taken{keep_free.boxes, {}, {}, keep_free.lines};
   std::vector<Memory> next;
   std::vector<PlacedLabel> result;
   moving_ = false;
@@ -154,14 +154,14 @@ std::vector<PlacedLabel> LabelLayout::place(const std::vector<LabelWish>& wishes
     memory.offset = chosen->offset;
     memory.right = chosen->right;
     const PixelBox way = both(boxAt(wish, memory.shown), boxAt(wish, memory.offset));
-    if (!old || !motion || wish.gap > 0.0 || !isClear(way, taken.boxes) || !mayGlide(wish, memory, wishes))
+    if (!old || !motion || wish.gap > 0.0 || !isClear(way, taken.labels) || !mayGlide(wish, memory, wishes))
       memory.shown = memory.offset;
     const double share = std::clamp(seconds / kMoveSeconds * 2.0, 0.0, 1.0);
     memory.shown += share * (memory.offset - memory.shown);
     if (glm::length(memory.offset - memory.shown) < 0.5) memory.shown = memory.offset;
     moving_ = moving_ || memory.shown != memory.offset;
     const PixelBox box = boxAt(wish, memory.shown);
-    taken.boxes.push_back(both(box, boxAt(wish, memory.offset)));
+    taken.labels.push_back(both(box, boxAt(wish, memory.offset)));
     next.push_back(memory);
     result.push_back({wish.key, box, wish.anchor, memory.right});
   }
