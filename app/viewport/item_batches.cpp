@@ -173,7 +173,7 @@ std::vector<ItemBatch> shadowBatches(const Frame& frame, double metres_per_texel
     if (!item.casts_shadow || !item.mesh || item.unseen) continue;
     GpuMesh* mesh = meshes.of(item);
     if (!mesh) continue;
-    const std::size_t step = detailStepFor(mesh->steps(), metres_per_texel / std::max(item.scale, 1e-12), 0.5);
+    const std::size_t step = detailStepFor(mesh->steps(), metres_per_texel / std::max(item.scale, 1e-12), 1.0);
     gathering.add({mesh, step, 0u, 0u, std::nullopt, item.over_scene, false}, 0.0, i);
   }
   return gathering.take();
