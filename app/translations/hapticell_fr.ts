@@ -365,6 +365,10 @@
         <translation>%1 ms</translation>
     </message>
     <message>
+        <source>%1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
+        <translation>%1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
+    </message>
+    <message>
         <source>%1 ms old in the middle, %2 ms in 99 of 100; %3</source>
         <translation>%1 ms d'âge médian, %2 ms pour 99 sur 100 ; %3</translation>
     </message>
@@ -789,12 +793,12 @@
         <translation>.</translation>
     </message>
     <message>
-        <source>. A smaller window or fewer parts in view make it sooner</source>
-        <translation>. Une fenêtre plus petite ou moins de pièces en vue l'accélèrent</translation>
-    </message>
-    <message>
         <source>. Kept nearer to the recording from %1 to %2 s</source>
         <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
+    </message>
+    <message>
+        <source>. A smaller window helps</source>
+        <translation>. Une fenêtre plus petite aide</translation>
     </message>
     <message>
         <source>. Real-time priority mends it: add the account to the group realtime</source>
@@ -4007,10 +4011,6 @@
     <message>
         <source>On the other station, once: hapticell-haptic-server --pair shows the code; then hapticell-haptic-server --listen and that station's address.</source>
         <translation>Sur l'autre poste, une fois : hapticell-haptic-server --pair montre le code ; puis hapticell-haptic-server --listen et l'adresse de ce poste.</translation>
-    </message>
-    <message>
-        <source>On the screen %1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed</source>
-        <translation>À l'écran %1 ms après le ressenti au milieu, %2 ms au plus, sur %3 ; %4 ms passent inaperçues</translation>
     </message>
     <message>
         <source>One frame back (Left, in the time bar)</source>

@@ -53,12 +53,12 @@ DeviceCheck sightCheck(const TouchSight& sight) {
   const bool late = figures.median_s > limit;
   return {late ? DeviceCheck::Result::kWarning : DeviceCheck::Result::kGood,
           late ? tr("Contacts are seen late") : tr("Contacts are seen as they are felt"),
-          tr("On the screen %1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed")
+          tr("%1 ms after they are felt in the middle, %2 ms at most, of %3; %4 ms go unnoticed")
                   .arg(1e3 * figures.median_s, 0, 'f', 0)
                   .arg(1e3 * figures.worst_s, 0, 'f', 0)
                   .arg(figures.contacts)
                   .arg(1e3 * limit, 0, 'f', 0) +
-              (late ? tr(". A smaller window or fewer parts in view make it sooner") : QString())};
+              (late ? tr(". A smaller window helps") : QString())};
 }
 
 }  // namespace

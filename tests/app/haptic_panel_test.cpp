@@ -150,7 +150,7 @@ TEST(DeviceCheck, TellsHowSoonContactsAreSeen) {
   sight = {{7, 0.030, 0.031, 0.062}, true, 0.020};
   EXPECT_EQ(line("seen as they are felt").result, DeviceCheck::Result::kGood);
   EXPECT_EQ(line("seen as they are felt").detail,
-            "On the screen 31 ms after they are felt in the middle, 62 ms at most, of 7; 50 ms go unnoticed");
+            "31 ms after they are felt in the middle, 62 ms at most, of 7; 50 ms go unnoticed");
   sight.software = false;  // A graphics card: 15 ms beyond the frame.
   sight.frame_s = 0.004;
   EXPECT_EQ(line("seen late").result, DeviceCheck::Result::kWarning);
