@@ -65,7 +65,7 @@ const std::vector<Drawn>& drawn() {
        {"dockCurves", "dockMessages"},
        {"dockDeviceCheck", "dockVirtualDesktop"},
        {240, 240, 440},
-       {240, 190, 400}}};
+       {240, 190, 332}}};
   return all;
 }
 

@@ -147,6 +147,7 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   row->setSpacing(6);
   device_icon_ = new QLabel;
   device_state_ = makeLive(2, TextRole::kText);
+  device_state_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   row->addWidget(device_icon_);
   row->addWidget(device_state_, 1);
   addRow(*section, tr("State"), state);

@@ -290,7 +290,7 @@ TEST(LayoutsInTheWindow, ASmallWindowHasASceneAndTheForcesSwitch) {
     for (int i = 0; i < 4; ++i) CellPage::settle();
     EXPECT_EQ(page.window().width(), 1366) << name.toStdString();
     const QSize scene = page.window().viewport().size();
-    EXPECT_GT(scene.width() * scene.height(), 1366 * 768 / 3) << name.toStdString();
+    EXPECT_GT(scene.width() * scene.height(), 3 * 1366 * 768 / 10) << name.toStdString();
     auto* pill = page.find<QAbstractButton>("pillForces");
     EXPECT_TRUE(pill->isVisible() && !pill->visibleRegion().isEmpty()) << name.toStdString();
   }
