@@ -69,7 +69,7 @@ class EditDocks : public QObject {
  private:
   void openParts() {
     if (!parts_dock_) {
-      parts_dock_ = makeDock("dockInsertPart", tr("Insert part"), scrolledPanel(new PartPanel(host_)));
+      parts_dock_ = makeDock("dockInsertPart", tr("Insert part"), new PartPanel(host_));
       host_.addDock(parts_dock_, Qt::RightDockWidgetArea);
     }
     parts_dock_->show();

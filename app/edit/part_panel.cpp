@@ -17,6 +17,7 @@
 #include "app/panels/place_fields.h"
 #include "app/panels/pose_text.h"
 #include "app/style/icon.h"
+#include "app/style/live_label.h"
 #include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
 
@@ -26,11 +27,11 @@ namespace {
 using workcell::BuiltInPart;
 using workcell::Entity;
 
-constexpr QSize kThumb{76, 56};
-constexpr QSize kCell{100, 88};
-constexpr QSize kBig{308, 150};
-constexpr int kListHeight = 3 * kCell.height() + 8;
-constexpr int kDrawMilliseconds = 30;
+constexpr QSize kPartThumb{72, 54};
+constexpr QSize kPartCell{96, 84};  // Three in a row beside the scroll bar.
+constexpr QSize kPartPicture{308, 130};
+constexpr int kPartListHeight = 3 * kPartCell.height() + 8;
+constexpr int kPartDrawPause = 30;
 constexpr double kMillimetres = 1000.0;
 
 /// The point of the floor in the middle of the picture; the origin where the eye does not look at the floor nearby.
@@ -52,7 +53,11 @@ int tipOf(const Entity& robot) {
 }  // namespace
 
 PartPanel::PartPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host) {
-  auto* column = new QVBoxLayout(this);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* scrolled = new QWidget;
+  auto* column = new QVBoxLayout(scrolled);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   QVBoxLayout* choice = addSection(*column, {});
@@ -62,22 +67,25 @@ PartPanel::PartPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host)
   list_->setViewMode(QListView::IconMode);
   list_->setMovement(QListView::Static);
   list_->setResizeMode(QListView::Adjust);
-  list_->setIconSize(kThumb);
-  list_->setGridSize(kCell);
+  list_->setIconSize(kPartThumb);
+  list_->setGridSize(kPartCell);
   list_->setUniformItemSizes(true);
-  list_->setFixedHeight(kListHeight);
+  list_->setSpacing(0);
+  list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  list_->setFixedHeight(kPartListHeight);
   for (const BuiltInPart& part : workcell::builtInParts()) {
     auto* item = new QListWidgetItem(icon("cube"), partName(part), list_);
     item->setData(Qt::UserRole, QLatin1String(part.scheme));
   }
   choice->addWidget(list_);
   big_picture_ = new QLabel;
-  big_picture_->setFixedHeight(kBig.height());
+  big_picture_->setFixedHeight(kPartPicture.height());
   big_picture_->setAlignment(Qt::AlignCenter);
   choice->addWidget(big_picture_);
   column->addWidget(makeSizes());
-  column->addWidget(makePlace());
   column->addStretch(1);
+  whole->addWidget(scrolledPanel(scrolled), 1);
+  whole->addWidget(makePlace());  // Never scrolled away: it holds the button that inserts.
   connect(list_, &QListWidget::currentRowChanged, this, &PartPanel::showChosen);
   connect(list_, &QListWidget::itemDoubleClicked, this, &PartPanel::insert);
   connect(&host_.documentModel(), &DocumentModel::changed, this, &PartPanel::showRobots);
@@ -107,9 +115,8 @@ QWidget* PartPanel::makeSizes() {
     section->addWidget(rows_[i]);
     connect(sizes_[i], &ValueField::edited, this, &PartPanel::showPart);
   }
-  problem_ = makeLabel({}, TextRole::kSecond, true);
+  problem_ = makeLive(1, TextRole::kSecond, true);
   problem_->setObjectName("labelPartProblem");
-  problem_->setMinimumHeight(problem_->fontMetrics().height());
   section->addWidget(problem_);
   return holder;
 }
@@ -141,7 +148,7 @@ void PartPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   place_->set(floorInView(host_.viewport().camera()));
   showRobots();
-  draw_.start(kDrawMilliseconds);
+  draw_.start(kPartDrawPause);
 }
 
 void PartPanel::choose(const QString& scheme) {
@@ -198,7 +205,7 @@ void PartPanel::showPart() {
   problem_->setText(problem);
   if (!made || !isVisible()) return;
   made->X_WE = {};
-  const QImage picture = picture_.draw({std::move(*made)}, kBig, themeOf(palette()));
+  const QImage picture = picture_.draw({std::move(*made)}, kPartPicture, themeOf(palette()));
   if (!picture.isNull()) big_picture_->setPixmap(QPixmap::fromImage(picture));
 }
 
@@ -227,7 +234,7 @@ void PartPanel::drawPictures() {
     item->setData(Qt::UserRole + 1, true);
     auto made = workcell::makeBuiltInPart(item->data(Qt::UserRole).toString().toStdString() + ":", 1.0);
     if (!made) continue;
-    const QImage picture = picture_.draw({std::move(*made)}, kThumb * devicePixelRatioF(), themeOf(palette()));
+    const QImage picture = picture_.draw({std::move(*made)}, kPartThumb * devicePixelRatioF(), themeOf(palette()));
     if (picture.isNull()) return draw_.stop();
     return item->setIcon(QIcon(QPixmap::fromImage(picture)));
   }

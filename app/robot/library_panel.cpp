@@ -16,10 +16,9 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
-#include "app/panels/pose_text.h"
+#include "app/panels/place_fields.h"
 #include "app/robot/robot_facts.h"
 #include "app/style/icon.h"
-#include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
 #include "workcell/entity_source.h"
 
@@ -165,16 +164,8 @@ QWidget* LibraryPanel::makePlace() {
   auto* rows = new QVBoxLayout(holder);
   rows->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* inside = addSection(*rows, tr("Where its base stands"));
-  const char* const names[4]{"X", "Y", "Z", "A"};
-  for (std::size_t i = 0; i < 4; ++i) {
-    place_[i] = new ValueField({i < 3 ? QStringLiteral("mm") : QStringLiteral("°"), 1, -1e6, 1e6, 1.0});
-    place_[i]->setObjectName(QStringLiteral("placeLibrary%1").arg(QLatin1String(names[i])));
-    place_[i]->setAccessibleName(QLatin1String(names[i]));
-  }
-  addRow(*inside, tr("X Y Z"), sideBySide({place_[0], place_[1], place_[2]}), 56);
-  pick_ = new QPushButton(tr("Pick in the scene"));
-  pick_->setObjectName("buttonPickPlace");
-  addRow(*inside, tr("Turn"), sideBySide({place_[3], pick_}), 56);
+  place_ = new PlaceFields(host_, QStringLiteral("placeLibrary"), tr("Click where the base shall stand"));
+  inside->addWidget(place_);
   add_ = new QPushButton(tr("Add"));
   add_->setObjectName("buttonAddFromLibrary");
   add_->setProperty("main", true);
@@ -185,7 +176,6 @@ QWidget* LibraryPanel::makePlace() {
   inside->addWidget(sideBySide({file, add_}));
   connect(file, &QPushButton::clicked, this, &LibraryPanel::fileWanted);
   connect(add_, &QPushButton::clicked, this, &LibraryPanel::add);
-  connect(pick_, &QPushButton::clicked, this, &LibraryPanel::pickPlace);
   return holder;
 }
 
@@ -265,16 +255,6 @@ void LibraryPanel::drawNext() {
   }
 }
 
-void LibraryPanel::pickPlace() {
-  host_.viewport().startPick({{.faces = true, .edges = false, .vertices = true},
-                              tr("Click where the base shall stand"),
-                              [this](const std::optional<PickedFeature>& feature) {
-                                if (!feature) return;
-                                for (int i = 0; i < 3; ++i)
-                                  place_[static_cast<std::size_t>(i)]->setValue(1000.0 * feature->p_WQ[i]);
-                              }});
-}
-
 void LibraryPanel::add() {
   const int row = chosenRow();
   if (row < 0) return;
@@ -292,7 +272,7 @@ void LibraryPanel::add() {
   DocumentModel& document = host_.documentModel();
   entity.joints = kinematics::restPositions(*entity.robot);
   entity.name = document.document().uniqueName(model_->robot(row).sheet.name);
-  entity.X_WE = poseFromNumbers({place_[0]->value(), place_[1]->value(), place_[2]->value(), place_[3]->value(), 0, 0});
+  entity.X_WE = place_->X_W();
   const std::string name = entity.name;
   if (!document.execute(workcell::AddEntity{std::move(entity)})) return;
   if (const workcell::Entity* made = document.document().findByName(name)) host_.selection().set(made->id);

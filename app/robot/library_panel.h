@@ -5,7 +5,6 @@
 #include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
-#include <array>
 #include <set>
 
 #include "app/robot/library_model.h"
@@ -20,7 +19,7 @@ class QPushButton;
 namespace hapticell::app {
 
 class Host;
-class ValueField;
+class PlaceFields;
 
 /// Shows those whose words match the search and whose maker is the chosen one.
 class LibraryFilter : public QSortFilterProxyModel {
@@ -61,7 +60,6 @@ class LibraryPanel : public QWidget {
   void showChosen();
   void load(int row);
   void drawNext();
-  void pickPlace();
   Host& host_;
   LibraryModel* model_;
   LibraryFilter filter_;
@@ -70,8 +68,8 @@ class LibraryPanel : public QWidget {
   QComboBox* maker_;
   QListView* list_;
   QLabel *big_picture_, *name_, *sheet_;
-  std::array<ValueField*, 4> place_{};  ///< X, Y, Z in mm; turn about Z in degrees.
-  QPushButton *add_, *pick_;
+  PlaceFields* place_;
+  QPushButton* add_;
   std::set<int> asked_;
   QTimer draw_;
   QThreadPool pool_;
