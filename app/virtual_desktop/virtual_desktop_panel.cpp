@@ -141,7 +141,6 @@ void VirtualDesktopPanel::addDevice(QVBoxLayout& column) {
   section->addWidget(station);
   connect(station, &StationPanel::stationChosen, &controller_, &VirtualDesktopController::useServer);
   auto* state = new QWidget;
-  state->setMinimumHeight(kFieldHeight);
   auto* row = new QHBoxLayout(state);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
