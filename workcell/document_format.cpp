@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "workcell/command.h"
@@ -50,6 +52,9 @@ Json jsonFromPairRule(const PairRule& rule) {
   return json;
 }
 
+/// m and rad: what is written with all digits and read again is nearer than this.
+constexpr double kSamePlace = 1e-6;
+
 class StateReader {
  public:
   StateReader(const fs::path& folder, Diagnostics& diagnostics, const LoadOptions& options)
@@ -81,6 +86,12 @@ class StateReader {
   }
 
  private:
+  struct Hanging {
+    std::size_t index;  ///< Among the entities.
+    Attachment attachment;
+    bool placed;  ///< Its place on the carrier is written.
+  };
+
   void readHead(FieldReader& fields) {
     std::string format;
     double version = 0.0;
@@ -167,14 +178,16 @@ class StateReader {
     // What it hangs on may stand further down in the file.
     Attachment attachment;
     std::swap(attachment, entity.attachment);
+    const Json* attached = fields.object("attached");
+    const bool placed = attached != nullptr && attached->contains("placement");
     const auto added = apply(AddEntity{std::move(entity)}, state_, state_.entities.size() + 1);
     if (!added) return context_.failIn(place, added.error());
-    if (!attachment.to.empty()) attachments_.emplace_back(state_.entities.size() - 1, std::move(attachment));
+    if (!attachment.to.empty()) attachments_.push_back({state_.entities.size() - 1, std::move(attachment), placed});
   }
 
   /// All entities are there: what hangs on which.
   void hangUp() {
-    for (auto& [index, attachment] : attachments_) {
+    for (auto& [index, attachment, placed] : attachments_) {
       auto entity = std::make_shared<Entity>(*state_.entities[index]);
       const std::string place = "entity '" + entity->name + "'";
       const Entity* carrier = state_.findByName(attachment.to);
@@ -196,6 +209,42 @@ class StateReader {
       entity->attachment = std::move(attachment);
       state_.entities[index] = std::move(entity);
     }
+    placeOnCarriers();
+  }
+
+  /// Where it hangs counts: an entity whose own placement says otherwise is put there, and that is told. Carriers come
+  /// first; a chain of them may be as long as the file.
+  void placeOnCarriers() {
+    std::map<std::string, const Hanging*> by_name;
+    for (const Hanging& hanging : attachments_) by_name[state_.entities[hanging.index]->name] = &hanging;
+    std::set<const Hanging*> done;
+    for (const Hanging& hanging : attachments_) {
+      std::vector<const Hanging*> chain;
+      for (const Hanging* at = &hanging; at != nullptr && done.insert(at).second;) {
+        chain.push_back(at);
+        const auto below = by_name.find(state_.entities[at->index]->attachment.to);
+        at = below == by_name.end() ? nullptr : below->second;
+      }
+      for (auto at = chain.rbegin(); at != chain.rend(); ++at) placeOnCarrier(**at);
+    }
+  }
+
+  void placeOnCarrier(const Hanging& hanging) {
+    auto entity = std::make_shared<Entity>(*state_.entities[hanging.index]);
+    const Entity* carrier = state_.findByName(entity->attachment.to);
+    if (carrier == nullptr || carrier->unloaded) return;
+    const Pose X_WL = carrierPose(*carrier, entity->attachment.link);
+    if (!hanging.placed) {
+      entity->attachment.X_LE = X_WL.inverse() * entity->X_WE;
+    } else {
+      const Pose X_WE = X_WL * entity->attachment.X_LE;
+      const Twist off = difference(X_WE, entity->X_WE);
+      if (glm::length(off.linear) < kSamePlace && glm::length(off.angular) < kSamePlace) return;
+      entity->X_WE = X_WE;
+      diagnostics_.warn("entity '" + entity->name + "': its \"placement\" is not where it hangs on '" + carrier->name +
+                        "'; it is placed where it hangs");
+    }
+    state_.entities[hanging.index] = std::move(entity);
   }
 
   void readPairSet(const Json& json, std::size_t index) {
@@ -306,7 +355,7 @@ class StateReader {
   FormatContext context_{folder_, loader_, diagnostics_, options_, error_};
   SourceReader sources_{context_};
   DocumentState state_;
-  std::vector<std::pair<std::size_t, Attachment>> attachments_;  // By place in the state.
+  std::vector<Hanging> attachments_;
 };
 
 }  // namespace

@@ -89,6 +89,7 @@ def test_check_of_a_robot_that_carries_a_part(case):
     joints = [[0.05 * i, 0.0, 0.0, 0.0, 0.0, 0.0] for i in range(11)]
     (case.folder / "q.csv").write_text("\n".join(["A1,A2,A3,A4,A5,A6"] + [",".join(map(repr, q)) for q in joints]) + "\n")
     poses = case.run("fk", "--robot", "library:kuka_kr6_r900", "--joints", "q.csv", "--tip", "tool0")["poses"]
+    poses = [[pose[k] for k in ("x", "y", "z", "qw", "qx", "qy", "qz")] for pose in poses]
     rows = ["t,x,y,z,qw,qx,qy,qz,q1,q2,q3,q4,q5,q6"]
     rows += [",".join(map(repr, [0.1 * i] + list(pose) + q)) for i, (pose, q) in enumerate(zip(poses, joints))]
     (case.folder / "m.csv").write_text("\n".join(rows) + "\n")

@@ -165,7 +165,7 @@ TEST(MannequinManipulator, WhatTheHandHoldsGoesWithIt) {
   options.moved_by.kind = MovedBy::Kind::kRightHand;
   auto held = HeldEntity::take(scene, worker.id, {}, options, config::Configuration{});
   ASSERT_TRUE(held) << held.error().message();
-  const auto met = [](const HeldPair& pair) { return pair.moved_part == "bar" && pair.other == 1; };
+  const auto met = [](const HeldPair& pair) { return pair.owner == 3 && pair.other == 1; };
   EXPECT_TRUE(std::any_of((*held)->pairs().begin(), (*held)->pairs().end(), met));
   MotionMapping mapping;
   mapping.anchor((*held)->movedFrame(), (*held)->movedFrame());

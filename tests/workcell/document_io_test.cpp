@@ -220,7 +220,8 @@ TEST(DocumentText, namesEntityAndKeyOfABadValue) {
   EXPECT_THAT(refused(document(ball + R"("on_contact": "bounce"})")), HasSubstr("one of stop, slide, pass"));
   EXPECT_THAT(refused(document(ball + R"("kind": "robot"})")), HasSubstr("solid, as its file is"));
   EXPECT_THAT(refused(document(R"({"source": {"file": "sphere:0.1"}})")), HasSubstr("entity 1: no \"name\""));
-  EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "box:1,2"}})")), HasSubstr("sizes that cannot be used: '1,2'"));
+  EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "box:1,2"}})")),
+              HasSubstr("sizes that cannot be used: '1,2'"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "library:../x"}})")), HasSubstr("library:../x"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "mannequin:male:0"}})")), HasSubstr("0.1 to 99.9"));
   EXPECT_THAT(refused(document(R"({"name": "a", "source": {"file": "hand:middle"}})")), HasSubstr("hand:left"));
@@ -239,6 +240,27 @@ TEST(DocumentText, warnsOfUnknownKeysAndNames) {
   ASSERT_EQ(notes.warnings.size(), 2u);
   EXPECT_THAT(notes.warnings[0], HasSubstr("\"colour\""));
   EXPECT_THAT(notes.warnings[1], HasSubstr("'bell'"));
+}
+
+TEST(DocumentText, whatHangsOnSomethingIsPlacedWhereItHangsAndThatIsSaid) {
+  const auto chain = [](const std::string& placement_of_last) {
+    return document(R"({"name": "last", "source": {"file": "sphere:0.1"}, )" + placement_of_last +
+                    R"("attached": {"to": "middle", "placement": {"position": [0, 0, 3]}}},
+    {"name": "middle", "source": {"file": "sphere:0.1"}, "placement": {"position": [1, 2, 0]},
+     "attached": {"to": "first", "placement": {"position": [0, 2, 0]}}},
+    {"name": "first", "source": {"file": "sphere:0.1"}, "placement": {"position": [1, 0, 0]}},
+    {"name": "loose", "source": {"file": "sphere:0.1"}, "placement": {"position": [5, 0, 0]}, "attached": {"to": "first"}})");
+  };
+  Diagnostics told, silent;
+  const auto moved = parseDocument(chain(""), "/nowhere", "c", told);
+  ASSERT_TRUE(moved.has_value()) << moved.error().message();
+  EXPECT_LT(glm::length(moved->findByName("last")->X_WE.p - dvec3(1, 2, 3)), 1e-12) << "by its carrier's carrier";
+  ASSERT_EQ(told.warnings.size(), 1u);
+  EXPECT_THAT(told.warnings[0], HasSubstr("'last'"));
+  EXPECT_LT(glm::length(moved->findByName("loose")->X_WE.p - dvec3(5, 0, 0)), 1e-12);
+  EXPECT_LT(glm::length(moved->findByName("loose")->attachment.X_LE.p - dvec3(4, 0, 0)), 1e-12) << "where it stands";
+  EXPECT_TRUE(parseDocument(chain(R"("placement": {"position": [1, 2, 3]}, )"), "/nowhere", "c", silent));
+  EXPECT_TRUE(silent.warnings.empty());
 }
 
 TEST(DocumentText, roundsHandWrittenQuaternionsToUnitOnes) {
