@@ -14,6 +14,7 @@
 #include "geometry/shapes.h"
 #include "manipulation/prepared_scene.h"
 #include "tests/app/window_page.h"
+#include "workcell/built_in_parts.h"
 
 namespace hapticell::app {
 
@@ -24,6 +25,14 @@ class CellPage : public WindowPage {
     window().resize(900, 640);
     window().viewport().setMotion(false);
     settle();
+  }
+  /// A cube that a document can name, so that it is there again when the document is read.
+  workcell::EntityId addBox(const char* name, double size) {
+    const std::string side = std::to_string(size);
+    workcell::Entity entity = workcell::makeBuiltInPart("box:" + side + "," + side + "," + side, 1.0).value();
+    entity.name = name;
+    window().documentModel().execute(workcell::AddEntity{entity});
+    return document().findByName(name)->id;
   }
   workcell::EntityId addSolid(const char* name, geometry::TriangleMesh mesh, const Pose& X_WE = {}) {
     workcell::Entity entity;

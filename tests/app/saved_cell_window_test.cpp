@@ -38,7 +38,7 @@ TEST(SavedCell, HasItsRecordingsBesideItAndCanBeHandedOn) {
   std::size_t frames = 0;
   {
     CellPage page;
-    const workcell::EntityId part = page.addSolid("part", geometry::makeBox(dvec3(0.06)));
+    const workcell::EntityId part = page.addBox("part", 0.06);
     page.trigger("actionRecord");
     for (int step = 1; step <= 20; ++step) {
       page.window().documentModel().execute(workcell::SetPlacement{part, Pose::translation({0.01 * step, 0.0, 0.1})});
