@@ -106,13 +106,13 @@ def test_check_of_a_robot_that_carries_a_part(case):
     robot, gripper, part = cell["entities"][:3]
     robot["tip_link"] = "tool0"
     at = {"position": [0.0, 0.0, 0.0], "quaternion": [1.0, 0.0, 0.0, 0.0]}
-    gripper["attached"] = {"to": "robot", "link": "tool0", "placement": at}
-    part["attached"] = {"to": "gripper", "link": "", "placement": {**at, "position": [0.0, 0.0, 0.3]}}
+    gripper["attached"] = {"to": "robot", "link": "tool0", "placement": {**at, "position": [0.0, 0.0, 0.03]}}
+    part["attached"] = {"to": "gripper", "link": "", "placement": {**at, "position": [0.0, 0.0, 0.27]}}
     (case.folder / "cell.hcell").write_text(json.dumps(cell))
     found = case.run("trajectory", "check", "m.csv", "--workcell", "cell.hcell", "--entity", "robot", "--fail-on-contact",
                      expect=1)
     assert [f["pair"] for f in found["findings"] if f["kind"] == "collision"] == [["part", "post"]], found
-    assert not found["touching_at_start"], found  # The gripper lies half inside the last link, which carries it.
+    assert not found["touching_at_start"], found  # The gripper reaches 10 mm into the last link, which carries it.
     hit = [f for f in found["findings"] if f["kind"] == "collision"][0]
     reach = math.hypot(post[0], post[1])
     # Its side, 40 mm from its middle, meets the post's, some 5 mm from its own, on a circle of that reach.
