@@ -54,7 +54,7 @@ struct CellB {
   QString path = folder.filePath("b.hcell");
   CellB() {
     CellPage page;
-    page.addSolid("block", geometry::makeBox(dvec3(0.2)));
+    page.addBox("block", 0.2);
     addMannequin(page);
     EXPECT_TRUE(page.window().documentModel().save(path));
     page.window().files().autosaver().discard();

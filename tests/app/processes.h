@@ -31,4 +31,14 @@ inline QByteArrayList childrenOf(qint64 process) {
   return list.open(QIODevice::ReadOnly) ? list.readAll().simplified().split(' ') : QByteArrayList();
 }
 
+/// The child of this process whose program is called so; 0: there is none.
+inline pid_t childCalled(const QByteArray& program) {
+  for (const QByteArray& child : childrenOf(::getpid())) {
+    QFile name(QStringLiteral("/proc/%1/cmdline").arg(QString::fromLatin1(child)));
+    if (!child.isEmpty() && name.open(QIODevice::ReadOnly) && name.readAll().split('\0').front().endsWith(program))
+      return static_cast<pid_t>(child.toLongLong());
+  }
+  return 0;
+}
+
 }  // namespace hapticell::app
