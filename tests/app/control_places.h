@@ -17,14 +17,14 @@ namespace hapticell::app {
 class ControlPlaces {
  public:
   explicit ControlPlaces(const QDockWidget& dock) : dock_(&dock) {
-    for (const QWidget* widget : dock.findChildren<QWidget*>())
+    for (const QWidget* widget : dock.widget()->findChildren<QWidget*>())  // Not its title bar.
       if (isControl(*widget) && widget->isVisible()) places_[widget] = placeOf(*widget);
   }
   std::size_t count() const { return places_.size(); }
   /// Those that stand elsewhere now; empty: none. What came or went meanwhile does not count.
   std::string moved() const {
     std::string told;
-    for (const QWidget* widget : dock_->findChildren<QWidget*>()) {
+    for (const QWidget* widget : dock_->widget()->findChildren<QWidget*>()) {
       const auto before = places_.find(widget);
       if (before == places_.end() || !widget->isVisible() || placeOf(*widget) == before->second) continue;
       const QRect now = placeOf(*widget), was = before->second;
