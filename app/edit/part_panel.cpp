@@ -219,7 +219,8 @@ void PartPanel::showRobots() {
     mount_on_->addItem(QString::fromStdString(entity->name), QVariant::fromValue<qulonglong>(entity->id));
   }
   // A gripper is for the robot that is chosen, or the only one.
-  const auto wanted = before.isValid() ? before : QVariant::fromValue<qulonglong>(host_.selection().current());
+  const bool kept = before.isValid() && before.toULongLong() != 0;
+  const auto wanted = kept ? before : QVariant::fromValue<qulonglong>(host_.selection().current());
   const int found = mount_on_->findData(wanted);
   mount_on_->setCurrentIndex(found >= 0 ? found : mount_on_->count() == 2 ? 1 : 0);
   showPart();
