@@ -210,7 +210,6 @@ void PartPanel::showPart() {
 }
 
 void PartPanel::showRobots() {
-  if (!isVisible()) return;
   const QVariant before = mount_on_->count() > 0 ? mount_on_->currentData() : QVariant();
   mount_on_->clear();
   mount_on_->addItem(tr("Nothing: it stands free"), QVariant::fromValue<qulonglong>(0));
@@ -219,9 +218,9 @@ void PartPanel::showRobots() {
     mount_on_->addItem(QString::fromStdString(entity->name), QVariant::fromValue<qulonglong>(entity->id));
   }
   // A gripper is for the robot that is chosen, or the only one.
-  const bool kept = before.isValid() && before.toULongLong() != 0;
-  const auto wanted = kept ? before : QVariant::fromValue<qulonglong>(host_.selection().current());
-  const int found = mount_on_->findData(wanted);
+  const qulonglong kept = before.toULongLong();
+  const qulonglong wanted = kept != 0 ? kept : host_.selection().current();
+  const int found = wanted != 0 ? mount_on_->findData(QVariant::fromValue(wanted)) : -1;
   mount_on_->setCurrentIndex(found >= 0 ? found : mount_on_->count() == 2 ? 1 : 0);
   showPart();
 }
