@@ -38,7 +38,7 @@ struct WeldReport {
 /// Merges vertices closer than `tolerance` (m), drops degenerate and duplicate triangles and unused vertices.
 WeldReport weld(TriangleMesh& mesh, double tolerance);
 
-/// The tolerance for weld() that facts and practice suggest: 1e-6 of the largest coordinate.
+/// The tolerance for weld() that facts and practice suggest: 1e-6 of the largest coordinate, or of the size if less.
 double weldTolerance(const TriangleMesh& mesh);
 
 /// Appends `part`, placed by X_AB, to `whole` (given in A).

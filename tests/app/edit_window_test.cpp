@@ -111,7 +111,7 @@ TEST(GizmoInTheScene, SeveralGoTogetherAndEscapeTakesADragBack) {
   EXPECT_EQ(page.steps(), before);
 }
 
-// Not run yet: it failed after the gizmo began to follow the scene.
+// Fails: a drag by the arrow leaves the part where it is. It passed before this round: a regression to be found.
 TEST(GizmoInTheScene, DISABLED_StepsKeepToTheGridAndControlSnapsToTheOtherPart) {
   EditPage page;
   page.showDock("dockMove");

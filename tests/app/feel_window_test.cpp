@@ -245,7 +245,7 @@ TEST(FeelWindow, PassGoesThroughAndOnlyShows) {
   EXPECT_FALSE(page.now().stopped);
 }
 
-// Not run yet: it does not come to its end, and why is not known.
+// Fails: it does not come to its end, and why is not known.
 TEST(FeelWindow, DISABLED_NoControlOfThePanelMovesWhileItIsUsed) {
   HandPage page;
   page.showDock("dockVirtualDesktop");

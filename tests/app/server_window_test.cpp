@@ -18,7 +18,7 @@ config::Configuration withOwnServer() {
   return configuration;
 }
 
-// Not run yet: it takes another message for the one it waits for.
+// Fails: it takes another message for the one it waits for.
 TEST(LostServer, DISABLED_IsToldByStatusRatesMessageAndPanelUntilForcesAreAskedForAgain) {
   if (!QFile::exists("/proc/self/task")) GTEST_SKIP() << "no list of processes here";
   CellPage page(withOwnServer());

@@ -278,7 +278,7 @@ TEST(LayoutsInTheWindow, TheSideDocksGoAndComeBackAsTheyWere) {
   EXPECT_TRUE(comesToFront(page.window(), "dockReport"));
 }
 
-// Not run yet: it failed when it first ran, and why is not known.
+// Fails: in layout Move the scene has 28 % of a window of 1366 x 768, not 30 %.
 TEST(LayoutsInTheWindow, DISABLED_ASmallWindowHasASceneAndTheForcesSwitch) {
   CellPage page;
   page.window().loadModules(ModuleLoader::defaultFolders());
@@ -318,7 +318,7 @@ TEST(LayoutsInTheWindow, ASmallWindowLeavesNoNarrowColumnBehind) {
   EXPECT_NEAR(report->width(), wide, 4);
 }
 
-// Not run yet: it failed when it first ran, and why is not known.
+// Fails: numbers of 40 and 58 pixels stand in a room of 31.
 TEST(ValueFields, DISABLED_GiveTheirUnitAwayBeforeANumberIsCut) {
   ValueField field({"mm", 1, -1e6, 1e6, 1.0});
   field.resize(64, 26);
@@ -364,8 +364,7 @@ TEST(Wheel, GivesNoFieldTheFocus) {
   EXPECT_GT(fields, 5);
 }
 
-// Not run yet: samples open as copies now, and the test still waits for the file.
-TEST(FirstPage, DISABLED_AClickOnASampleOpensItAndEscapeClosesThePage) {
+TEST(FirstPage, AClickOnASampleOpensItAndEscapeClosesThePage) {
   CellPage page;
   page.trigger("actionFirstPage");
   auto* start = page.find<StartPage>("startPage");
@@ -377,7 +376,7 @@ TEST(FirstPage, DISABLED_AClickOnASampleOpensItAndEscapeClosesThePage) {
   ASSERT_TRUE(CellPage::until([&] { return page.entities() > 5; }, 60000));
   CellPage::settle();
   EXPECT_FALSE(start->isVisible());
-  EXPECT_EQ(page.window().recentFiles().files().size(), 1) << "it is among the recent files";
+  EXPECT_EQ(page.window().recentFiles().files().size(), 0) << "it is a copy that has no file yet";
 }
 
 TEST(Views, AreKeptAndComeBack) {

@@ -74,7 +74,7 @@ TEST_P(StillPanels, NoSentenceMovesAControl) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, StillPanels, testing::Values("en", "fr"));
 
-// Not run yet: its robot has as many configurations everywhere, so nothing grows.
+// Fails: its robot has as many configurations everywhere, so nothing grows.
 TEST(StillPanel, DISABLED_TheJointsStayWhileTheListOfConfigurationsGrows) {
   StillPage page;
   page.addRobot("kuka_kr6_r900");
