@@ -5,16 +5,15 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
-#include <QFile>
 #include <QMainWindow>
-#include <QMenu>
-#include <QTextBrowser>
+#include <QRegularExpression>
 #include <QTimer>
 
+#include "app/help/help_panel.h"
 #include "app/help/scene_text.h"
-#include "app/host/actions.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/host/key_overlay.h"
 #include "app/host/selection.h"
 #include "app/settings/user_choices.h"
 #include "app/style/dock_title_bar.h"
@@ -25,90 +24,99 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kReadMilliseconds = 1000;  // A reader is not to be talked over.
+constexpr int kHelpWidth = 332;
+const QString kSceneWords = QStringLiteral("sceneWords");
 
-QString read(const QString& language, const QString& page) {
-  QFile file(QStringLiteral(":/hapticell/help/%1/%2.md").arg(language, page));
-  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+/// As Markdown that reads the same.
+QString escaped(QString text) {
+  static const QRegularExpression marks(QStringLiteral(R"(([\\`*_{}\[\]<>#|~]))"));
+  return text.replace(marks, QStringLiteral("\\\\1"));
 }
 
 class HelpDock : public QObject {
  public:
   explicit HelpDock(Host& host) : QObject(&host.window()), host_(host) {
-    if (auto* help = host.window().findChild<QAction*>("actionHelp"))
-      connect(help, &QAction::triggered, this, [this] { showPage(dockInFocus(host_)); });
-    if (auto* words = host.window().findChild<QAction*>("actionSceneText"))
-      connect(words, &QAction::triggered, this, [this] {
-        shows_scene_ = true;
-        browser()->setPlainText(now());
-        bring(tr("The scene in words"));
-      });
+    opens("actionHelp", [this] {
+      const QString dock = dockInFocus(host_);
+      return dock == QStringLiteral("dockHelp") ? panel()->page() : dock.isEmpty() ? QStringLiteral("scene") : dock;
+    });
+    opens("actionManual", [] { return QStringLiteral("firstSteps"); });
+    opens("actionSceneText", [] { return kSceneWords; });
     auto* timer = new QTimer(this);
     connect(timer, &QTimer::timeout, this, &HelpDock::tellReader);
     timer->start(kReadMilliseconds);
   }
 
  private:
+  template <typename Page>
+  void opens(const char* action, Page page) {
+    auto* found = host_.window().findChild<QAction*>(QString::fromLatin1(action));
+    if (!found) return;
+    connect(found, &QAction::triggered, this, [this, page] {
+      const QString name = page();
+      if (panel()->page() == name)
+        panel()->refresh();
+      else
+        panel()->showPage(name);
+      dock_->show();
+      dock_->raise();
+      panel()->setFocus(Qt::ShortcutFocusReason);
+    });
+  }
+
   QString now() const {
     return sceneText(host_.documentModel().document().state(), host_.selection().all(), host_.viewport().scene());
   }
 
   /// The scene's text is its accessible description, so that a screen reader has it without a panel.
   void tellReader() {
-    if (!QAccessible::isActive() && !(dock_ && dock_->isVisible() && shows_scene_)) return;
+    const bool shown = dock_ && dock_->isVisible() && panel_->page() == kSceneWords;
+    if (!QAccessible::isActive() && !shown) return;
     const QString text = now();
     if (text == told_) return;
     told_ = text;
     host_.viewport().setAccessibleDescription(text);
-    if (dock_ && dock_->isVisible() && shows_scene_) browser()->setPlainText(text);
+    if (shown) panel_->refresh();
   }
 
-  void showPage(const QString& dock) {
-    shows_scene_ = false;
-    browser()->setMarkdown(helpPage(dock, languageFrom(host_.userSettings())));
-    bring(tr("Help"));
+  /// What a page says of this cell and of this user's keys.
+  QString addition(const QString& page) const {
+    QString lines;
+    if (page == kSceneWords)
+      for (const QString& line : now().split('\n')) lines += QStringLiteral("- ") + escaped(line) + '\n';
+    if (page == QStringLiteral("keys"))
+      for (const KeyLine& line : keyLines(host_.window()))
+        lines += QStringLiteral("- **%1**  %2\n").arg(escaped(line.key), escaped(line.does));
+    return lines;
   }
 
-  QTextBrowser* browser() {
-    if (browser_) return browser_;
-    browser_ = new QTextBrowser;
-    browser_->setObjectName("browserHelp");
-    browser_->setAccessibleName(tr("Help"));
-    browser_->setFrameShape(QFrame::NoFrame);
-    browser_->setMinimumWidth(332);
-    browser_->document()->setDocumentMargin(12);
-    dock_ = makeDock("dockHelp", tr("Help"), browser_);
+  HelpPanel* panel() {
+    if (panel_) return panel_;
+    panel_ = new HelpPanel(languageFrom(host_.userSettings()), [this](const QString& page) { return addition(page); });
+    panel_->setMinimumWidth(kHelpWidth);
+    dock_ = makeDock("dockHelp", tr("Help"), panel_);
     dock_->setWindowIcon(icon("help"));
     host_.addDock(dock_, Qt::RightDockWidgetArea);
-    return browser_;
-  }
-
-  void bring(const QString& title) {
-    dock_->setWindowTitle(title);
-    dock_->show();
-    dock_->raise();
-    browser_->setFocus(Qt::ShortcutFocusReason);
+    return panel_;
   }
 
   Host& host_;
-  QTextBrowser* browser_ = nullptr;
+  HelpPanel* panel_ = nullptr;
   QDockWidget* dock_ = nullptr;
   QString told_;
-  bool shows_scene_ = false;
 };
 
 }  // namespace
 
-QString helpPage(const QString& dock, const QString& language) {
-  for (const QString& page : {dock, QStringLiteral("scene")})
-    for (const QString& spoken : {language, QStringLiteral("en")})
-      if (const QString text = page.isEmpty() ? QString() : read(spoken, page); !text.isEmpty()) return text;
-  return {};
-}
-
 QString dockInFocus(Host& host) {
   const QWidget* focus = QApplication::focusWidget();
-  for (const QDockWidget* dock : host.window().findChildren<QDockWidget*>())
+  const bool nowhere = !focus || focus == &host.window();
+  for (const QDockWidget* dock : host.window().findChildren<QDockWidget*>()) {
     if (focus && dock->isAncestorOf(focus)) return dock->objectName();
+    if (nowhere && !dock->visibleRegion().isEmpty() &&
+        host.window().dockWidgetArea(const_cast<QDockWidget*>(dock)) == Qt::RightDockWidgetArea)
+      return dock->objectName();
+  }
   return {};
 }
 

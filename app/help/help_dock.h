@@ -7,13 +7,12 @@ namespace hapticell::app {
 
 class Host;
 
-/// The help page of a dock ("dockMove") in a language ("en"), as Markdown; the page about the scene where it has none
-/// of its own, the English one where it is not translated.
-QString helpPage(const QString& dock, const QString& language);
-/// The dock that holds what has the focus, or in which a tab is in front; empty: the scene.
+/// The dock that holds what has the focus; where the window itself has it, the dock that is in front at the right.
+/// Empty: the scene.
 QString dockInFocus(Host& host);
 
-/// F1 (actionHelp), the scene in words and the pages' dock, made when it is first opened.
+/// F1 (actionHelp) opens the manual at the panel in focus, actionManual at its beginning, actionSceneText at the scene
+/// in words; the manual's dock is made when it is first opened.
 void addHelp(Host& host);
 
 }  // namespace hapticell::app

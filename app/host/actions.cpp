@@ -135,6 +135,7 @@ void Actions::makeActions(QMainWindow& window) {
   light = make({"actionLight", tr("Light"), {}, {}, {}});
   settings = make({"actionSettings", tr("Settings…"), "settings", QKeySequence(Qt::CTRL | Qt::Key_Comma), {}});
   help = make({"actionHelp", tr("Help on this panel"), "help", QKeySequence(Qt::Key_F1), {}});
+  manual = make({"actionManual", tr("Manual"), {}, QKeySequence(Qt::SHIFT | Qt::Key_F1), {}});
   scene_text = make({"actionSceneText", tr("The scene in words"), "text", QKeySequence(Qt::CTRL | Qt::Key_F1), {}});
   first_page = make({"actionFirstPage", tr("First page"), "home", {}, {}});
   reset_layout = make({"actionResetLayout", tr("Layout as drawn"), "layout", {}, {}});
@@ -180,7 +181,7 @@ void Actions::fillMenus(QMainWindow& window) {
   windows->addActions({side_docks, reset_layout});
   windows->addSeparator();
   help_menu = topMenu(window, "menuHelp", tr("Help"));
-  help_menu->addActions({help, scene_text, first_page});
+  help_menu->addActions({manual, help, scene_text, first_page});
   help_menu->addSeparator();
   help_menu->addAction(about);
 }

@@ -35,7 +35,7 @@ struct Actions {
   QAction *select, *move, *rotate, *snap, *move_by, *measure, *select_all;
   QAction *fit_all, *fit_selection, *front, *right, *top, *isometric, *perspective, *edges, *section, *side_docks;
   QAction *dark, *light;
-  QAction *about, *settings, *help, *scene_text, *first_page, *reset_layout;
+  QAction *about, *settings, *help, *manual, *scene_text, *first_page, *reset_layout;
   QMenu *recent, *view, *insert, *collision, *applications, *windows, *help_menu;
   QToolBar* tool_bar;
 

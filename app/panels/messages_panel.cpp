@@ -90,7 +90,7 @@ MessagesPanel::MessagesPanel(MessageLog& log, QWidget* parent) : QScrollArea(par
   column_->addWidget(foot_);
   column_->addStretch(1);
   setWidget(content);
-  foot_->setText(tr("Nothing was told yet. What files say when they are read stands here."));
+  foot_->setText(tr("No messages yet."));
   for (const Message& message : log.messages()) add(message);
   connect(&log, &MessageLog::told, this, &MessagesPanel::add);
 }

@@ -1841,6 +1841,10 @@
         <translation>Les contacts tardent parfois</translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
         <source>Controllers load so long a program slowly or not at all, and run short moves unevenly. Simplified, only the moves are written that are needed within %1 and %2; the motion itself stays as it is.</source>
         <translation>Les contrôleurs chargent un programme aussi long lentement ou pas du tout, et exécutent irrégulièrement les déplacements courts. Simplifié, seuls sont écrits les déplacements nécessaires à %1 et %2 près ; le mouvement lui-même reste tel quel.</translation>
     </message>
@@ -2325,6 +2329,10 @@
         <translation>Fichier</translation>
     </message>
     <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
         <source>Filter by name</source>
         <translation>Filtrer par nom</translation>
     </message>
@@ -2359,6 +2367,10 @@
     <message>
         <source>First page</source>
         <translation>Première page</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Premiers pas</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -2447,6 +2459,10 @@
     <message>
         <source>Forces</source>
         <translation>Efforts</translation>
+    </message>
+    <message>
+        <source>Forces and contacts</source>
+        <translation>Efforts et contacts</translation>
     </message>
     <message>
         <source>Forces are off.</source>
@@ -3365,6 +3381,14 @@
         <translation>Mannequin</translation>
     </message>
     <message>
+        <source>Mannequin and ergonomics</source>
+        <translation>Mannequin et ergonomie</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manuel</translation>
+    </message>
+    <message>
         <source>Markers (*.c3d);;All files (*)</source>
         <translation>Marqueurs (*.c3d);;Tous les fichiers (*)</translation>
     </message>
@@ -3451,6 +3475,10 @@
     <message>
         <source>Motion</source>
         <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Mouvements</translation>
     </message>
     <message>
         <source>Motions (*.bvh *.amc);;All files (*)</source>
@@ -3781,6 +3809,10 @@
         <translation>Pas encore de carte</translation>
     </message>
     <message>
+        <source>No messages yet.</source>
+        <translation>Aucun message.</translation>
+    </message>
+    <message>
         <source>No motion yet. Press R, move an entity, press R again; or import one.</source>
         <translation>Pas encore de mouvement. Pressez R, déplacez une entité, pressez R de nouveau ; ou importez-en un.</translation>
     </message>
@@ -3951,10 +3983,6 @@
     <message>
         <source>Nothing was opened yet</source>
         <translation>Rien n'a encore été ouvert</translation>
-    </message>
-    <message>
-        <source>Nothing was told yet. What files say when they are read stands here.</source>
-        <translation>Rien n'a encore été dit. Ce que les fichiers disent à la lecture se trouve ici.</translation>
     </message>
     <message>
         <source>Nothing yet. Files can also be dropped here.</source>
@@ -4283,6 +4311,14 @@
     <message>
         <source>Page %1 of %2</source>
         <translation>Page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Page after</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>Page before</source>
+        <translation>Page précédente</translation>
     </message>
     <message>
         <source>Pages of the settings</source>
@@ -4941,6 +4977,10 @@
         <translation>Robot au-dessus d'un montage</translation>
     </message>
     <message>
+        <source>Robots</source>
+        <translation>Robots</translation>
+    </message>
+    <message>
         <source>Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)</source>
         <translation>Robots (*.urdf *.xacro *.sdf *.toml);;Tous les fichiers (*)</translation>
     </message>
@@ -5069,6 +5109,10 @@
         <translation>Chercher dans la bibliothèque</translation>
     </message>
     <message>
+        <source>Search the manual</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
         <source>Search the workplace…</source>
         <translation>Chercher le poste de travail…</translation>
     </message>
@@ -5155,6 +5199,10 @@
     <message>
         <source>Settings</source>
         <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Settings and keys</source>
+        <translation>Réglages et touches</translation>
     </message>
     <message>
         <source>Settings…</source>
@@ -5955,6 +6003,10 @@
     <message>
         <source>The sample was not added</source>
         <translation>L'exemple n'a pas été ajouté</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>La scène</translation>
     </message>
     <message>
         <source>The scene in words</source>

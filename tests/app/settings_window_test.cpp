@@ -10,8 +10,12 @@
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QToolTip>
+#include <QTreeWidget>
 
+#include "app/help/help_pages.h"
+#include "app/help/help_panel.h"
 #include "app/host/user_settings.h"
 #include "app/panels/dock_front.h"
 #include "app/settings/gesture_field.h"
@@ -411,6 +415,63 @@ TEST(Help, F1IsAboutThePanelThatHasTheFocusAndTheSceneIsToldInWords) {
   page.select(id);
   page.trigger("actionSceneText");
   EXPECT_TRUE(browser->toPlainText().contains("Selected: box, at X 250.0 mm")) << browser->toPlainText().toStdString();
+}
+
+TEST(Help, IsAManualWithContentsSearchLinksAndTheWayBack) {
+  CellPage page;
+  page.trigger("actionManual");
+  auto* panel = page.find<HelpPanel>("panelHelp");
+  ASSERT_NE(panel, nullptr);
+  EXPECT_EQ(panel->page(), "firstSteps");
+  auto* contents = page.find<QTreeWidget>("treeHelp");
+  EXPECT_EQ(contents->topLevelItemCount(), static_cast<int>(helpContents().size()));
+  ASSERT_NE(contents->currentItem(), nullptr) << "the page is marked in the contents";
+
+  auto* typed = page.find<QLineEdit>("fieldHelpSearch");
+  QTest::keyClicks(typed, "swept cleaned noise");
+  EXPECT_TRUE(contents->topLevelItem(0)->isHidden()) << "nothing has these words";
+  typed->clear();
+  QTest::keyClicks(typed, "hand tremor");
+  QTest::keyClick(typed, Qt::Key_Return);
+  CellPage::settle();
+  EXPECT_EQ(panel->page(), "firstSteps") << "the first page that has the words";
+  EXPECT_FALSE(page.find<QTextBrowser>("browserHelp")->extraSelections().isEmpty()) << "the words are marked";
+  EXPECT_EQ(helpPagesWith("hand tremor", "en").size(), 2);
+  QTest::keyClick(contents, Qt::Key_Down);
+  QTest::keyClick(contents, Qt::Key_Down);
+  CellPage::settle();
+  EXPECT_EQ(panel->page(), "dockMotion");
+
+  auto* back = page.find<QToolButton>("buttonHelpBack");
+  ASSERT_TRUE(back->isEnabled());
+  QTest::mouseClick(back, Qt::LeftButton);
+  EXPECT_EQ(panel->page(), "firstSteps");
+  auto* forward = page.find<QToolButton>("buttonHelpForward");
+  ASSERT_TRUE(forward->isEnabled());
+  QTest::mouseClick(forward, Qt::LeftButton);
+  EXPECT_EQ(panel->page(), "dockMotion");
+}
+
+TEST(Help, ALinkOpensItsPageAndTheKeysAreTheUsersOwn) {
+  CellPage page;
+  page.trigger("actionManual");
+  auto* panel = page.find<HelpPanel>("panelHelp");
+  auto* browser = page.find<QTextBrowser>("browserHelp");
+  ASSERT_NE(browser, nullptr);
+  const QTextCursor link = browser->document()->find("Add a robot", QTextDocument::FindCaseSensitively);
+  QTextCursor last;
+  for (QTextCursor at = link; !at.isNull(); at = browser->document()->find("Add a robot", at))
+    if (at.charFormat().isAnchor()) last = at;
+  ASSERT_FALSE(last.isNull());
+  browser->setTextCursor(last);
+  browser->ensureCursorVisible();
+  QTest::mouseClick(browser->viewport(), Qt::LeftButton, Qt::NoModifier,
+                    browser->cursorRect(last).center() - QPoint(8, 0));
+  CellPage::settle();
+  EXPECT_EQ(panel->page(), "dockAddRobot");
+  page.window().findChild<QAction*>("actionSave")->setShortcut(QKeySequence("Ctrl+Alt+9"));
+  panel->showPage("keys");
+  EXPECT_TRUE(browser->toPlainText().contains("Ctrl+Alt+9  Save")) << browser->toPlainText().toStdString();
 }
 
 /// Fields and buttons of a dock that a screen reader would not name.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+class QLineEdit;
+class QTextBrowser;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace hapticell::app {
+
+/// The manual: contents, a search in all pages, and the page, with the way back and forward. GUI thread.
+class HelpPanel : public QWidget {
+  Q_OBJECT
+ public:
+  /// Markdown that is added to a page each time it is shown ("keys"); empty for most.
+  using Addition = std::function<QString(const QString& page)>;
+  HelpPanel(const QString& language, Addition addition, QWidget* parent = nullptr);
+  /// A page by its name; one that does not exist shows the scene's.
+  void showPage(const QString& name);
+  /// The name of the page that is shown.
+  QString page() const;
+  /// Writes the page anew, where the reader is.
+  void refresh();
+
+ private:
+  QWidget* makeBar();
+  void makeContents();
+  void search();
+  void openFirst();
+  void shown();
+  void markWords();
+  QTreeWidgetItem* rowOf(const QString& name) const;
+  QString language_;
+  Addition addition_;
+  QLineEdit* typed_;
+  QTreeWidget* contents_;
+  QTextBrowser* browser_;
+};
+
+}  // namespace hapticell::app
