@@ -28,7 +28,6 @@ using Kind = HoldChoice::Kind;
 
 QCheckBox* makeSwitch(const QString& text, const char* name) {
   auto* box = new QCheckBox(text);
-  box->setProperty("switch", true);
   box->setMinimumHeight(26);
   box->setObjectName(QLatin1String(name));
   return box;

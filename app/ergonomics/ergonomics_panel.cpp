@@ -96,7 +96,6 @@ QWidget* ErgonomicsPanel::makeMethodRows() {
   columns_ = new ScoreColumns(scores_);
   all_bodies_ = new QCheckBox(tr("Show all four in the scene"));
   all_bodies_->setObjectName("checkAllBodies");
-  all_bodies_->setProperty("switch", true);
   all_bodies_->setToolTip(tr("As ghosts at the same task; a column shows its body alone"));
   rows->addWidget(methods_);
   rows->addWidget(sideBySide({task, report}));

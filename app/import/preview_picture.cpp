@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/viewport/render_item.h"
+#include "app/viewport/part_colors.h"
 
 namespace hapticell::app {
 namespace {
@@ -88,7 +88,7 @@ QRgb shaded(const std::array<float, 3>& color, double light) {
 }
 
 void paint(const workcell::Entity& entity, const View& view, Canvas& canvas) {
-  const std::array<float, 3> color = quietened(entity.color);
+  const std::array<float, 3> color = partColor(entity.color);
   const dvec3 light_W = glm::normalize(dvec3(0.3, -0.5, 0.9));
   for (const geometry::Triangle& triangle : entity.mesh->triangles) {
     dvec3 p_W[3], p[3];

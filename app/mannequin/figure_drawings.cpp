@@ -106,7 +106,6 @@ void FigureDrawings::addSwitches(QVBoxLayout& column) {
   for (std::size_t i = 0; i < switches_.size(); ++i) {
     auto* button = switches_[i] = new QCheckBox(words[i]);
     button->setObjectName(QStringLiteral("draw%1").arg(i));
-    button->setProperty("switch", true);
     if (i == kSizesReach)
       button->setToolTip(tr("How far the arms of three people of its sex reach who stand as it does"));
     connect(button, &QCheckBox::clicked, this, [this] {

@@ -10,6 +10,7 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/host/top_menus.h"
+#include "app/panels/color_choice.h"
 #include "app/panels/swatch_row.h"
 #include "app/style/icon.h"
 #include "app/viewport/viewport_widget.h"
@@ -80,6 +81,15 @@ class EntityMenu {
         colorEntities(document, ids, {color.redF(), color.greenF(), color.blueF()});
       });
     }
+    QAction* other = colors->addAction(QObject::tr("Another colour…"), &menu_, [&host = host_, ids = ids_] {
+      const workcell::Entity* first = host.documentModel().document().find(ids.front());
+      if (!first) return;
+      choosePartColor(host, QColor::fromRgbF(first->color[0], first->color[1], first->color[2]),
+                      [&host, ids](const QColor& color) {
+                        colorEntities(host.documentModel(), ids, {color.redF(), color.greenF(), color.blueF()});
+                      });
+    });
+    other->setObjectName("treeOtherColor");
   }
 
   /// A part hangs on another, or on a robot's tip, and goes with it.

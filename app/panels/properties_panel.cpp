@@ -12,6 +12,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/panels/color_choice.h"
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
 #include "app/panels/swatch_row.h"
@@ -123,11 +124,11 @@ void PropertiesPanel::addChoices(QVBoxLayout& column) {
   mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
   mass_row_ = addRow(column, tr("Mass felt"), mass_, kNarrowLabel);
   swatches_ = new SwatchRow(quietColors());
+  swatches_->offerOther();
   addRow(column, tr("Colour"), swatches_, kNarrowLabel);
   checked_ = new QCheckBox(tr("Checked for collision"));
   locked_ = new QCheckBox(tr("Locked in place"));
   for (QCheckBox* box : {checked_, locked_}) {
-    box->setProperty("switch", true);
     box->setMinimumHeight(24);
     column.addWidget(box);
   }
@@ -146,12 +147,14 @@ void PropertiesPanel::addChoices(QVBoxLayout& column) {
     execute([&](auto& c) { c.material = material_->itemData(i).toString().toStdString(); });
   });
   connect(mass_, &ValueField::edited, this, [=](double kg) { execute([&](auto& c) { c.mass = kg; }); });
-  connect(swatches_, &SwatchRow::chosen, this, [=](const QColor& color) {
+  const auto paint = [=](const QColor& color) {
     execute([&](auto& c) {
       c.color = {static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
                  static_cast<float>(color.blueF())};
     });
-  });
+  };
+  connect(swatches_, &SwatchRow::chosen, this, paint);
+  connect(swatches_, &SwatchRow::otherWanted, this, [=, this] { choosePartColor(host_, swatches_->current(), paint); });
   connect(checked_, &QCheckBox::clicked, this, [=](bool on) { execute([&](auto& c) { c.checked = on; }); });
   connect(locked_, &QCheckBox::clicked, this, [=](bool on) { execute([&](auto& c) { c.locked = on; }); });
 }

@@ -17,6 +17,7 @@
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/panels/color_choice.h"
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
 #include "app/panels/swatch_row.h"
@@ -31,11 +32,6 @@ namespace {
 using Kind = HoldChoice::Kind;
 
 constexpr const char* kCurves = "solid";
-
-std::vector<QColor> partColors() {
-  return {QColor("#B8BDC2"), QColor("#8D949B"), QColor("#4D545C"),
-          QColor("#A99A86"), QColor("#7F93A8"), QColor("#93A48C")};
-}
 
 /// The middle of the solid's bounds in its own frame, as the hand takes it by kGeometricCenter.
 dvec3 centerOf(const workcell::Entity& solid) {
@@ -168,23 +164,25 @@ void SolidPanel::addFlags(QVBoxLayout& column) {
   visible_->setObjectName("switchShown");
   triangles_ = makeLabel({}, TextRole::kSecond, true);
   for (QCheckBox* box : {checked_, locked_, visible_}) {
-    box->setProperty("switch", true);
     box->setMinimumHeight(24);
     auto* row = new QHBoxLayout;
     row->addWidget(box, 1);
     if (box == checked_) row->addWidget(triangles_);
     section->addLayout(row);
   }
-  color_ = new SwatchRow(partColors());
+  color_ = new SwatchRow(quietColors());
+  color_->offerOther();
   color_->setObjectName("swatchSolid");
   addRow(*section, tr("Colour"), color_);
   connect(checked_, &QCheckBox::clicked, this, [this](bool on) { execute({.checked = on}); });
   connect(locked_, &QCheckBox::clicked, this, [this](bool on) { execute({.locked = on}); });
   connect(visible_, &QCheckBox::clicked, this, [this](bool on) { execute({.visible = on}); });
-  connect(color_, &SwatchRow::chosen, this, [this](const QColor& color) {
+  const auto paint = [this](const QColor& color) {
     execute({.color = std::array<float, 3>{static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
                                            static_cast<float>(color.blueF())}});
-  });
+  };
+  connect(color_, &SwatchRow::chosen, this, paint);
+  connect(color_, &SwatchRow::otherWanted, this, [this, paint] { choosePartColor(host_, color_->current(), paint); });
 }
 
 const workcell::Entity* SolidPanel::solid() const {

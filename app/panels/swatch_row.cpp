@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/swatch_row.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <algorithm>
 
 #include "app/style/style_painting.h"
@@ -34,8 +36,13 @@ int SwatchRow::currentIndex() const {
   return found == colors_.end() ? -1 : static_cast<int>(found - colors_.begin());
 }
 
+void SwatchRow::offerOther() {
+  offers_other_ = true;
+  update();
+}
+
 QRect SwatchRow::swatch(int index) const {
-  const int count = static_cast<int>(colors_.size()) + 1;
+  const int count = static_cast<int>(colors_.size()) + (offers_other_ ? 2 : 1);
   const int pitch = std::min(26, width() / std::max(1, count));
   return {(index + 1) * pitch, 3, pitch - 4, height() - 6};
 }
@@ -54,14 +61,35 @@ void SwatchRow::paintEvent(QPaintEvent*) {
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(swatch(i)).adjusted(-1, -1, 1, 1), 4, 4);
   }
+  if (!offers_other_) return;
+  const QRect other = swatch(static_cast<int>(colors_.size()));
+  drawBox(&painter, other, theme.button, theme.line, 3.0);
+  painter.setPen(theme.text1);
+  painter.drawText(other, Qt::AlignCenter, QStringLiteral("…"));
+}
+
+bool SwatchRow::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && offers_other_) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (swatch(static_cast<int>(colors_.size())).contains(help->pos()))
+      QToolTip::showText(help->globalPos(), tr("Another colour…"), this);
+    else
+      QToolTip::hideText();
+    return true;
+  }
+  return QWidget::event(event);
 }
 
 void SwatchRow::mousePressEvent(QMouseEvent* event) {
   for (int i = 0; i < static_cast<int>(colors_.size()); ++i)
     if (swatch(i).adjusted(-2, -3, 2, 3).contains(event->pos())) emit chosen(colors_[static_cast<std::size_t>(i)]);
+  if (offers_other_ && swatch(static_cast<int>(colors_.size())).adjusted(-2, -3, 2, 3).contains(event->pos()))
+    emit otherWanted();
 }
 
 void SwatchRow::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && offers_other_) return emit otherWanted();
   const int step = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
   if (step == 0) return QWidget::keyPressEvent(event);
   const int next = std::clamp(currentIndex() + step, 0, static_cast<int>(colors_.size()) - 1);

@@ -10,7 +10,8 @@ namespace hapticell::app {
 /// What parts are coloured with: quiet, so that states are loud.
 std::vector<QColor> quietColors();
 
-/// A few quiet colours to choose from, side by side; the chosen one is framed. Arrow keys move in it.
+/// A few quiet colours to choose from, side by side; the chosen one is framed. Arrow keys move in it. A last place,
+/// "…", can offer any other colour.
 class SwatchRow : public QWidget {
   Q_OBJECT
  public:
@@ -18,21 +19,27 @@ class SwatchRow : public QWidget {
   /// Frames the swatch of that colour; another colour is shown in front of the others.
   void setCurrent(const QColor& color);
   QColor current() const { return current_; }
+  /// Adds the place for any other colour.
+  void offerOther();
   QSize sizeHint() const override { return {160, 26}; }
 
  signals:
   void chosen(const QColor& color);
+  /// The place for any other colour was clicked, or Enter was pressed.
+  void otherWanted();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   QRect swatch(int index) const;
   int currentIndex() const;
   std::vector<QColor> colors_;
   QColor current_;
+  bool offers_other_ = false;
 };
 
 }  // namespace hapticell::app

@@ -68,7 +68,6 @@ HoldingView::HoldingView(RobotContext& context, QWidget* parent) : QWidget(paren
   tool_->setAccessibleName(tr("Tool centre point"));
   axes_ = new QCheckBox;
   axes_->setObjectName("switchAxes");
-  axes_->setProperty("switch", true);
   axes_->setMinimumHeight(24);
   axes_row_ = addRow(*rows, tr("Axes"), axes_);
   axes_->setAccessibleName(tr("External axes go along"));

@@ -141,7 +141,6 @@ void MechanismPanel::addLimits(QVBoxLayout& column) {
   QVBoxLayout* rows = addSection(*outside, tr("Stops and feel"));
   limited_ = new QCheckBox(tr("End stops, from where it stands now"));
   limited_->setObjectName("checkLimited");
-  limited_->setProperty("switch", true);
   rows->addWidget(limited_);
   const char* const names[2]{"", "Slide"};
   for (int i = 0; i < 2; ++i) {

@@ -48,7 +48,6 @@ QWidget* makeAppearancePage(Host& host) {
   });
   const auto addSwitch = [&](const QString& text, const char* name, const QString& key, bool otherwise) {
     auto* box = new QCheckBox(text);
-    box->setProperty("switch", true);
     box->setMinimumHeight(26);
     box->setObjectName(QLatin1String(name));
     box->setChecked(settings.value(key, otherwise).toBool());
@@ -56,6 +55,8 @@ QWidget* makeAppearancePage(Host& host) {
     section->addWidget(box);
   };
   addSwitch(QObject::tr("Views turn smoothly"), "switchMotion", "motion", host.configuration().gui.motion);
+  addSwitch(QObject::tr("Parts in their full colours"), "switchFullColors", "colors/full",
+            host.configuration().gui.original_colors);
   addSwitch(QObject::tr("Show the first page at start"), "switchFirstPage", "start/page", true);
   column->addStretch(1);
   return page;

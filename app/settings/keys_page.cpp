@@ -43,7 +43,6 @@ class KeysPage : public QWidget {
     connect(board, &QComboBox::activated, this,
             [this, board](int i) { keys_.setKeyboard(board->itemData(i).toString()); });
     auto* letters = new QCheckBox(tr("Single keys without Ctrl are on"));
-    letters->setProperty("switch", true);
     letters->setMinimumHeight(26);
     letters->setObjectName("switchLetters");
     letters->setChecked(keys_.lettersOn());

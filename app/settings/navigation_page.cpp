@@ -68,7 +68,6 @@ class NavigationPage : public QWidget {
     QVBoxLayout* section = addSection(column, tr("Wheel and touchpad"));
     const auto add = [&](const QString& text, const char* name, bool Navigation::*what) {
       auto* box = new QCheckBox(text);
-      box->setProperty("switch", true);
       box->setMinimumHeight(26);
       box->setObjectName(QLatin1String(name));
       section->addWidget(box);

@@ -4,8 +4,10 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "app/host/document_model.h"
 #include "app/host/main_window.h"
 #include "app/host/user_settings.h"
+#include "app/viewport/part_colors.h"
 
 namespace hapticell::app {
 
@@ -50,6 +52,11 @@ void followSettings(MainWindow& window) {
     if (is("units")) setUnitsNow(unitsFrom(settings));
     if (is("navigation")) window.viewport().setNavigation(navigationFrom(settings));
     if (is("motion")) window.viewport().setMotion(settings.value("motion", window.configuration().gui.motion).toBool());
+    if (is("colors")) {
+      setFullColorsNow(settings.value("colors/full", window.configuration().gui.original_colors).toBool());
+      window.viewport().scene().setEntities(window.documentModel().document().snapshotEntities());
+      window.viewport().refresh();
+    }
     if (is("theme"))
       window.setTheme(settings.value("theme", QString::fromStdString(window.configuration().gui.theme)).toString() !=
                       QLatin1String("light"));

@@ -159,7 +159,6 @@ void StartPage::addOwn(QVBoxLayout& column) {
   auto* foot = new QHBoxLayout;
   auto* always = new QCheckBox(tr("Show this page at start"));
   always->setObjectName("switchStartPage");
-  always->setProperty("switch", true);
   always->setChecked(settings_.value("start/page", true).toBool());
   connect(always, &QCheckBox::clicked, this, [this](bool on) { settings_.setValue("start/page", on); });
   foot->addWidget(always);

@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QHeaderView>
@@ -25,8 +26,9 @@ namespace {
 constexpr int kSwitchWidth = 30;
 constexpr int kSwitchHeight = 16;
 
+/// What is on or off is a switch everywhere; square boxes are for rows of a list that are taken or not.
 bool isSwitch(const QWidget* widget) {
-  return widget && widget->property("switch").toBool();
+  return qobject_cast<const QCheckBox*>(widget);
 }
 
 bool isLargeSwitch(const QWidget* widget) {

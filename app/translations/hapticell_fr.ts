@@ -1137,6 +1137,10 @@
         <translation>Un autre</translation>
     </message>
     <message>
+        <source>Another colour…</source>
+        <translation>Autre couleur…</translation>
+    </message>
+    <message>
         <source>Another program (%1) controls the stylus. Close it, or connect as a watcher.</source>
         <translation>Un autre programme (%1) commande le stylet. Fermez-le, ou connectez-vous en observateur.</translation>
     </message>
@@ -1735,6 +1739,10 @@
     <message>
         <source>Colour %1</source>
         <translation>Colorer %1</translation>
+    </message>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Couleur de la pièce</translation>
     </message>
     <message>
         <source>Columns</source>
@@ -4373,6 +4381,10 @@
         <translation>Pièces</translation>
     </message>
     <message>
+        <source>Parts in their full colours</source>
+        <translation>Pièces en pleines couleurs</translation>
+    </message>
+    <message>
         <source>Parts of a mechanism are solids of the cell.</source>
         <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
     </message>
@@ -5361,6 +5373,10 @@
         <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap annule</translation>
     </message>
     <message>
+        <source>So contacts stay easy to see. Settings, Appearance, "Parts in their full colours" changes it.</source>
+        <translation>Ainsi les contacts restent bien visibles. Réglages, Apparence, « Pièces en pleines couleurs » le change.</translation>
+    </message>
+    <message>
         <source>Solid</source>
         <translation>Solide</translation>
     </message>
@@ -5923,6 +5939,10 @@
     <message>
         <source>The motion was not saved</source>
         <translation>Le mouvement n'a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>The part is shown in a quieter colour than %1</source>
+        <translation>La pièce est montrée dans une couleur plus sobre que %1</translation>
     </message>
     <message>
         <source>The parts become solids again, where they stand now</source>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/part_colors.h"
 #include "app/viewport/pen_look.h"
 #include "kinematics/robot_model.h"
 #include "workcell/pair_policy.h"
@@ -255,7 +256,7 @@ void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, 
     item.mesh = mesh;
     item.bounds_M = boundsOf_M(mesh);
     item.X_WM = X_WM;
-    item.color = quietened(color);
+    item.color = partColor(color);
     item.entity = entity.id;
     item.link = link;
     items.push_back(std::move(item));

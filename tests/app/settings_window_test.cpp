@@ -4,10 +4,12 @@
 
 #include <QAccessible>
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QKeySequenceEdit>
 #include <QListWidget>
 #include <QSpinBox>
+#include <QStyleOption>
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -18,6 +20,7 @@
 #include "app/help/help_panel.h"
 #include "app/host/user_settings.h"
 #include "app/panels/dock_front.h"
+#include "app/panels/swatch_row.h"
 #include "app/settings/gesture_field.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
@@ -46,6 +49,49 @@ class SettingsPage : public CellPage {
   }
   UserSettings& settings() { return window().userSettings(); }
 };
+
+TEST(PartColor, AnyCanBeChosenAndIsOneStepOfUndo) {
+  CellPage page;
+  const auto id = page.addSolid("box", geometry::makeBox({0.1, 0.1, 0.1}));
+  page.select(id);
+  page.showDock("dockSolid");
+  const auto color = [&] { return page.window().documentModel().document().find(id)->color; };
+  const auto drawn = [&] { return page.window().viewport().scene().items({}).front().color; };
+  const auto before = color();
+  auto* swatches = page.find<SwatchRow>("swatchSolid");
+  QTest::keyClick(swatches, Qt::Key_Return);
+  CellPage::settle();
+  auto* dialog = page.find<QColorDialog>("dialogColor");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->testOption(QColorDialog::DontUseNativeDialog)) << "in the window's theme";
+  dialog->setCurrentColor(QColor("#d02010"));
+  QTest::keyClick(dialog, Qt::Key_Return);
+  CellPage::settle();
+  EXPECT_NEAR(color()[0], 0xd0 / 255.0, 1e-3);
+  EXPECT_NEAR(color()[2], 0x10 / 255.0, 1e-3);
+  EXPECT_GT(drawn()[2], 0.5F) << "quiet, so that contacts are loud";
+  EXPECT_TRUE(page.sentence().contains("quieter colour")) << page.sentence().toStdString();
+  page.window().userSettings().setValue("colors/full", true);
+  EXPECT_NEAR(drawn()[2], 0x10 / 255.0, 1e-3);
+  page.window().userSettings().setValue("colors/full", false);
+  EXPECT_GT(drawn()[2], 0.5F);
+  page.trigger("actionUndo");
+  EXPECT_EQ(color(), before);
+}
+
+TEST(Switches, EveryOnOrOffIsTheSameKind) {
+  SettingsPage page;
+  page.trigger("actionMeasure");
+  int seen = 0;
+  for (const QCheckBox* box : page.window().findChildren<QCheckBox*>()) {
+    QStyleOptionButton option;
+    option.initFrom(box);
+    const QRect mark = box->style()->subElementRect(QStyle::SE_CheckBoxIndicator, &option, box);
+    EXPECT_GT(mark.width(), mark.height() * 3 / 2) << box->objectName().toStdString() << " is not drawn as a switch";
+    ++seen;
+  }
+  EXPECT_GT(seen, 20);
+}
 
 /// Counts the paints of what it watches.
 class PaintCount : public QObject {
