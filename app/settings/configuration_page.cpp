@@ -1,26 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/settings/configuration_page.h"
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QHeaderView>
+#include <QHash>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSaveFile>
 #include <QStandardPaths>
-#include <QTableWidget>
+#include <QUrl>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "app/host/host.h"
 #include "app/panels/form.h"
+#include "app/settings/configuration_fields.h"
 #include "app/settings/settings_pages.h"
 #include "app/settings/toml_edit.h"
-#include "app/style/theme.h"
+#include "app/style/value_field.h"
 #include "config/configuration.h"
+#include "config/setting_visitor.h"
 
 namespace hapticell::app {
 namespace {
+
+constexpr int kNameColumn = 236;  // Of names that are short sentences.
 
 /// As TOML writes it: numbers and true/false as they are, all else in quotes.
 QString tomlText(const QString& typed, const QString& shipped) {
@@ -40,17 +49,51 @@ QString shippedText(const QString& key) {
   return {};
 }
 
-/// Everything that stands in hapticell.toml; a double click changes it for the next start.
+/// The field of one setting, with its range, filled with the value in force.
+struct FieldMaker {
+  const ConfigurationField& field;
+  QWidget* made = nullptr;
+
+  void operator()(const std::string& key, const bool& value, const config::NumberRange&) {
+    if (key != field.key) return;
+    auto* box = new QCheckBox;
+    box->setChecked(value);
+    made = box;
+  }
+  template <typename Number>
+  void operator()(const std::string& key, const Number& value, const config::NumberRange& range) {
+    if (key != field.key) return;
+    const double least = range.min * field.per_si, most = range.max * field.per_si;
+    auto* number = new ValueField({field.unit, field.decimals, least, most, std::pow(10.0, -field.decimals)});
+    number->setValue(static_cast<double>(value) * field.per_si);
+    number->setToolTip(QObject::tr("From %1 to %2 %3").arg(least).arg(most).arg(field.unit).trimmed());
+    made = number;
+  }
+  void operator()(const std::string& key, const std::string& value, const config::Choices& choices) {
+    if (key != field.key) return;
+    if (choices.empty()) {
+      made = new QLineEdit(QString::fromStdString(value));
+      return;
+    }
+    auto* combo = new QComboBox;
+    for (const std::string& choice : choices) {
+      const QString plain = QString::fromStdString(choice);
+      combo->addItem(choiceWords(plain), plain);
+    }
+    combo->setCurrentIndex(combo->findData(QString::fromStdString(value)));
+    made = combo;
+  }
+};
+
+/// The settings of hapticell.toml as fields; what is changed is written at once, for the next start.
 class ConfigurationPage : public QWidget {
  public:
-  explicit ConfigurationPage(Host& host) : configuration_(host.configuration()) {
+  explicit ConfigurationPage(Host& host) : host_(host) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* section = addSection(*column, tr("Feel and files"));
-    note_ = makeLive(4, TextRole::kSecond, true);
-    note_->setText(
-        tr("What stands in hapticell.toml, in SI units. A double click or F2 changes a value; it holds "
-           "from the next start."));
+    note_ = makeLive(2, TextRole::kSecond, true);
+    note_->setText(tr("Changes on this page take effect at the next start."));
     note_->setObjectName("labelConfiguration");
     section->addWidget(note_);
     filter_ = new QLineEdit;
@@ -59,65 +102,101 @@ class ConfigurationPage : public QWidget {
     filter_->setPlaceholderText(tr("Filter by name"));
     filter_->setClearButtonEnabled(true);
     section->addWidget(filter_);
-    table_ = new QTableWidget(0, 3);
-    table_->setObjectName("tableConfiguration");
-    table_->setAccessibleName(tr("Configuration"));
-    table_->setHorizontalHeaderLabels({tr("Setting"), tr("Value"), tr("From … to")});
-    table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    table_->verticalHeader()->hide();
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setShowGrid(false);
-    table_->setMinimumHeight(260);
-    table_->setColumnWidth(1, 110);
-    table_->setColumnWidth(2, 140);
-    column->addWidget(table_, 1);
-    fill();
-    connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-      for (int row = 0; row < table_->rowCount(); ++row)
-        table_->setRowHidden(row, !table_->item(row, 0)->text().contains(text, Qt::CaseInsensitive));
-    });
-    connect(table_, &QTableWidget::itemChanged, this, &ConfigurationPage::take);
+    for (const ConfigurationGroup& group : configurationGroups(host.configuration())) addGroup(*column, group);
+    addFile(*column);
+    column->addStretch(1);
+    connect(filter_, &QLineEdit::textChanged, this, &ConfigurationPage::filter);
   }
 
  private:
-  void fill() {
-    for (const config::Setting& setting : config::settings(configuration_)) {
-      const int row = table_->rowCount();
-      table_->insertRow(row);
-      const auto cell = [&](int column, const std::string& text, bool editable) {
-        auto* item = new QTableWidgetItem(QString::fromStdString(text));
-        if (!editable) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
-        table_->setItem(row, column, item);
-      };
-      cell(0, setting.key, false);
-      cell(1, setting.value, true);
-      cell(2, setting.range, false);
+  struct Row {
+    QWidget* group;
+    QWidget* row;
+    QString words;
+  };
+
+  void addGroup(QVBoxLayout& column, const ConfigurationGroup& group) {
+    auto* holder = new QWidget;
+    auto* inside = new QVBoxLayout(holder);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->setSpacing(0);
+    QVBoxLayout* section = addSection(*inside, group.title);
+    for (const ConfigurationField& field : group.fields) {
+      FieldMaker maker{field};
+      config::visitSettings(host_.configuration(), maker);
+      if (!maker.made) continue;
+      maker.made->setObjectName("setting." + QString::fromStdString(field.key));
+      connectField(*maker.made, field);
+      QWidget* row = addRow(*section, field.name, maker.made, kNameColumn);
+      row->findChild<QLabel*>()->setWordWrap(true);
+      rows_.push_back({holder, row, group.title + ' ' + field.name});
     }
+    column.addWidget(holder);
   }
 
-  void take(QTableWidgetItem* item) {
-    if (item->column() != 1 || taking_) return;
-    taking_ = true;
-    const QString key = table_->item(item->row(), 0)->text();
-    const auto written = writeSetting(userConfigurationFile(), key, item->text());
-    if (written) {
-      note_->setText(tr("%1 is %2 from the next start.").arg(key, item->text()));
-      before_[item->row()] = item->text();
-    } else {
-      note_->setText(QString::fromStdString(written.error().message()));
-      for (const config::Setting& setting : config::settings(configuration_))
-        if (key.toStdString() == setting.key)
-          item->setText(before_.value(item->row(), QString::fromStdString(setting.value)));
-    }
-    taking_ = false;
+  void connectField(QWidget& made, const ConfigurationField& field) {
+    if (auto* number = qobject_cast<ValueField*>(&made))
+      connect(number, &ValueField::edited, this,
+              [this, field](double value) { write(field, QString::number(value / field.per_si, 'g', 12)); });
+    if (auto* box = qobject_cast<QCheckBox*>(&made))
+      connect(box, &QCheckBox::clicked, this, [this, field](bool on) { write(field, on ? "true" : "false"); });
+    if (auto* combo = qobject_cast<QComboBox*>(&made))
+      connect(combo, &QComboBox::activated, this,
+              [this, field, combo](int index) { write(field, combo->itemData(index).toString()); });
+    if (auto* line = qobject_cast<QLineEdit*>(&made))
+      connect(line, &QLineEdit::editingFinished, this, [this, field, line] {
+        if (line->isModified()) write(field, line->text());
+        line->setModified(false);
+      });
   }
 
-  const config::Configuration& configuration_;
+  void write(const ConfigurationField& field, const QString& text) {
+    const auto written = writeSetting(userConfigurationFile(), QString::fromStdString(field.key), text);
+    note_->setText(written ? tr("%1: changed, takes effect at the next start.").arg(field.name)
+                           : QString::fromStdString(written.error().message()));
+  }
+
+  void filter(const QString& typed) {
+    QHash<QWidget*, bool> any;
+    for (const Row& row : rows_) {
+      const bool shown = row.words.contains(typed.trimmed(), Qt::CaseInsensitive);
+      row.row->setVisible(shown);
+      any[row.group] = any.value(row.group) || shown;
+    }
+    for (auto group = any.begin(); group != any.end(); ++group) group.key()->setVisible(group.value());
+  }
+
+  void addFile(QVBoxLayout& column) {
+    QVBoxLayout* section = addSection(column, tr("File"));
+    QLabel* words =
+        makeLabel(tr("Everything on this page is kept in %1; more materials and drivers' keys can be added there.")
+                      .arg(QDir::toNativeSeparators(userConfigurationFile())),
+                  TextRole::kSecond, true);
+    words->setWordWrap(true);
+    section->addWidget(words);
+    auto* open = new QPushButton(tr("Open the file"));
+    open->setObjectName("buttonOpenConfiguration");
+    section->addWidget(open, 0, Qt::AlignLeft);
+    connect(open, &QPushButton::clicked, this, &ConfigurationPage::openFile);
+  }
+
+  void openFile() {
+    const QString path = userConfigurationFile();
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    QFile file(path);
+    const bool there =
+        file.exists() ||
+        (file.open(QIODevice::WriteOnly) &&
+         file.write("# HaptiCell, in SI units. The hapticell.toml that is shipped lists all keys.\n") > 0);
+    file.close();
+    if (!there || !QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+      note_->setText(tr("No program on this computer opened %1. Open it in a text editor.").arg(path));
+  }
+
+  Host& host_;
   QLabel* note_;
   QLineEdit* filter_;
-  QTableWidget* table_;
-  QHash<int, QString> before_;  // What was written, by row.
-  bool taking_ = false;
+  std::vector<Row> rows_;
 };
 
 }  // namespace

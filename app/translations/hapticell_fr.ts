@@ -261,10 +261,6 @@
         <translation>%1 est à %2 de sa butée supérieure</translation>
     </message>
     <message>
-        <source>%1 is %2 from the next start.</source>
-        <translation>%1 vaudra %2 dès le prochain démarrage.</translation>
-    </message>
-    <message>
         <source>%1 is as it was</source>
         <translation>%1 est comme avant</translation>
     </message>
@@ -661,12 +657,28 @@
         <translation>%1 : au moins %2 mm</translation>
     </message>
     <message>
+        <source>%1: changed, takes effect at the next start.</source>
+        <translation>%1 : changé, vaut au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>%1: damping</source>
+        <translation>%1 : amortissement</translation>
+    </message>
+    <message>
+        <source>%1: friction</source>
+        <translation>%1 : frottement</translation>
+    </message>
+    <message>
         <source>%1: one lies inside the other</source>
         <translation>%1 : l'une est à l'intérieur de l'autre</translation>
     </message>
     <message>
         <source>%1: one of them has no shape to measure.</source>
         <translation>%1 : l'une d'elles n'a pas de forme à mesurer.</translation>
+    </message>
+    <message>
+        <source>%1: stiffness</source>
+        <translation>%1 : raideur</translation>
     </message>
     <message>
         <source>%1: the body itself is in the way, %2 short of the target</source>
@@ -957,6 +969,10 @@
         <translation>Un point de travail : le mouvement y reste ce temps</translation>
     </message>
     <message>
+        <source>A robot near a singular position</source>
+        <translation>Un robot près d'une singularité</translation>
+    </message>
+    <message>
         <source>A straight way after it</source>
         <translation>Une voie droite après</translation>
     </message>
@@ -1053,6 +1069,10 @@
         <translation>Adresse</translation>
     </message>
     <message>
+        <source>Address of the haptic server</source>
+        <translation>Adresse du serveur haptique</translation>
+    </message>
+    <message>
         <source>Again and again</source>
         <translation>En boucle</translation>
     </message>
@@ -1119,6 +1139,10 @@
     <message>
         <source>Alt</source>
         <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
     </message>
     <message>
         <source>An expert's recording leads the stylus along its way; the guide waits for the trainee.</source>
@@ -1441,6 +1465,10 @@
         <translation>Armoire</translation>
     </message>
     <message>
+        <source>Cable</source>
+        <translation>Câble</translation>
+    </message>
+    <message>
         <source>Calibrate glove…</source>
         <translation>Étalonner le gant…</translation>
     </message>
@@ -1519,6 +1547,10 @@
     <message>
         <source>Changes of %1</source>
         <translation>Changements de %1</translation>
+    </message>
+    <message>
+        <source>Changes on this page take effect at the next start.</source>
+        <translation>Les changements de cette page valent au prochain démarrage.</translation>
     </message>
     <message>
         <source>Changes up to %1 were kept. What is open does not have them.</source>
@@ -1825,12 +1857,20 @@
         <translation>Contact 00</translation>
     </message>
     <message>
+        <source>Contact check, at most</source>
+        <translation>Vérification des contacts, au plus</translation>
+    </message>
+    <message>
         <source>Contacts</source>
         <translation>Contacts</translation>
     </message>
     <message>
         <source>Contacts are only shown: it passes</source>
         <translation>Les contacts sont seulement montrés : il traverse</translation>
+    </message>
+    <message>
+        <source>Contacts are prepared within</source>
+        <translation>Contacts préparés à moins de</translation>
     </message>
     <message>
         <source>Contacts are seen as they are felt</source>
@@ -1927,6 +1967,18 @@
     <message>
         <source>Cylinder</source>
         <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Damping (0: the stylus's own)</source>
+        <translation>Amortissement (0 : celui du stylet)</translation>
+    </message>
+    <message>
+        <source>Damping (2 is a loose grip)</source>
+        <translation>Amortissement (2 : prise lâche)</translation>
+    </message>
+    <message>
+        <source>Damping of what is held (Dynamics)</source>
+        <translation>Amortissement de ce qui est tenu (Dynamique)</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -2059,6 +2111,10 @@
     <message>
         <source>Draw the %1 of %2</source>
         <translation>Tirer %1 de %2</translation>
+    </message>
+    <message>
+        <source>Drift at the edge of the stylus's reach (0: none)</source>
+        <translation>Dérive au bord de la portée du stylet (0 : aucune)</translation>
     </message>
     <message>
         <source>Driven by %1. </source>
@@ -2207,6 +2263,10 @@
     <message>
         <source>Everything against everything</source>
         <translation>Tout contre tout</translation>
+    </message>
+    <message>
+        <source>Everything on this page is kept in %1; more materials and drivers' keys can be added there.</source>
+        <translation>Tout ce qui est sur cette page est gardé dans %1 ; on peut y ajouter des matériaux et les clés des pilotes.</translation>
     </message>
     <message>
         <source>Everything. Drag entities here from the tree to narrow it.</source>
@@ -2405,6 +2465,10 @@
         <translation>À plat</translation>
     </message>
     <message>
+        <source>Foam</source>
+        <translation>Mousse</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Dossier</translation>
     </message>
@@ -2465,6 +2529,10 @@
         <translation>Essai d'effort</translation>
     </message>
     <message>
+        <source>Force, unless the part says otherwise</source>
+        <translation>Effort, sauf avis contraire de la pièce</translation>
+    </message>
+    <message>
         <source>Forces</source>
         <translation>Efforts</translation>
     </message>
@@ -2495,6 +2563,10 @@
     <message>
         <source>Forces did not come on: the device is not ready.</source>
         <translation>Les efforts ne sont pas venus : le périphérique n'est pas prêt.</translation>
+    </message>
+    <message>
+        <source>Forces of the stylus</source>
+        <translation>Efforts du stylet</translation>
     </message>
     <message>
         <source>Forces off</source>
@@ -2589,6 +2661,10 @@
         <translation>De</translation>
     </message>
     <message>
+        <source>From %1 to %2 %3</source>
+        <translation>De %1 à %2 %3</translation>
+    </message>
+    <message>
         <source>From a file…</source>
         <translation>D'un fichier…</translation>
     </message>
@@ -2597,16 +2673,16 @@
         <translation>D'un enregistrement…</translation>
     </message>
     <message>
-        <source>From … to</source>
-        <translation>De … à</translation>
-    </message>
-    <message>
         <source>From, to</source>
         <translation>De, à</translation>
     </message>
     <message>
         <source>Front</source>
         <translation>Face</translation>
+    </message>
+    <message>
+        <source>Full force after</source>
+        <translation>Effort entier après</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -2703,6 +2779,10 @@
     <message>
         <source>Hand length</source>
         <translation>Longueur de la main</translation>
+    </message>
+    <message>
+        <source>Hand that holds a simulated stylus</source>
+        <translation>Main qui tient un stylet simulé</translation>
     </message>
     <message>
         <source>Handle at</source>
@@ -3105,6 +3185,18 @@
         <translation>Garder sous vérification</translation>
     </message>
     <message>
+        <source>Keep joint 4</source>
+        <translation>Garder l'axe 4</translation>
+    </message>
+    <message>
+        <source>Keep orientation</source>
+        <translation>Garder l'orientation</translation>
+    </message>
+    <message>
+        <source>Keep position</source>
+        <translation>Garder la position</translation>
+    </message>
+    <message>
         <source>Keep the part between the brackets as a new motion</source>
         <translation>Garder la partie entre crochets comme nouveau mouvement</translation>
     </message>
@@ -3163,6 +3255,10 @@
     <message>
         <source>Language of the report</source>
         <translation>Langue du rapport</translation>
+    </message>
+    <message>
+        <source>Largest mass whose inertia is felt</source>
+        <translation>Plus grande masse dont l'inertie est sentie</translation>
     </message>
     <message>
         <source>Last run: %1 points. %2 s (expert %3 s), %4 off the path, at most %5 N, contacts: %8, smoothness %6 (expert %7).</source>
@@ -3289,6 +3385,10 @@
         <translation>Ligne : fréquence. Barres : retard (99 %), au plus %1 ms</translation>
     </message>
     <message>
+        <source>Links of a robot are checked against each other</source>
+        <translation>Les segments d'un robot sont vérifiés entre eux</translation>
+    </message>
+    <message>
         <source>Load</source>
         <translation>Charge</translation>
     </message>
@@ -3411,6 +3511,10 @@
     <message>
         <source>Material</source>
         <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Materials: how a touched part feels</source>
+        <translation>Matériaux : le toucher d'une pièce</translation>
     </message>
     <message>
         <source>Max mm</source>
@@ -3661,6 +3765,10 @@
         <translation>Quasi-contact sous %1</translation>
     </message>
     <message>
+        <source>Near miss: shown and heard from</source>
+        <translation>Quasi-contact : montré et entendu dès</translation>
+    </message>
+    <message>
         <source>Nearer the recording where it would collide</source>
         <translation>Plus près de l'enregistrement où il y aurait collision</translation>
     </message>
@@ -3839,6 +3947,10 @@
     <message>
         <source>No placement suits all four bodies.</source>
         <translation>Aucune place ne convient aux quatre corps.</translation>
+    </message>
+    <message>
+        <source>No program on this computer opened %1. Open it in a text editor.</source>
+        <translation>Aucun programme n'a ouvert %1. Ouvrez-le dans un éditeur de texte.</translation>
     </message>
     <message>
         <source>No real device could be held while this was written: the drivers are tested against models and recorded layouts.</source>
@@ -4041,6 +4153,10 @@
         <translation>Au contact de %1 – %2</translation>
     </message>
     <message>
+        <source>On contact, unless the part says otherwise</source>
+        <translation>Au contact, sauf avis contraire de la pièce</translation>
+    </message>
+    <message>
         <source>On link</source>
         <translation>Sur le corps</translation>
     </message>
@@ -4139,6 +4255,10 @@
     <message>
         <source>Open recorded markers</source>
         <translation>Ouvrir des marqueurs enregistrés</translation>
+    </message>
+    <message>
+        <source>Open the file</source>
+        <translation>Ouvrir le fichier</translation>
     </message>
     <message>
         <source>Open — %1</source>
@@ -4545,6 +4665,10 @@
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Plastic</source>
+        <translation>Plastique</translation>
+    </message>
+    <message>
         <source>Play</source>
         <translation>Jouer</translation>
     </message>
@@ -4781,6 +4905,10 @@
         <translation>Fréquence et retard de la boucle d'effort</translation>
     </message>
     <message>
+        <source>Rates and connection</source>
+        <translation>Cadences et connexion</translation>
+    </message>
+    <message>
         <source>Ratio</source>
         <translation>Rapport</translation>
     </message>
@@ -5001,6 +5129,10 @@
         <translation>Tourner</translation>
     </message>
     <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
         <source>Rough</source>
         <translation>Gros</translation>
     </message>
@@ -5031,6 +5163,10 @@
     <message>
         <source>Safety</source>
         <translation>Sécurité</translation>
+    </message>
+    <message>
+        <source>Safety distance: felt from</source>
+        <translation>Distance de sécurité : sentie dès</translation>
     </message>
     <message>
         <source>Same task, four bodies</source>
@@ -5097,6 +5233,10 @@
         <translation>Échelle %1</translation>
     </message>
     <message>
+        <source>Scale: way of the part for the same way of the hand</source>
+        <translation>Échelle : chemin de la pièce pour le même chemin de la main</translation>
+    </message>
+    <message>
         <source>Scene</source>
         <translation>Scène</translation>
     </message>
@@ -5107,6 +5247,10 @@
     <message>
         <source>Screen</source>
         <translation>Écran</translation>
+    </message>
+    <message>
+        <source>Screen: widths of the view</source>
+        <translation>Écran : largeurs de la vue</translation>
     </message>
     <message>
         <source>Screw</source>
@@ -5203,10 +5347,6 @@
     <message>
         <source>Sets</source>
         <translation>Ensembles</translation>
-    </message>
-    <message>
-        <source>Setting</source>
-        <translation>Réglage</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -5385,6 +5525,10 @@
         <translation>Solution %1</translation>
     </message>
     <message>
+        <source>Sound at start</source>
+        <translation>Son au démarrage</translation>
+    </message>
+    <message>
         <source>Sound off</source>
         <translation>Son coupé</translation>
     </message>
@@ -5453,6 +5597,10 @@
         <translation>Stature, masse</translation>
     </message>
     <message>
+        <source>Steel</source>
+        <translation>Acier</translation>
+    </message>
+    <message>
         <source>Step</source>
         <translation>Pas</translation>
     </message>
@@ -5479,6 +5627,10 @@
     <message>
         <source>Stiffness</source>
         <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>Stiffness (0: the stylus's own)</source>
+        <translation>Raideur (0 : celle du stylet)</translation>
     </message>
     <message>
         <source>Stool</source>
@@ -5523,6 +5675,10 @@
     <message>
         <source>Stylus</source>
         <translation>Stylet</translation>
+    </message>
+    <message>
+        <source>Stylus at start</source>
+        <translation>Stylet au démarrage</translation>
     </message>
     <message>
         <source>Stylus in the device's workspace</source>
@@ -6053,6 +6209,10 @@
         <translation>Le stylet simulé n'en a pas besoin.</translation>
     </message>
     <message>
+        <source>The stylus button must stay pressed to move</source>
+        <translation>Le bouton du stylet doit rester appuyé pour déplacer</translation>
+    </message>
+    <message>
         <source>The stylus button: grabs and releases</source>
         <translation>Le bouton du stylet : saisit et lâche</translation>
     </message>
@@ -6517,6 +6677,10 @@
         <translation>Chemin</translation>
     </message>
     <message>
+        <source>Weight of a held part that is not felt</source>
+        <translation>Poids d'une pièce tenue qui n'est pas senti</translation>
+    </message>
+    <message>
         <source>Weight, or a force divided by 9.81</source>
         <translation>Poids, ou une force divisée par 9,81</translation>
     </message>
@@ -6567,10 +6731,6 @@
     <message>
         <source>What may be moved, with the hands' targets</source>
         <translation>Ce qui peut bouger, avec les cibles des mains</translation>
-    </message>
-    <message>
-        <source>What stands in hapticell.toml, in SI units. A double click or F2 changes a value; it holds from the next start.</source>
-        <translation>Ce qui se trouve dans hapticell.toml, en unités SI. Un double clic ou F2 change une valeur ; elle vaut dès le prochain démarrage.</translation>
     </message>
     <message>
         <source>What the 3-D mouse moves; its second button changes it</source>

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <QStyleOption>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QToolTip>
@@ -21,6 +22,7 @@
 #include "app/host/user_settings.h"
 #include "app/panels/dock_front.h"
 #include "app/panels/swatch_row.h"
+#include "app/settings/configuration_fields.h"
 #include "app/settings/gesture_field.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
@@ -49,6 +51,51 @@ class SettingsPage : public CellPage {
   }
   UserSettings& settings() { return window().userSettings(); }
 };
+
+TEST(FeelAndFiles, EverySettingHasAFieldWithAPlainName) {
+  const QStringList on_appearance{"gui.theme", "gui.motion", "gui.original_colors"};
+  QStringList named;
+  for (const ConfigurationGroup& group : configurationGroups({}))
+    for (const ConfigurationField& field : group.fields) {
+      named << QString::fromStdString(field.key);
+      EXPECT_FALSE(field.name.contains('_') || field.name.contains('.')) << field.name.toStdString();
+    }
+  SettingsPage page;
+  page.page(4);
+  for (const config::Setting& setting : config::settings({})) {
+    const QString key = QString::fromStdString(setting.key);
+    EXPECT_NE(named.count(key) == 1, on_appearance.contains(key)) << setting.key;
+    EXPECT_TRUE(on_appearance.contains(key) || page.window().findChild<QWidget*>("setting." + key)) << setting.key;
+  }
+}
+
+TEST(FeelAndFiles, WhatIsChangedIsInTheUsersFileInItsOwnUnits) {
+  QTemporaryDir folder;
+  const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+  qputenv("XDG_CONFIG_HOME", folder.path().toLocal8Bit());
+  SettingsPage page;
+  page.page(4);
+  auto* near_miss = page.find<ValueField>("setting.manipulation.near_miss");
+  EXPECT_NEAR(near_miss->value(), 10.0, 1e-9) << "millimetres";
+  near_miss->setFocus();
+  near_miss->selectAll();
+  QTest::keyClicks(near_miss, "25");
+  QTest::keyClick(near_miss, Qt::Key_Return);
+  QTest::mouseClick(page.find<QCheckBox>("setting.robot.self_collision"), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+  page.choose("setting.manipulation.on_contact", 0);
+  EXPECT_EQ(page.find<QComboBox>("setting.manipulation.on_contact")->currentText(), "Stop");
+  CellPage::settle();
+  const auto read = config::readConfiguration(folder.filePath("hapticell/hapticell.toml").toStdString());
+  ASSERT_TRUE(read.has_value()) << read.error().message();
+  EXPECT_NEAR(read->manipulation.near_miss, 0.025, 1e-12);
+  EXPECT_FALSE(read->robot.self_collision);
+  EXPECT_EQ(read->manipulation.on_contact, "stop");
+  EXPECT_TRUE(page.find<QLabel>("labelConfiguration")->text().contains("next start"));
+  QTest::keyClicks(page.find<QLineEdit>("fieldConfigurationFilter"), "foam");
+  EXPECT_TRUE(near_miss->isHidden() || !near_miss->isVisible());
+  EXPECT_TRUE(page.find<ValueField>("setting.materials.foam.friction")->isVisible());
+  before.isNull() ? qunsetenv("XDG_CONFIG_HOME") : qputenv("XDG_CONFIG_HOME", before);
+}
 
 TEST(PartColor, AnyCanBeChosenAndIsOneStepOfUndo) {
   CellPage page;
