@@ -3,7 +3,6 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -19,6 +18,7 @@
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/panels/form.h"
+#include "app/start/file_dialog.h"
 #include "app/style/segmented.h"
 
 namespace hapticell::app {
@@ -189,8 +189,7 @@ void ErgonomicsPanel::takeBetterPosture() {
 }
 
 void ErgonomicsPanel::chooseOwnLimits() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Own limits of the hands' force"), {}, tr("Tables (*.csv);;All files (*)"));
+  const QString file = askToOpen(this, tr("Own limits of the hands' force"), {}, tr("Tables (*.csv);;All files (*)"));
   if (file.isEmpty()) return;
   const auto read = scores_.chooseOwnLimits(file);
   if (!read)

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QDate>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
@@ -17,6 +16,7 @@
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/panels/form.h"
+#include "app/start/file_dialog.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/viewport/viewport_widget.h"
@@ -170,9 +170,8 @@ void ReportPanel::takeScene(int samples) {
 }
 
 void ReportPanel::chooseFile() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Write the report"), "report.pdf",
-                                   tr("PDF (*.pdf);;HTML (*.html);;Comma-separated values (*.csv);;JSON (*.json)"));
+  const QString path = askToSave(this, tr("Write the report"), "report.pdf",
+                                 tr("PDF (*.pdf);;HTML (*.html);;Comma-separated values (*.csv);;JSON (*.json)"));
   if (!path.isEmpty()) write(path);
 }
 

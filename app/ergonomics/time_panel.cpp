@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ergonomics/time_panel.h"
 
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -22,6 +21,7 @@
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/panels/form.h"
+#include "app/start/file_dialog.h"
 #include "app/viewport/viewport_widget.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/motion_writer.h"
@@ -76,8 +76,8 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   clock_.setInterval(kPlayMilliseconds);
   connect(open_button, &QPushButton::clicked, this, &TimePanel::choose);
   connect(save_, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the motion"), motion_.name() + ".bvh",
-                                                      tr("Motions (*.bvh);;All files (*)"));
+    const QString path =
+        askToSave(this, tr("Save the motion"), motion_.name() + ".bvh", tr("Motions (*.bvh);;All files (*)"));
     if (!path.isEmpty()) saveMotion(path);
   });
   connect(play_, &QPushButton::clicked, this, &TimePanel::play);
@@ -107,8 +107,7 @@ void TimePanel::open(const QString& path) {
 }
 
 void TimePanel::choose() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open a recorded motion"), {}, tr("Motions (*.bvh *.amc);;All files (*)"));
+  const QString path = askToOpen(this, tr("Open a recorded motion"), {}, tr("Motions (*.bvh *.amc);;All files (*)"));
   if (!path.isEmpty()) open(path);
 }
 

@@ -3,7 +3,6 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
@@ -25,6 +24,7 @@
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
 #include "app/panels/switch_list.h"
+#include "app/start/file_dialog.h"
 #include "app/style/value_field.h"
 #include "app/viewport/viewport_widget.h"
 #include "trajectory/trajectory_io.h"
@@ -164,8 +164,8 @@ void GuidesPanel::pickHandle() {
 }
 
 void GuidesPanel::takePath() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Path of a recording"), {},
-                                                    tr("Recordings (*.htraj *.csv *.json);;All files (*)"));
+  const QString path =
+      askToOpen(this, tr("Path of a recording"), {}, tr("Recordings (*.htraj *.csv *.json);;All files (*)"));
   if (path.isEmpty()) return;
   Diagnostics diagnostics;
   const auto read = trajectory::readTrajectory(path.toStdString());

@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
@@ -19,6 +18,7 @@
 #include "app/host/main_window.h"
 #include "app/import/file_work.h"
 #include "app/panels/tree_edits.h"
+#include "app/start/file_dialog.h"
 #include "app/start/recent_files.h"
 #include "app/start/start_page.h"
 
@@ -126,7 +126,7 @@ bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
 }
 
 void MainWindow::importFromDialog() {
-  importFiles(QFileDialog::getOpenFileNames(
+  importFiles(askToOpenSeveral(
       this, tr("Import"), {},
       tr("All that can be read (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx "
          "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.iges *.igs);;Meshes (*.stl *.obj *.ply "
@@ -135,14 +135,12 @@ void MainWindow::importFromDialog() {
 }
 
 void MainWindow::addRobotFromDialog() {
-  importFiles(QFileDialog::getOpenFileNames(this, tr("Add a robot"), {},
-                                            tr("Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)")));
+  importFiles(askToOpenSeveral(this, tr("Add a robot"), {}, tr("Robots (*.urdf *.xacro *.sdf *.toml);;All files (*)")));
 }
 
 void MainWindow::openFromDialog() {
   replaceDocument([this] {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
+    const QString path = askToOpen(this, tr("Open a workcell"), {}, tr("Workcells (*.hcell);;All files (*)"));
     if (!path.isEmpty()) openFile(path);
   });
 }
@@ -189,8 +187,8 @@ void MainWindow::showSavedView() {
 bool MainWindow::saveDocument(bool ask_where) {
   QString path = QString::fromStdString(document_.document().path().string());
   if (path.isEmpty() || ask_where)
-    path = QFileDialog::getSaveFileName(
-        this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path, tr("Workcells (*.hcell)"));
+    path = askToSave(this, tr("Save the workcell"), path.isEmpty() ? document_.title() + ".hcell" : path,
+                     tr("Workcells (*.hcell)"));
   if (path.isEmpty()) return false;
   const auto saved = document_.save(path);
   if (!saved) {

@@ -2,7 +2,6 @@
 #include "app/import/export_work.h"
 
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QUrl>
@@ -13,6 +12,7 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/import/change_page.h"
+#include "app/start/file_dialog.h"
 #include "workcell/document_io.h"
 #include "workcell/pack.h"
 #include "workcell/scene_export.h"
@@ -59,30 +59,24 @@ void ExportWork::askExport(bool selection_only) {
   const bool robot = selection_only && entity->robot;
   QStringList filters{tr("STEP (*.step)"), tr("glTF (*.glb)"), tr("STL (*.stl)"), tr("OBJ (*.obj)"), tr("PLY (*.ply)")};
   robot ? filters.prepend(tr("URDF (*.urdf)")) : filters.append(tr("URDF of the one robot (*.urdf)"));
-  QString chosen;
-  QString path = QFileDialog::getSaveFileName(&host_.window(), tr("Export"), stem + (robot ? ".urdf" : ".step"),
-                                              filters.join(";;"), &chosen);
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += chosen.mid(chosen.indexOf("*.") + 1).chopped(1);
-  exportTo(path, selection_only);
+  const QString path = askToSave(&host_.window(), tr("Export"), stem + (robot ? ".urdf" : ".step"), filters.join(";;"));
+  if (!path.isEmpty()) exportTo(path, selection_only);
 }
 
 void ExportWork::askPack() {
-  const QString path =
-      QFileDialog::getSaveFileName(&host_.window(), tr("Pack the workcell with its files"),
-                                   host_.documentModel().title() + ".zip", tr("Archives (*.zip *.tar.gz)"));
+  const QString path = askToSave(&host_.window(), tr("Pack the workcell with its files"),
+                                 host_.documentModel().title() + ".zip", tr("Archives (*.zip *.tar.gz)"));
   if (!path.isEmpty()) packTo(path);
 }
 
 void ExportWork::askReport(Against against) {
   QString other;
   if (against == Against::kOtherCell) {
-    other = QFileDialog::getOpenFileName(&host_.window(), tr("Compare with"), {}, tr("Workcells (*.hcell)"));
+    other = askToOpen(&host_.window(), tr("Compare with"), {}, tr("Workcells (*.hcell)"));
     if (other.isEmpty()) return;
   }
-  const QString path =
-      QFileDialog::getSaveFileName(&host_.window(), tr("Report what was changed"),
-                                   host_.documentModel().title() + tr("-changes.pdf"), tr("PDF (*.pdf);;CSV (*.csv)"));
+  const QString path = askToSave(&host_.window(), tr("Report what was changed"),
+                                 host_.documentModel().title() + tr("-changes.pdf"), tr("PDF (*.pdf);;CSV (*.csv)"));
   if (!path.isEmpty()) reportTo(path, against, other);
 }
 

@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMainWindow>
@@ -20,6 +19,7 @@
 #include "app/import/import_report_text.h"
 #include "app/import/mesh_care_panel.h"
 #include "app/import/shape_reload.h"
+#include "app/start/file_dialog.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
 #include "config/configuration.h"
@@ -321,9 +321,8 @@ void FileWork::offerMissing(const std::vector<std::filesystem::path>& missing) {
 
 void FileWork::findMissing() {
   const workcell::Document& document = host_.documentModel().document();
-  const QString folder =
-      QFileDialog::getExistingDirectory(&host_.window(), tr("Where the missing files are"),
-                                        QString::fromStdString(document.path().parent_path().string()));
+  const QString folder = askForFolder(&host_.window(), tr("Where the missing files are"),
+                                      QString::fromStdString(document.path().parent_path().string()));
   if (folder.isEmpty()) return;
   const std::filesystem::path base = document.path().empty() ? std::filesystem::path(QDir::currentPath().toStdString())
                                                              : document.path().parent_path();

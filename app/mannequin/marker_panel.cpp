@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/mannequin/marker_panel.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
@@ -16,6 +15,7 @@
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/panels/form.h"
+#include "app/start/file_dialog.h"
 #include "app/viewport/viewport_widget.h"
 #include "geometry/shapes.h"
 
@@ -73,8 +73,7 @@ MarkerPanel::MarkerPanel(MannequinContext& context, QWidget* parent)
     state_->setText(tr("Open a recording of markers (C3D) to see them in the scene."));
   });
   connect(open_button, &QPushButton::clicked, this, [this] {
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Open recorded markers"), {}, tr("Markers (*.c3d);;All files (*)"));
+    const QString path = askToOpen(this, tr("Open recorded markers"), {}, tr("Markers (*.c3d);;All files (*)"));
     if (!path.isEmpty()) open(path);
   });
   connect(play_, &QPushButton::clicked, this, &MarkerPanel::play);

@@ -2,7 +2,6 @@
 // The panel's menu of postures: the library, and files.
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QMenu>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -15,6 +14,7 @@
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
+#include "app/start/file_dialog.h"
 #include "mannequin/motion_writer.h"
 #include "mannequin/posture_file.h"
 
@@ -81,8 +81,7 @@ void MannequinPanel::takePosture(const QString& name) {
 }
 
 void MannequinPanel::openPosture() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open a posture"), postureFolder(), tr("Postures (*.json);;All files (*)"));
+  const QString path = askToOpen(this, tr("Open a posture"), postureFolder(), tr("Postures (*.json);;All files (*)"));
   if (!path.isEmpty()) openPostureFile(path);
 }
 
@@ -104,9 +103,8 @@ bool MannequinPanel::openPostureFile(const QString& path) {
 void MannequinPanel::savePosture() {
   if (!context_.entity()) return;
   QDir().mkpath(postureFolder());  // What is saved there stands in the menu.
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save this posture"), postureFolder() + "/posture.json",
-                                   tr("Postures (*.json);;H-Anim figures (*.x3d);;Motions of one frame (*.bvh)"));
+  const QString path = askToSave(this, tr("Save this posture"), postureFolder() + "/posture.json",
+                                 tr("Postures (*.json);;H-Anim figures (*.x3d);;Motions of one frame (*.bvh)"));
   if (!path.isEmpty()) savePostureFile(path);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/contact_log_page.h"
 
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QSaveFile>
@@ -11,6 +10,7 @@
 
 #include "app/host/host.h"
 #include "app/host/message_log.h"
+#include "app/start/file_dialog.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -62,8 +62,7 @@ ContactLogPage::ContactLogPage(Host& host, QWidget* parent) : QWidget(parent), h
   column->addLayout(row);
   connect(clear, &QPushButton::clicked, this, &ContactLogPage::clear);
   connect(save_log, &QPushButton::clicked, this, [this] {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save log"), QStringLiteral("contacts.csv"), tr("Table (*.csv)"));
+    const QString path = askToSave(this, tr("Save log"), QStringLiteral("contacts.csv"), tr("Table (*.csv)"));
     if (!path.isEmpty()) save(path);
   });
 }

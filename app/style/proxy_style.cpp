@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -65,6 +66,54 @@ bool ProxyStyle::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::Wheel || !widget || widget->hasFocus()) return QProxyStyle::eventFilter(watched, event);
   event->ignore();  // What holds it gets it.
   return true;
+}
+
+/// Qt's own dialogs have the program's icons.
+QIcon ProxyStyle::standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const {
+  const Theme& theme = themeOf(QApplication::palette());
+  switch (which) {
+    case SP_MessageBoxQuestion:
+      return icon("help", theme.selection);
+    case SP_MessageBoxInformation:
+      return icon("info", theme.selection);
+    case SP_MessageBoxWarning:
+      return icon("warning", theme.near_miss);
+    case SP_MessageBoxCritical:
+      return icon("crossed", theme.contact);
+    case SP_FileDialogBack:
+    case SP_ArrowBack:
+    case SP_ArrowLeft:
+      return icon("left");
+    case SP_ArrowForward:
+    case SP_ArrowRight:
+      return icon("right");
+    case SP_FileDialogToParent:
+    case SP_ArrowUp:
+      return icon("up");
+    case SP_FileDialogNewFolder:
+      return icon("plus");
+    case SP_FileDialogListView:
+      return icon("grid");
+    case SP_FileDialogDetailedView:
+      return icon("text");
+    case SP_DirIcon:
+    case SP_DirOpenIcon:
+    case SP_DirClosedIcon:
+    case SP_DirLinkIcon:
+      return icon("folder");
+    case SP_FileIcon:
+    case SP_FileLinkIcon:
+      return icon("new");
+    case SP_DirHomeIcon:
+    case SP_DesktopIcon:
+      return icon("home");
+    case SP_ComputerIcon:
+    case SP_DriveHDIcon:
+    case SP_DriveNetIcon:
+      return icon("cell");
+    default:
+      return QProxyStyle::standardIcon(which, option, widget);
+  }
 }
 
 int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {

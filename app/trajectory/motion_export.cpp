@@ -2,7 +2,6 @@
 #include "app/trajectory/motion_export.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
+#include "app/start/file_dialog.h"
 #include "app/style/units.h"
 #include "app/trajectory/motion_list.h"
 #include "manipulation/program_configuration.h"
@@ -99,8 +99,7 @@ void MotionExport::askExport(const QString& word, const trajectory::ProgramOptio
     if (wanted == Moves::kNeeded) simplify = tolerance;
   }
   const QString name = QString::fromStdString(list_.current()->name).replace(' ', '-').remove(',');
-  const QString path =
-      QFileDialog::getSaveFileName(&host_.window(), tr("Export motion"), name + format->extension, format->name);
+  const QString path = askToSave(&host_.window(), tr("Export motion"), name + format->extension, format->name);
   if (!path.isEmpty()) exportTo(path, word, options, simplify);
 }
 
@@ -147,8 +146,8 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
 }
 
 void MotionExport::askImport() {
-  const QStringList paths = QFileDialog::getOpenFileNames(&host_.window(), tr("Import motions"), {},
-                                                          tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml)"));
+  const QStringList paths = askToOpenSeveral(&host_.window(), tr("Import motions"), {},
+                                             tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml)"));
   if (paths.isEmpty()) return;
   const auto* entity = host_.documentModel().document().find(host_.selection().current());
   importFrom(paths, entity ? entity->name : std::string());

@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -21,6 +20,7 @@
 #include "app/host/recording_hub.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
+#include "app/start/file_dialog.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
@@ -160,7 +160,7 @@ void TrainingPanel::addResults(QVBoxLayout& column) {
 void TrainingPanel::chooseExercise(int index) {
   QString path = exercises_->itemData(index).toString();
   if (path == QStringLiteral("?"))
-    path = QFileDialog::getOpenFileName(&host_.window(), tr("Open an exercise"), {}, tr("Exercises (*.hexercise)"));
+    path = askToOpen(&host_.window(), tr("Open an exercise"), {}, tr("Exercises (*.hexercise)"));
   if (!path.isEmpty()) openExercise(path);
 }
 
@@ -324,8 +324,8 @@ void TrainingPanel::keepResults() {
 }
 
 void TrainingPanel::exportResults() {
-  const QString path = QFileDialog::getSaveFileName(&host_.window(), tr("Export results"), tr("results.pdf"),
-                                                    tr("PDF (*.pdf);;Table (*.csv)"));
+  const QString path =
+      askToSave(&host_.window(), tr("Export results"), tr("results.pdf"), tr("PDF (*.pdf);;Table (*.csv)"));
   if (path.isEmpty()) return;
   const auto written = writeTrainingReport(path, session_, exercise_ ? exercise_->pass : 60.0);
   emit told(

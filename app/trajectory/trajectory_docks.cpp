@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QDateTime>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QMainWindow>
@@ -22,6 +21,7 @@
 #include "app/host/recording_hub.h"
 #include "app/host/top_menus.h"
 #include "app/panels/workcell_panel.h"
+#include "app/start/file_dialog.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
 #include "app/style/theme.h"
@@ -239,8 +239,8 @@ class TrajectoryDocks : public QObject {
       video_.cancel();
       return film_->setText(tr("Video of the motion…"));
     }
-    const QString file = QFileDialog::getSaveFileName(&host_.window(), tr("Video of the motion"), {},
-                                                      tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
+    const QString file =
+        askToSave(&host_.window(), tr("Video of the motion"), {}, tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
     if (file.isEmpty()) return;
     const auto begun = video_.start(file, {1280, 720});
     if (!begun) panel_->showLine(QString::fromStdString(begun.error().message()), true);

@@ -1605,6 +1605,10 @@
         <translation>Profondeur du thorax</translation>
     </message>
     <message>
+        <source>Choose a file to see what it is.</source>
+        <translation>Choisissez un fichier pour voir ce que c'est.</translation>
+    </message>
+    <message>
         <source>Choose a kind below, then pick its geometry in the scene</source>
         <translation>Choisissez un genre, puis désignez sa géométrie dans la scène</translation>
     </message>
@@ -3127,6 +3131,10 @@
     <message>
         <source>It stays where it is</source>
         <translation>Il reste où il est</translation>
+    </message>
+    <message>
+        <source>Its picture is made when it is saved or left here.</source>
+        <translation>Son image est faite quand on l'enregistre ou la quitte ici.</translation>
     </message>
     <message>
         <source>Its way is being checked.</source>

@@ -4,7 +4,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
@@ -15,6 +14,7 @@
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/render_command.h"
+#include "app/start/file_dialog.h"
 #include "app/style/theme.h"
 #include "app/viewport/viewport_widget.h"
 
@@ -87,8 +87,7 @@ void addPictures(Host& host, QMenu& menu, QObject* owner) {
     QAction* action = makeAction(&host.window(), {name, text, {}, {}, {}});
     pictures->addAction(action);
     QObject::connect(action, &QAction::triggered, owner, [&host, size, filter] {
-      const QString file =
-          QFileDialog::getSaveFileName(&host.window(), PictureMenu::tr("Picture of the view"), {}, filter);
+      const QString file = askToSave(&host.window(), PictureMenu::tr("Picture of the view"), {}, filter);
       if (file.isEmpty()) return;
       const QSize wanted = size.isEmpty() ? host.viewport().size() * host.viewport().devicePixelRatioF() : size;
       QApplication::setOverrideCursor(Qt::WaitCursor);
@@ -108,8 +107,8 @@ void addPictures(Host& host, QMenu& menu, QObject* owner) {
   auto* work = new VideoWork(host, *video, owner);
   QObject::connect(video, &QAction::triggered, work, [&host, work] {
     if (work->isBusy()) return work->stop();
-    const QString file = QFileDialog::getSaveFileName(&host.window(), PictureMenu::tr("Video of a turn round it"), {},
-                                                      PictureMenu::tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
+    const QString file = askToSave(&host.window(), PictureMenu::tr("Video of a turn round it"), {},
+                                   PictureMenu::tr("Videos, by ffmpeg (*.mp4 *.webm *.mkv *.gif)"));
     if (!file.isEmpty()) work->start(file, {1280, 720});
   });
 }
