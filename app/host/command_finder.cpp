@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/host/command_finder.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMainWindow>
-#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
 
+#include "app/host/command_list.h"
 #include "app/style/icon.h"
 
 namespace hapticell::app {
@@ -21,8 +20,15 @@ constexpr int kFinderWidth = 420;
 constexpr int kRows = 12;
 constexpr int kFoundHeight = 26;
 
-QString wordsOf(const QAction& action) {
-  return QString(action.text()).remove('&').remove(QChar(0x2026));
+/// 0: not found. The name counts before letters apart, and before the panel's.
+int score(const QString& typed, const Command& command) {
+  const int of_name = CommandFinder::match(typed, command.words);
+  const QString all = command.words + ' ' + command.where;
+  const QStringList words = typed.split(' ', Qt::SkipEmptyParts);
+  const bool in_all = std::all_of(words.begin(), words.end(),
+                                  [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+  constexpr int kWordsApart = 400;
+  return in_all ? std::max(of_name, kWordsApart) : of_name;
 }
 
 }  // namespace
@@ -35,7 +41,7 @@ CommandFinder::CommandFinder(QMainWindow& window) : QFrame(&window), window_(win
   column->setContentsMargins(8, 8, 8, 8);
   typed_ = new QLineEdit;
   typed_->setObjectName("fieldCommand");
-  typed_->setPlaceholderText(tr("Find a command"));
+  typed_->setPlaceholderText(tr("Find a command, panel, button or setting"));
   typed_->addAction(icon("search"), QLineEdit::LeadingPosition);
   found_ = new QListWidget;
   found_->setObjectName("listCommands");
@@ -62,6 +68,7 @@ int CommandFinder::match(const QString& typed, const QString& text) {
 
 void CommandFinder::open() {
   focus_before_ = QApplication::focusWidget();
+  emit opening();
   typed_->clear();
   list();
   resize(kFinderWidth, 60 + kRows * kFoundHeight);
@@ -71,41 +78,46 @@ void CommandFinder::open() {
   typed_->setFocus();
 }
 
+bool CommandFinder::dismiss() {
+  if (!isVisible()) return false;
+  hide();
+  if (focus_before_) focus_before_->setFocus();
+  return true;
+}
+
 void CommandFinder::list() {
   const QString typed = typed_->text().trimmed();
   struct Row {
     int score = 0;
-    QAction* action = nullptr;
+    Command command;
   };
   std::vector<Row> rows;
-  std::set<QString> seen;
-  for (QAction* action : window_.findChildren<QAction*>()) {
-    const QString words = wordsOf(*action);
-    if (!action->isEnabled() || action->isSeparator() || action->menu() || words.isEmpty()) continue;
-    const int score = match(typed, words);
-    if (score > 0 && seen.insert(words).second) rows.push_back({score, action});
+  std::set<std::pair<QString, QString>> seen;
+  for (const Command& command : commandsNow(window_)) {
+    const int found = score(typed, command);
+    if (found > 0 && seen.insert({command.words, command.where}).second) rows.push_back({found, command});
   }
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    return a.score != b.score ? a.score > b.score : wordsOf(*a.action) < wordsOf(*b.action);
+    return a.score != b.score ? a.score > b.score : a.command.words < b.command.words;
   });
   found_->clear();
-  actions_.clear();
+  targets_.clear();
   for (const Row& row : rows) {
-    const QString key = row.action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(row.action->icon(),
-                                     key.isEmpty() ? wordsOf(*row.action) : wordsOf(*row.action) + "   " + key, found_);
+    QString words = row.command.words;
+    if (!row.command.where.isEmpty()) words += QStringLiteral("  ·  ") + row.command.where;
+    if (!row.command.key.isEmpty()) words += QStringLiteral("   ") + row.command.key;
+    auto* item = new QListWidgetItem(row.command.icon, words, found_);
     item->setSizeHint(QSize(0, kFoundHeight));
-    actions_.emplace_back(row.action);
+    targets_.push_back(row.command.target);
   }
   found_->setCurrentRow(rows.empty() ? -1 : 0);
 }
 
 void CommandFinder::run() {
   const int row = found_->currentRow();
-  const QPointer<QAction> action = row >= 0 ? actions_[static_cast<std::size_t>(row)] : nullptr;
-  hide();
-  if (focus_before_) focus_before_->setFocus();
-  if (action) action->trigger();
+  const QPointer<QObject> target = row >= 0 ? targets_[static_cast<std::size_t>(row)] : nullptr;
+  dismiss();
+  if (target) runCommand(window_, *target);
 }
 
 bool CommandFinder::eventFilter(QObject* watched, QEvent* event) {
@@ -118,9 +130,7 @@ bool CommandFinder::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
     if (key == Qt::Key_Escape) {
-      hide();
-      if (focus_before_) focus_before_->setFocus();
-      return true;
+      return dismiss();
     }
   }
   return QFrame::eventFilter(watched, event);

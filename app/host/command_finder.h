@@ -5,15 +5,15 @@
 #include <QPointer>
 #include <vector>
 
-class QAction;
 class QLineEdit;
 class QListWidget;
 class QMainWindow;
 
 namespace hapticell::app {
 
-/// Ctrl+K: type a few letters of a command, Enter does it. Lists every action of the window that can be done now, with
-/// its key; letters may be left out in between. A part of the window, never a window of its own. GUI thread.
+/// Ctrl+K: type a few letters of a command, Enter does it. Lists everything that can be clicked in the window now (see
+/// commandsNow()), with its key and panel; letters may be left out in between, and words of the panel's name may be
+/// typed too. A part of the window, never a window of its own. GUI thread.
 class CommandFinder : public QFrame {
   Q_OBJECT
  public:
@@ -21,6 +21,13 @@ class CommandFinder : public QFrame {
   void open();
   /// How well `typed` is found in `text`: 0 not at all, more is better (whole words before letters apart).
   static int match(const QString& typed, const QString& text);
+
+  /// Hides it and gives the focus back; whether it was open.
+  bool dismiss();
+
+ signals:
+  /// Before the commands are listed: what makes its panels late makes them now.
+  void opening();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -31,7 +38,7 @@ class CommandFinder : public QFrame {
   QMainWindow& window_;
   QLineEdit* typed_;
   QListWidget* found_;
-  std::vector<QPointer<QAction>> actions_;  ///< Of the rows.
+  std::vector<QPointer<QObject>> targets_;  ///< Of the rows.
   QPointer<QWidget> focus_before_;
 };
 

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "app/host/command_finder.h"
 #include "app/host/main_window.h"
 #include "app/panels/form.h"
 #include "app/settings/key_map.h"
@@ -55,20 +56,27 @@ void addSettings(MainWindow& window) {
   auto* keys = new KeyMap(window, window.userSettings(), &window);
   auto* action = window.findChild<QAction*>("actionSettings");
   if (!action) return;
-  QObject::connect(action, &QAction::triggered, &window, [&window, keys] {
+  const auto made = [&window, keys] {
     auto* dock = window.findChild<QDockWidget*>("dockSettings");
-    if (!dock) {
-      dock = makeDock("dockSettings", QObject::tr("Settings"), makeSettings(window, *keys));
-      dock->setWindowIcon(icon("settings"));
-      window.addDockWidget(Qt::RightDockWidgetArea, dock);
-      dock->setFloating(true);
-      dock->resize(kWidth, kHeight);
-      dock->move(window.geometry().center() - QPoint(kWidth / 2, kHeight / 2));
-    }
+    if (dock) return dock;
+    dock = makeDock("dockSettings", QObject::tr("Settings"), makeSettings(window, *keys));
+    dock->setWindowIcon(icon("settings"));
+    dock->hide();
+    window.addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->setFloating(true);
+    dock->hide();
+    dock->resize(kWidth, kHeight);
+    dock->move(window.geometry().center() - QPoint(kWidth / 2, kHeight / 2));
+    return dock;
+  };
+  QObject::connect(action, &QAction::triggered, &window, [made] {
+    QDockWidget* dock = made();
     dock->show();
     dock->raise();
     dock->activateWindow();
   });
+  if (auto* finder = window.findChild<CommandFinder*>())
+    QObject::connect(finder, &CommandFinder::opening, &window, made);
 }
 
 }  // namespace hapticell::app

@@ -2421,6 +2421,10 @@
         <translation>Trouver une commande</translation>
     </message>
     <message>
+        <source>Find a command, panel, button or setting</source>
+        <translation>Trouver une commande, un panneau, un bouton, un réglage</translation>
+    </message>
+    <message>
         <source>Fine</source>
         <translation>Fin</translation>
     </message>
@@ -4483,6 +4487,10 @@
     <message>
         <source>Palm length</source>
         <translation>Longueur de la paume</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panneau</translation>
     </message>
     <message>
         <source>Panel before</source>

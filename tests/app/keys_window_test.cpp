@@ -2,9 +2,13 @@
 // The keys of the left hand, as real key events, with the Virtual Desktop running.
 #include <gtest/gtest.h>
 
+#include <QListWidget>
+#include <algorithm>
 #include <set>
 
 #include "app/host/command_finder.h"
+#include "app/host/command_list.h"
+#include "app/style/dock_title_bar.h"
 #include "tests/app/cell_page.h"
 
 namespace hapticell::app {
@@ -111,6 +115,80 @@ TEST(Keys, CtrlKFindsACommandByAFewLettersAndEnterDoesIt) {
   WindowPage::settle();
   EXPECT_FALSE(typed->isVisible());
   EXPECT_EQ(page.entities(), 0u) << "\"Remove from the cell\" was done";
+}
+
+/// What a user sees in a dock and can click, as it is written there.
+std::vector<QAbstractButton*> clickable(const QDockWidget& dock) {
+  std::vector<QAbstractButton*> found;
+  for (QAbstractButton* button : dock.findChildren<QAbstractButton*>())
+    if (button->isVisibleTo(&dock) && button->isEnabled() && !button->text().isEmpty() &&
+        !qobject_cast<DockTitleBar*>(button->parentWidget()))
+      found.push_back(button);
+  return found;
+}
+
+TEST(CommandFinder, FindsEveryButtonOfEveryDockByItsText) {
+  KeysPage page;
+  page.activate();
+  page.trigger("actionSettings");
+  page.trigger("actionManual");
+  page.trigger("actionFindCommand");
+  auto* typed = page.find<QLineEdit>("fieldCommand");
+  auto* list = page.find<QListWidget>("listCommands");
+  int looked_for = 0;
+  QSet<QString> docks;
+  for (QDockWidget* dock : page.window().findChildren<QDockWidget*>()) {
+    const std::vector<Command> commands = commandsNow(page.window());
+    const auto has = [&](const QObject* target) {
+      return std::any_of(commands.begin(), commands.end(), [&](const Command& c) { return c.target == target; });
+    };
+    EXPECT_TRUE(has(dock)) << dock->objectName().toStdString() << " itself";
+    docks << dock->objectName();
+    for (QAbstractButton* button : clickable(*dock)) {
+      EXPECT_TRUE(has(button)) << dock->objectName().toStdString() << ": " << button->text().toStdString();
+      const QString words = QString(button->text()).remove('&').remove(QChar(0x2026)).simplified();
+      typed->setText(words);
+      EXPECT_FALSE(list->findItems(words + "  ·  ", Qt::MatchStartsWith).isEmpty()) << words.toStdString();
+      ++looked_for;
+    }
+  }
+  EXPECT_GT(looked_for, 100);
+  for (const char* dock : {"dockSettings", "dockHelp", "dockMotion", "dockVirtualDesktop", "dockCollisions"})
+    EXPECT_TRUE(docks.contains(dock)) << dock;
+}
+
+TEST(CommandFinder, ShowsAButtonWhereItIsAndClicksIt) {
+  KeysPage page;
+  page.activate();
+  page.find<QDockWidget>("dockSolid")->hide();
+  page.trigger("actionFindCommand");
+  auto* typed = page.find<QLineEdit>("fieldCommand");
+  QTest::keyClicks(typed, "locked solid");
+  QTest::keyClick(typed, Qt::Key_Return);
+  WindowPage::settle();
+  EXPECT_TRUE(page.find<QDockWidget>("dockSolid")->isVisible());
+  EXPECT_TRUE(page.document().find(page.part)->locked);
+}
+
+TEST(CommandFinder, FindsASettingByItsNameAndAPanelByItsTitle) {
+  KeysPage page;
+  page.activate();
+  page.trigger("actionFindCommand");
+  auto* typed = page.find<QLineEdit>("fieldCommand");
+  QTest::keyClicks(typed, "foam: friction");
+  QTest::keyClick(typed, Qt::Key_Return);
+  WindowPage::settle();
+  auto* field = page.window().findChild<QWidget*>("setting.materials.foam.friction");
+  ASSERT_NE(field, nullptr);
+  EXPECT_TRUE(field->isVisible()) << "its page is chosen, its dock is open";
+  page.find<QDockWidget>("dockSettings")->hide();
+  page.find<QDockWidget>("dockHistory")->hide();
+  page.activate();
+  page.trigger("actionFindCommand");
+  QTest::keyClicks(typed, "history");
+  QTest::keyClick(typed, Qt::Key_Return);
+  WindowPage::settle();
+  EXPECT_TRUE(page.find<QDockWidget>("dockHistory")->isVisible());
 }
 
 TEST(Keys, LettersApartAreFoundButWholeWordsFirst) {
