@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -72,7 +73,13 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   beyond_->setObjectName("labelBeyondLimits");
   column->addWidget(beyond_);
   history_ = new ScoreHistory(motion_);
-  column->addWidget(history_, 1);
+  auto* scrolled = new QScrollArea;  // Where the dock is low: its rows must not take the scene's height.
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setWidgetResizable(true);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scrolled->setMinimumHeight(kTop + kTimeLine);
+  scrolled->setWidget(history_);
+  column->addWidget(scrolled, 1);
   clock_.setInterval(kPlayMilliseconds);
   connect(open_button, &QPushButton::clicked, this, &TimePanel::choose);
   connect(save_, &QPushButton::clicked, this, [this] {

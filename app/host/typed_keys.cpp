@@ -26,7 +26,15 @@ bool waitsForText(const QWidget* focus) {
   if (const auto* text = qobject_cast<const QTextEdit*>(focus)) return !text->isReadOnly();
   if (const auto* text = qobject_cast<const QPlainTextEdit*>(focus)) return !text->isReadOnly();
   if (const auto* combo = qobject_cast<const QComboBox*>(focus)) return combo->isEditable();
-  return qobject_cast<const QAbstractSpinBox*>(focus) || qobject_cast<const QKeySequenceEdit*>(focus);
+  if (const auto* number = qobject_cast<const QAbstractSpinBox*>(focus)) {
+    const auto* line = number->findChild<const QLineEdit*>();
+    return line && line->isModified();  // A number that was entered waits for nothing but the next number.
+  }
+  return qobject_cast<const QKeySequenceEdit*>(focus);
+}
+
+bool beginsNumber(const QKeyEvent& key) {
+  return !key.text().isEmpty() && (key.text().front().isDigit() || QStringLiteral("+-.,").contains(key.text().front()));
 }
 
 /// Typing in it searches.
@@ -93,7 +101,12 @@ bool TypedKeys::eventFilter(QObject* watched, QEvent* event) {
 
 /// A key whose override is taken reaches the focus as text, and no shortcut hears it.
 bool TypedKeys::keepFromCommands(QWidget& focus, QKeyEvent& key) const {
-  if (waitsForText(&focus)) return false;  // It takes the key itself.
+  const bool is_number = qobject_cast<const QAbstractSpinBox*>(&focus);
+  if (waitsForText(&focus) || (is_number && (beginsNumber(key) || isEraser(key.key())))) return false;  // Its own key.
+  if (is_number && act()) {
+    key.ignore();
+    return true;  // Not to the field, which would take any letter from the commands.
+  }
   const bool in_scene = &focus == &host_.viewport() || focus.isWindow();
   if (isEraser(key.key()) ? in_scene : act()) return false;
   if (isPrinted(key) && !QApplication::activePopupWidget())

@@ -17,10 +17,11 @@ bool isTypedKey(int key, Qt::KeyboardModifiers modifiers);
 /// Decides for the whole window (and its floating docks) whether a typed key is a command or text.
 ///
 /// It is a command where the hand is in the scene: the pointer is over it, or the stylus holds a part; and nothing
-/// waits for text (a field, a menu, a dialog). Everywhere else it goes to what has the focus: a list searches, and a
-/// panel whose property `search` marks a field types into that. A choice that is closed opens its list and searches
-/// there, so that typing alone takes nothing. Delete goes by the focus alone: a command in the scene, else the focus'
-/// own. Says so once where a command's key was typed beside the scene and nothing took it. GUI thread.
+/// waits for text (a field, a menu, a dialog; a field whose number was entered waits for the next number only).
+/// Everywhere else it goes to what has the focus: a list searches, and a panel whose property `search` marks a field
+/// types into that. A choice that is closed opens its list and searches there, so that typing alone takes nothing.
+/// Delete goes by the focus alone: a command in the scene, else the focus' own. Says so once where a command's key was
+/// typed beside the scene and nothing took it. GUI thread.
 class TypedKeys : public QObject {
   Q_OBJECT
  public:

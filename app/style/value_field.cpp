@@ -105,6 +105,7 @@ void ValueField::setValue(double value) {
   const double same = 0.5 * std::pow(10.0, -decimals());
   if (std::abs(value - this->value()) <= same && lineEdit()->text() == textFromValue(this->value())) return;
   QDoubleSpinBox::setValue(value);
+  fitUnit();  // The box writes its number without a word of its line.
 }
 
 QString ValueField::shownUnit() const {
@@ -191,6 +192,7 @@ QSize ValueField::minimumSizeHint() const {
 }
 
 void ValueField::paintEvent(QPaintEvent* event) {
+  fitUnit();  // The box's own ways (steps, ranges, what was typed and corrected) write numbers without a word, too.
   QDoubleSpinBox::paintEvent(event);
   const QString unit = shownUnit();
   if (unit.isEmpty() || !unit_fits_) return;

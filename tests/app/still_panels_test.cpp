@@ -74,8 +74,7 @@ TEST_P(StillPanels, NoSentenceMovesAControl) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, StillPanels, testing::Values("en", "fr"));
 
-// Fails: its robot has as many configurations everywhere, so nothing grows.
-TEST(StillPanel, DISABLED_TheJointsStayWhileTheListOfConfigurationsGrows) {
+TEST(StillPanel, TheJointsStayWhileTheListOfConfigurationsGrows) {
   StillPage page;
   page.addRobot("kuka_kr6_r900");
   QDockWidget& dock = page.bring("dockRobot");

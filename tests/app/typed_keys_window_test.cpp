@@ -115,6 +115,24 @@ TEST(TypedKeys, ALetterIsACommandOverTheSceneOnly) {
   EXPECT_TRUE(page.find<QAction>("actionMove")->isChecked());
 }
 
+TEST(TypedKeys, ANumberThatWasEnteredLeavesLettersToTheScene) {
+  TypingPage page;
+  page.showDock("dockMove");
+  auto* field = page.find<ValueField>("fieldMoveX");
+  page.activate();
+  page.type("fieldMoveX", "25");
+  page.pointAt(page.window().viewport());
+  QTest::keyClicks(field, "1");
+  QTest::keyClick(field, Qt::Key_W);
+  EXPECT_FALSE(page.find<QAction>("actionMove")->isChecked()) << "half a number is in the field";
+  QTest::keyClick(field, Qt::Key_Return);
+  QTest::keyClick(field, Qt::Key_W);
+  EXPECT_TRUE(page.find<QAction>("actionMove")->isChecked());
+  QTest::keyClicks(field, "40");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(field->value(), 40.0) << "the next number goes into the field";
+}
+
 TEST(TypedKeys, WhatCannotBeSeenToHappenNeedsCtrl) {
   TypingPage page;
   for (const char* name : {"actionGoBack", "actionForcesOn"}) {
