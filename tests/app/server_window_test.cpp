@@ -44,7 +44,7 @@ TEST(LostServer, IsToldByStatusRatesMessageAndPanelUntilForcesAreAskedForAgain) 
   };
   ASSERT_TRUE(WindowPage::until(forcesWentOff, kLong));
   EXPECT_FALSE(status.deviceWorks()) << status.device().toStdString();
-  EXPECT_FALSE(page.window().snapshot()->forces_on);
+  ASSERT_TRUE(WindowPage::until([&] { return !page.window().snapshot()->forces_on; }, kLong));
   EXPECT_EQ(page.window().snapshot()->server.rate_hz, 0.0);
   // It is started again by itself; that the forces are gone stays to be read.
   ASSERT_TRUE(WindowPage::until([&] { return page.window().snapshot()->connected; }, kLong));
