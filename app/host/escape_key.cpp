@@ -2,8 +2,10 @@
 #include "app/host/escape_key.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <algorithm>
 
@@ -30,7 +32,18 @@ bool EscapeKey::eventFilter(QObject* watched, QEvent* event) {
   return widget->isWindow() && closeTop(*widget);  // A window gets the key when nothing in it took it.
 }
 
+/// What was typed since the field was filled; a search is emptied.
+bool EscapeKey::takeBackTyping() {
+  auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  if (!field || field->isReadOnly() || !field->isModified() || !field->isUndoAvailable()) return false;
+  while (field->isUndoAvailable()) field->undo();
+  field->setModified(false);
+  return true;
+}
+
 bool EscapeKey::closeTop(QWidget& window) {
+  if (qobject_cast<QDialog*>(&window)) return false;  // It is on top, and closes itself.
+  if (takeBackTyping()) return true;
   if (std::any_of(closers_.begin(), closers_.end(), [](const auto& close) { return close(); })) return true;
   if (sendToScene()) return true;
   const auto* dock = qobject_cast<QDockWidget*>(&window);

@@ -12,9 +12,10 @@ namespace hapticell::app {
 
 class ViewportWidget;
 
-/// Escape, wherever the focus is: ends an open pick; then what has the focus may use it (an edit, a drag); what that
-/// leaves goes to the closers in the order they were added, to the tools of the scene, and last closes the floating
-/// dock in which it was pressed. Forces go off before all of it (the module hears the key first). GUI thread.
+/// Escape, wherever the focus is, one thing a press: ends an open pick; then what has the focus may use it (an edit, a
+/// drag); takes back what was typed into a field of text; what that leaves goes to the closers in the order they were
+/// added, to the tools of the scene, and last closes the floating dock in which it was pressed. Forces go off before
+/// all of it (the module hears the key first); menus and dialogs close by themselves. GUI thread.
 class EscapeKey : public QObject {
   Q_OBJECT
  public:
@@ -27,6 +28,7 @@ class EscapeKey : public QObject {
 
  private:
   bool closeTop(QWidget& window);
+  bool takeBackTyping();
   bool sendToScene();
   QMainWindow& window_;
   ViewportWidget& scene_;

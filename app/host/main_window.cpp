@@ -15,6 +15,7 @@
 #include "app/help/about_dialog.h"
 #include "app/help/help_dock.h"
 #include "app/host/command_box.h"
+#include "app/host/command_finder.h"
 #include "app/host/crash_guard.h"
 #include "app/host/escape_key.h"
 #include "app/host/window_keys.h"
@@ -109,8 +110,19 @@ void MainWindow::addCorner() {
 void MainWindow::addEscape() {
   auto* escape = new EscapeKey(*this, *viewport_);
   escape->add([this] {
+    auto* finder = findChild<CommandFinder*>();
+    return finder && finder->dismiss();
+  });
+  escape->add([this] {
     if (!start_->isVisible()) return false;
     start_->hide();
+    return true;
+  });
+  escape->add([this] {
+    auto* help = findChild<QDockWidget*>("dockHelp");
+    if (!help || !help->isAncestorOf(QApplication::focusWidget())) return false;
+    help->hide();
+    viewport_->setFocus();
     return true;
   });
 }

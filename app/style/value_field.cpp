@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/style/value_field.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
@@ -9,6 +10,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "app/style/style_painting.h"
@@ -47,6 +49,22 @@ std::optional<double> withUnit(const QString& text, const TypedUnit (&units)[kCo
   return std::nullopt;
 }
 
+/// Escape while a number is typed: what stood there before. A filter of the field, so that forces have gone off first.
+class TypedBack final : public QObject {
+ public:
+  TypedBack(QObject& field, std::function<bool()> take_back) : QObject(&field), take_back_(std::move(take_back)) {
+    field.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    return event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && take_back_();
+  }
+
+ private:
+  std::function<bool()> take_back_;
+};
+
 }  // namespace
 
 ValueField::ValueField(const Format& format, QWidget* parent)
@@ -69,6 +87,12 @@ ValueField::ValueField(const Format& format, QWidget* parent)
   // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
   connect(lineEdit(), &QLineEdit::textChanged, this, &ValueField::fitUnit);
+  new TypedBack(*this, [this] {
+    if (!std::exchange(typed_, false)) return false;
+    lineEdit()->setText(textFromValue(value()));
+    lineEdit()->selectAll();
+    return true;
+  });
   connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
     const auto beyond = std::exchange(beyond_, std::nullopt);
     if (!std::exchange(typed_, false)) return;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemView>
+#include <QDialog>
 #include <QListView>
+#include <QMenu>
 #include <QPointer>
 #include <QTreeView>
 
@@ -219,6 +221,91 @@ TEST(EscapeKey, EndsAPickWhereverTheFocusIs) {
     EXPECT_TRUE(answered) << focus;
     EXPECT_FALSE(page.window().viewport().isPicking());
   }
+}
+
+TEST(EscapeKey, ClosesWhatIsOnTopOneThingAPress) {
+  TypingPage page;
+  const auto escape = [&] {
+    QWidget* window = QApplication::activeWindow();
+    ASSERT_NE(window, nullptr);
+    QTest::keyClick(window->windowHandle(), Qt::Key_Escape);
+    page.settle();
+  };
+  page.trigger("actionMove");
+  page.trigger("actionManual");
+  page.activate();
+  auto* help = page.find<QDockWidget>("dockHelp");
+  auto* search = page.find<QLineEdit>("fieldHelpSearch");
+  auto* finder = page.find<QWidget>("commandFinder");
+  auto* start = page.find<QWidget>("startPage");
+  page.trigger("actionFirstPage");
+  search->setFocus();
+  QTest::keyClicks(search, "tcp");
+  page.trigger("actionFindCommand");
+  ASSERT_TRUE(finder->isVisible());
+  escape();
+  EXPECT_FALSE(finder->isVisible()) << "the finder is over all";
+  EXPECT_EQ(search->text(), "tcp");
+  ASSERT_TRUE(search->hasFocus()) << "where it was before";
+  escape();
+  EXPECT_EQ(search->text(), "") << "then what was typed";
+  EXPECT_TRUE(start->isVisible());
+  escape();
+  EXPECT_FALSE(start->isVisible()) << "then the first page";
+  EXPECT_TRUE(help->isVisible());
+  escape();
+  EXPECT_FALSE(help->isVisible()) << "then the help, which has the focus";
+  EXPECT_TRUE(page.find<QAction>("actionMove")->isChecked());
+  escape();
+  EXPECT_TRUE(page.find<QAction>("actionSelect")->isChecked()) << "then the tool";
+}
+
+TEST(EscapeKey, TakesBackATypedNumber) {
+  TypingPage page;
+  page.showDock("dockMove");
+  page.trigger("actionMove");
+  page.activate();
+  auto* field = page.find<ValueField>("fieldMoveX");
+  const QString before = field->text();
+  int edited = 0;
+  QObject::connect(field, &ValueField::edited, [&] { ++edited; });
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "123");
+  ASSERT_NE(field->text(), before);
+  QTest::keyClick(page.window().windowHandle(), Qt::Key_Escape);
+  page.settle();
+  EXPECT_EQ(field->text(), before);
+  EXPECT_TRUE(page.find<QAction>("actionMove")->isChecked()) << "one thing a press";
+  page.window().viewport().setFocus();
+  page.settle();
+  EXPECT_EQ(edited, 0);
+}
+
+TEST(EscapeKey, ClosesMenusDialogsAndFloatingPanels) {
+  TypingPage page;
+  page.trigger("actionMove");
+  page.activate();
+  auto* menu = page.find<QMenu>("menuView");
+  menu->popup(page.window().mapToGlobal(QPoint(200, 200)));
+  page.settle();
+  QTest::keyClick(menu, Qt::Key_Escape);
+  page.settle();
+  EXPECT_FALSE(menu->isVisible());
+  page.trigger("actionAbout");
+  QPointer<QDialog> about = page.find<QDialog>("dialogAbout");
+  ASSERT_TRUE(about && about->isVisible());
+  QTest::keyClick(about.data(), Qt::Key_Escape);
+  page.settle();
+  EXPECT_TRUE(!about || !about->isVisible());
+  EXPECT_TRUE(page.find<QAction>("actionMove")->isChecked()) << "the tool is below them";
+  page.trigger("actionSelect");
+  page.trigger("actionSettings");
+  auto* settings = page.find<QDockWidget>("dockSettings");
+  ASSERT_TRUE(WindowPage::until([&] { return settings->isActiveWindow(); }, 30000));
+  QTest::keyClick(settings->windowHandle(), Qt::Key_Escape);
+  page.settle();
+  EXPECT_FALSE(settings->isVisible());
 }
 
 TEST(EscapeKey, ClosesWhatIsOnTopWhereverTheFocusIs) {
