@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/host/document_model.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "workcell/document_io.h"
 #include "workcell/imported_entities.h"
 
 namespace hapticell::app {
+namespace {
+
+/// It changes where things stand, and nothing else. Attaching counts: it is how a glove takes hold.
+bool onlyMoves(const workcell::Command& command) {
+  return std::holds_alternative<workcell::SetPlacement>(command) ||
+         std::holds_alternative<workcell::SetJoints>(command) ||
+         std::holds_alternative<workcell::SetConfiguration>(command) ||
+         std::holds_alternative<workcell::Attach>(command) || std::holds_alternative<workcell::Detach>(command);
+}
+
+}  // namespace
 
 QString DocumentModel::title() const {
   const auto& path = document_.path();
@@ -15,6 +27,7 @@ QString DocumentModel::title() const {
 }
 
 bool DocumentModel::execute(const workcell::Command& command) {
+  endTrialFor({command});
   const auto done = document_.execute(command);
   if (!done) {
     emit refused(QString::fromStdString(done.error().message()));
@@ -25,11 +38,18 @@ bool DocumentModel::execute(const workcell::Command& command) {
 }
 
 bool DocumentModel::executeAll(const QString& text, const std::vector<workcell::Command>& commands) {
+  endTrialFor(commands);
+  const Entities before = document_.state().entities;
   document_.beginCompound(text.toStdString());
   for (const workcell::Command& command : commands) {
     const auto done = document_.execute(command);
     if (done) continue;
-    document_.cancelCompound();
+    if (trial_) {
+      goBackTo(before);
+      document_.endCompound();
+    } else {
+      document_.cancelCompound();
+    }
     emit refused(QString::fromStdString(done.error().message()));
     return false;
   }
@@ -39,6 +59,7 @@ bool DocumentModel::executeAll(const QString& text, const std::vector<workcell::
 }
 
 bool DocumentModel::executeWithin(const std::vector<workcell::Command>& commands) {
+  endTrialFor(commands);
   bool all = true;
   for (const workcell::Command& command : commands) all = all && document_.execute(command).has_value();
   emit changed();
@@ -62,19 +83,61 @@ void DocumentModel::goTo(int steps) {
 }
 
 void DocumentModel::beginStep(const QString& text) {
+  drop_step_ = false;
+  if (trial_) trial_->step = document_.state().entities;
   document_.beginCompound(text.toStdString());
 }
 
 void DocumentModel::endStep() {
   if (!document_.inCompound()) return;
+  if (std::exchange(drop_step_, false)) return cancelStep();
+  if (trial_ && !trial_->step) return;
   document_.endCompound();
+  if (trial_) trial_->step.reset();
   emit changed();
 }
 
 void DocumentModel::cancelStep() {
   if (!document_.inCompound()) return;
-  document_.cancelCompound();
+  drop_step_ = false;
+  if (trial_) {
+    if (!trial_->step) return;
+    goBackTo(*std::exchange(trial_->step, std::nullopt));
+    document_.endCompound();
+  } else {
+    document_.cancelCompound();
+  }
   emit changed();
+}
+
+void DocumentModel::beginTrial() {
+  endTrial();
+  endStep();
+  trial_ = Trial{document_.isDirty(), std::nullopt};
+  document_.beginCompound({});
+}
+
+void DocumentModel::endTrial() {
+  if (!trial_) return;
+  drop_step_ = trial_->step.has_value();
+  trial_.reset();
+  document_.cancelCompound();
+  if (drop_step_) document_.beginCompound({});
+  emit changed();
+  emit trialEnded();
+}
+
+void DocumentModel::endTrialFor(const std::vector<workcell::Command>& commands) {
+  if (trial_ && !std::all_of(commands.begin(), commands.end(), onlyMoves)) endTrial();
+}
+
+/// Ids and order are the same: in a trial things are only moved.
+void DocumentModel::goBackTo(const Entities& before) {
+  for (const auto& entity : before) {
+    const workcell::Entity* now = document_.find(entity->id);
+    if (now && now != entity.get())
+      (void)document_.execute(workcell::SetConfiguration{entity->id, entity->X_WE, entity->joints});
+  }
 }
 
 void DocumentModel::clear() {
@@ -93,6 +156,7 @@ void DocumentModel::adoptCopy(workcell::Document document) {
 }
 
 void DocumentModel::replaceBy(workcell::Document document, std::filesystem::path origin) {
+  endTrial();
   cancelStep();
   emit closing();
   document.continueAfter(document_);
@@ -104,6 +168,7 @@ void DocumentModel::replaceBy(workcell::Document document, std::filesystem::path
 }
 
 Expected<void> DocumentModel::save(const QString& path) {
+  endTrial();
   const std::vector<workcell::TrajectoryReference> before = document_.state().trajectories;
   auto saved = workcell::saveDocument(document_, path.toStdString());
   std::map<std::string, std::string> moved;
@@ -118,6 +183,7 @@ Expected<void> DocumentModel::save(const QString& path) {
 
 Expected<std::vector<workcell::EntityId>> DocumentModel::addImported(std::vector<workcell::Entity> entities,
                                                                      const Pose& X_WF) {
+  endTrial();
   auto ids = workcell::addImported(document_, std::move(entities), X_WF);
   if (ids && !document_.inCompound()) emit changed();
   return ids;

@@ -5,6 +5,8 @@
 #include <QString>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,15 @@ class DocumentModel : public QObject {
   void endStep();
   void cancelStep();
 
+  /// From here to endTrial() what is moved is only tried: a trainee's run. The cell does not count as changed, and at
+  /// the end all stands where it stood, with no step of undo. Whatever else changes the cell, saves it or closes it
+  /// ends the trial first.
+  void beginTrial();
+  void endTrial();
+  bool inTrial() const { return trial_.has_value(); }
+  /// Whether it differs from its file; what is only tried is no difference.
+  bool isDirty() const { return trial_ ? trial_->dirty : document_.isDirty(); }
+
   /// An empty document in place of this one.
   void clear();
   /// A document that was read elsewhere (files are never read in this thread) in place of this one.
@@ -60,16 +71,27 @@ class DocumentModel : public QObject {
   /// scored, drawn, chosen of it) drops it now, so that nothing of it is in the next; ids of its entities mean nothing
   /// there.
   void closing();
-  void opened();  ///< Another document stands in its place.
+  void trialEnded();  ///< All stands again where it stood before the trial.
+  void opened();      ///< Another document stands in its place.
   /// Saving put recordings beside the document (old to new path); before changed().
   void recordingsMoved(const std::map<std::string, std::string>& places);
 
  private:
+  using Entities = std::vector<std::shared_ptr<const workcell::Entity>>;
+  struct Trial {
+    bool dirty = false;            ///< Before it.
+    std::optional<Entities> step;  ///< Where all stood when the step that is open began.
+  };
+  /// What is no motion ends the trial.
+  void endTrialFor(const std::vector<workcell::Command>& commands);
+  void goBackTo(const Entities& before);
   void replaceBy(workcell::Document document, std::filesystem::path origin);
 
   workcell::Document document_;
   std::filesystem::path origin_;
   int number_ = 0;
+  std::optional<Trial> trial_;
+  bool drop_step_ = false;  ///< The trial ended in the middle of a drag: the rest of it is not kept either.
 };
 
 }  // namespace hapticell::app

@@ -268,7 +268,7 @@ void MainWindow::documentChanged() {
 }
 
 void MainWindow::updateTitle() {
-  const bool dirty = document_.document().isDirty();
+  const bool dirty = document_.isDirty();
   setWindowTitle(document_.title() + (dirty ? " *" : "") + " – HaptiCell");
   const bool has_file = !document_.document().path().empty();
   file_label_->setText(document_.title() + (has_file ? QStringLiteral(".hcell") : QString()) + QStringLiteral("  ·  ") +

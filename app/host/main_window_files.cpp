@@ -204,7 +204,7 @@ bool MainWindow::saveDocument(bool ask_where) {
 }
 
 bool MainWindow::mayDiscard() {
-  if (!document_.document().isDirty()) return true;
+  if (!document_.isDirty()) return true;
   QMessageBox question(QMessageBox::Question, tr("Changes are not saved"),
                        tr("%1 has changes that are not saved.").arg(document_.title()),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
@@ -214,7 +214,7 @@ bool MainWindow::mayDiscard() {
 
 void MainWindow::keepPicture() {
   const QString path = QString::fromStdString(document_.document().path().string());
-  if (settings_.isKept() && !path.isEmpty() && !document_.document().isDirty())
+  if (settings_.isKept() && !path.isEmpty() && !document_.isDirty())
     recent_->keepPicture(path, viewport_->smallPicture(kPictureWidth));
 }
 

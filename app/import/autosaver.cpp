@@ -30,7 +30,7 @@ Expected<std::filesystem::path> Autosaver::runFolder() {
 void Autosaver::note() {
   const workcell::Document& document = document_.document();
   Unsaved fresh;
-  if (document.isDirty()) {
+  if (document_.isDirty()) {
     if (unsaved_.number != 0 && noted_revision_ == document.revision() && unsaved_.document == document.path()) return;
     const auto run = run_.path();
     if (!run) {

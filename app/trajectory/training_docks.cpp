@@ -64,9 +64,8 @@ void TrainingDocks::open() {
 }
 
 void TrainingDocks::openCell(const QString& path) {
-  const workcell::Document& document = host_.documentModel().document();
   if (QString::fromStdString(host_.documentModel().origin().string()) == path) return panel_->cellCame();
-  if (document.isDirty()) {
+  if (host_.documentModel().isDirty()) {
     panel_->cellCame();
     emit panel_->told(tr("Save this cell first; then choose the exercise again."), true);
     return;

@@ -2,7 +2,6 @@
 #include "app/trajectory/training_panel.h"
 
 #include <QComboBox>
-#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
@@ -14,11 +13,9 @@
 #include <QVBoxLayout>
 
 #include "app/host/document_model.h"
-#include "app/host/hold_choice.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
-#include "app/host/selection.h"
 #include "app/panels/form.h"
 #include "app/start/file_dialog.h"
 #include "app/style/theme.h"
@@ -29,38 +26,18 @@
 #include "app/trajectory/training_report.h"
 #include "app/viewport/viewport_widget.h"
 #include "config/configuration.h"
-#include "manipulation/motion_replay.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
 namespace hapticell::app {
 namespace {
 
+constexpr int kLookMilliseconds = 200;
+
 QLabel* said(const char* name, int lines, TextRole role, bool quiet) {
   auto* label = makeLive(lines, role, quiet);
   label->setObjectName(name);
   return label;
-}
-
-/// The run by the frame that the expert's is of: what is moved without a stylus is recorded by its origin.
-trajectory::Trajectory asTheExpert(const std::vector<std::shared_ptr<const workcell::Entity>>& entities,
-                                   const trajectory::Trajectory& expert, const trajectory::Trajectory& run) {
-  if (run.moved == expert.moved || run.empty()) return run;
-  const auto replay = [&](const trajectory::Trajectory& motion) {
-    return manipulation::MotionReplay::create(entities, expert.entity,
-                                              std::make_shared<const trajectory::Trajectory>(motion));
-  };
-  const auto theirs = replay(expert), mine = replay(run);
-  if (!theirs || !mine) return run;
-  trajectory::Trajectory seen = run.emptyRecording();
-  seen.moved = expert.moved;
-  seen.touches = run.touches;
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    trajectory::Trajectory::Frame frame = run[i];
-    frame.X_WT = theirs->movedFrame(mine->at(frame.t));
-    seen.addFrame(frame, run.joints(i), run.channels(i));
-  }
-  return seen;
 }
 
 }  // namespace
@@ -77,6 +54,7 @@ TrainingPanel::TrainingPanel(Host& host, MotionList& list, QWidget* parent)
   addResults(*column);
   column->addStretch(1);
   connect(&list_, &MotionList::currentChanged, this, &TrainingPanel::show);
+  connect(&host_.documentModel(), &DocumentModel::trialEnded, this, &TrainingPanel::giveUp);
   show();
 }
 
@@ -135,11 +113,26 @@ void TrainingPanel::addRun(QVBoxLayout& column) {
   way_->setTextVisible(false);
   way_->setFixedHeight(8);
   section->addWidget(way_);
+  forces_ = said("labelForces", 2, TextRole::kSecond, false);
+  section->addWidget(forces_);
   start_ = new QPushButton(tr("Start the run"));
   start_->setObjectName("buttonStartRun");
   start_->setProperty("main", true);
+  without_ = new QPushButton(tr("Start without forces"));
+  without_->setObjectName("buttonStartWithoutForces");
   section->addWidget(start_);
-  connect(start_, &QPushButton::clicked, this, [this] { run_ ? host_.recording().stop() : start(); });
+  section->addWidget(without_);
+  connect(start_, &QPushButton::clicked, this, [this] {
+    if (run_) return endRun();
+    if (forcesAreOff()) switchForcesOn();
+    start();
+  });
+  connect(without_, &QPushButton::clicked, this, &TrainingPanel::start);
+  // The forces go on and off without a word to panels.
+  connect(&tick_, &QTimer::timeout, this, [this] {
+    if (isSeen(*this)) showForces();
+  });
+  tick_.start(kLookMilliseconds);
 }
 
 void TrainingPanel::addResults(QVBoxLayout& column) {
@@ -230,90 +223,6 @@ void TrainingPanel::loadResults() {
   show();
 }
 
-void TrainingPanel::start() {
-  if (!exercise_) return;
-  const workcell::Entity* entity = host_.documentModel().document().findByName(expert_.entity);
-  if (!entity) {
-    emit told(tr("There is no %1 in this cell.").arg(QString::fromStdString(expert_.entity)), true);
-    return;
-  }
-  // What the stylus's button takes, by the frame that the guide leads.
-  host_.selection().set(entity->id);
-  if (const auto by = manipulation::parseMovedBy(expert_.moved)) host_.holdChoice().set(by->kind, by->frame);
-  run_ = std::make_unique<manipulation::TrainingRun>(*exercise_, expert_, 0.01 * help_->value());
-  manipulation::command::StartRecording wanted;
-  wanted.take = tr("Run %1").arg(session_.attempts.size() + 1).toStdString();
-  host_.recording().start(wanted);
-  emit runStarted(expert_);
-  showGuide();
-  show();
-}
-
-void TrainingPanel::follow(const Pose& X_WM) {
-  if (!run_) return;
-  run_->follow(X_WM);
-  showGuide();
-  show();
-  if (run_->isDone()) host_.recording().stop();
-}
-
-void TrainingPanel::showGuide() {
-  if (!run_) return emit guideChanged(std::nullopt);
-  emit guideChanged(run_->guide());
-}
-
-bool TrainingPanel::takeRecorded(const std::vector<trajectory::Trajectory>& recorded) {
-  if (!run_) return false;
-  trajectory::Trajectory mine = expert_.emptyCopy();
-  for (const trajectory::Trajectory& one : recorded)
-    if (one.entity == expert_.entity)
-      mine = asTheExpert(host_.documentModel().document().state().entities, expert_, one);
-  finish(mine);
-  return true;
-}
-
-void TrainingPanel::finish(const trajectory::Trajectory& run) {
-  const auto attempt =
-      run_->finish(run, QDateTime::currentDateTime().toTimeSpec(Qt::OffsetFromUTC).toString(Qt::ISODate).toStdString());
-  run_.reset();
-  showGuide();
-  emit runEnded();
-  if (run.empty()) {
-    emit told(tr("The run has no frames: take the part with the stylus and move it."), true);
-    return show();
-  }
-  session_.attempts.push_back(attempt);
-  keepResults();
-  help_->setValue(100.0 * session_.nextHelp());
-  emit told(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)
-                            : tr("%1 points; %2 are needed and the whole way")
-                                  .arg(attempt.score.points, 0, 'f', 0)
-                                  .arg(exercise_->pass, 0, 'f', 0),
-            !attempt.success);
-  show();
-}
-
-void TrainingPanel::forgetCell() {
-  if (run_) {
-    run_.reset();
-    showGuide();
-    emit runEnded();
-  }
-  if (cell_wanted_) return show();
-  exercise_.reset();
-  expert_ = {};
-  exercises_->setCurrentIndex(0);
-  loadResults();
-}
-
-void TrainingPanel::cancel() {
-  if (!run_) return;
-  run_.reset();
-  host_.recording().stop();
-  showGuide();
-  emit runEnded();
-}
-
 void TrainingPanel::keepResults() {
   const QString path = resultsFile();
   QDir().mkpath(QFileInfo(path).path());
@@ -339,8 +248,7 @@ void TrainingPanel::show() {
   text_->setText(exercise_
                      ? QString::fromStdString(exercise_->text)
                      : tr("An expert's recording leads the stylus along its way; the guide waits for the trainee."));
-  start_->setEnabled(exercise_.has_value());
-  start_->setText(run_ ? tr("End the run") : tr("Start the run"));
+  showForces();
   for (QWidget* widget : std::initializer_list<QWidget*>{exercises_, trainee_, radius_, help_})
     widget->setEnabled(!run_);
   way_->setValue(run_ ? static_cast<int>(100.0 * run_->share()) : 0);

@@ -66,7 +66,14 @@ class TrainingPanel : public QWidget {
   void addResults(QVBoxLayout& column);
   void chooseExercise(int index);
   void setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert);
+  bool forcesAreOff() const;
+  void switchForcesOn();
+  void showForces();
   void start();
+  bool placeAtBeginning();
+  void endRun();
+  void dropRun();
+  void giveUp();
   void finish(const trajectory::Trajectory& run);
   void cancel();
   void loadResults();
@@ -87,10 +94,10 @@ class TrainingPanel : public QWidget {
   QTimer tick_;
   QComboBox* exercises_;
   QLineEdit* trainee_;
-  QLabel *text_, *state_, *score_, *help_label_;
+  QLabel *text_, *state_, *forces_, *score_, *help_label_;
   ValueField *radius_, *help_;
   QProgressBar* way_;
-  QPushButton *start_, *use_, *export_;
+  QPushButton *start_, *without_, *use_, *export_;
   ProgressPlot* plot_;
 };
 

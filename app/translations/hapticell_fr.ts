@@ -2561,12 +2561,24 @@
         <translation>Les forces sont coupées. Le serveur est relancé ; Ctrl+Espace les remet ensuite.</translation>
     </message>
     <message>
+        <source>Forces are off. Without them the guide is not felt.</source>
+        <translation>Les forces sont coupées. Sans elles, le guide ne se sent pas.</translation>
+    </message>
+    <message>
         <source>Forces are off: a second stylus has come</source>
         <translation>Les forces sont coupées : un second stylet est arrivé</translation>
     </message>
     <message>
+        <source>Forces are off: the guide is not felt.</source>
+        <translation>Les forces sont coupées : le guide ne se sent pas.</translation>
+    </message>
+    <message>
         <source>Forces are on, %1 now.</source>
         <translation>Les efforts sont en marche, %1 maintenant.</translation>
+    </message>
+    <message>
+        <source>Forces are on.</source>
+        <translation>Les forces sont actives.</translation>
     </message>
     <message>
         <source>Forces did not come on: the device is not ready.</source>
@@ -2591,6 +2603,10 @@
     <message>
         <source>Forces on (Ctrl+Space), off (Esc)</source>
         <translation>Efforts en marche (Ctrl+Espace), coupés (Échap)</translation>
+    </message>
+    <message>
+        <source>Forces on and start</source>
+        <translation>Activer les forces et commencer</translation>
     </message>
     <message>
         <source>Forces wait</source>
@@ -3357,6 +3373,10 @@
         <translation>Lâcher</translation>
     </message>
     <message>
+        <source>Let go of what is held first; then start the run.</source>
+        <translation>Lâchez d'abord ce qui est tenu ; commencez ensuite l'essai.</translation>
+    </message>
+    <message>
         <source>Libraries and their licences</source>
         <translation>Bibliothèques et leurs licences</translation>
     </message>
@@ -3999,6 +4019,10 @@
     <message>
         <source>No stylus is connected</source>
         <translation>Aucun stylet n'est connecté</translation>
+    </message>
+    <message>
+        <source>No stylus is connected: the guide is seen, not felt.</source>
+        <translation>Aucun stylet n'est connecté : le guide se voit, sans se sentir.</translation>
     </message>
     <message>
         <source>No table of strength is shipped; yours can be read in.</source>
@@ -5601,6 +5625,10 @@
         <translation>Lancer le serveur</translation>
     </message>
     <message>
+        <source>Start without forces</source>
+        <translation>Commencer sans forces</translation>
+    </message>
+    <message>
         <source>State</source>
         <translation>État</translation>
     </message>
@@ -5895,6 +5923,10 @@
     <message>
         <source>The cell stays usable meanwhile.</source>
         <translation>La cellule reste utilisable pendant ce temps.</translation>
+    </message>
+    <message>
+        <source>The cell was changed or saved, so the run was given up. The part stands where it stood before.</source>
+        <translation>La cellule a été modifiée ou enregistrée : l'essai est abandonné. La pièce est revenue à sa place.</translation>
     </message>
     <message>
         <source>The cell was never saved. Compare it with the import instead.</source>

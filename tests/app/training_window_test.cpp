@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QSignalSpy>
 
+#include "app/host/document_model.h"
 #include "app/host/recording_hub.h"
 #include "app/trajectory/progress_plot.h"
 #include "app/trajectory/training_panel.h"
@@ -63,6 +64,113 @@ TEST(TrainingDock, AnExerciseThatIsNotThereIsRefused) {
   auto* panel = page.window().findChild<TrainingPanel*>();
   ASSERT_NE(panel, nullptr);
   EXPECT_FALSE(panel->openExercise("/nowhere.hexercise"));
+}
+
+/// A motion of the box along x, taught; the cell is saved.
+struct LessonPage : MotionPage {
+  LessonPage() {
+    std::vector<std::pair<double, dvec3>> way;
+    for (int i = 0; i <= 50; ++i) way.push_back({0.04 * i, {0.1 + 0.004 * i, 0, 0}});
+    EXPECT_TRUE(import(way, "lesson"));
+    EXPECT_TRUE(model().save(folder().filePath("cell.hcell")).has_value());
+    trigger("actionTraining");
+    panel = window().findChild<TrainingPanel*>();
+    panel->setResults(folder().filePath("ana.htrain"));
+    press("buttonTeachMotion");
+  }
+  DocumentModel& model() { return window().documentModel(); }
+  double boxAt() { return document().find(box())->X_WE.p.x; }
+  void put(double x) { model().execute(workcell::SetPlacement{box(), Pose::translation({x, 0, 0})}); }
+  /// The whole way, to its end.
+  bool run() {
+    for (int i = 0; i <= 50 && panel->isRunning(); ++i) {
+      put(0.1 + 0.004 * i);
+      QTest::qWait(40);
+    }
+    return until([&] { return !panel->isRunning(); }, kPatience);
+  }
+  TrainingPanel* panel = nullptr;
+};
+
+TEST(TrainingDock, ARunLeavesNoTraceInTheCell) {
+  LessonPage page;
+  const auto steps = page.document().undoTexts();
+  ASSERT_FALSE(page.model().isDirty());
+  page.press("buttonStartRun");
+  ASSERT_TRUE(page.panel->isRunning());
+  EXPECT_NEAR(page.boxAt(), 0.1, 1e-12) << "where the expert began";
+  page.put(0.15);
+  EXPECT_FALSE(page.model().isDirty());
+  EXPECT_FALSE(page.window().windowTitle().contains('*')) << page.window().windowTitle().toStdString();
+  EXPECT_FALSE(page.enabled("actionUndo"));
+  ASSERT_TRUE(page.run());
+  EXPECT_EQ(page.boxAt(), 0.0) << "back in its place";
+  EXPECT_FALSE(page.model().isDirty());
+  EXPECT_EQ(page.document().undoTexts(), steps);
+  EXPECT_EQ(page.panel->session().attempts.size(), 1u);
+  page.put(0.3);
+  EXPECT_TRUE(page.model().isDirty()) << "after it, moving is a change again";
+}
+
+TEST(TrainingDock, AChangeOfTheCellEndsTheRunFirst) {
+  LessonPage page;
+  page.press("buttonStartRun");
+  page.put(0.15);
+  ASSERT_TRUE(page.model().execute(workcell::RenameEntity{page.box(), "crate"}));
+  EXPECT_FALSE(page.panel->isRunning());
+  EXPECT_TRUE(page.panel->session().attempts.empty());
+  EXPECT_EQ(page.document().find(page.box())->name, "crate");
+  EXPECT_EQ(page.boxAt(), 0.0);
+  page.model().undo();
+  EXPECT_EQ(page.document().find(page.box())->name, "box");
+  EXPECT_FALSE(page.model().isDirty());
+  EXPECT_FALSE(page.window().recording().isRecording());
+}
+
+TEST(TrainingDock, ADragThatIsCancelledInARunTakesBackItsOwnMovesAlone) {
+  LessonPage page;
+  DocumentModel& model = page.model();
+  const auto steps = page.document().undoTexts();
+  model.beginTrial();
+  page.put(0.1);
+  model.beginStep("drag");
+  model.executeWithin({workcell::SetPlacement{page.box(), Pose::translation({0.2, 0, 0})}});
+  model.cancelStep();
+  EXPECT_EQ(page.boxAt(), 0.1);
+  model.beginStep("drag");
+  model.executeWithin({workcell::SetPlacement{page.box(), Pose::translation({0.3, 0, 0})}});
+  model.endTrial();
+  EXPECT_EQ(page.boxAt(), 0.0);
+  // The hand is still on it.
+  model.executeWithin({workcell::SetPlacement{page.box(), Pose::translation({0.4, 0, 0})}});
+  model.endStep();
+  EXPECT_EQ(page.boxAt(), 0.0);
+  EXPECT_EQ(page.document().undoTexts(), steps);
+  EXPECT_FALSE(model.isDirty());
+}
+
+TEST(TrainingDock, ForcesAreAskedForAtTheStart) {
+  LessonPage page;
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonStartWithoutForces")->isEnabled()) << "no stylus, no forces";
+  QAction forces;
+  forces.setObjectName("actionForcesOn");
+  forces.setParent(&page.window());
+  QSignalSpy switched(&forces, &QAction::triggered);
+  manipulation::SceneSnapshot snapshot;
+  snapshot.connected = true;
+  page.window().setSnapshot(snapshot);
+  const auto* start = page.find<QAbstractButton>("buttonStartRun");
+  const QString plain = start->text();
+  ASSERT_TRUE(MotionPage::until([&] { return start->text() != plain; }, MotionPage::kPatience));
+  page.press("buttonStartRun");
+  EXPECT_EQ(switched.count(), 1);
+  EXPECT_TRUE(page.panel->isRunning());
+  page.press("buttonStartRun");
+  ASSERT_TRUE(MotionPage::until([&] { return !page.panel->isRunning(); }, MotionPage::kPatience));
+  page.press("buttonStartWithoutForces");
+  EXPECT_EQ(switched.count(), 1);
+  EXPECT_TRUE(page.panel->isRunning());
+  page.window().setSnapshot(std::nullopt);
 }
 
 class ShippedExercise : public testing::TestWithParam<const char*> {};
