@@ -32,7 +32,7 @@ struct PostureOptions {
   std::string sex = "male", posture = "standing", task;
   std::optional<double> percentile, stature, mass;
   std::vector<std::string> reports, task_reports;
-  std::string language = "en", date, picture, force_limits;
+  std::string language = "en", date, picture, force_limits, company, logo;
   std::string input;
   std::vector<std::string> station;
   std::vector<double> rise{-0.2, 0.2, 0.04}, away{-0.12, 0.2, 0.04};
@@ -132,6 +132,12 @@ Expected<Subject> subjectOf(const PostureOptions& options) {
     if (!picture) return tl::unexpected(picture.error());
     subject->input.scene = std::move(*picture);
   }
+  if (!options.logo.empty()) {
+    auto logo = readPng(options.logo);
+    if (!logo) return tl::unexpected(logo.error());
+    subject->input.logo = std::move(*logo);
+  }
+  subject->input.company = options.company;
   subject->input.language = options.language == "fr" ? Language::kFrench : Language::kEnglish;
   subject->input.date = options.date.empty() ? today() : options.date;
   return subject;
@@ -208,7 +214,13 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
   const std::atomic<bool> cancel{false};
   const auto map = manipulation::searchWorkplace(*question, {}, cancel);
   if (!map) return failed(map.error());
-  if (auto written = writer.write(workplaceReport(*map)); !written) return failed(written.error());
+  ordered_json result = workplaceReport(*map);
+  result["moves"] = ordered_json::array();
+  for (const workcell::EntityId id : manipulation::movedWith(*question)) {
+    for (const workcell::Entity& entity : question->entities)
+      if (entity.id == id) result["moves"].push_back(entity.name);
+  }
+  if (auto written = writer.write(result); !written) return failed(written.error());
   const bool good = map->best >= 0 &&
                     (!options.fail_over || map->cells[static_cast<std::size_t>(map->best)].worst <= *options.fail_over);
   return options.fail_over && !good ? ExitStatus::kCheckFound : ExitStatus::kDone;
@@ -234,6 +246,8 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
   posture.option("--report", options->reports, "Writes a report: .pdf, .html, .csv or .json; several may be given");
   posture.option("--task-report", options->task_reports, "The task's page, in the same formats");
   posture.option("--picture", options->picture, "A PNG for the report: the figure in its cell (hapticell --render)");
+  posture.option("--company", options->company, "A company's name for the report");
+  posture.option("--logo", options->logo, "The company's logo for the report, a PNG");
   posture.option("--force-limits", options->force_limits, "Own limits of the hands' force, a table (docs/formats.md)");
   posture.option("--language", options->language, "en or fr, of the report").among({"en", "fr"});
   posture.option("--date", options->date, "As printed in the report (default: today)");

@@ -53,6 +53,7 @@ struct Stand {
 class Search {
  public:
   Search(const WorkplaceQuestion& question, const Entity& shown) : question_(question), shown_(shown) {
+    const std::vector<EntityId> moved = movedWith(question);
     posture_ = mannequin::toPosture(*shown.figure, {shown.X_WE, shown.joints});
     const dvec3 ahead = posture_.X_WR.rotate({1.0, 0.0, 0.0});
     ahead_ = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
@@ -76,8 +77,7 @@ class Search {
     for (const ScenePart& part : scene_->parts()) {
       if (part.entity >= kBodyId) continue;
       const Entity& owner = *scene_->find(part.entity);
-      const bool station =
-          std::find(question.station.begin(), question.station.end(), owner.id) != question.station.end();
+      const bool station = std::find(moved.begin(), moved.end(), owner.id) != moved.end();
       stands_.push_back(
           {&part, PreparedScene::partPose(owner, owner.X_WE, owner.joints, part.link), station, owner.name});
     }
@@ -189,6 +189,29 @@ bool evaluateAll(const Search& search, std::vector<WorkplaceCell>& cells, const 
 
 }  // namespace
 
+std::vector<EntityId> movedWith(const WorkplaceQuestion& question) {
+  const auto& all = question.entities;
+  std::vector<bool> moves(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    moves[i] = std::find(question.station.begin(), question.station.end(), all[i].id) != question.station.end();
+  const auto carried = [&](const Entity& entity) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (moves[i] && all[i].name == entity.attachment.to) return true;
+    return false;
+  };
+  for (bool found = true; found;) {
+    found = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (moves[i] || all[i].attachment.to.empty() || all[i].id == question.mannequin || !carried(all[i])) continue;
+      moves[i] = found = true;
+    }
+  }
+  std::vector<EntityId> ids;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (moves[i]) ids.push_back(all[i].id);
+  return ids;
+}
+
 Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const std::function<void(double)>& progress,
                                        const std::atomic<bool>& cancel) {
   const auto find = [&](EntityId id) {
@@ -200,8 +223,8 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
     return makeError(refusal("mannequin", "there is no such mannequin", "one of the cell"));
   if (question.station.empty()) return makeError(refusal("station", "nothing that may be moved", "a table, a fixture"));
   for (const EntityId id : question.station) {
-    if (find(id) == question.entities.end())
-      return makeError(refusal("station", "there is no such entity", "those of the cell"));
+    if (find(id) == question.entities.end() || id == question.mannequin)
+      return makeError(refusal("station", "there is no such part", "parts of the cell, not the mannequin itself"));
   }
   const bool good_steps = question.rise_step > 0.0 && question.away_step > 0.0;
   WorkplaceMap map;

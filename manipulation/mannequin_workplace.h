@@ -42,6 +42,10 @@ struct WorkplaceMap {
   bool is_complete = true;           ///< False: cancelled.
 };
 
+/// The station with what is attached to its parts, directly or through others: all that the placements move, in the
+/// order of `entities`. Never the mannequin, nor what it carries.
+std::vector<workcell::EntityId> movedWith(const WorkplaceQuestion& question);
+
 /// Tries every placement with the four boundary figures: each is solved with all limits, feet and balance, must reach
 /// and must not enter anything of the cell with its body (hands and what they hold aside), and is scored by RULA with
 /// the task. Runs on all cores; `progress` (0 to 1) is called from any of them, and `cancel` ends it soon. Errors: no

@@ -47,8 +47,10 @@ class ErgonomicsDocks : public QObject {
     report_ = addDock("dockReport", tr("Report"), report_panel_, Qt::RightDockWidgetArea);
     time_ = addDock("dockErgonomicsTime", tr("Ergonomics over time"), new TimePanel(context_, scores_, motion_),
                     Qt::BottomDockWidgetArea);
-    workplace_ = addDock("dockWorkplace", tr("Workplace search"),
-                         scrolledPanel(new WorkplacePanel(context_, scores_), 332), Qt::RightDockWidgetArea);
+    auto* search = new WorkplacePanel(context_, scores_);
+    workplace_ = addDock("dockWorkplace", tr("Workplace search"), scrolledPanel(search, 332), Qt::RightDockWidgetArea);
+    connect(search, &WorkplacePanel::findingChanged, this,
+            [this, search] { report_panel_->setWorkplace(search->finding()); });
     connect(panel_, &ErgonomicsPanel::taskWanted, this, [this] { bringToFront(task_); });
     connect(panel_, &ErgonomicsPanel::reportWanted, this, [this] { bringToFront(report_); });
     connect(panel_, &ErgonomicsPanel::searchWanted, this, [this] { bringToFront(workplace_); });

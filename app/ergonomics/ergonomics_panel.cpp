@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <map>
 
 #include "app/ergonomics/height_strips.h"
 #include "app/ergonomics/live_scores.h"
@@ -41,6 +42,24 @@ QLabel* makeWords(const char* name, bool faint) {
   QLabel* words = makeLive(2, TextRole::kSecond, faint);
   words->setObjectName(name);
   return words;
+}
+
+/// Why the lifting equation does not take a lift, and what to do.
+QString refusedLiftText(const Error& why) {
+  const bool is_missing = why.found == "not entered";
+  const std::map<std::string, QString> reasons{
+      {"load_kg", QObject::tr("enter the load in Task data.")},
+      {"repetitions_per_min", QObject::tr("enter the repetition in Task data.")},
+      {"duration_h", is_missing ? QObject::tr("enter the hours in a shift in Task data.")
+                                : QObject::tr("the equation covers shifts of up to 8 h.")},
+      {"grip", is_missing ? QObject::tr("enter the grip in Task data.")
+                          : QObject::tr("it needs a grip that is good, fair or poor.")},
+      {"one_handed", QObject::tr("only one hand bears the load; it judges lifts with both hands. Use RULA or REBA.")},
+      {"seated_or_kneeling",
+       QObject::tr("the figure sits or kneels; it judges lifts while standing. Use RULA or REBA.")},
+  };
+  const auto found = reasons.find(why.place);
+  return found == reasons.end() ? shown(why.message()) : found->second;
 }
 
 }  // namespace
@@ -93,6 +112,7 @@ QWidget* ErgonomicsPanel::makeMethodRows() {
   report->setObjectName("buttonReport");
   connect(report, &QPushButton::clicked, this, &ErgonomicsPanel::reportWanted);
   live_ = makeWords("labelLive", true);
+  lift_ = makeWords("labelLift", false);
   columns_ = new ScoreColumns(scores_);
   all_bodies_ = new QCheckBox(tr("Show all four in the scene"));
   all_bodies_->setObjectName("checkAllBodies");
@@ -101,6 +121,7 @@ QWidget* ErgonomicsPanel::makeMethodRows() {
   rows->addWidget(sideBySide({task, report}));
   rows->addWidget(live_);
   rows->addWidget(columns_);
+  rows->addWidget(lift_);
   rows->addWidget(all_bodies_);
   return page;
 }
@@ -139,14 +160,12 @@ QWidget* ErgonomicsPanel::makeFigures() {
   limits_ = new QPushButton(tr("Own limits of the hands…"));
   limits_->setObjectName("buttonOwnLimits");
   limits_->setToolTip(tr("A table of the forces that a hand may exert, of your own source; none are shipped"));
-  lift_ = makeWords("labelLift", false);
   missing_ = makeWords("labelPartial", false);
   heights_ = new HeightStrips(scores_);
   rows->addWidget(table_title_);
   rows->addWidget(sub_scores_);
   rows->addWidget(sums_);
   rows->addWidget(limits_, 0, Qt::AlignLeft);
-  rows->addWidget(lift_);
   rows->addWidget(missing_);
   rows->addWidget(makeLabel(tr("Height of the work and RULA, four bodies"), TextRole::kSecond, true));
   rows->addWidget(heights_);
@@ -223,8 +242,7 @@ void ErgonomicsPanel::showScores() {
   const QString sums = sumsText();
   sums_->setText(sums);
   limits_->setVisible(shows_load_);
-  lift_->setVisible(scores_.task().is_lift);
-  if (scores_.task().is_lift) lift_->setText(liftText());
+  lift_->setText(liftText());
   QStringList missing;
   for (const auto& name : scores.missing) missing << shown(ergonomics::word(name, shownLanguage()));
   missing_->setText(
@@ -260,13 +278,26 @@ QString ErgonomicsPanel::sumsText() const {
 }
 
 QString ErgonomicsPanel::liftText() const {
+  const ergonomics::WorkTask& task = scores_.task();
+  if (!task.is_lift) {
+    return task.totalLoad().value_or(0.0) > 0.0
+               ? tr("NIOSH does not apply: the load is held. Where it is lifted, tick so in Task data.")
+               : tr("NIOSH does not apply: nothing is lifted. A lift and its load are entered in Task data.");
+  }
   const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
-  const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores_.scores(), scores_.task());
-  if (!lift) return tr("NIOSH: %1").arg(shown(lift.error().message()));
-  if (!lift->lifting_index) return tr("NIOSH: no load is acceptable here");
-  return tr("NIOSH: limit %1 kg, lifting index %2")
-      .arg(lift->recommended_weight_limit_kg, 0, 'f', 1)
-      .arg(*lift->lifting_index, 0, 'f', 2);
+  const auto lift = ergonomics::scoreLift(*scores_.figure(), pose, scores_.scores(), task);
+  if (!lift) return tr("NIOSH does not apply: %1").arg(refusedLiftText(lift.error()));
+  const double limit = lift->recommended_weight_limit_kg;
+  if (!lift->lifting_index) return tr("NIOSH: limit 0 kg, no load is acceptable from this place");
+  const int level = ergonomics::liftingLevel(lift->lifting_index);
+  const QString judged = level == 1   ? tr("acceptable for nearly all")
+                         : level == 2 ? tr("a raised risk for some")
+                                      : tr("a high risk");
+  return tr("NIOSH: lifting index %1, %2 (%3 kg of a limit of %4 kg)")
+      .arg(*lift->lifting_index, 0, 'f', 2)
+      .arg(judged)
+      .arg(*task.totalLoad(), 0, 'f', 1)
+      .arg(limit, 0, 'f', 1);
 }
 
 ergonomics::PostureMethod ErgonomicsPanel::labelledMethod() const {

@@ -12,7 +12,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kHeightLabels = 76, kStrip = 13, kStripLine = 18;
+constexpr int kHeightLabels = 76, kBodyStrip = 13, kStripLine = 18;
 const std::array<const char*, 4> kStripBodies{
     QT_TRANSLATE_NOOP("HeightStrips", "P5 woman"), QT_TRANSLATE_NOOP("HeightStrips", "P50 woman"),
     QT_TRANSLATE_NOOP("HeightStrips", "P50 man"), QT_TRANSLATE_NOOP("HeightStrips", "P95 man")};
@@ -32,7 +32,7 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   painter.setFont(textFont(TextRole::kSecond));
   painter.setPen(theme.text2);
   for (int i = 0; i < 4; ++i)
-    painter.drawText(QRectF(0, kStripLine * i, kHeightLabels - 6, kStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(QRectF(0, kStripLine * i, kHeightLabels - 6, kBodyStrip + 2), Qt::AlignLeft | Qt::AlignVCenter,
                      tr(kStripBodies[static_cast<std::size_t>(i)]));
   const auto& advice = scores_.advice();
   const QRectF area(kHeightLabels, 0, width() - kHeightLabels - 1, 4 * kStripLine - 4);
@@ -44,7 +44,7 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < 4; ++i) {
     std::vector<int> bands;
     for (const int score : advice->by_height[i]) bands.push_back(score == 0 ? -1 : ergonomics::bandOfRula(score));
-    paintStrip(painter, QRectF(area.left(), kStripLine * static_cast<double>(i), area.width(), kStrip), bands, theme);
+    paintStrip(painter, QRectF(area.left(), kStripLine * static_cast<double>(i), area.width(), kBodyStrip), bands, theme);
   }
   const double first = advice->rises.front(), last = advice->rises.back();
   const double step = area.width() / static_cast<double>(advice->rises.size());

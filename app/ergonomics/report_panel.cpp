@@ -113,9 +113,15 @@ ergonomics::PostureReportInput ReportPanel::input() const {
   if (scores_.advice()) input.places = scores_.advice()->better;
   input.own_limits = scores_.ownLimits();
   input.scene = scene_;
+  input.workplace = workplace_;
   input.history = motion_.strips();
   input.history_seconds = motion_.seconds();
   return input;
+}
+
+void ReportPanel::setWorkplace(std::optional<ergonomics::WorkplaceFinding> found) {
+  workplace_ = std::move(found);
+  drawLater();
 }
 
 bool ReportPanel::isOfTask() const {

@@ -29,6 +29,8 @@ class ReportPanel : public QWidget {
   /// By the ending; false and a message where it cannot be.
   bool write(const QString& path);
   ergonomics::Report report() const;
+  /// What the last search for the workplace found; empty: none was made in this cell.
+  void setWorkplace(std::optional<ergonomics::WorkplaceFinding> found);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -53,6 +55,7 @@ class ReportPanel : public QWidget {
   int shown_page_ = 1, pages_ = 1;
   bool drawing_ = false, again_ = false;
   ergonomics::ReportPicture scene_;
+  std::optional<ergonomics::WorkplaceFinding> workplace_;
   std::optional<PictureRenderer> renderer_;
   QTimer wait_;
 };

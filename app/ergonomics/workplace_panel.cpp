@@ -28,11 +28,15 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     : QWidget(parent), context_(context), scores_(scores) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* what = addSection(*column, tr("What may be moved, with the hands' targets"));
+  QVBoxLayout* what = addSection(*column, tr("These parts may move, with the hands' targets"));
   station_ = new QListWidget;
   station_->setObjectName("listStation");
   station_->setMaximumHeight(130);
+  station_->setAccessibleName(tr("Parts that may move"));
   what->addWidget(station_);
+  moves_ = makeLive(2, TextRole::kSecond);
+  moves_->setObjectName("labelMoves");
+  what->addWidget(moves_);
   QVBoxLayout* how = addSection(*column, tr("How far"));
   const auto field = [&](const char* name, const QString& words, double least, double most, double value) {
     auto* made = new ValueField({tr("mm"), 0, least, most, 10.0});
@@ -63,7 +67,7 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
   QVBoxLayout* found = addSection(*column, tr("Worst RULA of four bodies"));
   view_ = new WorkplaceView;
   found->addWidget(view_);
-  result_ = makeLive(3, TextRole::kText);
+  result_ = makeLive(4, TextRole::kText);
   result_->setObjectName("labelSearch");
   found->addWidget(result_);
   take_ = new QPushButton(tr("Put it there"));
@@ -72,6 +76,7 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
   column->addStretch(1);
   poll_.setInterval(100);
   connect(&poll_, &QTimer::timeout, this, [this] { bar_->setValue(static_cast<int>(100.0 * run_->progress)); });
+  connect(station_, &QListWidget::itemChanged, this, &WorkplacePanel::showMoves);
   connect(search_, &QPushButton::clicked, this, &WorkplacePanel::search);
   connect(cancel_, &QPushButton::clicked, this, [this] {
     if (run_) run_->cancel = true;
@@ -87,6 +92,7 @@ WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scor
     bar_->setValue(0);
     map_.reset();
     searched_.clear();
+    moved_.clear();
     view_->setMap(nullptr);
     station_->clear();
     showMap();
@@ -103,12 +109,14 @@ void WorkplacePanel::fillStation() {
   const auto& entities = context_.host().documentModel().document().state().entities;
   std::vector<const workcell::Entity*> wanted;
   for (const auto& entity : entities)
-    if (entity->mesh && entity->attachment.to.empty() && !entity->locked) wanted.push_back(entity.get());
+    if (!entity->figure && entity->attachment.to.empty() && !entity->locked) wanted.push_back(entity.get());
   bool same = station_->count() == static_cast<int>(wanted.size());
   for (int i = 0; same && i < station_->count(); ++i)
-    same = station_->item(i)->text().toStdString() == wanted[static_cast<std::size_t>(i)]->name;
-  if (same) return;
+    same = station_->item(i)->text().toStdString() == wanted[static_cast<std::size_t>(i)]->name &&
+           station_->item(i)->data(Qt::UserRole).toULongLong() == wanted[static_cast<std::size_t>(i)]->id;
+  if (same) return showMoves();
   const auto chosen = station();
+  const QSignalBlocker quiet(station_);
   station_->clear();
   for (const workcell::Entity* entity : wanted) {
     auto* item = new QListWidgetItem(QString::fromStdString(entity->name), station_);
@@ -116,6 +124,45 @@ void WorkplacePanel::fillStation() {
     const bool on = std::find(chosen.begin(), chosen.end(), entity->id) != chosen.end();
     item->setCheckState(on ? Qt::Checked : Qt::Unchecked);
   }
+  showMoves();
+}
+
+manipulation::WorkplaceQuestion WorkplacePanel::questionOfStation() const {
+  manipulation::WorkplaceQuestion question;
+  question.entities = context_.host().documentModel().document().snapshotEntities();
+  if (const workcell::Entity* entity = context_.entity()) question.mannequin = entity->id;
+  question.station = station();
+  return question;
+}
+
+void WorkplacePanel::showMoves() {
+  const auto question = questionOfStation();
+  QStringList along;
+  for (const workcell::EntityId id : manipulation::movedWith(question)) {
+    const workcell::Entity* entity = context_.host().documentModel().document().find(id);
+    if (entity && !entity->attachment.to.empty()) along << QString::fromStdString(entity->name);
+  }
+  search_->setEnabled(!busy_ && context_.entity() && !question.station.empty());
+  if (question.station.empty()) return moves_->setText(tr("Nothing is ticked: tick the bench, a shelf, a fixture."));
+  moves_->setText(along.isEmpty()
+                      ? tr("The ticked parts move; everything else stays.")
+                      : tr("The ticked parts move, and what is attached to them: %1. Everything else stays.")
+                            .arg(along.join(", ")));
+}
+
+std::optional<ergonomics::WorkplaceFinding> WorkplacePanel::finding() const {
+  if (!map_) return std::nullopt;
+  ergonomics::WorkplaceFinding found;
+  found.moves = moved_;
+  const int cell = view_->chosen();
+  if (cell < 0 || map_->cells[static_cast<std::size_t>(cell)].worst == 0) return found;
+  const auto& place = map_->cells[static_cast<std::size_t>(cell)];
+  found.is_found = true;
+  found.rise = place.rise;
+  found.away = place.away;
+  found.is_seated = place.is_seated;
+  found.rula = place.rula;
+  return found;
 }
 
 std::vector<workcell::EntityId> WorkplacePanel::station() const {
@@ -129,10 +176,7 @@ std::vector<workcell::EntityId> WorkplacePanel::station() const {
 void WorkplacePanel::search() {
   const workcell::Entity* entity = context_.entity();
   if (busy_ || !entity) return;
-  manipulation::WorkplaceQuestion question;
-  question.entities = context_.host().documentModel().document().snapshotEntities();
-  question.mannequin = entity->id;
-  question.station = station();
+  manipulation::WorkplaceQuestion question = questionOfStation();
   question.task = scores_.isEmpty() ? ergonomics::WorkTask{} : scores_.task();
   question.rise_to = rise_->value() / 1000.0;
   question.rise_from = -question.rise_to;
@@ -143,6 +187,9 @@ void WorkplacePanel::search() {
   const dvec3 ahead = context_.posture().X_WR.rotate({1.0, 0.0, 0.0});
   ahead_W_ = glm::normalize(dvec3(ahead.x, ahead.y, 0.0));
   searched_ = question.station;
+  moved_.clear();
+  for (const workcell::EntityId id : manipulation::movedWith(question))
+    moved_.push_back(context_.host().documentModel().document().find(id)->name);
   run_ = std::make_shared<Run>();
   busy_ = true;
   map_.reset();
@@ -172,15 +219,18 @@ void WorkplacePanel::search() {
 }
 
 void WorkplacePanel::showMap() {
-  search_->setEnabled(!busy_);
+  emit findingChanged();
+  showMoves();
   cancel_->setEnabled(busy_);
   const int cell = view_->chosen();
   take_->setEnabled(map_ && cell >= 0 && map_->cells[static_cast<std::size_t>(cell)].worst > 0);
   if (busy_) return result_->setText(tr("Trying every placement with four bodies…"));
   if (!map_) return result_->setText(tr("Choose what may be moved, then search."));
+  QStringList names;
+  for (const std::string& name : moved_) names << shown(name);
   QString text = map_->is_complete ? QString() : tr("Cancelled: the map is not complete. ");
   if (cell < 0) {
-    result_->setText(text + tr("No placement suits all four bodies."));
+    result_->setText(text + tr("No placement suits all four bodies.") + ' ' + tr("Moved: %1.").arg(names.join(", ")));
     return;
   }
   const auto& place = map_->cells[static_cast<std::size_t>(cell)];
@@ -194,6 +244,7 @@ void WorkplacePanel::showMap() {
                                 .arg(place.rula[2])
                                 .arg(place.rula[3])
                           : shown(place.why) + '.';
+  text += ' ' + tr("Moved: %1.").arg(names.join(", "));
   result_->setText(text);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "manipulation/mannequin_workplace.h"
+#include "mannequin/ergonomics/posture_report.h"
 
 class QCheckBox;
 class QLabel;
@@ -22,8 +23,9 @@ class MannequinContext;
 class ValueField;
 class WorkplaceView;
 
-/// Finds where a table (and what is on it) should stand so that the worst score over four bodies is least: what may
-/// move, how far, standing or sitting; a map of the result, and a button that puts it there as one step of undo.
+/// Finds where a table (and what is on it) should stand so that the worst score over four bodies is least: the parts
+/// that are ticked may move, with what is attached to them, and nothing else; how far, standing or sitting; a map of
+/// the result, and a button that puts it there as one step of undo.
 class WorkplacePanel : public QWidget {
   Q_OBJECT
  public:
@@ -31,12 +33,20 @@ class WorkplacePanel : public QWidget {
   ~WorkplacePanel() override;
   bool isBusy() const { return busy_; }
   const std::optional<manipulation::WorkplaceMap>& map() const { return map_; }
+  /// What was searched and found, for the report: the placement that is chosen in the map. Empty: nothing was.
+  std::optional<ergonomics::WorkplaceFinding> finding() const;
+
+ signals:
+  void findingChanged();
 
  private:
   void fillStation();
   void search();
   void showMap();
   void take();
+  void showMoves();
+  /// The cell with the ticked parts.
+  manipulation::WorkplaceQuestion questionOfStation() const;
   std::vector<workcell::EntityId> station() const;
   MannequinContext& context_;
   const LiveScores& scores_;
@@ -45,11 +55,12 @@ class WorkplacePanel : public QWidget {
   QCheckBox* sit_;
   QPushButton *search_, *cancel_, *take_;
   QProgressBar* bar_;
-  QLabel* result_;
+  QLabel *result_, *moves_;
   WorkplaceView* view_;
   std::optional<manipulation::WorkplaceMap> map_;
   dvec3 ahead_W_{1.0, 0.0, 0.0};
   std::vector<workcell::EntityId> searched_;
+  std::vector<std::string> moved_;  ///< Names of all that the search moved.
   struct Run {
     std::atomic<bool> cancel{false};
     std::atomic<double> progress{0.0};

@@ -3701,6 +3701,10 @@
         <translation>Déplacé par</translation>
     </message>
     <message>
+        <source>Moved: %1.</source>
+        <translation>Déplacé : %1.</translation>
+    </message>
+    <message>
         <source>Moves</source>
         <translation>Bouge</translation>
     </message>
@@ -3737,16 +3741,28 @@
         <translation>N/mm</translation>
     </message>
     <message>
+        <source>NIOSH does not apply: %1</source>
+        <translation>NIOSH ne s'applique pas : %1</translation>
+    </message>
+    <message>
+        <source>NIOSH does not apply: nothing is lifted. A lift and its load are entered in Task data.</source>
+        <translation>NIOSH ne s'applique pas : rien n'est levé. Levage et charge se saisissent dans Données de la tâche.</translation>
+    </message>
+    <message>
+        <source>NIOSH does not apply: the load is held. Where it is lifted, tick so in Task data.</source>
+        <translation>NIOSH ne s'applique pas : la charge est tenue. Si elle est levée, cochez-le dans Données de la tâche.</translation>
+    </message>
+    <message>
         <source>NIOSH: %1</source>
         <translation>NIOSH : %1</translation>
     </message>
     <message>
-        <source>NIOSH: limit %1 kg, lifting index %2</source>
-        <translation>NIOSH : limite %1 kg, indice de levage %2</translation>
+        <source>NIOSH: lifting index %1, %2 (%3 kg of a limit of %4 kg)</source>
+        <translation>NIOSH : indice de levage %1, %2 (%3 kg pour une limite de %4 kg)</translation>
     </message>
     <message>
-        <source>NIOSH: no load is acceptable here</source>
-        <translation>NIOSH : aucune charge n'est acceptable ici</translation>
+        <source>NIOSH: limit 0 kg, no load is acceptable from this place</source>
+        <translation>NIOSH : limite 0 kg, aucune charge n'est acceptable à cet endroit</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4123,6 +4139,10 @@
     <message>
         <source>Nothing is selected. Click a part in the scene or in the tree.</source>
         <translation>Rien n'est choisi. Cliquez une pièce dans la scène ou dans l'arbre.</translation>
+    </message>
+    <message>
+        <source>Nothing is ticked: tick the bench, a shelf, a fixture.</source>
+        <translation>Rien n'est coché : cochez l'établi, une étagère, un posage.</translation>
     </message>
     <message>
         <source>Nothing moved: there is nothing to keep.</source>
@@ -4547,6 +4567,10 @@
     <message>
         <source>Parts of a mechanism are solids of the cell.</source>
         <translation>Les pièces d'un mécanisme sont des solides de la cellule.</translation>
+    </message>
+    <message>
+        <source>Parts that may move</source>
+        <translation>Pièces qui peuvent bouger</translation>
     </message>
     <message>
         <source>Part…</source>
@@ -6289,6 +6313,14 @@
         <translation>L'essai a été arrêté.</translation>
     </message>
     <message>
+        <source>The ticked parts move, and what is attached to them: %1. Everything else stays.</source>
+        <translation>Les pièces cochées bougent, avec ce qui leur est attaché : %1. Tout le reste ne bouge pas.</translation>
+    </message>
+    <message>
+        <source>The ticked parts move; everything else stays.</source>
+        <translation>Les pièces cochées bougent ; tout le reste ne bouge pas.</translation>
+    </message>
+    <message>
         <source>The trunk is supported (backrest)</source>
         <translation>Le tronc est appuyé (dossier)</translation>
     </message>
@@ -6319,6 +6351,10 @@
     <message>
         <source>There was not enough memory</source>
         <translation>La mémoire n'a pas suffi</translation>
+    </message>
+    <message>
+        <source>These parts may move, with the hands' targets</source>
+        <translation>Ces pièces peuvent bouger, avec les cibles des mains</translation>
     </message>
     <message>
         <source>They move together, about the one chosen last.</source>
@@ -6777,10 +6813,6 @@
         <translation>Ce qu'il en voit</translation>
     </message>
     <message>
-        <source>What may be moved, with the hands' targets</source>
-        <translation>Ce qui peut bouger, avec les cibles des mains</translation>
-    </message>
-    <message>
         <source>What the 3-D mouse moves; its second button changes it</source>
         <translation>Ce que la souris 3D déplace ; son second bouton le change</translation>
     </message>
@@ -6989,8 +7021,20 @@
         <translation>Zoome vers le pointeur</translation>
     </message>
     <message>
+        <source>a high risk</source>
+        <translation>un risque élevé</translation>
+    </message>
+    <message>
+        <source>a raised risk for some</source>
+        <translation>un risque accru pour certains</translation>
+    </message>
+    <message>
         <source>about </source>
         <translation>environ </translation>
+    </message>
+    <message>
+        <source>acceptable for nearly all</source>
+        <translation>acceptable pour presque tous</translation>
     </message>
     <message>
         <source>against</source>
@@ -7083,6 +7127,22 @@
     <message>
         <source>d MMMM, HH:mm</source>
         <translation>d MMMM, HH:mm</translation>
+    </message>
+    <message>
+        <source>enter the grip in Task data.</source>
+        <translation>saisissez la prise dans Données de la tâche.</translation>
+    </message>
+    <message>
+        <source>enter the hours in a shift in Task data.</source>
+        <translation>saisissez les heures par poste dans Données de la tâche.</translation>
+    </message>
+    <message>
+        <source>enter the load in Task data.</source>
+        <translation>saisissez la charge dans Données de la tâche.</translation>
+    </message>
+    <message>
+        <source>enter the repetition in Task data.</source>
+        <translation>saisissez la répétition dans Données de la tâche.</translation>
     </message>
     <message>
         <source>file missing</source>
@@ -7187,6 +7247,10 @@
     <message>
         <source>inverse: %1</source>
         <translation>inverse : %1</translation>
+    </message>
+    <message>
+        <source>it needs a grip that is good, fair or poor.</source>
+        <translation>il lui faut une prise bonne, moyenne ou mauvaise.</translation>
     </message>
     <message>
         <source>joined</source>
@@ -7369,6 +7433,10 @@
         <translation>au contact</translation>
     </message>
     <message>
+        <source>only one hand bears the load; it judges lifts with both hands. Use RULA or REBA.</source>
+        <translation>une seule main porte la charge ; elle juge les levages à deux mains. Utilisez RULA ou REBA.</translation>
+    </message>
+    <message>
         <source>origin</source>
         <translation>origine</translation>
     </message>
@@ -7459,6 +7527,14 @@
     <message>
         <source>the controller's</source>
         <translation>ceux de la commande</translation>
+    </message>
+    <message>
+        <source>the equation covers shifts of up to 8 h.</source>
+        <translation>l'équation vaut pour des postes de 8 h au plus.</translation>
+    </message>
+    <message>
+        <source>the figure sits or kneels; it judges lifts while standing. Use RULA or REBA.</source>
+        <translation>la personne est assise ou à genoux ; elle juge les levages debout. Utilisez RULA ou REBA.</translation>
     </message>
     <message>
         <source>the lift and the forces</source>

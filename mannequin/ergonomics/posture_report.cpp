@@ -7,6 +7,7 @@
 
 #include "mannequin/ergonomics/advice_words.h"
 #include "mannequin/ergonomics/hand_force.h"
+#include "mannequin/ergonomics/report_findings.h"
 #include "mannequin/figure_outline.h"
 
 namespace hapticell::ergonomics {
@@ -32,19 +33,14 @@ class Writer {
 
   Report posture() const {
     Report report = head("Posture assessment");
-    report.beside = {body(), task()};
-    report.result = std::to_string(scores_.rula());
-    report.result_band = bandOfRula(scores_.rula());
-    report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
-    report.under_result = {methods()};
     if (!input_.bodies.empty()) report.blocks.push_back(bodies());
     report.blocks.push_back(drives());
     if (!input_.history.empty()) report.blocks.push_back(history());
+    if (input_.workplace) report.blocks.push_back(workplaceBlock(*input_.workplace, language()));
     report.blocks.push_back(subScores());
     report.blocks.push_back(zones());
     ReportBlock assumed = limits();
-    assumed.lines.push_back(say("Source of the posture") + colon() +
-                            (input_.source == "As it stands in the cell." ? say(input_.source) : input_.source));
+    assumed.lines.push_back(sourceLine());
     report.blocks.push_back(std::move(assumed));
     report.blocks.push_back(joints());
     return report;
@@ -52,17 +48,14 @@ class Writer {
 
   Report taskPage() const {
     Report report = head("Task assessment");
-    report.beside = {body(), task()};
-    report.result = std::to_string(scores_.rula());
-    report.result_band = bandOfRula(scores_.rula());
-    report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
-    report.under_result = {methods()};
     if (!input_.history.empty()) report.blocks.push_back(history());
     if (!input_.bodies.empty()) report.blocks.push_back(bodies());
     report.blocks.push_back(drives());
+    if (input_.workplace) report.blocks.push_back(workplaceBlock(*input_.workplace, language()));
     if (input_.task.is_lift) report.blocks.push_back(lifting());
     report.blocks.push_back(forces());
     report.blocks.push_back(limits());
+    report.blocks.back().lines.push_back(sourceLine());
     return report;
   }
 
@@ -77,8 +70,15 @@ class Writer {
     report.subtitle = input_.subtitle;
     report.date = input_.date;
     report.language = language() == Language::kFrench ? "fr" : "en";
+    report.company = input_.company;
+    report.logo = input_.logo;
     report.scene = input_.scene;
     report.picture = reportPicture(input_.figure, input_.posture, scores_, ColourMethod::kRula);
+    report.beside = {body(), task()};
+    report.result = std::to_string(scores_.rula());
+    report.result_band = bandOfRula(scores_.rula());
+    report.result_words = "RULA, " + rulaAdvice(scores_.rula(), language());
+    report.under_result = {methods()};
     report.signatures = {say("Assessed by"), say("Date"), say("Signature")};
     return report;
   }
@@ -201,7 +201,15 @@ class Writer {
     block.strips = input_.history;
     block.scale_first = "0 s";
     block.scale_last = format("%.1f s", input_.history_seconds);
+    if (input_.phase) block.lines.push_back(phaseWords(*input_.phase, false, language()));
     return block;
+  }
+
+  std::string sourceLine() const {
+    std::string source = input_.source == "As it stands in the cell." ? say(input_.source) : input_.source;
+    if (input_.is_of_phase && input_.phase)
+      source = input_.phase->motion + ", " + phaseWords(*input_.phase, true, language()) + ".";
+    return say("Source of the posture") + colon() + source;
   }
 
   ReportBlock subScores() const {

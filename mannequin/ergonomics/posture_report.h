@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "mannequin/ergonomics/body_sizes.h"
 #include "mannequin/ergonomics/force_table.h"
 #include "mannequin/ergonomics/report.h"
+#include "mannequin/ergonomics/report_findings.h"
 #include "mannequin/ergonomics/score_words.h"
 
 namespace hapticell::ergonomics {
@@ -27,6 +29,11 @@ struct PostureReportInput {
   BetterPlaces places{};    ///< Where the work would bring each method's level down.
   ReportPicture scene{};    ///< The figure in its cell.
   ForceTable own_limits{};  ///< Of the hands, from the user's own source.
+  std::optional<WorkplaceFinding> workplace{};
+  std::optional<MotionPhase> phase{};  ///< The worst of the recorded motion.
+  bool is_of_phase = false;            ///< The posture is that of the phase, not as the figure stands.
+  std::string company{};               ///< Above the title.
+  ReportPicture logo{};                ///< Beside it.
 };
 
 /// The posture's page: picture, body, task, result, four bodies, drivers, sub-scores, zones, assumptions, joint angles.

@@ -51,6 +51,8 @@ struct ReportPicture {
 struct Report {
   std::string title, subtitle, date;
   std::string language = "en";  ///< "en" or "fr".
+  std::string company{};        ///< Over the title; may be empty.
+  ReportPicture logo{};         ///< At the head's right end; may be empty.
   ReportPicture scene{};        ///< The figure in its cell; may be empty.
   std::vector<ReportShape> picture{};
   std::vector<ReportBlock> beside{};  ///< Blocks of lines to the picture's right.

@@ -16,6 +16,7 @@ namespace {
 constexpr double kWidth = 595.28, kHeight = 841.89, kMargin = 42.0;  // Points.
 constexpr double kFoot = 96.0;                                       // Kept free for the signatures on the last page.
 constexpr double kPictureWidth = 190.0, kPictureHeight = 218.0, kSceneWidth = 190.0, kBesideScene = 90.0;
+constexpr double kLogoWidth = 130.0, kLogoHeight = 32.0;
 constexpr double kLeastDensity = 0.66, kManyPagesDensity = 0.85;
 
 /// Makes columns as wide together as `width`: what is left all share; where it is too little the widest give, down to
@@ -81,12 +82,27 @@ class PagePainter : protected ReportCanvas {
     begin();
   }
 
+  /// The logo at the right end, at most as wide as `kLogoWidth`; returns how wide it is drawn.
+  double logo() {
+    if (report_.logo.isEmpty()) return 0.0;
+    const double scale = std::min(kLogoHeight / report_.logo.height, kLogoWidth / report_.logo.width);
+    const double width = scale * report_.logo.width;
+    paintPicture(report_.logo, margin_ + inner_ - width, y_, scale);
+    return width + 10.0;
+  }
+
   void header() {
+    const double taken = logo();
+    if (!report_.company.empty()) {
+      font(10, true);
+      show(margin_, y_ + 8, report_.company);
+      y_ += 15;
+    }
     font(16, true);
     show(margin_, y_ + 12, report_.title);
     font(9);
     quiet();
-    show(margin_ + inner_ - widthOf(report_.date), y_ + 12, report_.date);
+    show(margin_ + inner_ - taken - widthOf(report_.date), y_ + 12, report_.date);
     show(margin_, y_ + 27, report_.subtitle);
     ink();
     y_ += 36;
@@ -132,14 +148,18 @@ class PagePainter : protected ReportCanvas {
   /// The scene's picture; returns how tall it is drawn.
   double scene(double x, double y, double width) {
     const double scale = width / report_.scene.width;
-    const Surface surface = surfaceOf(report_.scene);
+    paintPicture(report_.scene, x, y, scale);
+    return scale * report_.scene.height;
+  }
+
+  void paintPicture(const ReportPicture& picture, double x, double y, double scale) {
+    const Surface surface = surfaceOf(picture);
     cairo_save(cr_);
     cairo_translate(cr_, x, y);
     cairo_scale(cr_, scale, scale);
     cairo_set_source_surface(cr_, surface.get(), 0, 0);
     cairo_paint(cr_);
     cairo_restore(cr_);
-    return scale * report_.scene.height;
   }
 
   void picture(double x, double y, double width, double height) {

@@ -127,9 +127,9 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string sceneHtml(const ReportPicture& scene) {
-  if (scene.isEmpty()) return {};
-  return "<img class=\"scene\" alt=\"\" src=\"data:image/png;base64," + base64(pngOf(scene)) + "\">";
+std::string pictureHtml(const ReportPicture& picture, const std::string& kind) {
+  if (picture.isEmpty()) return {};
+  return "<img class=\"" + kind + "\" alt=\"\" src=\"data:image/png;base64," + base64(pngOf(picture)) + "\">";
 }
 
 std::string stripHtml(const ReportBlock::Strip& strip) {
@@ -189,6 +189,7 @@ constexpr const char* kStyle =
     "body{font:10pt Roboto,'Noto Sans','DejaVu Sans',sans-serif;color:#1A2027;max-width:180mm;margin:10mm auto}"
     "h1{font-size:16pt;margin:0}h2{font-size:10.5pt;margin:4mm 0 1mm}p{margin:0 0 1mm}"
     "header{display:flex;justify-content:space-between;border-bottom:1.5pt solid #1A2027;padding-bottom:2mm}"
+    ".logo{max-width:46mm;max-height:12mm;vertical-align:top}"
     ".top{display:flex;gap:8mm;margin-top:4mm}.scene{display:block;width:62mm;margin-bottom:2mm}.figure{width:62mm;max-"
     "height:88mm;background:#EEF1F4}"
     ".result{font-size:22pt;font-weight:700}.patch{width:22px;height:12px;vertical-align:-1px}"
@@ -237,7 +238,8 @@ std::array<double, 3> bandColor(int band) {
 }
 
 std::string reportCsv(const Report& report) {
-  std::string text = quoted(report.title) + "\n" + quoted(report.subtitle) + "\n" + quoted(report.date) + "\n";
+  std::string text = report.company.empty() ? std::string() : quoted(report.company) + "\n";
+  text += quoted(report.title) + "\n" + quoted(report.subtitle) + "\n" + quoted(report.date) + "\n";
   text += quoted(report.result_words) + "," + quoted(report.result) + "\n";
   const auto add = [&](const ReportBlock& block) {
     text += "\n" + quoted(block.heading) + "\n";
@@ -273,6 +275,7 @@ std::string reportJson(const Report& report) {
                               {"language", report.language},
                               {"result", report.result},
                               {"result_words", report.result_words}};
+  if (!report.company.empty()) json["company"] = report.company;
   json["blocks"] = nlohmann::ordered_json::array();
   for (const auto* blocks : {&report.beside, &report.under_result, &report.blocks}) {
     for (const ReportBlock& block : *blocks) json["blocks"].push_back(jsonOf(block));
@@ -283,9 +286,11 @@ std::string reportJson(const Report& report) {
 std::string reportHtml(const Report& report) {
   std::string text = "<!DOCTYPE html>\n<html lang=\"" + report.language + "\"><head><meta charset=\"utf-8\"><title>" +
                      escaped(report.title) + "</title><style>" + kStyle + "</style></head><body>" + patterns();
-  text += "<header><div><h1>" + escaped(report.title) + "</h1>" + escaped(report.subtitle) + "</div><div>" +
-          escaped(report.date) + "</div></header><div class=\"top\"><div class=\"pictures\">" +
-          sceneHtml(report.scene) + pictureSvg(report.picture) + "</div><div>";
+  const std::string company = report.company.empty() ? "" : "<b>" + escaped(report.company) + "</b>";
+  text += "<header><div>" + company + "<h1>" + escaped(report.title) + "</h1>" + escaped(report.subtitle) +
+          "</div><div>" + escaped(report.date) + " " + pictureHtml(report.logo, "logo") +
+          "</div></header><div class=\"top\"><div class=\"pictures\">" + pictureHtml(report.scene, "scene") +
+          pictureSvg(report.picture) + "</div><div>";
   for (const ReportBlock& block : report.beside) text += blockHtml(block);
   text += "<p><span class=\"result\">" + escaped(report.result) + "</span> " + patch(report.result_band) +
           escaped(report.result_words) + "</p>";

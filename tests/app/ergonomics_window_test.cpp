@@ -154,6 +154,31 @@ TEST(TaskData, IsEnteredKeptWithTheCellAndUndone) {
   EXPECT_EQ(page.task(), nullptr);
 }
 
+TEST(ErgonomicsDock, TellsTheLiftingEquationOrWhyItDoesNotApply) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  const auto says = [&page](const char* words) {
+    return page.until([&] { return page.words("labelLift").contains(words); }, ErgonomicsPage::kPatience);
+  };
+  EXPECT_TRUE(page.find<QLabel>("labelLift")->isVisible());
+  EXPECT_TRUE(says("nothing is lifted")) << page.words("labelLift").toStdString();
+  auto task = ergonomics::workTaskPresets()[5];
+  task.mannequin = "Operator";
+  task.is_lift = false;
+  page.document().execute(workcell::SetWorkTask{task, {}});
+  EXPECT_TRUE(says("the load is held")) << page.words("labelLift").toStdString();
+  task.is_lift = true;
+  page.document().execute(workcell::SetWorkTask{task, task.name});
+  EXPECT_TRUE(says("NIOSH: lifting index")) << page.words("labelLift").toStdString();
+  task.load_kg[0] = 0.0;
+  page.document().execute(workcell::SetWorkTask{task, task.name});
+  EXPECT_TRUE(says("only one hand")) << page.words("labelLift").toStdString();
+  task.load_kg[0] = task.load_kg[1];
+  task.grip.reset();
+  page.document().execute(workcell::SetWorkTask{task, task.name});
+  EXPECT_TRUE(says("enter the grip")) << page.words("labelLift").toStdString();
+}
+
 TEST(TaskData, PresetsFillEverything) {
   ErgonomicsPage page;
   ASSERT_TRUE(page.open());
@@ -243,12 +268,19 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   table.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.6, 0.4, 0.04}));
   table.X_WE.p = {0.0, 1.2, 0.7};
   const auto bench = page.add(table);
+  table.name = "Shelf";
+  table.X_WE.p = {0.0, 2.2, 0.7};
+  const auto shelf = page.add(table);
   ASSERT_TRUE(page.open());
   page.bringDock("actionMannequinPanel");
   ASSERT_TRUE(page.choose("buttonPostures", "posture_both_hands_forward"));
   page.click("buttonSearchWorkplace");
   page.bringDock("actionWorkplace");
-  page.find<QListWidget>("listStation")->item(0)->setCheckState(Qt::Checked);
+  auto* list = page.find<QListWidget>("listStation");
+  ASSERT_EQ(list->count(), 2) << "parts of the cell, not the mannequin";
+  EXPECT_FALSE(page.find<QPushButton>("buttonStartSearch")->isEnabled()) << "nothing is ticked";
+  list->item(0)->setCheckState(Qt::Checked);
+  EXPECT_TRUE(page.words("labelMoves").contains("everything else stays")) << page.words("labelMoves").toStdString();
   page.type("fieldRise", "100");
   page.type("fieldAway", "100");
   page.type("fieldStep", "100");
@@ -256,11 +288,16 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   auto* panel = page.window().findChild<WorkplacePanel*>();
   ASSERT_TRUE(page.until([&] { return panel->map().has_value(); }, 15 * ErgonomicsPage::kPatience));
   EXPECT_EQ(panel->map()->cells.size(), 9u);
+  EXPECT_TRUE(page.words("labelSearch").contains("Moved: Bench.")) << page.words("labelSearch").toStdString();
+  const std::string told = ergonomics::reportCsv(page.window().findChild<ReportPanel*>()->report());
+  EXPECT_NE(told.find("Moved, and nothing else: Bench"), std::string::npos) << told;
+  const dvec3 shelf_before = page.document().document().find(shelf)->X_WE.p;
   if (panel->map()->best >= 0) {
     const dvec3 before = page.document().document().find(bench)->X_WE.p;
     ASSERT_TRUE(page.clickForStep("buttonTakePlace"));
     const auto& best = panel->map()->cells[static_cast<std::size_t>(panel->map()->best)];
     EXPECT_NEAR(page.document().document().find(bench)->X_WE.p.z - before.z, best.rise, 1e-9);
+    EXPECT_EQ(page.document().document().find(shelf)->X_WE.p, shelf_before);
   }
 }
 

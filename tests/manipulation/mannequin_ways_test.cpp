@@ -216,6 +216,23 @@ TEST(TargetSight, AWallHidesWhatIsBehindIt) {
   EXPECT_EQ(hidden.clearance, 0.0);
 }
 
+TEST(WorkplaceSearch, MovesTheChosenPartsWithWhatIsAttachedAndNothingElse) {
+  WorkplaceQuestion question;
+  Entity vise = box(9, "vise", {0.1, 0.1, 0.1}, {0.8, 0.0, 0.66}), jaw = box(10, "jaw", {0.02, 0.1, 0.02}, {});
+  vise.attachment.to = "table";
+  jaw.attachment.to = "vise";
+  question.entities = {jaw, worker("both_hands_forward"), vise, box(8, "table", {0.5, 0.8, 0.04}, {0.80, 0.0, 0.60}),
+                       box(11, "shelf", {0.5, 0.1, 0.04}, {1.20, 0.0, 0.60})};
+  question.mannequin = 7;
+  question.station = {8};
+  EXPECT_EQ(movedWith(question), (std::vector<workcell::EntityId>{10, 9, 8}));
+  question.station = {9};
+  EXPECT_EQ(movedWith(question), (std::vector<workcell::EntityId>{10, 9}));
+  question.station = {7};
+  const std::atomic<bool> cancel{false};
+  EXPECT_FALSE(searchWorkplace(question, {}, cancel)) << "the mannequin does not move itself";
+}
+
 TEST(WorkplaceSearch, FindsAPlaceRefusesNonsenseAndCanBeCancelled) {
   WorkplaceQuestion question;
   question.entities = {worker("both_hands_forward"), box(8, "table", {0.5, 0.8, 0.04}, {0.80, 0.0, 0.60})};

@@ -109,6 +109,44 @@ TEST(Report, TheScenesPictureIsInHtmlAndPdfAndComesBackFromPng) {
   EXPECT_GE(reportPages(postureReport(input)), 1);
 }
 
+TEST(Report, NamesTheCompanyAndShowsItsLogo) {
+  PostureReportInput input = inputFor(Language::kEnglish);
+  const std::string without = reportHtml(postureReport(input));
+  EXPECT_EQ(without.find("class=\"logo\""), std::string::npos);
+  input.company = "Ada & Sons";
+  input.logo = {2, 1, {0xFFFF0000u, 0xFF00FF00u}};
+  const Report report = postureReport(input);
+  const std::string html = reportHtml(report);
+  EXPECT_NE(html.find("Ada &amp; Sons"), std::string::npos);
+  EXPECT_NE(html.find("class=\"logo\" alt=\"\" src=\"data:image/png"), std::string::npos);
+  EXPECT_NE(reportCsv(report).find("Ada & Sons"), std::string::npos);
+  EXPECT_NE(reportJson(report).find("\"company\": \"Ada & Sons\""), std::string::npos);
+  const ReportPicture page = drawReportPage(report, 1, 600);
+  EXPECT_GT(std::count(page.pixels.begin(), page.pixels.end(), 0xFFFF0000u), 20) << "the logo's red half is drawn";
+  EXPECT_EQ(reportPages(report), 1);
+}
+
+TEST(Report, TellsWhatASearchMovedAndTheWorstPhaseOfAMotion) {
+  for (const Language language : {Language::kEnglish, Language::kFrench}) {
+    PostureReportInput input = inputFor(language);
+    input.workplace = WorkplaceFinding{{"Bench", "Vise"}, true, -0.08, 0.04, false, {3, 3, 4, 4}};
+    input.phase = MotionPhase{"lifting", 1.2, 2.4, 1.8, 7};
+    input.is_of_phase = true;
+    const bool french = language == Language::kFrench;
+    for (const Report& report : {postureReport(input), taskReport(input)}) {
+      const std::string csv = reportCsv(report);
+      EXPECT_NE(csv.find("Bench, Vise"), std::string::npos);
+      EXPECT_NE(csv.find(french ? "-80 mm en hauteur" : "-80 mm up"), std::string::npos);
+      EXPECT_NE(csv.find(french ? "1.20 s à 2.40 s (1.20 s), RULA 7" : "1.20 s to 2.40 s (1.20 s), RULA 7"),
+                std::string::npos);
+      EXPECT_NE(csv.find(french ? "lifting, Pire phase" : "lifting, Worst phase"), std::string::npos)
+          << "the posture's source is the phase";
+    }
+    input.workplace->is_found = false;
+    EXPECT_NE(reportCsv(taskReport(input)).find(french ? "Aucune place" : "No place was found"), std::string::npos);
+  }
+}
+
 TEST(Report, CsvQuotesAndJsonHoldsTheSame) {
   const Report report = taskReport(inputFor(Language::kEnglish));
   const std::string csv = reportCsv(report);
