@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/guides/guide_making.h"
 
+#include <QObject>
 #include <cmath>
-#include <cstdio>
+
+#include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
@@ -48,8 +50,11 @@ const std::vector<GuideKind>& guideKinds() {
 }
 
 std::string guideKindName(GuideKind kind) {
-  static const char* const names[]{"Point",  "Line",  "Plane", "Circle",  "Hinge",
-                                   "Slider", "Screw", "Tube",  "Surface", "Lock"};
+  static const char* const names[]{QT_TRANSLATE_NOOP("Guides", "Point"),   QT_TRANSLATE_NOOP("Guides", "Line"),
+                                   QT_TRANSLATE_NOOP("Guides", "Plane"),   QT_TRANSLATE_NOOP("Guides", "Circle"),
+                                   QT_TRANSLATE_NOOP("Guides", "Hinge"),   QT_TRANSLATE_NOOP("Guides", "Slider"),
+                                   QT_TRANSLATE_NOOP("Guides", "Screw"),   QT_TRANSLATE_NOOP("Guides", "Tube"),
+                                   QT_TRANSLATE_NOOP("Guides", "Surface"), QT_TRANSLATE_NOOP("Guides", "Lock")};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -60,22 +65,22 @@ FeatureFilter guideFilter(GuideKind kind) {
   return {true, true, false};
 }
 
-std::string guidePrompt(GuideKind kind) {
+QString guidePrompt(GuideKind kind) {
   switch (kind) {
     case GuideKind::kPoint:
-      return "Pick the point: a corner, an edge or a face";
+      return QObject::tr("Pick the point: a corner, an edge or a face");
     case GuideKind::kPlane:
-      return "Pick the plane: a flat face or a round edge";
+      return QObject::tr("Pick the plane: a flat face or a round edge");
     case GuideKind::kCircle:
-      return "Pick the circle: a round edge or a round face";
+      return QObject::tr("Pick the circle: a round edge or a round face");
     case GuideKind::kTube:
-      return "Pick the path: an edge";
+      return QObject::tr("Pick the path: an edge");
     case GuideKind::kSurface:
-      return "Pick the surface to follow";
+      return QObject::tr("Pick the surface to follow");
     case GuideKind::kLock:
-      return "Pick the axes: a face, an edge or a corner";
+      return QObject::tr("Pick the axes: a face, an edge or a corner");
     default:
-      return "Pick the axis: a round face, an edge, or a flat face for its normal";
+      return QObject::tr("Pick the axis: a round face, an edge, or a flat face for its normal");
   }
 }
 
@@ -101,27 +106,26 @@ bool takeGeometry(const PickedFeature& feature, const std::string& surface_name,
   return true;
 }
 
-std::string geometryText(const workcell::Guide& guide) {
-  char text[160];
-  // To a tenth of a millimetre; a minus zero is never shown.
-  const dvec3 p = glm::round(10000.0 * guide.X_WG.p) / 10.0 + dvec3(0.0);
+QString geometryText(const workcell::Guide& guide) {
+  const dvec3 p = 1000.0 * guide.X_WG.p;
+  const QString at = numberText(p.x, 1) + ", " + numberText(p.y, 1) + ", " + numberText(p.z, 1);
   switch (guide.kind) {
     case GuideKind::kSurface:
-      return guide.surface.empty() ? "not picked" : "Surface of " + guide.surface;
+      return guide.surface.empty() ? QObject::tr("not picked")
+                                   : QObject::tr("Surface of %1").arg(QString::fromStdString(guide.surface));
     case GuideKind::kTube:
-      if (guide.path.size() < 2) return "no path";
-      std::snprintf(text, sizeof text, "Path of %zu points", guide.path.size());
-      return text;
+      return guide.path.size() < 2 ? QObject::tr("no path") : QObject::tr("Path of %1 points").arg(guide.path.size());
+    case GuideKind::kPoint:
+      return QObject::tr("Point %1").arg(at);
+    case GuideKind::kPlane:
+      return QObject::tr("Plane at %1").arg(at);
+    case GuideKind::kCircle:
+      return QObject::tr("Circle at %1").arg(at);
+    case GuideKind::kLock:
+      return QObject::tr("Axes at %1").arg(at);
     default:
-      break;
+      return QObject::tr("Axis at %1").arg(at);
   }
-  const char* what = guide.kind == GuideKind::kPoint    ? "Point"
-                     : guide.kind == GuideKind::kPlane  ? "Plane at"
-                     : guide.kind == GuideKind::kCircle ? "Circle at"
-                     : guide.kind == GuideKind::kLock   ? "Axes at"
-                                                        : "Axis at";
-  std::snprintf(text, sizeof text, "%s %.1f, %.1f, %.1f", what, p.x, p.y, p.z);
-  return text;
 }
 
 std::vector<dvec3> thinnedPath(const std::vector<dvec3>& points, std::size_t most) {

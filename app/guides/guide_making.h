@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QString>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ std::string guideKindName(workcell::GuideKind kind);
 /// What may be picked for a kind: axes come from round faces and edges, planes from flat faces, points from anything.
 FeatureFilter guideFilter(workcell::GuideKind kind);
 /// What to pick for it, as a prompt: "Pick a round face or an edge: the axis".
-std::string guidePrompt(workcell::GuideKind kind);
+QString guidePrompt(workcell::GuideKind kind);
 
 /// Puts the geometry of `feature` into the guide: origin and axes, a circle's or tube's radius, a tube's path along an
 /// edge, the name of the entity whose surface is followed (`surface_name`). False, and nothing changed, where the
@@ -26,7 +27,7 @@ std::string guidePrompt(workcell::GuideKind kind);
 bool takeGeometry(const PickedFeature& feature, const std::string& surface_name, workcell::Guide& guide);
 
 /// What the geometry of the guide is, in one line: "Axis at 512.0, 0.0, 300.0", millimetres.
-std::string geometryText(const workcell::Guide& guide);
+QString geometryText(const workcell::Guide& guide);
 
 /// A tube's path from points that were recorded: at most `most` of them, the first and the last kept, neighbours closer
 /// than 0.1 mm dropped. Fewer than two remain empty.

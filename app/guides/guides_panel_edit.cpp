@@ -104,7 +104,7 @@ void GuidesPanel::startNew() {
 }
 
 void GuidesPanel::pickGeometry(GuideKind kind, bool make) {
-  const QString prompt = tr("%1 · Esc: end").arg(QString::fromStdString(guidePrompt(kind)));
+  const QString prompt = tr("%1 · Esc: end").arg(guidePrompt(kind));
   host_.viewport().startPick(
       {guideFilter(kind), prompt, [self = QPointer(this), kind, make](const std::optional<PickedFeature>& feature) {
          if (!self) return;
@@ -128,10 +128,8 @@ void GuidesPanel::take(const PickedFeature& feature, GuideKind kind, bool make) 
       fresh.name = guideKindName(kind) + (n > 1 ? " " + std::to_string(n) : "");
   }
   if (!takeGeometry(feature, picked ? picked->name : std::string(), fresh)) {
-    host_.messages().tell(
-        Severity::kInformation, tr("%1 cannot be made of that").arg(QString::fromStdString(guideKindName(kind))),
-        tr("Picked: %1. %2.")
-            .arg(QString::fromStdString(featureText(feature)), QString::fromStdString(guidePrompt(kind))));
+    host_.messages().tell(Severity::kInformation, tr("%1 cannot be made of that").arg(tr(guideKindName(kind).c_str())),
+                          tr("Picked: %1. %2.").arg(QString::fromStdString(featureText(feature)), guidePrompt(kind)));
     return pickGeometry(kind, make);
   }
   const QString before = current_;
@@ -251,7 +249,7 @@ void GuidesPanel::showGuide(const Guide* guide) {
   for (const auto& entity : host_.documentModel().document().state().entities)
     if (entity->kind != workcell::EntityKind::kAssembly) entity_->addItem(QString::fromStdString(entity->name));
   entity_->setCurrentText(QString::fromStdString(guide->entity));
-  geometry_->setText(QString::fromStdString(geometryText(*guide)));
+  geometry_->setText(geometryText(*guide));
   geometry_->setCursorPosition(0);
   geometry_->setToolTip(geometry_->text());
   const HoldChoice& hold = host_.holdChoice();

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSplitter>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -20,6 +21,10 @@ namespace {
 constexpr int kPageName = Qt::UserRole;
 constexpr int kContentsHeight = 190, kPageHeight = 420;  // All chapters are seen where one is open.
 
+QString nameOfPage(const QUrl& url) {
+  return url.fileName().section('.', 0, 0);
+}
+
 QUrl urlOfPage(const QString& name) {
   return QUrl(QStringLiteral("help:/%1.md").arg(name));
 }
@@ -31,7 +36,7 @@ class PageBrowser final : public QTextBrowser {
       : language_(std::move(language)), addition_(std::move(addition)) {}
   QVariant loadResource(int type, const QUrl& url) override {
     if (url.scheme() != QStringLiteral("help")) return QTextBrowser::loadResource(type, url);
-    const QString name = url.fileName().section('.', 0, 0);
+    const QString name = nameOfPage(url);
     return QString(helpPage(name, language_) + QStringLiteral("\n\n") + addition_(name));
   }
 
@@ -39,6 +44,18 @@ class PageBrowser final : public QTextBrowser {
   QString language_;
   HelpPanel::Addition addition_;
 };
+
+/// Markdown has no room above headings and between paragraphs.
+void spread(QTextDocument& document) {
+  constexpr double kAboveHeading = 14.0, kBelow = 6.0;
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    QTextBlockFormat format;
+    const bool heading = block.blockFormat().headingLevel() > 0;
+    format.setTopMargin(heading && block.blockNumber() > 0 ? kAboveHeading : 0.0);
+    format.setBottomMargin(kBelow);
+    QTextCursor(block).mergeBlockFormat(format);
+  }
+}
 
 }  // namespace
 
@@ -67,7 +84,8 @@ HelpPanel::HelpPanel(const QString& language, Addition addition, QWidget* parent
   column->addWidget(makeBar());
   column->addWidget(halves, 1);
   setFocusProxy(browser_);
-  connect(browser_, &QTextBrowser::sourceChanged, this, &HelpPanel::shown);
+  // The browser's own source is still the old one then.
+  connect(browser_, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) { shown(nameOfPage(url)); });
 }
 
 QWidget* HelpPanel::makeBar() {
@@ -128,7 +146,7 @@ void HelpPanel::showPage(const QString& name) {
 }
 
 QString HelpPanel::page() const {
-  return browser_->source().fileName().section('.', 0, 0);
+  return nameOfPage(browser_->source());
 }
 
 void HelpPanel::refresh() {
@@ -170,9 +188,10 @@ void HelpPanel::openFirst() {
   contents_->setFocus();
 }
 
-void HelpPanel::shown() {
+void HelpPanel::shown(const QString& name) {
+  spread(*browser_->document());
   const QSignalBlocker quiet(contents_);
-  if (QTreeWidgetItem* row = rowOf(page())) {
+  if (QTreeWidgetItem* row = rowOf(name)) {
     row->parent()->setExpanded(true);
     contents_->setCurrentItem(row);
   }

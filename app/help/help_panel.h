@@ -30,7 +30,7 @@ class HelpPanel : public QWidget {
   void makeContents();
   void search();
   void openFirst();
-  void shown();
+  void shown(const QString& name);
   void markWords();
   QTreeWidgetItem* rowOf(const QString& name) const;
   QString language_;

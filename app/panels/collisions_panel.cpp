@@ -37,10 +37,13 @@ class NamesFirst : public QObject {
   explicit NamesFirst(QTableView& table) : QObject(&table), table_(table) {}
   bool eventFilter(QObject*, QEvent* event) override {
     if (event->type() != QEvent::Resize) return false;
-    constexpr int kWithNearMiss = 700, kWithOnContact = 610;  // Pixels.
+    constexpr int kWithNearMiss = 700, kWithOnContact = 610, kWithBar = 500;  // Pixels.
     const int width = static_cast<QResizeEvent*>(event)->size().width();
     table_.setColumnHidden(PairTableModel::kNearMissWithin, width < kWithNearMiss);
     table_.setColumnHidden(PairTableModel::kOnContact, width < kWithOnContact);
+    // The bar goes before the names do.
+    const int bar = width < kWithBar ? 0 : PairDelegate::kBarRoom;
+    table_.horizontalHeader()->resizeSection(PairTableModel::kDistance, PairDelegate::kDistanceRoom + bar);
     return false;
   }
 

@@ -10,6 +10,8 @@ namespace hapticell::app {
 class PairDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
+  /// Pixels that the number of a distance needs, and its bar beside it; without room for the bar there is none.
+  static constexpr int kDistanceRoom = 94, kBarRoom = 74;
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/robot/configuration_model.h"
 
+#include <QHash>
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +11,14 @@
 namespace hapticell::app {
 
 QString shortConfiguration(const std::string& configuration) {
-  QString text = QString::fromStdString(configuration);
-  text.replace(QStringLiteral("elbow "), QString())
-      .replace(QStringLiteral("wrist not flipped"), QObject::tr("no flip"));
-  text.replace(QStringLiteral("wrist flipped"), QObject::tr("flip"));
-  return text.replace(QStringLiteral(", "), QStringLiteral(" · "));
+  const QHash<QString, QString> words{
+      {"front", QObject::tr("front")},        {"back", QObject::tr("back")},
+      {"elbow up", QObject::tr("up")},        {"elbow down", QObject::tr("down")},
+      {"wrist flipped", QObject::tr("flip")}, {"wrist not flipped", QObject::tr("no flip")}};
+  QStringList shown;
+  for (const QString& part : QString::fromStdString(configuration).split(QStringLiteral(", ")))
+    shown << words.value(part, part);
+  return shown.join(QStringLiteral(" · "));
 }
 
 QString shortFlags(const std::string& flags) {

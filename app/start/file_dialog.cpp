@@ -3,11 +3,15 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFileSystemModel>
 #include <QGridLayout>
+#include <QHeaderView>
+#include <QIdentityProxyModel>
 #include <QImageReader>
 #include <QLabel>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QTreeView>
 #include <QVBoxLayout>
 
 #include "app/start/recent_files.h"
@@ -84,6 +88,19 @@ QString firstEnding(const QString& filter) {
   return ending.match(filter).captured(1);
 }
 
+/// Times in the window's language: Qt's are in the desktop's.
+class FileTimes final : public QIdentityProxyModel {
+ public:
+  using QIdentityProxyModel::QIdentityProxyModel;
+  QVariant data(const QModelIndex& index, int role) const override {
+    const auto* files = qobject_cast<const QFileSystemModel*>(sourceModel());
+    if (index.column() != kTimeColumn || role != Qt::DisplayRole || !files)
+      return QIdentityProxyModel::data(index, role);
+    return QLocale().toString(files->lastModified(mapToSource(index)), QLocale::ShortFormat);
+  }
+  static constexpr int kSizeColumn = 1, kKindColumn = 2, kTimeColumn = 3;
+};
+
 class FileQuestion final : public QFileDialog {
  public:
   FileQuestion(QWidget* parent, const QString& title, const QString& start, const QString& filter)
@@ -91,6 +108,13 @@ class FileQuestion final : public QFileDialog {
     setObjectName("fileDialog");
     setOption(DontUseNativeDialog);  // A native one has the desktop's theme, and no pictures of cells.
     resize(kFileDialogSize);
+    setProxyModel(new FileTimes(this));
+    if (auto* table = findChild<QTreeView*>("treeView")) {
+      table->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+      table->header()->resizeSection(FileTimes::kSizeColumn, 80);
+      table->header()->resizeSection(FileTimes::kTimeColumn, 130);
+      table->hideColumn(FileTimes::kKindColumn);  // The name's ending says it.
+    }
     if (!filter.isEmpty()) setNameFilters(filter.split(QStringLiteral(";;")));
     const QFileInfo from(start);
     if (!start.isEmpty() && from.isDir()) {

@@ -146,7 +146,7 @@ void MotionPanel::addClean(QVBoxLayout& column) {
   tolerance_ = field("fieldTolerance", {tr("mm"), 2, 0.01, 1000, 0.5}, 1.0);
   turn_tolerance_ = field("fieldTurnTolerance", {QStringLiteral("°"), 2, 0.01, 90, 0.5}, 1.0);
   sections_.emplace_back(tr("Clean"), addRow(*section, tr("Within"), sideBySide({tolerance_, turn_tolerance_})));
-  keep_free_ = new QCheckBox(tr("Nearer the recording where it would collide"));
+  keep_free_ = new QCheckBox(tr("Keep it free of collisions"));
   keep_free_->setObjectName("checkKeepFree");
   keep_free_->setChecked(true);
   section->addWidget(keep_free_);

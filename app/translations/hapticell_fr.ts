@@ -1309,12 +1309,20 @@
         <translation>Axes et échelle</translation>
     </message>
     <message>
+        <source>Axes at %1</source>
+        <translation>Axes en %1</translation>
+    </message>
+    <message>
         <source>Axes of</source>
         <translation>Axes de</translation>
     </message>
     <message>
         <source>Axis</source>
         <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Axis at %1</source>
+        <translation>Axe en %1</translation>
     </message>
     <message>
         <source>BACK</source>
@@ -1655,6 +1663,10 @@
     <message>
         <source>Circle</source>
         <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Circle at %1</source>
+        <translation>Cercle en %1</translation>
     </message>
     <message>
         <source>Clean</source>
@@ -3213,6 +3225,10 @@
         <translation>Garder sous vérification</translation>
     </message>
     <message>
+        <source>Keep it free of collisions</source>
+        <translation>Éviter les collisions</translation>
+    </message>
+    <message>
         <source>Keep joint 4</source>
         <translation>Garder l'axe 4</translation>
     </message>
@@ -3411,6 +3427,10 @@
     <message>
         <source>Limits, singular places, configurations and collisions, between the frames too</source>
         <translation>Limites, places singulières, configurations et collisions, entre les images aussi</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
     </message>
     <message>
         <source>Line: rate. Bars: late in 99 of 100 ticks, full height %1 ms</source>
@@ -3815,10 +3835,6 @@
     <message>
         <source>Near miss: shown and heard from</source>
         <translation>Quasi-contact : montré et entendu dès</translation>
-    </message>
-    <message>
-        <source>Nearer the recording where it would collide</source>
-        <translation>Plus près de l'enregistrement où il y aurait collision</translation>
     </message>
     <message>
         <source>Nearest posture: %1. </source>
@@ -4438,7 +4454,7 @@
     </message>
     <message>
         <source>P5 woman</source>
-        <translation>Femme P5</translation>
+        <translation>P5 f.</translation>
     </message>
     <message>
         <source>P50 m.</source>
@@ -4446,7 +4462,7 @@
     </message>
     <message>
         <source>P50 man</source>
-        <translation>Homme P50</translation>
+        <translation>P50 h.</translation>
     </message>
     <message>
         <source>P50 w.</source>
@@ -4454,7 +4470,7 @@
     </message>
     <message>
         <source>P50 woman</source>
-        <translation>Femme P50</translation>
+        <translation>P50 f.</translation>
     </message>
     <message>
         <source>P95 m.</source>
@@ -4462,7 +4478,7 @@
     </message>
     <message>
         <source>P95 man</source>
-        <translation>Homme P95</translation>
+        <translation>P95 h.</translation>
     </message>
     <message>
         <source>PDF (*.pdf);;CSV (*.csv)</source>
@@ -4605,6 +4621,10 @@
         <translation>Chemin</translation>
     </message>
     <message>
+        <source>Path of %1 points</source>
+        <translation>Chemin de %1 points</translation>
+    </message>
+    <message>
         <source>Path of a recording</source>
         <translation>Chemin d'un enregistrement</translation>
     </message>
@@ -4669,12 +4689,40 @@
         <translation>Désigner mesure de nouveau.</translation>
     </message>
     <message>
+        <source>Pick the axes: a face, an edge or a corner</source>
+        <translation>Désignez les axes : une face, une arête ou un coin</translation>
+    </message>
+    <message>
+        <source>Pick the axis: a round face, an edge, or a flat face for its normal</source>
+        <translation>Désignez l'axe : une face ronde, une arête, ou une face plane pour sa normale</translation>
+    </message>
+    <message>
+        <source>Pick the circle: a round edge or a round face</source>
+        <translation>Désignez le cercle : une arête ronde ou une face ronde</translation>
+    </message>
+    <message>
         <source>Pick the other part</source>
         <translation>Désignez l'autre pièce</translation>
     </message>
     <message>
+        <source>Pick the path: an edge</source>
+        <translation>Désignez le chemin : une arête</translation>
+    </message>
+    <message>
+        <source>Pick the plane: a flat face or a round edge</source>
+        <translation>Désignez le plan : une face plane ou une arête ronde</translation>
+    </message>
+    <message>
         <source>Pick the point that the hand holds · Esc: end</source>
         <translation>Désignez le point que tient la main · Échap : terminer</translation>
+    </message>
+    <message>
+        <source>Pick the point: a corner, an edge or a face</source>
+        <translation>Désignez le point : un coin, une arête ou une face</translation>
+    </message>
+    <message>
+        <source>Pick the surface to follow</source>
+        <translation>Désignez la surface à suivre</translation>
     </message>
     <message>
         <source>Pick what to measure</source>
@@ -4729,6 +4777,10 @@
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Plane at %1</source>
+        <translation>Plan en %1</translation>
+    </message>
+    <message>
         <source>Plastic</source>
         <translation>Plastique</translation>
     </message>
@@ -4759,6 +4811,10 @@
     <message>
         <source>Point</source>
         <translation>Point</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Point %1</translation>
     </message>
     <message>
         <source>Points</source>
@@ -5557,6 +5613,10 @@
         <translation>Glisser</translation>
     </message>
     <message>
+        <source>Slider</source>
+        <translation>Glissière</translation>
+    </message>
+    <message>
         <source>Smooth</source>
         <translation>Lisser</translation>
     </message>
@@ -5763,6 +5823,14 @@
     <message>
         <source>Sudden loads</source>
         <translation>Charges soudaines</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Surface of %1</source>
+        <translation>Surface de %1</translation>
     </message>
     <message>
         <source>Swap hands</source>
@@ -6586,7 +6654,7 @@
     </message>
     <message>
         <source>Turns about</source>
-        <translation>Tourne autour de</translation>
+        <translation>Pivot</translation>
     </message>
     <message>
         <source>Turns its eyes, as far as they go, to the part that was chosen last</source>
@@ -6922,7 +6990,7 @@
     </message>
     <message>
         <source>Workplace search</source>
-        <translation>Recherche du poste de travail</translation>
+        <translation>Chercher le poste</translation>
     </message>
     <message>
         <source>World</source>
@@ -7061,6 +7129,10 @@
         <translation>au travail</translation>
     </message>
     <message>
+        <source>back</source>
+        <translation>derrière</translation>
+    </message>
+    <message>
         <source>being read</source>
         <translation>en lecture</translation>
     </message>
@@ -7129,6 +7201,10 @@
         <translation>d MMMM, HH:mm</translation>
     </message>
     <message>
+        <source>down</source>
+        <translation>bas</translation>
+    </message>
+    <message>
         <source>enter the grip in Task data.</source>
         <translation>saisissez la prise dans Données de la tâche.</translation>
     </message>
@@ -7191,6 +7267,10 @@
     <message>
         <source>free to move</source>
         <translation>libre</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>devant</translation>
     </message>
     <message>
         <source>further away</source>
@@ -7369,6 +7449,10 @@
         <translation>aucune charge n'est acceptable</translation>
     </message>
     <message>
+        <source>no path</source>
+        <translation>aucun chemin</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>aucun</translation>
     </message>
@@ -7391,6 +7475,10 @@
     <message>
         <source>not near</source>
         <translation>pas proche</translation>
+    </message>
+    <message>
+        <source>not picked</source>
+        <translation>non désignée</translation>
     </message>
     <message>
         <source>not saved yet</source>
@@ -7587,6 +7675,10 @@
     <message>
         <source>undone</source>
         <translation>annulé</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>haut</translation>
     </message>
     <message>
         <source>with a frame</source>

@@ -6,7 +6,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFontInfo>
+#include <QHeaderView>
 #include <QLayout>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyleOption>
@@ -51,6 +53,7 @@ class Look {
       if (const auto* label = qobject_cast<const QLabel*>(widget)) look(*label);
       if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) look(*button);
       if (const auto* combo = qobject_cast<const QComboBox*>(widget)) look(*combo);
+      if (const auto* header = qobject_cast<const QHeaderView*>(widget)) look(*header);
       if (widget->layout()) lookForOverlap(*widget);
       if (const auto* scroll = qobject_cast<const QScrollArea*>(widget)) lookForCut(*scroll);
     }
@@ -75,6 +78,22 @@ class Look {
     for (const QString& line : (brief.isEmpty() ? label.text() : brief).split('\n'))
       need(label, line, label.contentsRect().width());
   }
+  /// What the switch takes of the room.
+  static int markOf(const QAbstractButton& box) {
+    QStyleOptionButton option;
+    option.initFrom(&box);
+    return box.style()->subElementRect(QStyle::SE_CheckBoxContents, &option, &box).left();
+  }
+  /// The headings of a table.
+  void look(const QHeaderView& header) {
+    if (header.orientation() != Qt::Horizontal || !header.model()) return;
+    for (int i = 0; i < header.count(); ++i) {
+      const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
+      if (text.isEmpty() || header.isSectionHidden(i)) continue;
+      constexpr int kHeaderEdges = 8;
+      need(header, text, header.sectionSize(i) - kHeaderEdges);
+    }
+  }
   void look(const QAbstractButton& button) {
     QString text = button.text();
     text.remove('&');
@@ -82,7 +101,9 @@ class Look {
     const auto* tool = qobject_cast<const QToolButton*>(&button);
     if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) return;
     const bool beside = !button.icon().isNull() && !(tool && tool->toolButtonStyle() == Qt::ToolButtonTextUnderIcon);
-    const int mark = qobject_cast<const QCheckBox*>(&button) ? 24 : beside ? button.iconSize().width() + 4 : 0;
+    const int mark = qobject_cast<const QCheckBox*>(&button) ? markOf(button)
+                     : beside                                ? button.iconSize().width() + 4
+                                                             : 0;
     need(button, text, button.width() - mark);
   }
   void look(const QComboBox& combo) {
@@ -140,6 +161,8 @@ class LookPage : public MannequinPage {
     // The docks are what is looked at: without pictures the scene need not be drawn eighty times.
     if (!qEnvironmentVariableIsSet("HAPTICELL_LOOK_FOLDER")) window().viewport().setUpdatesEnabled(false);
     trigger("actionMeasure");
+    trigger("actionManual");
+    trigger("actionSettings");
   }
   void bring(QDockWidget& dock) {
     dock.show();
@@ -169,6 +192,16 @@ TEST(Docks, ShowAllOfTheirWordsAndLieBesideEachOther) {
       page.bring(*dock);
       page.save(*dock);
       findings << Look(*dock).findings();
+      if (dock->objectName() == "dockSettings") {
+        auto* pages = dock->findChild<QListWidget*>("listSettings");
+        for (int row = 1; row < pages->count(); ++row) {
+          pages->setCurrentRow(row);
+          page.settle();
+          findings << Look(*dock).findings();
+        }
+        pages->setCurrentRow(0);
+        dock->hide();
+      }
       if (qEnvironmentVariableIsSet("HAPTICELL_LOOK_FOLDER"))
         std::printf("%s: at least %d px\n", qPrintable(dock->objectName()), dock->widget()->minimumSizeHint().width());
     }
