@@ -202,6 +202,13 @@ ordered_json motionReport(MotionMethod method, const MotionScores& scores, const
                       {"time_share_by_score", sharesOf(scores.share_by_score)},
                       {"worst_frame", frameJson(scores.worst)}};
   addWorstFrame(method, scores, report["worst_frame"]);
+  std::vector<int> frame_scores;
+  for (const FrameScore& frame : scores.frames) frame_scores.push_back(frame.score);
+  const auto phase = ergonomics::worstPhase(frame_scores, scores.frame_time);
+  report["worst_phase"] = {{"from", static_cast<double>(phase.first) * scores.frame_time},
+                           {"to", static_cast<double>(phase.last + 1) * scores.frame_time},
+                           {"score", phase.score},
+                           {"shown_frame", phase.shown}};
   if (method == MotionMethod::kRula) report["task"] = {{"muscle_use", task.muscle_use}, {"force", task.force}};
   if (method == MotionMethod::kReba) {
     report["task"] = {{"load", task.load}, {"coupling", task.coupling}, {"activity", task.activity}};

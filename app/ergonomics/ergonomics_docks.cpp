@@ -63,6 +63,7 @@ class ErgonomicsDocks : public QObject {
     });
     connect(panel_, &ErgonomicsPanel::bodyChosen, this, &ErgonomicsDocks::showBodies);
     connect(&scores_, &LiveScores::changed, this, &ErgonomicsDocks::showAll);
+    connect(&scores_, &LiveScores::changed, this, [this] { motion_.follow(scores_.figure(), scores_.task()); });
     connect(&host_.holdChoice(), &HoldChoice::changed, this, &ErgonomicsDocks::showMarks);
     connect(&host_.documentModel(), &DocumentModel::closing, this, [this] {
       motion_.clear();

@@ -44,7 +44,8 @@ void HeightStrips::paintEvent(QPaintEvent*) {
   for (std::size_t i = 0; i < 4; ++i) {
     std::vector<int> bands;
     for (const int score : advice->by_height[i]) bands.push_back(score == 0 ? -1 : ergonomics::bandOfRula(score));
-    paintStrip(painter, QRectF(area.left(), kStripLine * static_cast<double>(i), area.width(), kBodyStrip), bands, theme);
+    paintStrip(painter, QRectF(area.left(), kStripLine * static_cast<double>(i), area.width(), kBodyStrip), bands,
+               theme);
   }
   const double first = advice->rises.front(), last = advice->rises.back();
   const double step = area.width() / static_cast<double>(advice->rises.size());

@@ -33,11 +33,14 @@ Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::re
   if (!own) return makeError(own.error());
   if (own->postures.empty()) return makeError({path, "frames", "none", "a motion", ""});
   motion->own = rulaOf(figure, own->postures, task);
-  motion->worst = static_cast<int>(std::max_element(motion->own.begin(), motion->own.end()) - motion->own.begin());
+  motion->phase = ergonomics::worstPhase(motion->own, own->frame_time);
   motion->seconds = own->frame_time * static_cast<double>(own->postures.size());
   motion->postures = std::move(own->postures);
   motion->beyond = std::move(own->frames_beyond_limit);
   const auto bodies = mannequin::boundaryFigures();
+  const mannequin::Posture& worst = motion->postures[motion->phase.shown];
+  motion->bodies = ergonomics::atSameTask(bodies, figure, worst, task);
+  motion->places = ergonomics::betterPlaces(figure, worst, task);
   for (std::size_t i = 0; i < motion->bands.size(); ++i) {
     const auto same = mannequin::retarget(bodies[i].figure, *clip);
     if (!same) return makeError(same.error());
@@ -50,11 +53,26 @@ Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::re
 void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequin::Figure> figure,
                              const ergonomics::WorkTask& task) {
   if (busy_ || !figure) return;
+  path_ = path;
+  figure_ = std::move(figure);
+  task_ = task;
+  start(true);
+}
+
+void MotionScoresModel::follow(const std::shared_ptr<const mannequin::Figure>& figure,
+                               const ergonomics::WorkTask& task) {
+  if (busy_ || !motion_ || !figure || (figure == figure_ && task == task_)) return;
+  figure_ = figure;
+  task_ = task;
+  start(false);
+}
+
+void MotionScoresModel::start(bool is_new) {
   busy_ = true;
   emit changed();
   runBeside(
-      this, [path = path.toStdString(), figure = std::move(figure), task] { return read(path, *figure, task); },
-      [this, path, question = question_](Expected<std::shared_ptr<const Motion>> motion) {
+      this, [path = path_.toStdString(), figure = figure_, task = task_] { return read(path, *figure, task); },
+      [this, is_new, path = path_, question = question_](Expected<std::shared_ptr<const Motion>> motion) {
         if (question != question_) return;
         busy_ = false;
         if (motion) {
@@ -64,13 +82,25 @@ void MotionScoresModel::open(const QString& path, std::shared_ptr<const mannequi
           emit failed(QString::fromStdString(motion.error().message()));
         }
         emit changed();
+        if (motion_ && is_new) emit opened();
       });
+}
+
+std::optional<ergonomics::MotionPhase> MotionScoresModel::phase() const {
+  if (!motion_) return std::nullopt;
+  const double frame = motion_->seconds / static_cast<double>(motion_->postures.size());
+  const auto at = [frame](std::size_t i) { return frame * static_cast<double>(i); };
+  const ergonomics::ScorePhase& found = motion_->phase;
+  return ergonomics::MotionPhase{name_.toStdString(), at(found.first), at(found.last + 1), at(found.shown),
+                                 found.score};
 }
 
 void MotionScoresModel::clear() {
   ++question_;
   busy_ = false;
   motion_ = nullptr;
+  path_.clear();
+  figure_ = nullptr;
   name_.clear();
   emit changed();
 }

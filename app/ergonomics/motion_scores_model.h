@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "mannequin/ergonomics/motion_scores.h"
 #include "mannequin/ergonomics/posture_report.h"
 #include "mannequin/retarget.h"
 
@@ -20,6 +21,8 @@ class MotionScoresModel : public QObject {
   using QObject::QObject;
   /// Begins to read a BVH or AMC file (the ASF beside it) and to score it with the task. `figure` is the mannequin's.
   void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
+  /// Scores the motion anew where it was scored for another figure or task.
+  void follow(const std::shared_ptr<const mannequin::Figure>& figure, const ergonomics::WorkTask& task);
   /// As before the first motion; one that is being read is not taken.
   void clear();
   bool isEmpty() const { return !motion_; }
@@ -39,13 +42,21 @@ class MotionScoresModel : public QObject {
   QString mostBeyond() const;
   /// Share of the time in the two higher bands.
   double shareAbove(std::size_t body) const;
-  /// The first frame of the highest RULA of the own body.
-  int worstFrame() const { return motion_ ? motion_->worst : 0; }
+  /// Where RULA of the own body stays at its highest; only while there is a motion.
+  const ergonomics::ScorePhase& worstPhase() const { return motion_->phase; }
+  /// The frame that stands for it.
+  int worstFrame() const { return motion_ ? static_cast<int>(motion_->phase.shown) : 0; }
+  /// The same with its time span; empty while there is no motion.
+  std::optional<ergonomics::MotionPhase> phase() const;
+  /// Of the worst phase's posture: four bodies at the same task, and where the work would be better.
+  const std::vector<ergonomics::BodyAtTask>& bodiesAtPhase() const { return motion_->bodies; }
+  const ergonomics::BetterPlaces& placesAtPhase() const { return motion_->places; }
   int rulaAt(int frame) const { return motion_->own[static_cast<std::size_t>(frame)]; }
   std::vector<ergonomics::ReportBlock::Strip> strips() const;
 
  signals:
   void changed();
+  void opened();  ///< Another motion is there, after changed().
   void failed(const QString& why);
 
  private:
@@ -55,11 +66,17 @@ class MotionScoresModel : public QObject {
     std::vector<int> own;
     std::map<std::string, int> beyond;  ///< Frames by limit.
     double seconds = 0.0;
-    int worst = 0;
+    ergonomics::ScorePhase phase;
+    std::vector<ergonomics::BodyAtTask> bodies;
+    ergonomics::BetterPlaces places{};
   };
   static Expected<std::shared_ptr<const Motion>> read(const std::string& path, const mannequin::Figure& figure,
                                                       const ergonomics::WorkTask& task);
+  void start(bool is_new);
   std::shared_ptr<const Motion> motion_;
+  QString path_;
+  std::shared_ptr<const mannequin::Figure> figure_;
+  ergonomics::WorkTask task_;
   QString name_;
   bool busy_ = false;
   int question_ = 0;  ///< The newest; what an older one gives is not taken.

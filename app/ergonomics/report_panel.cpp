@@ -6,20 +6,26 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
 
 #include "app/ergonomics/live_scores.h"
 #include "app/ergonomics/motion_scores_model.h"
+#include "app/ergonomics/report_head.h"
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/message_log.h"
 #include "app/mannequin/beside.h"
 #include "app/mannequin/mannequin_context.h"
+#include "app/mannequin/mannequin_edits.h"
 #include "app/panels/form.h"
 #include "app/start/file_dialog.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
 #include "app/viewport/viewport_widget.h"
+#include "mannequin/figure_model.h"
 
 namespace hapticell::app {
 namespace {
@@ -27,7 +33,8 @@ namespace {
 constexpr int kDrawMilliseconds = 300;
 constexpr int kQuickSamples = 1, kFineSamples = 8;
 constexpr QSize kSceneSize(600, 690);
-constexpr double kAround = 0.35;  ///< m of the cell about the figure.
+constexpr double kWidthAtFull = 794.0;  // Pixels of A4's 210 mm on a screen of 96 dots an inch.
+constexpr double kAround = 0.35;        ///< m of the cell about the figure.
 
 }  // namespace
 
@@ -37,6 +44,43 @@ ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, co
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 10, 12, 10);
   column->setSpacing(8);
+  head_ = new ReportHead(context.host());
+  column->addLayout(makeButtons());
+  column->addWidget(head_);
+  column->addLayout(makeChoices());
+  page_ = new QLabel;
+  page_->setObjectName("labelReportPage");
+  page_->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
+  page_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // The dock may be narrower than the last page.
+  scroll_ = new QScrollArea;
+  scroll_->setObjectName("scrollReport");
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setWidgetResizable(true);
+  scroll_->setWidget(page_);
+  scroll_->setMinimumHeight(300);
+  scroll_->viewport()->installEventFilter(this);
+  column->addWidget(scroll_, 1);
+  wait_.setSingleShot(true);
+  wait_.setInterval(kDrawMilliseconds);
+  connect(&wait_, &QTimer::timeout, this, &ReportPanel::draw);
+  connect(head_, &ReportHead::changed, this, &ReportPanel::drawLater);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    scene_ = {};
+    shown_page_ = 1;
+    kind_->setCurrent(0);
+    drawLater();
+  });
+  connect(&scores_, &LiveScores::changed, this, &ReportPanel::drawLater);
+  const auto takeAndDraw = [this] {
+    if (isSeen(*this)) takeScene(kQuickSamples);
+    drawLater();
+  };
+  // Told once the figure rests: then the scene is worth a picture.
+  connect(&scores_, &LiveScores::adviceChanged, this, takeAndDraw);
+  connect(&motion_, &MotionScoresModel::changed, this, takeAndDraw);
+}
+
+QHBoxLayout* ReportPanel::makeButtons() {
   auto* line = new QHBoxLayout;
   auto* save = new QPushButton(icon("save"), tr("PDF, HTML, CSV…"));
   save->setObjectName("buttonWriteReport");
@@ -47,53 +91,71 @@ ReportPanel::ReportPanel(MannequinContext& context, const LiveScores& scores, co
   language_->setAccessibleName(tr("Language of the report"));
   language_->setMinimumWidth(language_->sizeHint().width() + 12);  // Fields stand closer than the style says.
   language_->setCurrentIndex(shownLanguage() == ergonomics::Language::kFrench ? 1 : 0);
+  zoom_ = new QComboBox;
+  zoom_->setObjectName("comboReportZoom");
+  zoom_->setAccessibleName(tr("Size of the page"));
+  zoom_->setToolTip(tr("Size of the page; Ctrl and the wheel change it as well"));
+  zoom_->addItem(tr("Width"), 0.0);
+  for (const int percent : {75, 100, 150, 200, 300}) zoom_->addItem(tr("%1 %").arg(percent), percent / 100.0);
+  zoom_->setMinimumWidth(zoom_->sizeHint().width() + 12);
   line->addWidget(save);
   line->addStretch(1);
+  line->addWidget(zoom_);
   line->addWidget(language_);
-  column->addLayout(line);
-  auto* second = new QHBoxLayout;
+  connect(save, &QPushButton::clicked, this, &ReportPanel::chooseFile);
+  connect(language_, &QComboBox::activated, this, &ReportPanel::drawLater);
+  connect(zoom_, &QComboBox::currentIndexChanged, this, [this] { draw(); });
+  return line;
+}
+
+QHBoxLayout* ReportPanel::makeChoices() {
+  auto* line = new QHBoxLayout;
   kind_ = new Segmented({tr("Posture"), tr("Task")});
   kind_->setObjectName("segmentsReport");
   kind_->setCurrent(0);
   which_ = makeLabel({}, TextRole::kSecond, true);
   auto* next = new QPushButton(tr("Next page"));
   next->setObjectName("buttonNextPage");
-  second->addWidget(kind_);
-  second->addStretch(1);
-  second->addWidget(which_);
-  second->addWidget(next);
-  column->addLayout(second);
-  page_ = new QLabel;
-  page_->setObjectName("labelReportPage");
-  page_->setAlignment(Qt::AlignTop | Qt::AlignHCenter);
-  page_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);
-  page_->setMinimumHeight(300);
-  column->addWidget(page_, 1);
-  wait_.setSingleShot(true);
-  wait_.setInterval(kDrawMilliseconds);
-  connect(&wait_, &QTimer::timeout, this, &ReportPanel::draw);
-  connect(save, &QPushButton::clicked, this, &ReportPanel::chooseFile);
-  connect(language_, &QComboBox::activated, this, &ReportPanel::drawLater);
+  line->addWidget(kind_);
+  line->addStretch(1);
+  line->addWidget(which_);
+  line->addWidget(next);
   connect(kind_, &Segmented::chosen, this, [this] {
     shown_page_ = 1;
+    takeScene(kQuickSamples);
     draw();
   });
   connect(next, &QPushButton::clicked, this, [this] {
     shown_page_ = shown_page_ % pages_ + 1;
     draw();
   });
-  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
-    scene_ = {};
-    shown_page_ = 1;
-    kind_->setCurrent(0);
-    drawLater();
-  });
-  connect(&scores_, &LiveScores::changed, this, &ReportPanel::drawLater);
-  // Told once the figure rests: then the scene is worth a picture.
-  connect(&scores_, &LiveScores::adviceChanged, this, [this] {
-    if (isSeen(*this)) takeScene(kQuickSamples);
-    drawLater();
-  });
+  return line;
+}
+
+int ReportPanel::pageWidth() const {
+  const double zoom = zoom_->currentData().toDouble();
+  return zoom > 0.0 ? static_cast<int>(zoom * kWidthAtFull) : std::max(200, scroll_->viewport()->width() - 4);
+}
+
+void ReportPanel::zoomBy(int steps) {
+  if (zoom_->currentIndex() == 0 && steps > 0) {
+    // From the width of the dock to the next larger one.
+    int next = 1;
+    while (next + 1 < zoom_->count() && kWidthAtFull * zoom_->itemData(next).toDouble() <= pageWidth()) ++next;
+    return zoom_->setCurrentIndex(next);
+  }
+  zoom_->setCurrentIndex(std::clamp(zoom_->currentIndex() + steps, 0, zoom_->count() - 1));
+}
+
+bool ReportPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Wheel) {
+    const auto* wheel = static_cast<const QWheelEvent*>(event);
+    if (wheel->modifiers() & Qt::ControlModifier && wheel->angleDelta().y() != 0) {
+      zoomBy(wheel->angleDelta().y() > 0 ? 1 : -1);
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 ergonomics::PostureReportInput ReportPanel::input() const {
@@ -116,7 +178,20 @@ ergonomics::PostureReportInput ReportPanel::input() const {
   input.workplace = workplace_;
   input.history = motion_.strips();
   input.history_seconds = motion_.seconds();
+  input.phase = motion_.phase();
+  input.company = head_->company();
+  input.logo = head_->logo();
+  if (isOfPhase()) {
+    input.is_of_phase = true;
+    input.posture = motion_.posture(motion_.worstFrame());
+    input.bodies = motion_.bodiesAtPhase();
+    input.places = motion_.placesAtPhase();
+  }
   return input;
+}
+
+bool ReportPanel::isOfPhase() const {
+  return isOfTask() && !motion_.isEmpty();
 }
 
 void ReportPanel::setWorkplace(std::optional<ergonomics::WorkplaceFinding> found) {
@@ -155,17 +230,27 @@ void ReportPanel::takeScene(int samples) {
     if (!made) return;  // No OpenGL: the report has its outline only.
     renderer_.emplace(std::move(*made));
   }
+  SceneModel scene = context_.host().viewport().scene();
+  mannequin::Posture posture = scores_.posture();
+  if (isOfPhase()) {
+    posture = placedHere(*entity, motion_.posture(motion_.worstFrame()));
+    const auto stands = mannequin::toModel(*entity->figure, posture);
+    scene.setPlayed({{entity->id, stands.X_WE, stands.joints}});
+    scene.setLinkLooks(entity->id, {});  // They are of the posture in which it stands.
+  } else {
+    scene.setPlayed({});
+  }
   geometry::Bounds about;
-  const auto pose = mannequin::forwardKinematics(*scores_.figure(), scores_.posture());
+  const auto pose = mannequin::forwardKinematics(*scores_.figure(), posture);
   for (const auto& segment : pose.segments) {
     about.add(segment.p_WS - dvec3(kAround));
     about.add(segment.p_WS + dvec3(kAround));
   }
-  ViewportWidget& view = context_.host().viewport();
-  const Camera camera = view.camera().fitted(about, {kSceneSize.width() * 1.0, kSceneSize.height() * 1.0});
+  const Camera camera =
+      context_.host().viewport().camera().fitted(about, {kSceneSize.width() * 1.0, kSceneSize.height() * 1.0});
   PictureRenderer::Look look;
   look.samples = samples;
-  const QImage drawn = renderer_->draw(view.scene(), camera, kSceneSize, lightTheme(), look)
+  const QImage drawn = renderer_->draw(scene, camera, kSceneSize, lightTheme(), look)
                            .convertToFormat(QImage::Format_ARGB32_Premultiplied);
   scene_.width = drawn.width();
   scene_.height = drawn.height();
@@ -202,8 +287,7 @@ void ReportPanel::draw() {
   };
   runBeside(
       this,
-      [input = input(), of_task = isOfTask(), page = shown_page_,
-       width = static_cast<int>(ratio * std::max(200, page_->width() - 4))] {
+      [input = input(), of_task = isOfTask(), page = shown_page_, width = static_cast<int>(ratio * pageWidth())] {
         const ergonomics::Report report = of_task ? ergonomics::taskReport(input) : ergonomics::postureReport(input);
         Drawn drawn;
         drawn.pages = ergonomics::reportPages(report);
@@ -219,6 +303,7 @@ void ReportPanel::draw() {
         QImage image = QImage(bytes, drawn.picture.width, drawn.picture.height, QImage::Format_RGB32).copy();
         image.setDevicePixelRatio(ratio);
         page_->setPixmap(QPixmap::fromImage(image));
+        page_->setMinimumWidth(zoom_->currentIndex() == 0 ? 0 : pageWidth());
         if (again_) {
           again_ = false;
           draw();

@@ -47,7 +47,7 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   play_ = new QPushButton(tr("Play"));
   play_->setObjectName("buttonPlayMotion");
   play_->setCheckable(true);
-  worst_ = new QPushButton(tr("Worst frame"));
+  worst_ = new QPushButton(tr("Worst phase"));
   worst_->setObjectName("buttonWorstFrame");
   take_ = new QPushButton(tr("Take this posture"));
   take_->setObjectName("buttonTakeFrame");
@@ -92,6 +92,7 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   connect(take_, &QPushButton::clicked, this, &TimePanel::takePosture);
   connect(history_, &ScoreHistory::frameChosen, this, &TimePanel::setFrame);
   connect(&motion_, &MotionScoresModel::changed, this, &TimePanel::showMotion);
+  connect(&motion_, &MotionScoresModel::opened, this, [this] { setFrame(motion_.worstFrame()); });
   connect(&motion_, &MotionScoresModel::failed, this, [this](const QString& why) {
     context_.host().messages().tell(Severity::kWarning, tr("The motion cannot be shown"), why);
   });
@@ -152,10 +153,14 @@ void TimePanel::setFrame(int frame) {
   frame_ = std::clamp(frame, 0, motion_.frames() - 1);
   history_->setFrame(frame_);
   const double at = motion_.seconds() * frame_ / motion_.frames();
-  const double worst = motion_.seconds() * motion_.worstFrame() / motion_.frames();
-  at_->setText(
-      tr("%1 s, RULA %2, worst frame %3 s").arg(at, 0, 'f', 2).arg(motion_.rulaAt(frame_)).arg(worst, 0, 'f', 2));
-  showPlayed(true);
+  const ergonomics::MotionPhase worst = *motion_.phase();
+  at_->setText(tr("%1 s, RULA %2 · worst phase %3 s to %4 s, RULA %5")
+                   .arg(at, 0, 'f', 2)
+                   .arg(motion_.rulaAt(frame_))
+                   .arg(worst.from_s, 0, 'f', 2)
+                   .arg(worst.to_s, 0, 'f', 2)
+                   .arg(worst.rula));
+  if (isSeen(*this)) showPlayed(true);
 }
 
 void TimePanel::showPlayed(bool on) {
@@ -251,6 +256,13 @@ void ScoreHistory::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(all.right() + 8, top, kShares - 4, kStrip), Qt::AlignLeft | Qt::AlignVCenter,
                      tr("%1 % at 5–7").arg(100.0 * motion_.shareAbove(i), 0, 'f', 0));
   }
+  const auto place = [&](std::size_t frame) {
+    return all.left() + all.width() * static_cast<double>(frame) / static_cast<double>(motion_.frames());
+  };
+  const double from = place(motion_.worstPhase().first), to = place(motion_.worstPhase().last + 1);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme.text1, 1.5));
+  painter.drawRect(QRectF(from, kTop - 3.0, std::max(3.0, to - from), 4.0 * kTimeLine));
   const double x = all.left() + all.width() * frame_ / std::max(1, motion_.frames() - 1);
   painter.setPen(QPen(theme.force, 2));
   painter.drawLine(QPointF(x, kTop - 8), QPointF(x, kTop + 4 * kTimeLine - 4));

@@ -15,7 +15,7 @@ class MotionScoresModel;
 class ScoreHistory;
 
 /// Ergonomics over time: the scores of four bodies along a recorded motion, with a cursor that shows the mannequin in
-/// that frame, play, worst frame and a button that takes the frame's posture.
+/// that frame, play, worst phase and a button that takes the frame's posture.
 class TimePanel : public QWidget {
   Q_OBJECT
  public:

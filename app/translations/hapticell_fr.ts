@@ -297,6 +297,10 @@
         <translation>%1 est près d'une position où rien ne le retient</translation>
     </message>
     <message>
+        <source>%1 is no picture that can be read. Choose a PNG, JPEG or SVG file; the report stays as it was.</source>
+        <translation>%1 n'est pas une image lisible. Choisissez un fichier PNG, JPEG ou SVG ; le rapport reste comme il était.</translation>
+    </message>
+    <message>
         <source>%1 is not there or may not be run.</source>
         <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
     </message>
@@ -441,8 +445,8 @@
         <translation>%1 s, %2 marqueurs vus sur %3</translation>
     </message>
     <message>
-        <source>%1 s, RULA %2, worst frame %3 s</source>
-        <translation>%1 s, RULA %2, pire image à %3 s</translation>
+        <source>%1 s, RULA %2 · worst phase %3 s to %4 s, RULA %5</source>
+        <translation>%1 s, RULA %2 · pire phase de %3 s à %4 s, RULA %5</translation>
     </message>
     <message>
         <source>%1 short</source>
@@ -959,6 +963,10 @@
     <message>
         <source>A person's own measure goes before the most likely one of the survey (ANSUR II)</source>
         <translation>Une mesure propre passe avant la plus probable de l'enquête (ANSUR II)</translation>
+    </message>
+    <message>
+        <source>A picture at the head of every report; none is chosen</source>
+        <translation>Une image en tête de chaque rapport ; aucune n'est choisie</translation>
     </message>
     <message>
         <source>A point of the entity by which the hand holds it</source>
@@ -1633,6 +1641,10 @@
         <translation>Choisissez d'abord une partie : ses crochets sont dans la barre de temps.</translation>
     </message>
     <message>
+        <source>Choose a picture…</source>
+        <translation>Choisir une image…</translation>
+    </message>
+    <message>
         <source>Choose a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -1651,6 +1663,10 @@
     <message>
         <source>Choose it in the panel Virtual Desktop.</source>
         <translation>Choisissez-le dans le panneau Virtual Desktop.</translation>
+    </message>
+    <message>
+        <source>Choose the logo of the reports</source>
+        <translation>Choisir le logo des rapports</translation>
     </message>
     <message>
         <source>Choose the size first</source>
@@ -1799,6 +1815,10 @@
     <message>
         <source>Comes with the first one</source>
         <translation>Vient avec le premier</translation>
+    </message>
+    <message>
+        <source>Company name</source>
+        <translation>Nom de l'entreprise</translation>
     </message>
     <message>
         <source>Compare with</source>
@@ -3477,6 +3497,10 @@
         <translation>Journal des contacts</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Look again</source>
         <translation>Regarder de nouveau</translation>
     </message>
@@ -3773,10 +3797,6 @@
         <translation>NIOSH ne s'applique pas : la charge est tenue. Si elle est levée, cochez-le dans Données de la tâche.</translation>
     </message>
     <message>
-        <source>NIOSH: %1</source>
-        <translation>NIOSH : %1</translation>
-    </message>
-    <message>
         <source>NIOSH: lifting index %1, %2 (%3 kg of a limit of %4 kg)</source>
         <translation>NIOSH : indice de levage %1, %2 (%3 kg pour une limite de %4 kg)</translation>
     </message>
@@ -3971,6 +3991,10 @@
     <message>
         <source>No key</source>
         <translation>Pas de touche</translation>
+    </message>
+    <message>
+        <source>No logo</source>
+        <translation>Sans logo</translation>
     </message>
     <message>
         <source>No mannequin in the cell</source>
@@ -4751,6 +4775,10 @@
     <message>
         <source>Picture of the view</source>
         <translation>Image de la vue</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.svg);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Pictures (*.png *.jpg *.tiff)</source>
@@ -5605,6 +5633,14 @@
         <translation>Taille de %1</translation>
     </message>
     <message>
+        <source>Size of the page</source>
+        <translation>Taille de la page</translation>
+    </message>
+    <message>
+        <source>Size of the page; Ctrl and the wheel change it as well</source>
+        <translation>Taille de la page ; Ctrl et la molette la changent aussi</translation>
+    </message>
+    <message>
         <source>Size, ANSUR II</source>
         <translation>Taille, ANSUR II</translation>
     </message>
@@ -6193,6 +6229,10 @@
         <translation>Le journal n'a pas été enregistré</translation>
     </message>
     <message>
+        <source>The logo was not read</source>
+        <translation>Le logo n'a pas été lu</translation>
+    </message>
+    <message>
         <source>The mannequin cannot be drawn so</source>
         <translation>Le mannequin ne peut pas être dessiné ainsi</translation>
     </message>
@@ -6455,6 +6495,10 @@
     <message>
         <source>This pair's own choice; click to change it</source>
         <translation>Le choix propre à cette paire ; un clic le change</translation>
+    </message>
+    <message>
+        <source>This picture stands at the head of every report</source>
+        <translation>Cette image figure en tête de chaque rapport</translation>
     </message>
     <message>
         <source>This pose is out of reach</source>
@@ -7005,8 +7049,8 @@
         <translation>Pire RULA de quatre corps</translation>
     </message>
     <message>
-        <source>Worst frame</source>
-        <translation>Pire image</translation>
+        <source>Worst phase</source>
+        <translation>Pire phase</translation>
     </message>
     <message>
         <source>Write all moves</source>

@@ -168,7 +168,32 @@ void summarise(MotionScores& scores) {
   }
 }
 
+constexpr double kFlicker = 0.2;  // s; shorter than a person takes to move out of a posture and back.
+
 }  // namespace
+
+ScorePhase worstPhase(std::span<const int> scores, double frame_time) {
+  ScorePhase worst;
+  if (scores.empty()) return worst;
+  worst.score = *std::max_element(scores.begin(), scores.end());
+  const auto bridged = static_cast<std::size_t>(frame_time > 0.0 ? kFlicker / frame_time + 1e-9 : 0.0);
+  bool any = false;
+  for (std::size_t first = 0; first < scores.size(); ++first) {
+    if (scores[first] != worst.score) continue;
+    std::size_t last = first;
+    for (std::size_t i = first + 1; i < scores.size() && i - last <= bridged + 1; ++i)
+      if (scores[i] == worst.score) last = i;
+    if (!any || last - first > worst.last - worst.first) worst.first = first, worst.last = last;
+    any = true;
+    first = last;
+  }
+  const std::size_t middle = (worst.first + worst.last) / 2;
+  worst.shown = worst.first;
+  const auto off = [middle](std::size_t i) { return i > middle ? i - middle : middle - i; };
+  for (std::size_t i = worst.first; i <= worst.last; ++i)
+    if (scores[i] == worst.score && off(i) < off(worst.shown)) worst.shown = i;
+  return worst;
+}
 
 Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -47,5 +48,16 @@ struct MotionScores {
 /// own joints. Nobody is taken as seated or walking; arms are not supported. Errors: a clip whose joints are not known.
 Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task);
+
+/// A stretch of a motion in which the score stays at its highest; frames, both ends in it.
+struct ScorePhase {
+  std::size_t first = 0, last = 0;
+  std::size_t shown = 0;  ///< The frame of the highest score that is nearest to its middle.
+  int score = 0;
+};
+
+/// The longest stretch at the highest score; the score may fall for up to 0.2 s within it, since near the boundary of
+/// a class it flickers. Of equally long ones the first. No scores: a phase of score 0. `frame_time` in s.
+ScorePhase worstPhase(std::span<const int> scores, double frame_time);
 
 }  // namespace hapticell::ergonomics

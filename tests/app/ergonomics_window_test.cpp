@@ -4,16 +4,19 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QListWidget>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "app/ergonomics/report_head.h"
 #include "app/ergonomics/report_panel.h"
 #include "app/ergonomics/sub_score_table.h"
 #include "app/ergonomics/time_panel.h"
 #include "app/ergonomics/workplace_panel.h"
 #include "app/host/layouts.h"
+#include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/panels/dock_front.h"
 #include "geometry/shapes.h"
@@ -212,6 +215,53 @@ TEST(ReportDock, ShowsThePageAndWritesFiles) {
   EXPECT_EQ(panel->report().title, "Task assessment");
 }
 
+TEST(ReportDock, IsAsLargeAsWanted) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.click("buttonReport");
+  auto* shown = page.find<QLabel>("labelReportPage");
+  const auto width = [shown] { return shown->pixmap(Qt::ReturnByValue).deviceIndependentSize().width(); };
+  ASSERT_TRUE(page.until([&] { return width() > 0; }, ErgonomicsPage::kPatience));
+  const double narrow = width();
+  auto* zoom = page.find<QComboBox>("comboReportZoom");
+  zoom->setFocus();
+  QTest::keyClick(zoom, Qt::Key_End);
+  EXPECT_TRUE(page.until([&] { return width() > 2300.0; }, ErgonomicsPage::kPatience)) << width();
+  QTest::keyClick(zoom, Qt::Key_Home);
+  EXPECT_TRUE(page.until([&] { return std::abs(width() - narrow) < 30.0; }, ErgonomicsPage::kPatience)) << width();
+}
+
+TEST(ReportDock, KeepsTheCompanysNameAndLogoWithTheUsersSettings) {
+  ErgonomicsPage page;
+  ASSERT_TRUE(page.open());
+  page.click("buttonReport");
+  auto* panel = page.window().findChild<ReportPanel*>();
+  auto* head = page.window().findChild<ReportHead*>();
+  ASSERT_NE(head, nullptr);
+  auto* name = page.find<QLineEdit>("editCompany");
+  name->setFocus();
+  QTest::keyClicks(name, "Ada Works");
+  EXPECT_EQ(panel->report().company, "Ada Works");
+  const hapticell::test::TemporaryFolder place;
+  const std::filesystem::path& folder = place.path();
+  std::ofstream(folder / "none.png") << "no picture";
+  EXPECT_FALSE(head->takeLogo(QString::fromStdString((folder / "none.png").string())));
+  EXPECT_TRUE(panel->report().logo.isEmpty());
+  const QString logo = QString::fromStdString((folder / "logo.png").string());
+  QImage red(2000, 500, QImage::Format_RGB32);
+  red.fill(Qt::red);
+  ASSERT_TRUE(red.save(logo));
+  EXPECT_TRUE(head->takeLogo(logo));
+  std::filesystem::remove(folder / "logo.png");
+  EXPECT_EQ(panel->report().logo.width, 768);
+  ReportHead next(page.window());  // As at the next start: the picture's file is gone, the logo is not.
+  EXPECT_EQ(next.company(), "Ada Works");
+  ASSERT_EQ(next.logo().width, 768);
+  EXPECT_EQ(next.logo().pixels.front(), 0xFFFF0000u);
+  head->dropLogo();
+  EXPECT_TRUE(panel->report().logo.isEmpty());
+}
+
 TEST(TimeDock, ScoresAMotionAndTakesAFrame) {
   ErgonomicsPage page;
   ASSERT_TRUE(page.open());
@@ -226,8 +276,23 @@ TEST(TimeDock, ScoresAMotionAndTakesAFrame) {
   panel->open(QString::fromStdString(file.string()));
   page.until([&] { return page.find<QPushButton>("buttonWorstFrame")->isEnabled(); }, ErgonomicsPage::kPatience);
   if (page.find<QPushButton>("buttonWorstFrame")->isEnabled()) {
+    EXPECT_GT(panel->frame(), 0) << "the worst phase is shown at once";
+    panel->setFrame(0);
     page.click("buttonWorstFrame");
     EXPECT_GT(panel->frame(), 0);
+    EXPECT_TRUE(page.words("labelScoredFrame").contains("worst phase")) << page.words("labelScoredFrame").toStdString();
+    auto* report = page.window().findChild<ReportPanel*>();
+    const std::string standing = ergonomics::reportCsv(report->report());
+    EXPECT_NE(standing.find("As it stands in the cell"), std::string::npos);
+    EXPECT_NE(standing.find("Worst phase: "), std::string::npos);
+    page.bringDock("actionErgonomicsReport");
+    page.segment("segmentsReport", 1);
+    const auto of_task = report->report();
+    EXPECT_NE(ergonomics::reportCsv(of_task).find("hapticell_stoop, Worst phase: "), std::string::npos);
+    EXPECT_FALSE(of_task.picture.empty());
+    EXPECT_GT(std::stoi(of_task.result), 3) << "the stoop's, not that of frame 0";
+    page.bringDock("actionErgonomicsTime");
+    page.click("buttonWorstFrame");
     EXPECT_TRUE(page.clickForStep("buttonTakeFrame"));
   }
   std::filesystem::remove(file);

@@ -146,6 +146,20 @@ TEST(MotionScores, TheSharedWalkIsAsItsSourceStatesAndMilderThanTheBend) {
   }
 }
 
+TEST(MotionScores, TheWorstPhaseIsTheLongestAtTheHighestScoreAndBridgesFlicker) {
+  const std::vector<int> scores{3, 7, 3, 3, 7, 7, 6, 7, 3, 3, 3, 7, 7};
+  const ScorePhase phase = worstPhase(scores, 0.1);
+  EXPECT_EQ(phase.score, 7);
+  EXPECT_EQ(phase.first, 1u) << "two frames of 0.1 s below it are bridged";
+  EXPECT_EQ(phase.last, 7u);
+  EXPECT_EQ(phase.shown, 4u);
+  const ScorePhase slow = worstPhase(scores, 1.0);
+  EXPECT_EQ(slow.first, 4u) << "of two equally long ones the first";
+  EXPECT_EQ(slow.last, 5u);
+  EXPECT_EQ(worstPhase(std::vector<int>{2, 2}, 0.1).last, 1u);
+  EXPECT_EQ(worstPhase({}, 0.1).score, 0);
+}
+
 TEST(MotionScores, OwasSeesBentBackAndRaisedArms) {
   const auto figure = mannequin::makeFigure({});
   Posture posture;
