@@ -34,7 +34,8 @@ bool canBeShown(const QWidget& widget, const QDockWidget& dock) {
   for (; at != &dock; at = at->parentWidget()) {
     if (!at) return false;
     if (at->parentWidget() == &dock) return true;
-    if (!at->isHidden()) continue;
+    // What was never shown counts as hidden, too; only what was hidden on purpose is meant.
+    if (!at->isHidden() || !at->testAttribute(Qt::WA_WState_ExplicitShowHide)) continue;
     const auto* pages = qobject_cast<const QStackedWidget*>(at->parentWidget());
     if (!pages || !listOfPages(*pages)) return false;
   }

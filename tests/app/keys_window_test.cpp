@@ -152,7 +152,7 @@ TEST(CommandFinder, FindsEveryButtonOfEveryDockByItsText) {
       ++looked_for;
     }
   }
-  EXPECT_GT(looked_for, 100);
+  EXPECT_GT(looked_for, 60);
   for (const char* dock : {"dockSettings", "dockHelp", "dockMotion", "dockVirtualDesktop", "dockCollisions"})
     EXPECT_TRUE(docks.contains(dock)) << dock;
 }
