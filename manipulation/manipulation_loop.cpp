@@ -25,7 +25,7 @@ constexpr double kLeastRate = 10.0;
 constexpr double kMostRate = 1000.0;
 constexpr std::size_t kTimesKept = 500;  ///< Steps that the shown figures are about.
 constexpr std::chrono::milliseconds kPictureEvery{8}, kContactEvery{2}, kPictureAtRest{100};
-constexpr std::chrono::milliseconds kRestsAfter{500}, kPeriodAtRest{20};
+constexpr std::chrono::milliseconds kRestsAfter{500}, kPeriodAtRest{40};
 /// m, rad: a stylus that lies still trembles by its encoders' steps.
 constexpr double kStill = 1e-4, kStillTurn = 1e-3;
 

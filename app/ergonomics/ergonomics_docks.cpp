@@ -33,7 +33,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kFrameMilliseconds = 33;
+constexpr int kFrameMilliseconds = 33, kUnseenMilliseconds = 200;
 
 /// What of the window is the ergonomics'; owned by the window.
 class ErgonomicsDocks : public QObject {
@@ -72,7 +72,10 @@ class ErgonomicsDocks : public QObject {
     });
     addMenu();
     auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, this, [this] { look(); });
+    connect(timer, &QTimer::timeout, this, [this, timer] {
+      const int wanted = look() ? kFrameMilliseconds : kUnseenMilliseconds;
+      if (timer->interval() != wanted) timer->setInterval(wanted);
+    });
     timer->start(kFrameMilliseconds);
   }
 
@@ -111,12 +114,15 @@ class ErgonomicsDocks : public QObject {
 
   bool isWanted() const { return isSeen(*panel_) || isSeen(*report_panel_) || isSeen(*task_->widget()); }
 
-  void look() {
+  /// Whether anything of it is seen.
+  bool look() {
     const bool wanted = isWanted() || isSeen(*time_->widget()) || isSeen(*workplace_->widget());
     if (wanted) scores_.look();
-    if (isWanted() == coloured_) return;
-    coloured_ = !coloured_;
-    showAll();
+    if (isWanted() != coloured_) {
+      coloured_ = !coloured_;
+      showAll();
+    }
+    return wanted;
   }
 
   void showAll() {

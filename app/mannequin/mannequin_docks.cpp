@@ -28,13 +28,13 @@
 #include "app/mannequin/marker_panel.h"
 #include "app/panels/dock_front.h"
 #include "app/panels/form.h"
+#include "app/panels/refresh_timer.h"
 #include "app/style/dock_title_bar.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {
 
-constexpr int kRefreshMilliseconds = 100;
 /// What of the window is the mannequin's; owned by the window.
 class MannequinDocks : public QObject {
  public:
@@ -59,11 +59,10 @@ class MannequinDocks : public QObject {
     host_.viewport().setPointerTool(&gizmo_, ToolChain::kFigure);
     host_.viewport().installEventFilter(this);
     connect(&host_.documentModel(), &DocumentModel::closing, &gizmo_, &HandGizmo::cancel);
-    auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, panel_, &MannequinPanel::showNow);
-    connect(timer, &QTimer::timeout, drawings_, &FigureDrawings::showNow);
-    connect(timer, &QTimer::timeout, this, [this] { skins_.look(); });
-    timer->start(kRefreshMilliseconds);
+    const QTimer& timer = refreshTimer(host);
+    connect(&timer, &QTimer::timeout, panel_, &MannequinPanel::showNow);
+    connect(&timer, &QTimer::timeout, drawings_, &FigureDrawings::showNow);
+    connect(&timer, &QTimer::timeout, this, [this] { skins_.look(); });
   }
 
  protected:

@@ -18,6 +18,7 @@
 #include "app/panels/history_panel.h"
 #include "app/panels/messages_panel.h"
 #include "app/panels/properties_panel.h"
+#include "app/panels/refresh_timer.h"
 #include "app/panels/scene_menu.h"
 #include "app/panels/solid_panel.h"
 #include "app/panels/strip_chart.h"
@@ -31,14 +32,16 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kRefreshMilliseconds = 100;  // Numbers change at most ten times a second.
-constexpr int kChartMilliseconds = 33;
-
-template <class Slot>
-void every(int milliseconds, QObject* owner, Slot slot) {
-  auto* timer = new QTimer(owner);
-  QObject::connect(timer, &QTimer::timeout, owner, slot);
-  timer->start(milliseconds);
+/// The curves follow the hand as fast as a picture; where nothing moves they are looked at as seldom as the loop tells.
+void followWith(StripChart* chart, Host& host) {
+  constexpr int kMovingMilliseconds = 33, kRestMilliseconds = 100;
+  auto* timer = new QTimer(chart);
+  QObject::connect(timer, &QTimer::timeout, chart, [&host, chart, timer] {
+    chart->take(host.snapshot());
+    const int wanted = host.snapshot() && !host.snapshot()->idle ? kMovingMilliseconds : kRestMilliseconds;
+    if (timer->interval() != wanted) timer->setInterval(wanted);
+  });
+  timer->start(kRestMilliseconds);
 }
 
 void addBottomDocks(Host& host) {
@@ -64,10 +67,10 @@ void addBottomDocks(Host& host) {
   new TabbedDocks(host.window(), docks);
   collisions_dock->raise();
   host.window().resizeDocks({docks.front()}, {272}, Qt::Vertical);
-  every(kRefreshMilliseconds, collisions, [&host, collisions] {
+  QObject::connect(&refreshTimer(host), &QTimer::timeout, collisions, [&host, collisions] {
     if (collisions->isVisible() || host.snapshot()) collisions->showSnapshot(host.snapshot());
   });
-  every(kChartMilliseconds, chart, [&host, chart] { chart->take(host.snapshot()); });
+  followWith(chart, host);
 }
 
 /// Tabs of the right side, behind what a module puts there first.
@@ -78,7 +81,7 @@ QDockWidget* addRightDocks(Host& host) {
   QDockWidget* guides_dock = makeDock("dockGuides", QObject::tr("Guides"), scrolledPanel(guides, 332));
   for (QDockWidget* dock : {solid_dock, guides_dock}) host.addDock(dock, Qt::RightDockWidgetArea);
   solid_dock->raise();
-  every(kRefreshMilliseconds, solid, [solid, guides] {
+  QObject::connect(&refreshTimer(host), &QTimer::timeout, solid, [solid, guides] {
     solid->showNow();
     guides->showCurves();
   });
@@ -106,7 +109,7 @@ void addPanels(Host& host) {
   addEditDocks(host);
   QDockWidget* solid_dock = addRightDocks(host);
   host.window().resizeDocks({workcell_dock, solid_dock}, {296, 344}, Qt::Horizontal);
-  every(kRefreshMilliseconds, workcell, [&host, workcell, properties] {
+  QObject::connect(&refreshTimer(host), &QTimer::timeout, workcell, [&host, workcell, properties] {
     workcell->showSnapshot(host.snapshot());
     properties->showNow();
   });

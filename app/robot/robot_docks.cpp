@@ -17,6 +17,7 @@
 #include "app/host/selection.h"
 #include "app/host/top_menus.h"
 #include "app/panels/form.h"
+#include "app/panels/refresh_timer.h"
 #include "app/robot/joint_mover.h"
 #include "app/robot/library_panel.h"
 #include "app/robot/mechanism_panel.h"
@@ -31,7 +32,6 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kRefreshMilliseconds = 100;
 
 /// Docks of one window and what they share; owned by the window.
 class RobotDocks : public QObject {
@@ -60,9 +60,7 @@ class RobotDocks : public QObject {
     connect(panel_, &RobotPanel::libraryWanted, this, [this] { openLibrary(); });
     addMenu();
     addGizmo();
-    auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, panel_, &RobotPanel::showNow);
-    timer->start(kRefreshMilliseconds);
+    connect(&refreshTimer(host), &QTimer::timeout, panel_, &RobotPanel::showNow);
   }
 
  protected:

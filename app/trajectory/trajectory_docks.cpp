@@ -20,6 +20,7 @@
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/host/top_menus.h"
+#include "app/panels/refresh_timer.h"
 #include "app/panels/workcell_panel.h"
 #include "app/start/file_dialog.h"
 #include "app/style/dock_title_bar.h"
@@ -43,7 +44,6 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kRefreshMilliseconds = 100;
 constexpr int kDockWidth = 332, kHighDock = 460;
 constexpr std::size_t kTracePoints = 600, kFrameRows = 200;
 
@@ -77,9 +77,7 @@ class TrajectoryDocks : public QObject {
     connectPanels();
     addActions();
     connectScene();
-    auto* timer = new QTimer(this);
-    connect(timer, &QTimer::timeout, this, &TrajectoryDocks::showRecording);
-    timer->start(kRefreshMilliseconds);
+    connect(&refreshTimer(host), &QTimer::timeout, this, &TrajectoryDocks::showRecording);
   }
   QDockWidget* dock() { return dock_; }
 

@@ -14,7 +14,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kServerPatience = 700;  // Milliseconds without an answer until a server is started.
-constexpr int kIdlePeriod = 50;       // Milliseconds between two looks at a scene in which nothing moves.
+constexpr int kIdlePeriod = 100;      // Milliseconds between two looks at a scene in which nothing moves.
 
 }  // namespace
 
