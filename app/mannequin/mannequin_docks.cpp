@@ -22,6 +22,7 @@
 #include "app/mannequin/figure_drawings.h"
 #include "app/mannequin/figure_skins.h"
 #include "app/mannequin/hand_gizmo.h"
+#include "app/mannequin/hands_to_part.h"
 #include "app/mannequin/mannequin_context.h"
 #include "app/mannequin/mannequin_edits.h"
 #include "app/mannequin/mannequin_panel.h"
@@ -93,6 +94,7 @@ class MannequinDocks : public QObject {
         {QT_TR_NOOP("P95 man"), {mannequin::Sex::kMale, *mannequin::statureOfPercentile(mannequin::Sex::kMale, 95)}}};
     for (const auto& [name, request] : boundary)
       sizes->addAction(tr(name), this, [this, request = request] { add(request); });
+    new HandsToPart(context_, *menu, this);
     menu->addSeparator();
     entry("actionMannequinPanel", tr("Hands, size and posture"), {}, [this] { bringToFront(); });
     entry("actionOpenPosture", tr("Open a posture…"), {}, [this] { panel_->openPosture(); });

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/scene_menu.h"
 
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
 #include <cmath>
 
 #include "app/host/host.h"
@@ -40,6 +43,10 @@ void SceneMenu::open(workcell::EntityId entity, const QPoint& global) {
     Entities ids{entity};
     for (const auto id : host_.selection().all())
       if (id != entity) ids.push_back(id);
+    // Those of the mannequin, where one is in the cell: they show themselves.
+    for (const char* name : {"actionLeftHandHere", "actionRightHandHere", "actionBothHandsHere"})
+      if (auto* action = host_.window().findChild<QAction*>(name)) menu->addAction(action);
+    menu->addSeparator();
     fillEntityMenu(*menu, host_, ids, [this, entity] { tree_.rename(entity); });
   }
   menu->popup(global);  // Returns at once.

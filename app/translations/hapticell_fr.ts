@@ -305,6 +305,10 @@
         <translation>%1 n'est pas là ou ne peut pas être lancé.</translation>
     </message>
     <message>
+        <source>%1 is out of reach</source>
+        <translation>%1 est hors d'atteinte</translation>
+    </message>
+    <message>
         <source>%1 is saved</source>
         <translation>%1 est enregistré</translation>
     </message>
@@ -1425,6 +1429,18 @@
         <translation>Deux mains en avant</translation>
     </message>
     <message>
+        <source>Both hands of %1 to %2</source>
+        <translation>Les deux mains de %1 à %2</translation>
+    </message>
+    <message>
+        <source>Both hands to a part…</source>
+        <translation>Les deux mains à une pièce…</translation>
+    </message>
+    <message>
+        <source>Both hands to this part</source>
+        <translation>Les deux mains à cette pièce</translation>
+    </message>
+    <message>
         <source>Both styluses are in somebody's hands. Choose the 3-D mouse as the second stylus to move entities by it.</source>
         <translation>Les deux stylets sont tenus. Choisissez la souris 3D comme second stylet pour déplacer des entités avec elle.</translation>
     </message>
@@ -1447,6 +1463,10 @@
     <message>
         <source>Bring in as</source>
         <translation>Importer comme</translation>
+    </message>
+    <message>
+        <source>Bring the mannequin or the part nearer, or unlock the feet so that it may step.</source>
+        <translation>Rapprochez le mannequin ou la pièce, ou libérez les pieds pour qu'il puisse faire un pas.</translation>
     </message>
     <message>
         <source>Bringing the work %1 nearer</source>
@@ -1645,6 +1665,10 @@
         <translation>Choisir une image…</translation>
     </message>
     <message>
+        <source>Choose a place on a part, not on the mannequin itself.</source>
+        <translation>Choisissez un endroit sur une pièce, pas sur le mannequin lui-même.</translation>
+    </message>
+    <message>
         <source>Choose a row to see it in the scene.</source>
         <translation>Choisissez une ligne pour la voir dans la scène.</translation>
     </message>
@@ -1733,6 +1757,10 @@
         <translation>Cliquez la pièce dans la scène</translation>
     </message>
     <message>
+        <source>Click the part that both hands shall take</source>
+        <translation>Cliquez la pièce que les deux mains doivent prendre</translation>
+    </message>
+    <message>
         <source>Click the part that it moves on</source>
         <translation>Cliquez la pièce sur laquelle elle bouge</translation>
     </message>
@@ -1755,6 +1783,10 @@
     <message>
         <source>Click where the base shall stand</source>
         <translation>Cliquez où la base se posera</translation>
+    </message>
+    <message>
+        <source>Click where the hand shall be</source>
+        <translation>Cliquez là où la main doit être</translation>
     </message>
     <message>
         <source>Click where the middle of its lower side shall stand</source>
@@ -2837,6 +2869,10 @@
         <translation>Longueur de la main</translation>
     </message>
     <message>
+        <source>Hand of %1 to %2</source>
+        <translation>Main de %1 à %2</translation>
+    </message>
+    <message>
         <source>Hand that holds a simulated stylus</source>
         <translation>Main qui tient un stylet simulé</translation>
     </message>
@@ -3383,6 +3419,14 @@
     <message>
         <source>Left hand</source>
         <translation>Main gauche</translation>
+    </message>
+    <message>
+        <source>Left hand here</source>
+        <translation>Main gauche ici</translation>
+    </message>
+    <message>
+        <source>Left hand to a part…</source>
+        <translation>Main gauche à une pièce…</translation>
     </message>
     <message>
         <source>Left leg</source>
@@ -5245,6 +5289,14 @@
         <translation>Main droite</translation>
     </message>
     <message>
+        <source>Right hand here</source>
+        <translation>Main droite ici</translation>
+    </message>
+    <message>
+        <source>Right hand to a part…</source>
+        <translation>Main droite à une pièce…</translation>
+    </message>
+    <message>
         <source>Right leg</source>
         <translation>Jambe droite</translation>
     </message>
@@ -6161,6 +6213,10 @@
         <translation>La main le tourne autour de %1 (%1 deux fois : cela seulement)</translation>
     </message>
     <message>
+        <source>The hands were not moved</source>
+        <translation>Les mains n'ont pas bougé</translation>
+    </message>
+    <message>
         <source>The haptic server answers</source>
         <translation>Le serveur haptique répond</translation>
     </message>
@@ -6203,6 +6259,10 @@
     <message>
         <source>The left hand is %1 from the end of its reach</source>
         <translation>La main gauche est à %1 de la fin de sa portée</translation>
+    </message>
+    <message>
+        <source>The left hand is %1 short.</source>
+        <translation>Il manque %1 à la main gauche.</translation>
     </message>
     <message>
         <source>The lifting equation and what the hands bear; the colours stay those of RULA</source>
@@ -6335,6 +6395,10 @@
     <message>
         <source>The right hand is %1 from the end of its reach</source>
         <translation>La main droite est à %1 de la fin de sa portée</translation>
+    </message>
+    <message>
+        <source>The right hand is %1 short.</source>
+        <translation>Il manque %1 à la main droite.</translation>
     </message>
     <message>
         <source>The robot cannot reach the frame: it stays up to %1 or %2 beside it</source>

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "app/host/hold_choice.h"
+#include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/mannequin/figure_drag.h"
 #include "app/mannequin/mannequin_panel.h"
@@ -325,6 +326,96 @@ TEST(MannequinGizmo, AHandLiftedByItsArrowBendsTheElbowAndNotTheBack) {
   const auto pose = mannequin::forwardKinematics(*page.selected()->figure, page.posture());
   const dvec3 back = pose[mannequin::Segment::kThorax].p_WS - pose[mannequin::Segment::kPelvis].p_WS;
   EXPECT_LT(std::acos(glm::normalize(back).z), 10.0 * M_PI / 180.0);
+}
+
+/// A mannequin with a crate on its own before it, seen from the left above.
+struct CratePage : MannequinPage {
+  bool open(double ahead) {
+    if (!addMannequin()) return false;
+    figure = selected()->id;
+    const Pose X_WR = posture().X_WR;
+    workcell::Entity entity;
+    entity.name = "Crate";
+    entity.mesh = std::make_shared<geometry::TriangleMesh>(geometry::makeBox({0.25, 0.35, 0.25}));
+    entity.X_WE = X_WR * Pose::translation({ahead, 0.0, 0.0});
+    entity.X_WE.p.z = 1.05;
+    crate = add(entity);
+    geometry::Bounds bounds;
+    bounds.add(document().document().find(crate)->X_WE.p - dvec3(0.9));
+    bounds.add(document().document().find(crate)->X_WE.p + dvec3(0.9));
+    window().viewport().fit(bounds, false);
+    window().viewport().finishedPicture();
+    settle();
+    return crate != 0;
+  }
+  /// A click of the right button on the crate's lid, and an entry of the menu that it opens.
+  bool chooseAtCrate(const char* name) {
+    while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+    ViewportWidget& viewport = window().viewport();
+    const dvec3 lid = document().document().find(crate)->X_WE * dvec3(0.08, 0.0, 0.125);
+    const auto pixel =
+        viewport.camera().project(lid, {static_cast<double>(viewport.width()), static_cast<double>(viewport.height())});
+    if (!pixel) return false;
+    const QPointF place(pixel->x, pixel->y);
+    for (const auto type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+      QMouseEvent event(type, place, viewport.mapToGlobal(place), Qt::RightButton,
+                        type == QEvent::MouseButtonPress ? Qt::RightButton : Qt::NoButton, Qt::NoModifier);
+      QApplication::sendEvent(&viewport, &event);
+    }
+    settle();
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    auto* action = window().findChild<QAction*>(name);
+    if (!menu || !action || !menu->actions().contains(action) || !action->isVisible()) return false;
+    const std::size_t before = steps();
+    QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(action).center());
+    return until([&] { return steps() == before + 1; }, kPatience);
+  }
+  dvec3 gripInCrate(mannequin::Side side) {
+    const auto* entity = document().document().find(figure);
+    const auto pose = mannequin::forwardKinematics(*entity->figure, postureOf(*entity));
+    const dvec3 grip = mannequin::handPose(pose, side) * entity->figure->p_HandGrip[static_cast<std::size_t>(side)];
+    return document().document().find(crate)->X_WE.inverse() * grip;
+  }
+  workcell::EntityId figure = 0, crate = 0;
+};
+
+TEST(HandsToPart, BothGoToOppositeSidesFromTheScenesMenuAsOneStep) {
+  CratePage page;
+  ASSERT_TRUE(page.open(0.45));
+  const auto before = postureOf(*page.document().document().find(page.figure)).angles;
+  ASSERT_TRUE(page.chooseAtCrate("actionBothHandsHere"));
+  const dvec3 left = page.gripInCrate(mannequin::Side::kLeft), right = page.gripInCrate(mannequin::Side::kRight);
+  EXPECT_NEAR(left.y, 0.175, 3e-3);
+  EXPECT_NEAR(right.y, -0.175, 3e-3);
+  EXPECT_NEAR(left.x, right.x, 5e-3);
+  page.trigger("actionUndo");
+  EXPECT_EQ(postureOf(*page.document().document().find(page.figure)).angles, before);
+}
+
+TEST(HandsToPart, OneGoesToThePlaceAndAFarOneIsSaidWithByHowMuch) {
+  CratePage page;
+  ASSERT_TRUE(page.open(0.45));
+  ASSERT_TRUE(page.chooseAtCrate("actionRightHandHere"));
+  EXPECT_LT(glm::length(page.gripInCrate(mannequin::Side::kRight) - dvec3(0.08, 0.0, 0.125)), 0.02);
+  page.trigger("actionUndo");
+  Pose far = page.document().document().find(page.crate)->X_WE;
+  far.p += page.document().document().find(page.figure)->X_WE.rotate({0.9, 0.0, 0.0});
+  ASSERT_TRUE(page.document().execute(workcell::SetPlacement{page.crate, far}));
+  page.settle();
+  ASSERT_TRUE(page.chooseAtCrate("actionRightHandHere"));
+  const auto& told = page.window().messages().messages().back();
+  EXPECT_EQ(told.title, "Crate is out of reach");
+  EXPECT_TRUE(told.text.contains("The right hand is") && told.text.contains("short")) << told.text.toStdString();
+}
+
+TEST(HandsToPart, TheMenusEntriesAreThereOnlyWithAMannequin) {
+  MannequinPage page;
+  EXPECT_FALSE(page.window().findChild<QAction*>("actionBothHandsTo")->isEnabled());
+  EXPECT_FALSE(page.window().findChild<QAction*>("actionBothHandsHere")->isVisible());
+  ASSERT_TRUE(page.addMannequin());
+  EXPECT_TRUE(page.window().findChild<QAction*>("actionBothHandsTo")->isEnabled());
+  page.trigger("actionBothHandsTo");
+  EXPECT_TRUE(page.window().viewport().isPicking());
 }
 
 TEST(MannequinSkin, AFigureAtRestIsDrawnInOneSkin) {

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/mannequin/hands_to_part.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "app/host/actions.h"
+#include "app/host/document_model.h"
+#include "app/host/hold_choice.h"
+#include "app/host/host.h"
+#include "app/host/message_log.h"
+#include "app/mannequin/beside.h"
+#include "app/mannequin/mannequin_context.h"
+#include "app/mannequin/mannequin_edits.h"
+#include "app/style/units.h"
+#include "app/viewport/viewport_widget.h"
+#include "mannequin/ergonomics/body_sizes.h"
+#include "mannequin/hands_to.h"
+
+namespace hapticell::app {
+namespace {
+
+using Hands = HandsToPart::Hands;
+using Targets = std::array<std::optional<mannequin::HandTarget>, 2>;
+
+constexpr std::array kAllHands{Hands::kLeft, Hands::kRight, Hands::kBoth};
+constexpr std::array kHereNames{"actionLeftHandHere", "actionRightHandHere", "actionBothHandsHere"};
+constexpr std::array kToNames{"actionLeftHandTo", "actionRightHandTo", "actionBothHandsTo"};
+constexpr double kMissed = 2.5e-3;  // m; less is there.
+
+/// What the hands are to reach; empty: the part has no sides.
+std::optional<Targets> targetsOf(Hands hands, const PickedFeature& place, const mannequin::Posture& posture) {
+  Targets targets;
+  if (hands != Hands::kBoth) {
+    targets[hands == Hands::kLeft ? 0 : 1] = mannequin::HandTarget{place.p_WHit, -place.nhat_W};
+    return targets;
+  }
+  if (!place.mesh) return std::nullopt;
+  // Left as seen by who stands in front of it, wherever that one looks.
+  dvec3 ahead = place.p_WHit - posture.X_WR.p;
+  ahead.z = 0.0;
+  if (glm::length(ahead) < 1e-3) ahead = posture.X_WR.rotate({1.0, 0.0, 0.0});
+  const dvec3 left = glm::normalize(glm::cross(dvec3(0.0, 0.0, 1.0), ahead));
+  const auto sides = mannequin::oppositeSides(*place.mesh, place.X_WM, place.p_WHit, place.nhat_W, left);
+  if (!sides) return std::nullopt;
+  targets[0] = (*sides)[0];
+  targets[1] = (*sides)[1];
+  return targets;
+}
+
+/// What stays as it is: what is locked, and the pelvis of who sits.
+mannequin::PostureTask taskOf(const mannequin::Figure& figure, const mannequin::Posture& posture,
+                              const HoldChoice::Locks& locks) {
+  mannequin::PostureTask task = ergonomics::taskAt(figure, posture, figure, dvec3(0.0));
+  task.hands = {};
+  task.trunk_locked = locks.trunk;
+  task.pelvis_locked = task.pelvis_locked || locks.pelvis || locks.seat;
+  task.may_step = !locks.feet && !task.pelvis_locked && !task.trunk_locked;
+  if (locks.seat) task.balance = false;
+  return task;
+}
+
+}  // namespace
+
+HandsToPart::HandsToPart(MannequinContext& context, QMenu& menu, QObject* parent) : QObject(parent), context_(context) {
+  QMainWindow& window = context.host().window();
+  const std::array here{tr("Left hand here"), tr("Right hand here"), tr("Both hands to this part")};
+  const std::array to{tr("Left hand to a part…"), tr("Right hand to a part…"), tr("Both hands to a part…")};
+  menu.addSeparator();
+  for (std::size_t i = 0; i < kAllHands.size(); ++i) {
+    here_[i] = makeAction(&window, {kHereNames[i], here[i], {}, {}, {}});
+    to_[i] = makeAction(&window, {kToNames[i], to[i], {}, {}, {}});
+    window.addAction(to_[i]);
+    menu.addAction(to_[i]);
+    connect(to_[i], &QAction::triggered, this, [this, hands = kAllHands[i]] { pick(hands); });
+    connect(here_[i], &QAction::triggered, this, [this, hands = kAllHands[i]] {
+      if (place_) send(hands, *place_);
+    });
+  }
+  connect(&context_.host().viewport(), &ViewportWidget::contextMenuWanted, this, &HandsToPart::remember);
+  connect(&context_, &MannequinContext::mannequinChanged, this, &HandsToPart::showActions);
+  connect(&context_, &MannequinContext::documentChanged, this, &HandsToPart::showActions);
+  connect(&context_.host().documentModel(), &DocumentModel::closing, this, [this] {
+    place_.reset();
+    showActions();
+  });
+  showActions();
+}
+
+void HandsToPart::showActions() {
+  const bool ready = context_.entity() && context_.isFree() && !busy_;
+  for (QAction* action : to_) action->setEnabled(ready);
+  for (QAction* action : here_) {
+    action->setVisible(ready && place_);
+    action->setEnabled(ready && place_);
+  }
+}
+
+void HandsToPart::remember(workcell::EntityId entity, const QPoint& global) {
+  place_.reset();
+  const workcell::Entity* figure = context_.entity();
+  ViewportWidget& viewport = context_.host().viewport();
+  if (entity != 0 && figure && figure->id != entity)
+    place_ = viewport.featureAt(viewport.mapFromGlobal(global), {.faces = true, .edges = false, .vertices = false});
+  showActions();
+}
+
+void HandsToPart::pick(Hands hands) {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || !context_.isFree() || busy_) return;
+  const QString prompt =
+      hands == Hands::kBoth ? tr("Click the part that both hands shall take") : tr("Click where the hand shall be");
+  context_.host().viewport().startPick({{.faces = true, .edges = false, .vertices = false},
+                                        prompt,
+                                        [this, hands](const std::optional<PickedFeature>& place) {
+                                          if (place) send(hands, *place);
+                                        }});
+}
+
+void HandsToPart::send(Hands hands, const PickedFeature& place) {
+  const workcell::Entity* entity = context_.entity();
+  if (!entity || !context_.isFree() || busy_) return;
+  DocumentModel& document = context_.host().documentModel();
+  const workcell::Entity* part = document.document().find(place.entity);
+  if (!part || part->id == entity->id)
+    return context_.host().messages().tell(Severity::kWarning, tr("The hands were not moved"),
+                                           tr("Choose a place on a part, not on the mannequin itself."));
+  const mannequin::Posture from = postureOf(*entity);
+  const auto targets = targetsOf(hands, place, from);
+  if (!targets) return;
+  busy_ = true;
+  showActions();
+  runBeside(
+      this,
+      [figure = entity->figure, from, targets = *targets,
+       task = taskOf(*entity->figure, from, context_.host().holdChoice().locks())] {
+        return mannequin::handsTo(*figure, from, task, targets);
+      },
+      [this, hands, id = entity->id, from, part = QString::fromStdString(part->name),
+       number = document.number()](const mannequin::HandsReach& reach) {
+        busy_ = false;
+        const workcell::Entity* now = context_.host().documentModel().document().find(id);
+        // Another cell, or it was moved meanwhile: what was found is not for that.
+        const bool same = number == context_.host().documentModel().number() && now && now->figure &&
+                          postureOf(*now).angles == from.angles && postureOf(*now).X_WR.p == from.X_WR.p;
+        if (same && context_.isFree()) {
+          const QString name = QString::fromStdString(now->name);
+          context_.host().documentModel().executeAll(hands == Hands::kBoth
+                                                         ? tr("Both hands of %1 to %2").arg(name, part)
+                                                         : tr("Hand of %1 to %2").arg(name, part),
+                                                     {postureCommand(*now, reach.posture)});
+          told(hands, part, reach.short_m);
+        }
+        showActions();
+      });
+}
+
+void HandsToPart::told(Hands hands, const QString& part, const std::array<double, 2>& short_m) {
+  QStringList missed;
+  if (hands != Hands::kRight && short_m[0] > kMissed)
+    missed << tr("The left hand is %1 short.").arg(lengthText(short_m[0], 0));
+  if (hands != Hands::kLeft && short_m[1] > kMissed)
+    missed << tr("The right hand is %1 short.").arg(lengthText(short_m[1], 0));
+  if (missed.isEmpty()) return;
+  missed << tr("Bring the mannequin or the part nearer, or unlock the feet so that it may step.");
+  context_.host().messages().tell(Severity::kWarning, tr("%1 is out of reach").arg(part), missed.join(' '));
+}
+
+}  // namespace hapticell::app
