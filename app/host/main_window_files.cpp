@@ -208,6 +208,7 @@ bool MainWindow::mayDiscard() {
   QMessageBox question(QMessageBox::Question, tr("Changes are not saved"),
                        tr("%1 has changes that are not saved.").arg(document_.title()),
                        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  question.setInformativeText(tr("They are lost if they are not saved."));
   const int answer = question.exec();
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && saveDocument(false));
 }

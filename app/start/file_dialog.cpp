@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -98,6 +99,11 @@ class FileTimes final : public QIdentityProxyModel {
       return QIdentityProxyModel::data(index, role);
     return QLocale().toString(files->lastModified(mapToSource(index)), QLocale::ShortFormat);
   }
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+    const QStringList names{QObject::tr("Name"), QObject::tr("File size"), QObject::tr("Kind"), QObject::tr("Changed")};
+    const bool named = role == Qt::DisplayRole && orientation == Qt::Horizontal && section < names.size();
+    return named ? names[section] : QIdentityProxyModel::headerData(section, orientation, role);
+  }
   static constexpr int kSizeColumn = 1, kKindColumn = 2, kTimeColumn = 3;
 };
 
@@ -109,6 +115,7 @@ class FileQuestion final : public QFileDialog {
     setOption(DontUseNativeDialog);  // A native one has the desktop's theme, and no pictures of cells.
     resize(kFileDialogSize);
     setProxyModel(new FileTimes(this));
+    setWords();
     if (auto* table = findChild<QTreeView*>("treeView")) {
       table->header()->setSectionResizeMode(0, QHeaderView::Stretch);
       table->header()->resizeSection(FileTimes::kSizeColumn, 80);
@@ -124,6 +131,22 @@ class FileQuestion final : public QFileDialog {
       if (!start.isEmpty()) selectFile(from.fileName());
     }
   }
+  /// Qt's own words are English where its translations are not installed.
+  void setWords() {
+    setLabelText(LookIn, QObject::tr("Folder"));
+    setLabelText(FileName, QObject::tr("Name"));
+    setLabelText(FileType, QObject::tr("Kind"));
+    setLabelText(Reject, QObject::tr("Cancel"));
+    const std::pair<const char*, QString> tips[]{
+        {"backButton", QObject::tr("Folder before")},    {"forwardButton", QObject::tr("Folder after")},
+        {"toParentButton", QObject::tr("Folder above")}, {"newFolderButton", QObject::tr("New folder")},
+        {"listModeButton", QObject::tr("Names only")},   {"detailModeButton", QObject::tr("With size and time")}};
+    for (const auto& [name, tip] : tips)
+      if (auto* button = findChild<QToolButton*>(QLatin1String(name))) {
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+      }
+  }
   void addPreview() {
     auto* grid = qobject_cast<QGridLayout*>(layout());
     if (!grid) return;
@@ -138,6 +161,7 @@ QStringList openedBy(QFileDialog::FileMode mode, QWidget* parent, const QString&
                      const QString& filter) {
   FileQuestion dialog(parent, title, start, filter);
   dialog.setFileMode(mode);
+  dialog.setLabelText(QFileDialog::Accept, QObject::tr("Open"));
   dialog.addPreview();
   return dialog.ask();
 }
@@ -156,6 +180,7 @@ QString askToSave(QWidget* parent, const QString& title, const QString& start, c
   FileQuestion dialog(parent, title, {}, filter);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setFileMode(QFileDialog::AnyFile);
+  dialog.setLabelText(QFileDialog::Accept, QObject::tr("Save"));
   const QFileInfo from(start);
   if (from.isAbsolute()) dialog.setDirectory(from.absolutePath());
   for (const QString& one : dialog.nameFilters())
@@ -175,6 +200,7 @@ QString askForFolder(QWidget* parent, const QString& title, const QString& start
   FileQuestion dialog(parent, title, start, {});
   dialog.setFileMode(QFileDialog::Directory);
   dialog.setOption(QFileDialog::ShowDirsOnly);
+  dialog.setLabelText(QFileDialog::Accept, QObject::tr("Choose"));
   return dialog.ask().value(0);
 }
 

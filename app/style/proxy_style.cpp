@@ -128,6 +128,8 @@ int ProxyStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
       return isLargeSwitch(widget) ? 28 : kSwitchHeight;
     case PM_CheckBoxLabelSpacing:
       return 8;
+    case PM_MessageBoxIconSize:
+      return 32;
     case PM_DockWidgetSeparatorExtent:
     case PM_SplitterWidth:
       return 1;

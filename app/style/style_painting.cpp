@@ -39,6 +39,13 @@ QIcon inOneColor(const QIcon& icon, const QSize& size, const QColor& color) {
   return QIcon(shape);
 }
 
+/// A panel's main button, or in a dialog the one that Enter presses.
+bool isMain(const QStyleOption* option, const QWidget* widget) {
+  const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  return (button && button->features.testFlag(QStyleOptionButton::DefaultButton)) ||
+         (widget && widget->property("main").toBool());
+}
+
 }  // namespace
 
 void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QColor& frame, double radius) {
@@ -53,7 +60,7 @@ void drawBox(QPainter* painter, const QRect& rect, const QColor& fill, const QCo
 
 void drawButtonPanel(QPainter* painter, const QStyleOption* option, const QWidget* widget) {
   const Theme& theme = themeOf(option->palette);
-  const bool main = widget && widget->property("main").toBool();
+  const bool main = isMain(option, widget);
   const bool quiet = widget && (widget->property("quiet").toBool() || qobject_cast<const QToolButton*>(widget));
   const bool enabled = has(option, QStyle::State_Enabled);
   const bool down = has(option, QStyle::State_Sunken);
@@ -207,7 +214,7 @@ void drawScrollBar(QPainter* painter, const QStyleOptionSlider* option, const QR
 
 QStyleOptionButton buttonLabel(const QStyleOptionButton& button, const QWidget* widget) {
   QStyleOptionButton label = button;
-  const bool main = widget && widget->property("main").toBool();
+  const bool main = isMain(&button, widget);
   if ((!main && !has(&button, QStyle::State_On)) || !has(&button, QStyle::State_Enabled)) return label;
   const QColor color = themeOf(button.palette).on_text;
   label.palette.setColor(QPalette::ButtonText, color);

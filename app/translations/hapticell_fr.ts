@@ -149,6 +149,12 @@
         <translation>%1 agit tant que le pointeur est sur la scène</translation>
     </message>
     <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 existe déjà.
+Voulez-vous le remplacer ?</translation>
+    </message>
+    <message>
         <source>%1 and %2 in all</source>
         <translation>%1 et %2 au total</translation>
     </message>
@@ -755,6 +761,46 @@
     <message numerus="yes">
         <source>%n solids</source>
         <translation><numerusform>%n solide</numerusform><numerusform>%n solides</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;Add to Custom Colors</source>
+        <translation>&amp;Ajouter aux couleurs propres</translation>
+    </message>
+    <message>
+        <source>&amp;Basic colors</source>
+        <translation>Couleurs de &amp;base</translation>
+    </message>
+    <message>
+        <source>&amp;Custom colors</source>
+        <translation>Couleurs &amp;propres</translation>
+    </message>
+    <message>
+        <source>&amp;Green:</source>
+        <translation>&amp;Vert :</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Non</translation>
+    </message>
+    <message>
+        <source>&amp;Pick Screen Color</source>
+        <translation>Prendre une couleur à l'&amp;écran</translation>
+    </message>
+    <message>
+        <source>&amp;Red:</source>
+        <translation>&amp;Rouge :</translation>
+    </message>
+    <message>
+        <source>&amp;Sat:</source>
+        <translation>&amp;Sat. :</translation>
+    </message>
+    <message>
+        <source>&amp;Val:</source>
+        <translation>&amp;Val. :</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Oui</translation>
     </message>
     <message>
         <source>, %1 clear</source>
@@ -1413,6 +1459,10 @@
         <translation>Au-delà de limites de la silhouette, non ramené ; le plus long : %1.</translation>
     </message>
     <message>
+        <source>Bl&amp;ue:</source>
+        <translation>Ble&amp;u :</translation>
+    </message>
+    <message>
         <source>Bore</source>
         <translation>Alésage</translation>
     </message>
@@ -1577,6 +1627,10 @@
         <translation>Changer le mécanisme</translation>
     </message>
     <message>
+        <source>Changed</source>
+        <translation>Modifié</translation>
+    </message>
+    <message>
         <source>Changes are not saved</source>
         <translation>Changements non enregistrés</translation>
     </message>
@@ -1639,6 +1693,10 @@
     <message>
         <source>Chest depth</source>
         <translation>Profondeur du thorax</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Choisir</translation>
     </message>
     <message>
         <source>Choose a file to see what it is.</source>
@@ -1855,6 +1913,10 @@
     <message>
         <source>Compare with</source>
         <translation>Comparer avec</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Ordinateur</translation>
     </message>
     <message>
         <source>Cone</source>
@@ -2095,6 +2157,10 @@
     <message>
         <source>Diameter</source>
         <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
     </message>
     <message>
         <source>Discard copy</source>
@@ -2465,6 +2531,10 @@
         <translation>Fichier</translation>
     </message>
     <message>
+        <source>File size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
         <source>Files</source>
         <translation>Fichiers</translation>
     </message>
@@ -2547,6 +2617,18 @@
     <message>
         <source>Folder %1</source>
         <translation>Dossier %1</translation>
+    </message>
+    <message>
+        <source>Folder above</source>
+        <translation>Dossier parent</translation>
+    </message>
+    <message>
+        <source>Folder after</source>
+        <translation>Dossier suivant</translation>
+    </message>
+    <message>
+        <source>Folder before</source>
+        <translation>Dossier précédent</translation>
     </message>
     <message>
         <source>Follow</source>
@@ -3083,6 +3165,10 @@
     <message>
         <source>How far the arms of three people of its sex reach who stand as it does</source>
         <translation>Jusqu'où atteignent les bras de trois personnes de son sexe qui se tiennent comme lui</translation>
+    </message>
+    <message>
+        <source>Hu&amp;e:</source>
+        <translation>T&amp;einte :</translation>
     </message>
     <message>
         <source>I hold it: next</source>
@@ -3873,6 +3959,10 @@
         <translation>Poses nommées : aller à l'une, garder celle-ci</translation>
     </message>
     <message>
+        <source>Names only</source>
+        <translation>Noms seuls</translation>
+    </message>
+    <message>
         <source>Near a singular position: a direction is nearly lost</source>
         <translation>Près d'une place singulière : une direction est presque perdue</translation>
     </message>
@@ -3919,6 +4009,10 @@
     <message>
         <source>New</source>
         <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Nouveau dossier</translation>
     </message>
     <message>
         <source>New frame…</source>
@@ -4257,6 +4351,10 @@
         <translation>OBJ (*.obj)</translation>
     </message>
     <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
         <source>OWAS</source>
         <translation>OWAS</translation>
     </message>
@@ -4339,6 +4437,10 @@
     <message>
         <source>Only while the robot is held by its tool</source>
         <translation>Seulement pendant que le robot est tenu par son outil</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <source>Open a posture</source>
@@ -6529,6 +6631,10 @@
         <translation>Ces pièces peuvent bouger, avec les cibles des mains</translation>
     </message>
     <message>
+        <source>They are lost if they are not saved.</source>
+        <translation>Ils sont perdus s'ils ne sont pas enregistrés.</translation>
+    </message>
+    <message>
         <source>They move together, about the one chosen last.</source>
         <translation>Elles bougent ensemble, autour de celle choisie en dernier.</translation>
     </message>
@@ -7063,6 +7169,10 @@
     <message>
         <source>Window</source>
         <translation>Fenêtre</translation>
+    </message>
+    <message>
+        <source>With size and time</source>
+        <translation>Avec taille et date</translation>
     </message>
     <message>
         <source>Within</source>
