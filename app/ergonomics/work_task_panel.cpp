@@ -19,7 +19,7 @@ namespace hapticell::app {
 namespace {
 
 using ergonomics::WorkTask;
-constexpr int kNamesColumn = 130;
+constexpr int kNamesColumn = 108;
 
 /// A number with a box that says whether it is known.
 QWidget* withBox(ValueField* field, QCheckBox*& known, const QString& name) {

@@ -12,7 +12,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kBarWidth = PairDelegate::kBarRoom - 10;
+constexpr int kBarWidth = 64;
 
 Mark markOf(const QModelIndex& index) {
   return static_cast<Mark>(index.data(PairTableModel::kMarkRole).toInt());
@@ -77,7 +77,7 @@ void PairDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     const bool bar = option.rect.width() >= kDistanceRoom + kBarRoom;
     if (bar && measured)
       paintBar(*painter, QRect(text.right() - kBarWidth, text.center().y() - 4, kBarWidth, 9), index, theme);
-    if (bar) text.adjust(0, 0, -kBarRoom, 0);
+    if (bar) text.adjust(0, 0, -kBarWidth - 10, 0);
   } else if (index.column() == PairTableModel::kOnContact && index.data(PairTableModel::kOwnRole).toBool()) {
     painter->setFont(textFont(TextRole::kSection));
   } else if (index.column() == PairTableModel::kCheck && !index.data(PairTableModel::kOneBodyRole).toBool()) {

@@ -11,7 +11,7 @@ class PairDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
   /// Pixels that the number of a distance needs, and its bar beside it; without room for the bar there is none.
-  static constexpr int kDistanceRoom = 94, kBarRoom = 74;
+  static constexpr int kDistanceRoom = 86, kBarRoom = 82;
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };

@@ -94,7 +94,7 @@ class ConfigurationPage : public QWidget {
     QVBoxLayout* section = addSection(*column, tr("Feel and files"));
     note_ = makeLive(2, TextRole::kSecond, true);
     note_->setText(tr("Changes on this page take effect at the next start."));
-    note_->setObjectName("labelConfiguration");
+    note_->setObjectName("labelSettingsNote");
     section->addWidget(note_);
     filter_ = new QLineEdit;
     filter_->setObjectName("fieldConfigurationFilter");

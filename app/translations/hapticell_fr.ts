@@ -3596,11 +3596,11 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Load, left hand</source>
-        <translation>Charge, main gauche</translation>
+        <translation>Charge à gauche</translation>
     </message>
     <message>
         <source>Load, right hand</source>
-        <translation>Charge, main droite</translation>
+        <translation>Charge à droite</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -5192,7 +5192,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Rapid changes</source>
-        <translation>Changements rapides</translation>
+        <translation>Gestes rapides</translation>
     </message>
     <message>
         <source>Rate and lateness of the force loop</source>
@@ -6012,7 +6012,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>Sudden loads</source>
-        <translation>Charges soudaines</translation>
+        <translation>À-coups</translation>
     </message>
     <message>
         <source>Surface</source>

@@ -90,7 +90,7 @@ TEST(FeelAndFiles, WhatIsChangedIsInTheUsersFileInItsOwnUnits) {
   EXPECT_NEAR(read->manipulation.near_miss, 0.025, 1e-12);
   EXPECT_FALSE(read->robot.self_collision);
   EXPECT_EQ(read->manipulation.on_contact, "stop");
-  EXPECT_TRUE(page.find<QLabel>("labelConfiguration")->text().contains("next start"));
+  EXPECT_TRUE(page.find<QLabel>("labelSettingsNote")->text().contains("next start"));
   QTest::keyClicks(page.find<QLineEdit>("fieldConfigurationFilter"), "foam");
   EXPECT_TRUE(near_miss->isHidden() || !near_miss->isVisible());
   EXPECT_TRUE(page.find<ValueField>("setting.materials.foam.friction")->isVisible());
