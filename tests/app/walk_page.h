@@ -39,7 +39,7 @@ class WalkPage : public ServerFirst, public CellPage {
            " typed texts";
   }
 
-  void clickAt(QWidget* widget, const QPoint& place, Qt::KeyboardModifiers held = Qt::NoModifier) {
+  void clickAt(QWidget* widget, const QPoint& place, Qt::MouseButton button = Qt::LeftButton) {
     ASSERT_NE(widget, nullptr);
     const QPoint global = widget->mapToGlobal(place);
     QWidget* under = QApplication::widgetAt(global);
@@ -47,7 +47,7 @@ class WalkPage : public ServerFirst, public CellPage {
         << nameOf(widget) << " is under " << nameOf(under) << " or out of sight";
     QCursor::setPos(global);
     QWindow* screen = under->window()->windowHandle();
-    QTest::mouseClick(screen, Qt::LeftButton, held, under->window()->mapFromGlobal(global));
+    QTest::mouseClick(screen, button, Qt::NoModifier, under->window()->mapFromGlobal(global));
     ++clicks_;
     settle();
   }
@@ -72,6 +72,14 @@ class WalkPage : public ServerFirst, public CellPage {
     ASSERT_TRUE(menu && action && action->isEnabled()) << menu_name << ' ' << action_name;
     clickAt(window().menuBar(), window().menuBar()->actionGeometry(menu->menuAction()).center());
     ASSERT_TRUE(until([menu] { return menu->isVisible(); }, kPatience)) << menu_name;
+    clickAt(menu, menu->actionGeometry(action).center());
+  }
+  void rightClickAt(QWidget* widget, const QPoint& place) { clickAt(widget, place, Qt::RightButton); }
+  /// An entry of the menu that a click has opened.
+  void chooseFromPopup(const char* action_name) {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    auto* action = window().findChild<QAction*>(action_name);
+    ASSERT_TRUE(menu && action && menu->actions().contains(action)) << action_name;
     clickAt(menu, menu->actionGeometry(action).center());
   }
   void clickTab(const char* dock) {
