@@ -46,6 +46,21 @@ TriangleMesh table(Sizes s) {
   return mesh;
 }
 
+/// An adjustable work bench: a top on two telescopes with feet; the lower tubes stay as they are whatever the height.
+TriangleMesh bench(Sizes s) {
+  constexpr double kTop = 0.03, kBeam = 0.03, kFoot = 0.04, kTube = 0.5, kOuter = 0.045, kInner = 0.035, kIn = 0.15;
+  TriangleMesh mesh;
+  const double x = 0.5 * s[0], y = 0.5 * s[1], under = s[2] - kTop - kBeam;
+  addBox(mesh, {-x, -y, s[2] - kTop}, {x, y, s[2]});
+  for (const double at : {-x + kIn, x - kIn}) {
+    addBox(mesh, {at - kInner, -y + 0.05, under}, {at + kInner, y - 0.05, s[2] - kTop});
+    addBox(mesh, {at - kInner, -kInner, kTube}, {at + kInner, kInner, under});
+    addBox(mesh, {at - kOuter, -kOuter, kFoot}, {at + kOuter, kOuter, kTube});
+    addBox(mesh, {at - kOuter, -y + 0.05, 0.0}, {at + kOuter, y - 0.05, kFoot});
+  }
+  return mesh;
+}
+
 /// Two sides, and boards at most 0.4 m apart.
 TriangleMesh shelf(Sizes s) {
   constexpr double kBoard = 0.02, kBetween = 0.4;
@@ -174,6 +189,7 @@ constexpr PartSize kRound[] = {{"radius", 0.1, kAny}, {"height", 0.3, kAny}};
 constexpr PartSize kSphere[] = {{"radius", 0.1, kAny}};
 constexpr PartSize kPipe[] = {{"outer radius", 0.1, kAny}, {"inner radius", 0.08, kAny}, {"height", 0.3, kAny}};
 constexpr PartSize kTable[] = {{"width", 1.2, 0.2}, {"depth", 0.8, 0.2}, {"height", 0.75, 0.1}};
+constexpr PartSize kBench[] = {{"width", 1.2, 0.5}, {"depth", 0.8, 0.3}, {"height", 0.95, 0.6}};
 constexpr PartSize kShelf[] = {{"width", 1.0, 0.2}, {"depth", 0.4, 0.1}, {"height", 1.8, 0.3}};
 constexpr PartSize kCabinet[] = {{"width", 0.8, 0.2}, {"depth", 0.4, 0.2}, {"height", 1.8, 0.2}};
 constexpr PartSize kStool[] = {{"height", 0.6, 0.2}};
@@ -197,6 +213,7 @@ const BuiltInPart kParts[] = {
     {"pipe", kPipe, Origin::kMiddle, kGrey,
      [](Sizes s) { return s[1] < s[0] ? geometry::makePipe(s[0], s[1], s[2]) : TriangleMesh{}; }},
     {"table", kTable, Origin::kFloor, kWood, table},
+    {"bench", kBench, Origin::kFloor, kWood, bench},
     {"shelf", kShelf, Origin::kFloor, kSteel, shelf},
     {"cabinet", kCabinet, Origin::kFloor, kGrey, cabinet},
     {"stool", kStool, Origin::kFloor, kDark, stool},
@@ -247,6 +264,23 @@ const BuiltInPart* findBuiltInPart(std::string_view scheme) {
   const auto found = std::find_if(std::begin(kParts), std::end(kParts),
                                   [&](const BuiltInPart& part) { return scheme == part.scheme; });
   return found == std::end(kParts) ? nullptr : found;
+}
+
+std::string partSource(const BuiltInPart& part, const std::vector<double>& sizes) {
+  std::string text = std::string(part.scheme) + ":";
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    char number[32];
+    std::snprintf(number, sizeof number, i == 0 ? "%.9g" : ",%.9g", sizes[i]);
+    text += number;
+  }
+  return text;
+}
+
+std::vector<double> partSizes(const SourceFile& source) {
+  const std::size_t colon = source.path.find(':');
+  const BuiltInPart* part = colon == std::string::npos ? nullptr : findBuiltInPart(source.path.substr(0, colon));
+  if (part == nullptr) return {};
+  return sizesOf(std::string_view(source.path).substr(colon + 1), *part, source.scale).value_or(std::vector<double>{});
 }
 
 Expected<Entity> makeBuiltInPart(const std::string& what, double scale) {

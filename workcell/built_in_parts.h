@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/error.h"
 #include "workcell/entity.h"
@@ -39,6 +40,12 @@ std::span<const BuiltInPart> builtInParts();
 
 /// The one of that scheme, or null.
 const BuiltInPart* findBuiltInPart(std::string_view scheme);
+
+/// "bench:1.2,0.8,0.95"; sizes in metres.
+std::string partSource(const BuiltInPart& part, const std::vector<double>& sizes);
+
+/// The sizes of the part that a source names, metres; empty where it names none.
+std::vector<double> partSizes(const SourceFile& source);
 
 /// The solid of a source such as "fence:2,1.8": named by its scheme, with shape, colour and source. `scale`: metres per
 /// unit of the sizes. An error where the sizes cannot be used; it says which are expected.

@@ -24,6 +24,7 @@ QString partName(const workcell::BuiltInPart& part) {
       {"cone", QT_TRANSLATE_NOOP("BuiltInPart", "Cone")},
       {"pipe", QT_TRANSLATE_NOOP("BuiltInPart", "Pipe")},
       {"table", QT_TRANSLATE_NOOP("BuiltInPart", "Table")},
+      {"bench", QT_TRANSLATE_NOOP("BuiltInPart", "Adjustable bench")},
       {"shelf", QT_TRANSLATE_NOOP("BuiltInPart", "Shelf")},
       {"cabinet", QT_TRANSLATE_NOOP("BuiltInPart", "Cabinet")},
       {"stool", QT_TRANSLATE_NOOP("BuiltInPart", "Stool")},

@@ -21,8 +21,26 @@
 #include "app/panels/form.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
+#include "workcell/built_in_parts.h"
+#include "workcell/part_resize.h"
 
 namespace hapticell::app {
+
+namespace {
+
+/// What sets an adjustable bench that stands upright higher by `rise`; nothing for other parts, and below its least.
+std::optional<std::vector<workcell::Command>> benchAt(const workcell::DocumentState& state,
+                                                      const workcell::Entity& entity, double rise) {
+  if (!entity.source.path.starts_with("bench:") || entity.X_WE.rotate({0.0, 0.0, 1.0}).z < 0.999) return std::nullopt;
+  std::vector<double> sizes = workcell::partSizes(entity.source);
+  if (sizes.empty()) return std::nullopt;
+  sizes.back() += rise;
+  auto commands = workcell::resizePart(state, entity.id, sizes);
+  if (!commands) return std::nullopt;
+  return std::move(*commands);
+}
+
+}  // namespace
 
 WorkplacePanel::WorkplacePanel(MannequinContext& context, const LiveScores& scores, QWidget* parent)
     : QWidget(parent), context_(context), scores_(scores) {
@@ -257,7 +275,13 @@ void WorkplacePanel::take() {
     const workcell::Entity* entity = document.find(id);
     if (!entity) continue;
     Pose there = entity->X_WE;
-    there.p += place.away * ahead_W_ + dvec3(0.0, 0.0, place.rise);
+    there.p += place.away * ahead_W_;
+    // An adjustable bench is set to another height; its feet stay on the floor.
+    if (const auto higher = benchAt(document.state(), *entity, place.rise)) {
+      commands.insert(commands.end(), higher->begin(), higher->end());
+    } else {
+      there.p.z += place.rise;
+    }
     commands.emplace_back(workcell::SetPlacement{id, there});
   }
   if (!commands.empty()) context_.host().documentModel().executeAll(tr("Move the workplace"), commands);

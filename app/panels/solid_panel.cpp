@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "app/edit/moved_entities.h"
+#include "app/edit/part_sizes.h"
 #include "app/host/document_model.h"
 #include "app/host/hold_choice.h"
 #include "app/host/host.h"
@@ -67,6 +68,8 @@ SolidPanel::SolidPanel(Host& host, QWidget* parent) : QWidget(parent), host_(hos
   inside->setSpacing(0);
   addTurn(*inside);
   addPlace(*inside);
+  sizes_ = new PartSizes(host_);
+  inside->addWidget(sizes_);
   addFeel(*inside);
   addFlags(*inside);
   column->addWidget(content_);
@@ -208,6 +211,7 @@ void SolidPanel::rebuild() {
     title_->setText(QString::fromStdString(now->name));
     showTurn(*now);
     showFeel(*now);
+    sizes_->showPart(*now);
   }
   showNow();
 }

@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace hapticell::app {
 
 class Host;
+class PartSizes;
 class Segmented;
 class SwatchRow;
 class ValueField;
@@ -57,6 +58,7 @@ class SolidPanel : public QWidget {
   ValueField* mass_;
   QCheckBox *visible_, *checked_, *locked_;
   SwatchRow* color_;
+  PartSizes* sizes_;
 };
 
 }  // namespace hapticell::app

@@ -1131,6 +1131,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Adresse du serveur haptique</translation>
     </message>
     <message>
+        <source>Adjustable bench</source>
+        <translation>Établi réglable</translation>
+    </message>
+    <message>
         <source>Again and again</source>
         <translation>En boucle</translation>
     </message>
@@ -6553,6 +6557,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The simulated stylus needs none.</source>
         <translation>Le stylet simulé n'en a pas besoin.</translation>
+    </message>
+    <message>
+        <source>The size was not changed</source>
+        <translation>La dimension n'a pas été changée</translation>
     </message>
     <message>
         <source>The stylus button must stay pressed to move</source>

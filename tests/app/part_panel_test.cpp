@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QListWidget>
 
 #include "app/panels/pose_text.h"
@@ -49,6 +50,21 @@ TEST(InsertPart, ATableStandsOnTheFloorAsLargeAsTypedAndIsOneStep) {
   page.trigger("actionUndo");
   page.trigger("actionUndo");
   EXPECT_EQ(page.entities(), 0u);
+}
+
+TEST(InsertPart, ABenchIsSetToAnotherHeightAfterwardsInOneStep) {
+  PartPage page;
+  page.choose("Adjustable bench");
+  ASSERT_TRUE(page.insert());
+  auto* solid = page.window().findChild<QDockWidget*>("dockSolid");
+  solid->show();
+  solid->raise();
+  page.settle();
+  ASSERT_TRUE(page.typeForStep("fieldPartSize3", "1050"));
+  EXPECT_EQ(page.selected()->source.path, "bench:1.2,0.8,1.05");
+  EXPECT_NEAR(page.selected()->mesh->bounds().max.z, 1.05, 1e-9);
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.selected()->source.path, "bench:1.2,0.8,0.95");
 }
 
 TEST(InsertPart, SizesThatDoNotGoAreSaidAndNothingIsInserted) {

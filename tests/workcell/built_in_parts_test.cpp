@@ -6,7 +6,9 @@
 
 #include "geometry/mass_properties.h"
 #include "geometry/topology.h"
+#include "workcell/document.h"
 #include "workcell/entity_source.h"
+#include "workcell/part_resize.h"
 
 namespace hapticell::workcell {
 namespace {
@@ -55,6 +57,38 @@ TEST(BuiltInParts, AreAsLargeAsTheirSizesSay) {
   EXPECT_NEAR(made("table:1400,700,800", 0.001).mesh->bounds().max.x, 0.7, 1e-12) << "in millimetres";
   // The volume by hand: a top of 30 mm and four legs of 60 x 60 mm.
   EXPECT_NEAR(geometry::massProperties(*made("table:1,1,1").mesh).volume, 0.03 + 4 * 0.06 * 0.06 * 0.97, 1e-9);
+}
+
+TEST(BuiltInParts, TheBenchIsAdjustableAndItsSizesComeBackFromItsSource) {
+  const Entity bench = made("bench:1400,700,1050", 0.001);
+  const geometry::Bounds bounds = bench.mesh->bounds();
+  EXPECT_LT(glm::length(bounds.max - bounds.min - dvec3(1.4, 0.7, 1.05)), 1e-9);
+  EXPECT_EQ(partSizes(bench.source), (std::vector<double>{1.4, 0.7, 1.05}));
+  EXPECT_EQ(partSizes(made("stool:").source), std::vector<double>{0.6});
+  EXPECT_TRUE(partSizes({"table.stl", 1.0}).empty());
+  EXPECT_EQ(partSource(*findBuiltInPart("bench"), {1.4, 0.7, 1.05}), "bench:1.4,0.7,1.05");
+}
+
+TEST(BuiltInParts, AResizedBenchLiftsWhatIsAttachedToIt) {
+  Document document;
+  Entity bench = made("bench:1.2,0.8,0.9"), vise = made("box:0.1,0.1,0.1"), free = made("box:0.1,0.1,0.1");
+  bench.name = "Bench", vise.name = "Vise", free.name = "Free";
+  vise.X_WE.p = free.X_WE.p = {0.2, 0.0, 0.95};
+  const auto id = document.execute(AddEntity{bench});
+  const auto vise_id = document.execute(AddEntity{vise}), free_id = document.execute(AddEntity{free});
+  ASSERT_TRUE(id && vise_id && free_id);
+  ASSERT_TRUE(document.execute(Attach{*vise_id, *id, {}}));
+  const auto commands = resizePart(document.state(), *id, {1.2, 0.8, 1.05});
+  ASSERT_TRUE(commands) << commands.error().message();
+  for (const Command& command : *commands) ASSERT_TRUE(document.execute(command));
+  EXPECT_NEAR(document.find(*id)->mesh->bounds().max.z, 1.05, 1e-12);
+  EXPECT_EQ(document.find(*id)->source.path, "bench:1.2,0.8,1.05");
+  EXPECT_NEAR(document.find(*vise_id)->X_WE.p.z, 1.10, 1e-12);
+  EXPECT_NEAR(document.find(*free_id)->X_WE.p.z, 0.95, 1e-12);
+  const auto low = resizePart(document.state(), *id, {1.2, 0.8, 0.2});
+  ASSERT_FALSE(low);
+  EXPECT_THAT(low.error().message(), HasSubstr("height (0.6 m or more)"));
+  EXPECT_FALSE(resizePart(document.state(), 99, {1.0}));
 }
 
 TEST(BuiltInParts, ThePalletIsAsHeavyAsTheOneItIsDrawnAfter) {
