@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 using trajectory::Trajectory;
 
 struct TrainingOptions {
-  std::string file, output, run, hand, trainee, results, csv, date = "1970-01-01T00:00:00Z", folder;
+  std::string file, output, run, hand, trainee, results, csv, date = "1970-01-01T00:00:00Z", folder, kind = "practice";
   double help = -1.0, scale = 1.0;
   std::size_t samples = 2000;
 };
@@ -127,13 +127,22 @@ Expected<ordered_json> train(const TrainingOptions& options) {
     if (!kept) return tl::unexpected(kept.error());
     book = std::move(*kept);
   }
-  const double help = options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
+  const auto kind = trajectory::parseRunKind(options.kind);
+  if (!kind) return makeError({"", "--kind", options.kind, "practice, retention or transfer", ""});
+  const bool led = *kind == trajectory::RunKind::kPractice;
+  const bool practised = book.count(trajectory::RunKind::kPractice) > 0;
+  if (!led && practised != (*kind == trajectory::RunKind::kRetention))
+    return makeError(
+        {options.results, "--kind", options.kind,
+         practised ? "retention: this exercise was practised" : "transfer: this exercise was not practised", ""});
+  const double help = !led ? 0.0 : options.help >= 0.0 ? std::min(1.0, options.help) : book.nextHelp();
   const manipulation::TrainingRun scorer(*exercise, *expert, help);
   auto session = sessionOf(options, *exercise, std::move(*expert), help);
   if (!session) return tl::unexpected(session.error());
   const auto report = manipulation::runSession(*session);
   if (!report) return tl::unexpected(report.error());
   book.attempts.push_back(scorer.finish(report->recording, options.date));
+  book.attempts.back().kind = *kind;
   if (!options.results.empty())
     if (auto written = writeFileAtomically(options.results, toJsonText(book)); !written)
       return tl::unexpected(written.error());
@@ -142,13 +151,10 @@ Expected<ordered_json> train(const TrainingOptions& options) {
       return tl::unexpected(written.error());
   if (auto saved = saveTrajectory(report->recording, options.output); !saved) return tl::unexpected(saved.error());
   const auto& attempt = book.attempts.back();
-  return ordered_json{{"exercise", exercise->name},
-                      {"attempt", book.attempts.size()},
-                      {"help", help},
-                      {"success", attempt.success},
-                      {"score", toJson(attempt.score)},
-                      {"next_help", book.nextHelp()},
-                      {"penetration", report->penetration_max_m},
+  return ordered_json{{"exercise", exercise->name},      {"attempt", book.attempts.size()},
+                      {"kind", wordOf(*kind)},           {"help", help},
+                      {"success", attempt.success},      {"score", toJson(attempt.score)},
+                      {"next_help", book.nextHelp()},    {"penetration", report->penetration_max_m},
                       {"force_max", report->force_max_n}};
 }
 
@@ -186,6 +192,7 @@ void addTrajectoryTraining(Subcommand command, Action& chosen) {
   sub.option("file", options->file, "The exercise (.hexercise)").required();
   sub.option("--hand", options->hand, "The trainee's hand (CSV)").required();
   sub.option("--help-share", options->help, "0 to 1 (what the results ask for)");
+  sub.option("--kind", options->kind, "practice (led), or without guidance: retention, transfer");
   sub.option("--scale", options->scale, "Metres of the cell a metre of hand (1)");
   sub.option("--trainee", options->trainee, "Name, for new results");
   sub.option("--results", options->results, "The trainee's file (.htrain), read and written");

@@ -73,13 +73,23 @@ Expected<Exercise> readExercise(const fs::path& file) {
   return exercise;
 }
 
+namespace {
+
+/// Relative where there is such a way.
+std::string placeFrom(const fs::path& folder, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(folder);
+  return (relative.empty() ? file : relative).generic_string();
+}
+
+}  // namespace
+
 std::string exerciseText(const Exercise& exercise, const fs::path& folder) {
   nlohmann::ordered_json document{{"format", kFormat},
                                   {"version", kVersion},
                                   {"name", exercise.name},
                                   {"text", exercise.text},
-                                  {"workcell", exercise.workcell.lexically_relative(folder).generic_string()},
-                                  {"recording", exercise.recording.lexically_relative(folder).generic_string()}};
+                                  {"workcell", placeFrom(folder, exercise.workcell)},
+                                  {"recording", placeFrom(folder, exercise.recording)}};
   Exercise copy = exercise;
   for (const NumberField& number : numbersOf(copy)) document[number.name] = *number.value;
   return document.dump(2) + "\n";

@@ -2,9 +2,13 @@
 #include "trajectory/training.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "trajectory/path_progress.h"
 #include "trajectory/smoothing.h"
@@ -117,10 +121,50 @@ Expected<TrainingAttempt> attemptOf(const json& entry, std::size_t index) {
   });
   if (!missing.empty()) return wrong(missing);
   if (!(attempt.help >= 0.0 && attempt.help <= 1.0)) return wrong("help");
+  // Files of before there were kinds: all runs were practice.
+  if (const auto kind = entry.find("kind"); kind != entry.end()) {
+    const auto known = kind->is_string() ? parseRunKind(kind->get<std::string>()) : std::nullopt;
+    if (!known) return wrong("kind");
+    attempt.kind = *known;
+  }
+  if (const auto file = entry.find("recording"); file != entry.end()) {
+    if (!file->is_string()) return wrong("recording");
+    attempt.recording = file->get<std::string>();
+  }
   return attempt;
 }
 
+constexpr std::array<std::pair<RunKind, const char*>, 3> kKinds{
+    {{RunKind::kPractice, "practice"}, {RunKind::kRetention, "retention"}, {RunKind::kTransfer, "transfer"}}};
+
+/// Seconds since 1970 of "2026-01-31T12:00:00+01:00"; the zone may be Z or none.
+std::optional<double> secondsOf(const std::string& date) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, read = 0;
+  if (std::sscanf(date.c_str(), "%d-%d-%dT%d:%d:%d%n", &year, &month, &day, &hour, &minute, &second, &read) < 6)
+    return std::nullopt;
+  const std::chrono::year_month_day whole{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+                                          std::chrono::day(static_cast<unsigned>(day))};
+  if (!whole.ok()) return std::nullopt;
+  const auto days = std::chrono::sys_days(whole).time_since_epoch().count();
+  double seconds = 86400.0 * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second;
+  char sign = 0;
+  int hours = 0, minutes = 0;
+  if (std::sscanf(date.c_str() + read, "%c%d:%d", &sign, &hours, &minutes) == 3 && (sign == '+' || sign == '-'))
+    seconds -= (sign == '+' ? 1.0 : -1.0) * (3600.0 * hours + 60.0 * minutes);
+  return seconds;
+}
+
 }  // namespace
+
+const char* wordOf(RunKind kind) {
+  return kKinds[static_cast<std::size_t>(kind)].second;
+}
+
+std::optional<RunKind> parseRunKind(const std::string& word) {
+  for (const auto& [kind, name] : kKinds)
+    if (word == name) return kind;
+  return std::nullopt;
+}
 
 TrainingScore scoreRun(const Trajectory& expert, const Trajectory& run, const ScoringRule& rule) {
   TrainingScore score, best;
@@ -161,10 +205,29 @@ double nextHelp(double help, bool success, bool failed_before) {
 }
 
 double TrainingSession::nextHelp() const {
-  if (attempts.empty()) return 1.0;
-  const bool failed_before = attempts.size() > 1 && !attempts[attempts.size() - 2].success;
-  const double help = trajectory::nextHelp(attempts.back().help, attempts.back().success, failed_before);
+  const TrainingAttempt *last = nullptr, *before = nullptr;
+  for (const TrainingAttempt& attempt : attempts)
+    if (attempt.kind == RunKind::kPractice) before = std::exchange(last, &attempt);
+  if (!last) return 1.0;
+  const double help = trajectory::nextHelp(last->help, last->success, before && !before->success);
   return std::round(help * 100.0) / 100.0;
+}
+
+std::size_t TrainingSession::count(RunKind kind) const {
+  return static_cast<std::size_t>(
+      std::count_if(attempts.begin(), attempts.end(), [kind](const auto& attempt) { return attempt.kind == kind; }));
+}
+
+std::optional<double> TrainingSession::restBefore(const std::string& date) const {
+  const auto then = secondsOf(date);
+  std::optional<double> rest;
+  for (const TrainingAttempt& attempt : attempts) {
+    if (attempt.kind != RunKind::kPractice) continue;
+    const auto practised = secondsOf(attempt.date);
+    if (!then || !practised || *practised > *then) continue;
+    rest = std::min(rest.value_or(*then - *practised), *then - *practised);
+  }
+  return rest;
 }
 
 Expected<TrainingSession> readTraining(const std::filesystem::path& file) {
@@ -208,9 +271,11 @@ std::string toJsonText(const TrainingSession& session) {
                                   {"exercise", session.exercise}};
   document["attempts"] = nlohmann::ordered_json::array();
   for (const TrainingAttempt& attempt : session.attempts) {
-    nlohmann::ordered_json entry{{"date", attempt.date}, {"help", attempt.help}, {"success", attempt.success}};
+    nlohmann::ordered_json entry{
+        {"kind", wordOf(attempt.kind)}, {"date", attempt.date}, {"help", attempt.help}, {"success", attempt.success}};
     visitNumbers(attempt.score, [&](const char* name, const char*, const double& value) { entry[name] = value; });
     entry["contacts"] = attempt.score.contacts;
+    if (!attempt.recording.empty()) entry["recording"] = attempt.recording;
     document["attempts"].push_back(std::move(entry));
   }
   return document.dump(1) + "\n";
@@ -222,14 +287,17 @@ std::string toCsvText(const TrainingSession& session) {
   visitNumbers(none, [&](const char* name, const char* unit, const double&) {
     text += std::string(",") + name + (*unit ? std::string("_") + unit : std::string());
   });
-  text += ",contacts\n";
+  text += ",contacts,kind,rest_s\n";
   for (std::size_t i = 0; i < session.attempts.size(); ++i) {
     const TrainingAttempt& attempt = session.attempts[i];
     text +=
         std::to_string(i + 1) + "," + attempt.date + "," + shortestText(attempt.help) + (attempt.success ? ",1" : ",0");
     visitNumbers(attempt.score,
                  [&](const char*, const char*, const double& value) { text += "," + shortestText(value); });
-    text += "," + std::to_string(attempt.score.contacts) + "\n";
+    text += "," + std::to_string(attempt.score.contacts) + "," + wordOf(attempt.kind) + ",";
+    if (const auto rest = attempt.kind == RunKind::kPractice ? std::nullopt : session.restBefore(attempt.date))
+      text += shortestText(*rest);
+    text += "\n";
   }
   return text;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,26 +47,43 @@ TrainingScore scoreRun(const Trajectory& expert, const Trajectory& run, const Sc
 /// more after two failures in a row, else the same.
 double nextHelp(double help, bool success, bool failed_before);
 
+/// What a run is to show. Only practice is led; points of led runs are no proof that something was learned.
+enum class RunKind {
+  kPractice,   ///< With as much help as the runs before it ask for.
+  kRetention,  ///< Without guidance, some time after the practice.
+  kTransfer    ///< Without guidance, at an exercise that was not practised.
+};
+/// "practice", "retention", "transfer": as the files have it.
+const char* wordOf(RunKind kind);
+/// The other way round; nothing: no such kind.
+std::optional<RunKind> parseRunKind(const std::string& word);
+
 /// One run of a trainee.
 struct TrainingAttempt {
   std::string date;  ///< ISO 8601, local time with zone as the caller gave it.
   double help = 1.0;
   bool success = false;
   TrainingScore score;
+  RunKind kind = RunKind::kPractice;
+  std::string recording = {};  ///< File of the run, relative to that of the results; empty: not kept.
 };
 
 /// All runs of one trainee at one exercise: a file of its own (*.htrain, JSON).
 struct TrainingSession {
   std::string trainee, exercise;
   std::vector<TrainingAttempt> attempts;
-  /// What the next run begins with: 1 for the first.
+  /// What the next practice begins with: 1 for the first. Runs without guidance change nothing of it.
   double nextHelp() const;
+  std::size_t count(RunKind kind) const;
+  /// Seconds from the newest practice before this date (ISO 8601) to it; nothing: none before it, or no date that can
+  /// be read. Dates without a zone are compared as they stand.
+  std::optional<double> restBefore(const std::string& date) const;
 };
 
 /// Errors name file and attempt; a newer version is refused.
 Expected<TrainingSession> readTraining(const std::filesystem::path& file);
 std::string toJsonText(const TrainingSession& session);
-/// One line an attempt, header with units.
+/// One line an attempt, header with units; kind and rest_s (s since the practice before it) come last.
 std::string toCsvText(const TrainingSession& session);
 
 }  // namespace hapticell::trajectory

@@ -4,11 +4,20 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <numeric>
 
 #include "app/style/fonts.h"
 #include "app/style/theme.h"
 
 namespace hapticell::app {
+
+std::vector<std::size_t> shownOrder(const std::vector<trajectory::TrainingAttempt>& attempts) {
+  std::vector<std::size_t> order(attempts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return attempts[a].kind < attempts[b].kind; });
+  return order;
+}
 
 ProgressPlot::ProgressPlot(QWidget* parent) : QWidget(parent) {
   setObjectName("progressPlot");
@@ -50,21 +59,29 @@ void ProgressPlot::paint(QPainter& painter, const QRect& rect, const std::vector
     return;
   }
   // The newest forty.
-  const std::size_t first = attempts.size() > 40 ? attempts.size() - 40 : 0;
-  const double width = std::min(26.0, static_cast<double>(plot.width()) / static_cast<double>(attempts.size() - first));
+  std::vector<std::size_t> order = shownOrder(attempts);
+  const std::size_t oldest = attempts.size() > 40 ? attempts.size() - 40 : 0;
+  std::erase_if(order, [oldest](std::size_t i) { return i < oldest; });
+  const double places = static_cast<double>(order.size()) + 1.0;  // One to stand apart.
+  const double width = std::min(26.0, static_cast<double>(plot.width()) / places);
   QPainterPath help;
-  for (std::size_t i = first; i < attempts.size(); ++i) {
-    const double left = plot.left() + width * static_cast<double>(i - first);
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::size_t i = order[place];
+    const bool led = attempts[i].kind == trajectory::RunKind::kPractice;
+    const QColor colour = led ? theme.selection : theme.force;
+    const double left = plot.left() + width * (static_cast<double>(place) + (led || place == 0 ? 0.0 : 1.0));
     const double top = y(std::clamp(0.01 * attempts[i].score.points, 0.0, 1.0));
     const QRectF bar(left + 2, top, std::max(1.0, width - 4), plot.bottom() - top + 1);
-    painter.fillRect(bar, attempts[i].success ? QBrush(theme.selection) : QBrush(theme.selection, Qt::BDiagPattern));
-    painter.setPen(theme.selection);
+    painter.fillRect(bar, attempts[i].success ? QBrush(colour) : QBrush(colour, Qt::BDiagPattern));
+    painter.setPen(colour);
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(bar);
-    const double h = y(attempts[i].help);
-    i == first ? help.moveTo(left, h) : help.lineTo(left, h);
-    help.lineTo(left + width, h);
-    if (width >= 16 || (i - first) % 5 == 0) {
+    if (led) {
+      const double h = y(attempts[i].help);
+      place == 0 ? help.moveTo(left, h) : help.lineTo(left, h);
+      help.lineTo(left + width, h);
+    }
+    if (width >= 16 || place % 5 == 0) {
       painter.setPen(theme.text2);
       painter.drawText(QRectF(left - 10, plot.bottom() + 2, width + 20, 16), Qt::AlignCenter, QString::number(i + 1));
     }

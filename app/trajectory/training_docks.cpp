@@ -66,8 +66,7 @@ void TrainingDocks::open() {
 void TrainingDocks::openCell(const QString& path) {
   if (QString::fromStdString(host_.documentModel().origin().string()) == path) return panel_->cellCame();
   if (host_.documentModel().isDirty()) {
-    panel_->cellCame();
-    emit panel_->told(tr("Save this cell first; then choose the exercise again."), true);
+    panel_->cellCame(tr("Save this cell first; then choose the exercise again."));
     return;
   }
   auto* window = qobject_cast<MainWindow*>(&host_.window());
@@ -96,7 +95,7 @@ void TrainingDocks::follow() {
   const workcell::Entity* entity = scene.find(expert_->entity());
   if (!entity) return;
   panel_->follow(expert_->movedFrame({scene.placement_W(*entity), scene.joints(*entity)}));
-  if (!panel_->isRunning()) return;
+  if (!panel_->isLed()) return;
   const auto at = expert_->at(expert_->motion()[0].t + panel_->expertTime() + kAhead);
   host_.viewport().scene().setGhosts(
       "expert", entityGhosts(host_.documentModel().document().state(), expert_->entity(), at.X_WE, at.joints));

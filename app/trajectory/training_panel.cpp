@@ -21,11 +21,13 @@
 #include "app/style/theme.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
+#include "app/trajectory/exercise_files.h"
 #include "app/trajectory/motion_list.h"
 #include "app/trajectory/progress_plot.h"
+#include "app/trajectory/training_play.h"
 #include "app/trajectory/training_report.h"
+#include "app/trajectory/training_words.h"
 #include "app/viewport/viewport_widget.h"
-#include "config/configuration.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
@@ -43,7 +45,11 @@ QLabel* said(const char* name, int lines, TextRole role, bool quiet) {
 }  // namespace
 
 TrainingPanel::TrainingPanel(Host& host, MotionList& list, QWidget* parent)
-    : QWidget(parent), host_(host), list_(list) {
+    : QWidget(parent),
+      host_(host),
+      list_(list),
+      own_folder_(ownExercisesFolder()),
+      play_(new TrainingPlay(host, this)) {
   setMinimumWidth(320);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -54,6 +60,7 @@ TrainingPanel::TrainingPanel(Host& host, MotionList& list, QWidget* parent)
   addResults(*column);
   column->addStretch(1);
   connect(&list_, &MotionList::currentChanged, this, &TrainingPanel::show);
+  connect(play_, &TrainingPlay::ended, this, &TrainingPanel::show);
   connect(&host_.documentModel(), &DocumentModel::trialEnded, this, &TrainingPanel::giveUp);
   show();
 }
@@ -64,15 +71,23 @@ void TrainingPanel::addExercise(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Exercise"));
   exercises_ = new QComboBox;
   exercises_->setObjectName("comboExercise");
-  exercises_->addItem(tr("Choose an exercise"), QString());
-  if (const auto folder = config::findShippedFile("exercises"))
-    for (const auto& file : manipulation::exercisesIn(*folder))
-      if (const auto exercise = manipulation::readExercise(file))
-        exercises_->addItem(QString::fromStdString(exercise->name), QString::fromStdString(file.string()));
-  exercises_->addItem(tr("From a file…"), QStringLiteral("?"));
+  fillExercises();
   addRow(*section, tr("Exercise"), exercises_);
   text_ = said("labelExercise", 4, TextRole::kText, false);
   section->addWidget(text_);
+  show_me_ = new QPushButton(tr("Show me"));
+  show_me_->setObjectName("buttonShowMe");
+  show_me_->setToolTip(tr("The part goes the expert's way; the cell stays as it is"));
+  new_ = new QPushButton(tr("New…"));
+  new_->setObjectName("buttonNewExercise");
+  new_->setToolTip(tr("An exercise of this cell and an expert's motion in it"));
+  edit_ = new QPushButton(tr("Edit…"));
+  edit_->setObjectName("buttonEditExercise");
+  edit_->setToolTip(tr("Name, task, guidance; of a shipped exercise a copy"));
+  section->addWidget(sideBySide({show_me_, new_, edit_}));
+  connect(show_me_, &QPushButton::clicked, this, [this] { play_->isPlaying() ? play_->stop() : play({}); });
+  connect(new_, &QPushButton::clicked, this, [this] { editExercise(true); });
+  connect(edit_, &QPushButton::clicked, this, [this] { editExercise(false); });
   use_ = new QPushButton(tr("Teach the current motion"));
   use_->setObjectName("buttonTeachMotion");
   use_->setToolTip(tr("The chosen motion becomes the expert's, in the cell as it is"));
@@ -95,9 +110,6 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
   help_->setObjectName("fieldHelp");
   help_->setValue(100);
   addRow(*section, tr("Help"), help_);
-  help_label_ = said("labelHelp", 2, TextRole::kSecond, true);
-  help_label_->setText(tr("Help fades by a fifth with each success, to nothing; after two failures it grows again."));
-  section->addWidget(help_label_);
   connect(trainee_, &QLineEdit::editingFinished, this, &TrainingPanel::loadResults);
   connect(radius_, &ValueField::edited, this, [this](double mm) {
     if (exercise_) exercise_->tube_radius = 1e-3 * mm;
@@ -106,7 +118,16 @@ void TrainingPanel::addTrainee(QVBoxLayout& column) {
 
 void TrainingPanel::addRun(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Run"));
-  state_ = said("labelRun", 1, TextRole::kPanelState, false);
+  kind_ = new QComboBox;
+  kind_->setObjectName("comboRunKind");
+  for (const auto each :
+       {trajectory::RunKind::kPractice, trajectory::RunKind::kRetention, trajectory::RunKind::kTransfer})
+    kind_->addItem(runKindName(each));
+  addRow(*section, tr("Kind"), kind_);
+  help_label_ = said("labelHelp", 2, TextRole::kSecond, true);
+  section->addWidget(help_label_);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &TrainingPanel::show);
+  state_ = said("labelRun", 2, TextRole::kPanelState, false);
   section->addWidget(state_);
   way_ = new QProgressBar;
   way_->setObjectName("progressWay");
@@ -139,58 +160,26 @@ void TrainingPanel::addResults(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, tr("Results"));
   score_ = said("labelScore", 4, TextRole::kSecond, false);
   section->addWidget(score_);
+  unaided_ = said("labelUnaided", 2, TextRole::kSecond, false);
+  section->addWidget(unaided_);
   plot_ = new ProgressPlot;
   section->addWidget(plot_);
   auto* legend = said("labelLegend", 2, TextRole::kSecond, true);
-  legend->setText(tr("Bars: points of each run, hatched where it was not passed. Line: help."));
+  legend->setText(tr("Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help."));
   section->addWidget(legend);
+  runs_ = new QComboBox;
+  runs_->setObjectName("comboRuns");
+  addRow(*section, tr("Run"), runs_);
+  replay_ = new QPushButton(tr("Replay beside the expert"));
+  replay_->setObjectName("buttonReplayRun");
+  replay_->setToolTip(tr("The part goes the way of the run, a ghost the expert's, both at once"));
+  section->addWidget(replay_);
+  connect(replay_, &QPushButton::clicked, this, &TrainingPanel::replayRun);
+  connect(runs_, &QComboBox::currentIndexChanged, this, &TrainingPanel::show);
   export_ = new QPushButton(tr("Export results…"));
   export_->setObjectName("buttonExportResults");
   section->addWidget(export_);
   connect(export_, &QPushButton::clicked, this, &TrainingPanel::exportResults);
-}
-
-void TrainingPanel::chooseExercise(int index) {
-  QString path = exercises_->itemData(index).toString();
-  if (path == QStringLiteral("?"))
-    path = askToOpen(&host_.window(), tr("Open an exercise"), {}, tr("Exercises (*.hexercise)"));
-  if (!path.isEmpty()) openExercise(path);
-}
-
-bool TrainingPanel::openExercise(const QString& path) {
-  const auto exercise = manipulation::readExercise(path.toStdString());
-  auto expert = exercise ? trajectory::readTrajectory(exercise->recording)
-                         : Expected<trajectory::Trajectory>(makeError(exercise.error()));
-  if (!expert || expert->empty()) {
-    const QString why =
-        expert ? tr("The expert's recording has no frames.") : QString::fromStdString(expert.error().message());
-    host_.messages().tell(Severity::kWarning, tr("The exercise cannot be opened"), why);
-    emit told(why, true);
-    return false;
-  }
-  setExercise(*exercise, std::move(*expert));
-  cell_wanted_ = true;
-  emit cellWanted(QString::fromStdString(exercise->workcell.string()));
-  return true;
-}
-
-void TrainingPanel::useCurrentMotion() {
-  const Motion* motion = list_.current();
-  if (!motion || !motion->trajectory || motion->trajectory->size() < 2) return;
-  manipulation::Exercise exercise;
-  exercise.name = motion->name;
-  exercise.text = tr("Follow %1.").arg(QString::fromStdString(motion->name)).toStdString();
-  exercise.workcell = host_.documentModel().origin();
-  exercise.recording = motion->path;
-  setExercise(exercise, *motion->trajectory);
-}
-
-void TrainingPanel::setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert) {
-  cancel();
-  exercise_ = exercise;
-  expert_ = std::move(expert);
-  radius_->setValue(1e3 * exercise.tube_radius);
-  loadResults();
 }
 
 QString TrainingPanel::resultsFile() const {
@@ -217,9 +206,10 @@ void TrainingPanel::loadResults() {
     if (kept)
       session_ = std::move(*kept);
     else
-      emit told(QString::fromStdString(kept.error().message()), true);
+      say(QString::fromStdString(kept.error().message()), true);
   }
   help_->setValue(100.0 * session_.nextHelp());
+  fillRuns();
   show();
 }
 
@@ -237,28 +227,38 @@ void TrainingPanel::exportResults() {
       askToSave(&host_.window(), tr("Export results"), tr("results.pdf"), tr("PDF (*.pdf);;Table (*.csv)"));
   if (path.isEmpty()) return;
   const auto written = writeTrainingReport(path, session_, exercise_ ? exercise_->pass : 60.0);
-  emit told(
-      written ? tr("Written: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
+  say(written ? tr("Written: %1").arg(QFileInfo(path).fileName()) : QString::fromStdString(written.error().message()),
       !written);
 }
 
 void TrainingPanel::show() {
   const Motion* motion = list_.current();
   use_->setEnabled(!run_ && motion && motion->trajectory && motion->trajectory->size() > 1);
+  show_me_->setEnabled(exercise_ && !run_);
+  const bool replays = play_->isPlaying();
+  show_me_->setText(replays ? tr("Stop") : tr("Show me"));
+  new_->setEnabled(!run_);
+  edit_->setEnabled(exercise_ && !run_);
   text_->setText(exercise_
                      ? QString::fromStdString(exercise_->text)
                      : tr("An expert's recording leads the stylus along its way; the guide waits for the trainee."));
   showForces();
-  for (QWidget* widget : std::initializer_list<QWidget*>{exercises_, trainee_, radius_, help_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{exercises_, trainee_, radius_, kind_})
     widget->setEnabled(!run_);
+  help_->setEnabled(!run_ && kind() == trajectory::RunKind::kPractice);
+  showKind();
   way_->setValue(run_ ? static_cast<int>(100.0 * run_->share()) : 0);
   const auto& snapshot = host_.snapshot();
   if (run_)
     state_->setText(snapshot && snapshot->held == 0 ? tr("Take the part with the stylus")
                                                     : tr("%1 % of the way").arg(100.0 * run_->share(), 0, 'f', 0));
   else
-    state_->setText(exercise_ ? tr("Ready") : tr("No exercise"));
+    state_->setText(!note_.isEmpty() ? note_ : exercise_ ? tr("Ready") : tr("No exercise"));
   export_->setEnabled(!session_.attempts.empty());
+  unaided_->setText(unaidedText(session_));
+  const int chosen = runs_->currentData().toInt();
+  replay_->setEnabled(!run_ && exercise_ && runs_->count() > 0 &&
+                      !session_.attempts[std::size_t(chosen)].recording.empty());
   plot_->setAttempts(session_.attempts, exercise_ ? exercise_->pass : 60.0);
   if (session_.attempts.empty()) {
     score_->setText(tr("No run yet"));

@@ -21,10 +21,12 @@ namespace hapticell::app {
 class Host;
 class MotionList;
 class ProgressPlot;
+class TrainingPlay;
 class ValueField;
 
-/// The dock *Training*: exercises (shipped ones, or the current motion as one), runs in which the expert's recording
-/// leads the stylus and waits, the score of each, and the trainee's progress, kept in a file. GUI thread.
+/// The dock *Training*: exercises (shipped ones, own ones, or the current motion as one), the expert's motion shown,
+/// runs in which it leads the stylus and waits, runs without guidance apart from them, the score of each, each beside
+/// the expert's, and the trainee's progress, kept in a file. GUI thread.
 class TrainingPanel : public QWidget {
   Q_OBJECT
  public:
@@ -42,14 +44,18 @@ class TrainingPanel : public QWidget {
   bool takeRecorded(const std::vector<trajectory::Trajectory>& recorded);
   /// The trainee's file; empty: results are kept by exercise and name among the user's data.
   void setResults(const QString& path);
+  /// Where exercises that are made here are kept; they stand in the list behind the shipped ones.
+  void setExercises(const QString& folder);
   const trajectory::TrainingSession& session() const { return session_; }
   bool isRunning() const { return run_ != nullptr; }
+  /// The run that goes on is led: its guide, its path and the expert's ghost are shown.
+  bool isLed() const { return run_ && kind() == trajectory::RunKind::kPractice; }
   /// s of the expert's motion where the trainee is; 0 while no run goes on.
   double expertTime() const { return run_ ? run_->expertTime() : 0.0; }
   /// Where the moved frame of the exercise's entity is; called at each of the window's steps while a run goes on.
   void follow(const Pose& X_WM);
-  /// The cell that cellWanted() asked for is there, or will not be.
-  void cellCame() { cell_wanted_ = false; }
+  /// The cell that cellWanted() asked for is there; or will not be, and why.
+  void cellCame(const QString& problem = {});
 
  signals:
   void cellWanted(const QString& path);  ///< The exercise's workcell is to be opened.
@@ -64,11 +70,21 @@ class TrainingPanel : public QWidget {
   void addTrainee(QVBoxLayout& column);
   void addRun(QVBoxLayout& column);
   void addResults(QVBoxLayout& column);
+  void fillExercises();
   void chooseExercise(int index);
+  void editExercise(bool fresh);
+  trajectory::RunKind kind() const;
+  bool mayStart();
+  void play(const trajectory::Trajectory& run);
+  void replayRun();
+  std::string keepRun(const trajectory::Trajectory& run);
+  void fillRuns();
+  void say(const QString& line, bool careful);
   void setExercise(const manipulation::Exercise& exercise, trajectory::Trajectory expert);
   bool forcesAreOff() const;
   void switchForcesOn();
   void showForces();
+  void showKind();
   void start();
   bool placeAtBeginning();
   void endRun();
@@ -89,15 +105,17 @@ class TrainingPanel : public QWidget {
   trajectory::Trajectory expert_;
   std::unique_ptr<manipulation::TrainingRun> run_;
   trajectory::TrainingSession session_;
-  QString results_;
+  QString results_, own_folder_, exercise_file_;
+  QString note_;  ///< The last that was said; until the next run.
+  TrainingPlay* play_;
   bool cell_wanted_ = false;  ///< The exercise's own cell is being opened.
   QTimer tick_;
-  QComboBox* exercises_;
+  QComboBox *exercises_, *kind_, *runs_;
   QLineEdit* trainee_;
-  QLabel *text_, *state_, *forces_, *score_, *help_label_;
+  QLabel *text_, *state_, *forces_, *score_, *unaided_, *help_label_;
   ValueField *radius_, *help_;
   QProgressBar* way_;
-  QPushButton *start_, *without_, *use_, *export_;
+  QPushButton *start_, *without_, *use_, *show_me_, *new_, *edit_, *replay_, *export_;
   ProgressPlot* plot_;
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The run: what it needs before it begins, what happens in it, how it ends.
 #include <QAction>
+#include <QComboBox>
 #include <QDateTime>
+#include <QLabel>
 #include <QPushButton>
 
 #include "app/host/document_model.h"
@@ -11,6 +13,8 @@
 #include "app/host/selection.h"
 #include "app/style/value_field.h"
 #include "app/trajectory/training_panel.h"
+#include "app/trajectory/training_play.h"
+#include "app/trajectory/training_words.h"
 #include "manipulation/motion_replay.h"
 
 namespace hapticell::app {
@@ -35,6 +39,10 @@ trajectory::Trajectory asTheExpert(const std::vector<std::shared_ptr<const workc
     seen.addFrame(frame, run.joints(i), run.channels(i));
   }
   return seen;
+}
+
+std::string nowText() {
+  return QDateTime::currentDateTime().toTimeSpec(Qt::OffsetFromUTC).toString(Qt::ISODate).toStdString();
 }
 
 }  // namespace
@@ -66,11 +74,11 @@ bool TrainingPanel::placeAtBeginning() {
   const auto replay = manipulation::MotionReplay::create(cell.document().state().entities, expert_.entity,
                                                          std::make_shared<const trajectory::Trajectory>(expert_));
   if (!replay) {
-    emit told(QString::fromStdString(replay.error().message()), true);
+    say(QString::fromStdString(replay.error().message()), true);
     return false;
   }
   if (const auto& snapshot = host_.snapshot(); snapshot && snapshot->held != 0) {
-    emit told(tr("Let go of what is held first; then start the run."), true);
+    say(tr("Let go of what is held first; then start the run."), true);
     return false;
   }
   cell.beginTrial();
@@ -80,18 +88,60 @@ bool TrainingPanel::placeAtBeginning() {
   return false;
 }
 
+trajectory::RunKind TrainingPanel::kind() const {
+  return static_cast<trajectory::RunKind>(std::max(0, kind_->currentIndex()));
+}
+
+void TrainingPanel::say(const QString& line, bool careful) {
+  note_ = line;
+  emit told(line, careful);
+  show();
+}
+
+/// Points without guidance prove something only where it is known what was practised.
+bool TrainingPanel::mayStart() {
+  const auto practised = session_.count(trajectory::RunKind::kPractice);
+  if (kind() == trajectory::RunKind::kRetention && practised == 0) {
+    say(tr("There is no practice yet that could be retained: practise first."), true);
+    return false;
+  }
+  if (kind() == trajectory::RunKind::kTransfer && practised > 0) {
+    say(tr("This exercise was practised: transfer is shown at another one, here choose Retention."), true);
+    return false;
+  }
+  return true;
+}
+
+void TrainingPanel::showKind() {
+  const auto rest = session_.restBefore(nowText());
+  switch (kind()) {
+    case trajectory::RunKind::kPractice:
+      return help_label_->setText(
+          tr("Help fades by a fifth with each success, to nothing; after two failures it grows again."));
+    case trajectory::RunKind::kRetention:
+      return help_label_->setText(
+          rest ? tr("Without guidance, a day and a week after practice. Last practice: %1 ago.").arg(restText(*rest))
+               : tr("Without guidance, a day and a week after practice."));
+    case trajectory::RunKind::kTransfer:
+      return help_label_->setText(tr("Without guidance, at an exercise that was not practised."));
+  }
+}
+
 void TrainingPanel::start() {
-  if (!exercise_) return;
+  if (!exercise_ || !mayStart()) return;
+  play_->stop();
+  note_.clear();
   const workcell::Entity* entity = host_.documentModel().document().findByName(expert_.entity);
   if (!entity) {
-    emit told(tr("There is no %1 in this cell.").arg(QString::fromStdString(expert_.entity)), true);
+    say(tr("There is no %1 in this cell.").arg(QString::fromStdString(expert_.entity)), true);
     return;
   }
   if (!placeAtBeginning()) return;
   // What the stylus's button takes, by the frame that the guide leads.
   host_.selection().set(entity->id);
   if (const auto by = manipulation::parseMovedBy(expert_.moved)) host_.holdChoice().set(by->kind, by->frame);
-  run_ = std::make_unique<manipulation::TrainingRun>(*exercise_, expert_, 0.01 * help_->value());
+  run_ = std::make_unique<manipulation::TrainingRun>(
+      *exercise_, expert_, kind() == trajectory::RunKind::kPractice ? 0.01 * help_->value() : 0.0);
   manipulation::command::StartRecording wanted;
   wanted.take = tr("Run %1").arg(session_.attempts.size() + 1).toStdString();
   host_.recording().start(wanted);
@@ -130,21 +180,23 @@ bool TrainingPanel::takeRecorded(const std::vector<trajectory::Trajectory>& reco
 }
 
 void TrainingPanel::finish(const trajectory::Trajectory& run) {
-  const auto attempt =
-      run_->finish(run, QDateTime::currentDateTime().toTimeSpec(Qt::OffsetFromUTC).toString(Qt::ISODate).toStdString());
+  auto attempt = run_->finish(run, nowText());
   dropRun();
   if (run.empty()) {
-    emit told(tr("The run has no frames: take the part with the stylus and move it."), true);
+    say(tr("The run has no frames: take the part with the stylus and move it."), true);
     return show();
   }
+  attempt.kind = kind();
+  attempt.recording = keepRun(run);
   session_.attempts.push_back(attempt);
   keepResults();
   help_->setValue(100.0 * session_.nextHelp());
-  emit told(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)
-                            : tr("%1 points; %2 are needed and the whole way")
-                                  .arg(attempt.score.points, 0, 'f', 0)
-                                  .arg(exercise_->pass, 0, 'f', 0),
-            !attempt.success);
+  fillRuns();
+  say(attempt.success ? tr("Passed with %1 points").arg(attempt.score.points, 0, 'f', 0)
+                      : tr("%1 points; %2 are needed and the whole way")
+                            .arg(attempt.score.points, 0, 'f', 0)
+                            .arg(exercise_->pass, 0, 'f', 0),
+      !attempt.success);
   show();
 }
 
@@ -152,6 +204,8 @@ void TrainingPanel::forgetCell() {
   dropRun();
   if (cell_wanted_) return show();
   exercise_.reset();
+  exercise_file_.clear();
+  note_.clear();
   expert_ = {};
   exercises_->setCurrentIndex(0);
   loadResults();
@@ -166,7 +220,7 @@ void TrainingPanel::cancel() {
 void TrainingPanel::giveUp() {
   if (!run_) return;
   cancel();
-  emit told(tr("The cell was changed or saved, so the run was given up. The part stands where it stood before."), true);
+  say(tr("The cell was changed or saved, so the run was given up. The part stands where it stood before."), true);
   show();
 }
 

@@ -8,6 +8,7 @@
 #include "app/style/fonts.h"
 #include "app/style/theme.h"
 #include "app/trajectory/progress_plot.h"
+#include "app/trajectory/training_words.h"
 #include "workcell/file_content.h"
 
 namespace hapticell::app {
@@ -23,15 +24,19 @@ struct Column {
 
 std::vector<Column> columns() {
   const auto tr = [](const char* text) { return QObject::tr(text); };
-  return {{tr("Run"), 36},     {tr("When"), 134},  {tr("Help"), 44},     {tr("Points"), 48},
-          {tr("Way"), 44},     {tr("Time s"), 52}, {tr("Off mm"), 52},   {tr("Max mm"), 52},
-          {tr("Force N"), 56}, {tr("Smooth"), 52}, {tr("Contacts"), 58}, {tr("Passed"), 48}};
+  return {{tr("Run"), 28},     {tr("When"), 100},  {tr("Kind"), 62},     {tr("Rest"), 40},   {tr("Help"), 40},
+          {tr("Points"), 44},  {tr("Way"), 42},    {tr("Time s"), 44},   {tr("Off mm"), 48}, {tr("Max mm"), 48},
+          {tr("Force N"), 52}, {tr("Smooth"), 48}, {tr("Contacts"), 50}, {tr("Passed"), 42}};
 }
 
-QStringList cells(std::size_t number, const trajectory::TrainingAttempt& attempt) {
+QStringList cells(const trajectory::TrainingSession& session, std::size_t number) {
+  const trajectory::TrainingAttempt& attempt = session.attempts[number - 1];
   const auto& s = attempt.score;
+  const auto rest = attempt.kind == trajectory::RunKind::kPractice ? std::nullopt : session.restBefore(attempt.date);
   return {QString::number(number),
-          QString::fromStdString(attempt.date).left(19).replace('T', ' '),
+          QString::fromStdString(attempt.date).left(16).replace('T', ' '),
+          runKindName(attempt.kind),
+          rest ? restText(*rest) : QString(),
           QObject::tr("%1 %").arg(100.0 * attempt.help, 0, 'f', 0),
           QString::number(s.points, 'f', 0),
           QObject::tr("%1 %").arg(100.0 * s.completed, 0, 'f', 0),
@@ -47,7 +52,7 @@ QStringList cells(std::size_t number, const trajectory::TrainingAttempt& attempt
 void drawRow(QPainter& painter, int y, const QStringList& words, bool head) {
   int x = 0, i = 0;
   for (const Column& column : columns()) {
-    const auto side = i < 2 ? Qt::AlignLeft : Qt::AlignRight;
+    const auto side = i < 3 ? Qt::AlignLeft : Qt::AlignRight;
     painter.setFont(textFont(head ? TextRole::kSection : TextRole::kSecond));
     painter.drawText(QRect(x, y, column.width - 4, kRow), side | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(words[i], Qt::ElideRight, column.width - 4));
@@ -80,13 +85,14 @@ Expected<void> writeTrainingReport(const QString& path, const trajectory::Traini
                        .arg(QString::fromStdString(session.trainee))
                        .arg(100.0 * session.nextHelp(), 0, 'f', 0)
                        .arg(session.attempts.size()));
-  ProgressPlot::paint(painter, QRect(0, 62, 676, 190), session.attempts, pass, palette);
+  painter.drawText(QRect(0, 52, 676, 36), Qt::AlignVCenter | Qt::TextWordWrap, unaidedText(session));
+  ProgressPlot::paint(painter, QRect(0, 94, 676, 190), session.attempts, pass, palette);
   painter.setPen(palette.color(QPalette::WindowText));
-  int y = 268;
+  int y = 300;
   QStringList heads;
   for (const Column& column : columns()) heads << column.head;
   drawRow(painter, y, heads, true);
-  for (std::size_t i = 0; i < session.attempts.size(); ++i) {
+  for (const std::size_t i : shownOrder(session.attempts)) {
     y += kRow;
     if (y > writer.height() - kRow) {
       writer.newPage();
@@ -94,7 +100,7 @@ Expected<void> writeTrainingReport(const QString& path, const trajectory::Traini
       drawRow(painter, y, heads, true);
       y += kRow;
     }
-    drawRow(painter, y, cells(i + 1, session.attempts[i]), false);
+    drawRow(painter, y, cells(session, i + 1), false);
   }
   return {};
 }

@@ -195,6 +195,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 copie</translation>
     </message>
     <message>
+        <source>%1 d</source>
+        <translation>%1 j</translation>
+    </message>
+    <message>
         <source>%1 edges of more than two faces</source>
         <translation>%1 arêtes de plus de deux faces</translation>
     </message>
@@ -221,6 +225,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 goes to %2</source>
         <translation>%1 va à %2</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
     </message>
     <message>
         <source>%1 has been plugged in</source>
@@ -553,6 +561,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 points</source>
+        <translation>%1 · %2 · %3 points</translation>
     </message>
     <message>
         <source>%1 · Esc: end</source>
@@ -1207,6 +1219,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aluminium</translation>
     </message>
     <message>
+        <source>An exercise of this cell and an expert's motion in it</source>
+        <translation>Un exercice fait de cette cellule et du mouvement d'un expert</translation>
+    </message>
+    <message>
         <source>An expert's recording leads the stylus along its way; the guide waits for the trainee.</source>
         <translation>L'enregistrement d'un expert mène le stylet sur son chemin ; le guide attend l'élève.</translation>
     </message>
@@ -1409,6 +1425,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Bars: points of each run, hatched where it was not passed. Line: help.</source>
         <translation>Barres : points de chaque essai, hachurées s'il a échoué. Ligne : aide.</translation>
+    </message>
+    <message>
+        <source>Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help.</source>
+        <translation>Barres : points de chaque essai, hachurées s'il n'est pas réussi ; sans guidage, à part. Ligne : aide.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -2415,8 +2435,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exercice</translation>
     </message>
     <message>
+        <source>Exercise, a copy</source>
+        <translation>Exercice, une copie</translation>
+    </message>
+    <message>
         <source>Exercises (*.hexercise)</source>
         <translation>Exercices (*.hexercise)</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Expert</translation>
     </message>
     <message>
         <source>Export</source>
@@ -2671,6 +2699,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Effort N</translation>
     </message>
     <message>
+        <source>Force above the expert's that costs all its points</source>
+        <translation>Force au-dessus de celle de l'expert qui coûte tous ses points</translation>
+    </message>
+    <message>
         <source>Force and gap over the last seconds</source>
         <translation>Effort et distance sur les dernières secondes</translation>
     </message>
@@ -2879,6 +2911,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Géométrie</translation>
     </message>
     <message>
+        <source>Give it a name.</source>
+        <translation>Donnez-lui un nom.</translation>
+    </message>
+    <message>
         <source>Give the other station's address: its name in the network, or four numbers like 192.168.1.20.</source>
         <translation>Donnez l'adresse de l'autre poste : son nom sur le réseau, ou quatre nombres comme 192.168.1.20.</translation>
     </message>
@@ -2933,6 +2969,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Gripper</source>
         <translation>Pince</translation>
+    </message>
+    <message>
+        <source>Guidance and score</source>
+        <translation>Guidage et points</translation>
     </message>
     <message>
         <source>Guides</source>
@@ -3075,6 +3115,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Hauteur du travail et RULA, quatre corps</translation>
     </message>
     <message>
+        <source>Held</source>
+        <translation>Tenu</translation>
+    </message>
+    <message>
         <source>Held along %1</source>
         <translation>Tenu le long de %1</translation>
     </message>
@@ -3165,6 +3209,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>How far</source>
         <translation>Distance</translation>
+    </message>
+    <message>
+        <source>How far ahead of the trainee the help pulls</source>
+        <translation>Distance devant l'élève à laquelle l'aide tire</translation>
     </message>
     <message>
         <source>How far the arms of three people of its sex reach who stand as it does</source>
@@ -3543,6 +3591,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Lâcher</translation>
     </message>
     <message>
+        <source>Let go of what is held first.</source>
+        <translation>Lâchez d'abord ce qui est tenu.</translation>
+    </message>
+    <message>
         <source>Let go of what is held first; then start the run.</source>
         <translation>Lâchez d'abord ce qui est tenu ; commencez ensuite l'essai.</translation>
     </message>
@@ -3731,6 +3783,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Max mm</translation>
     </message>
     <message>
+        <source>Mean deviation that costs all its points</source>
+        <translation>Écart moyen qui coûte tous ses points</translation>
+    </message>
+    <message>
         <source>Measure</source>
         <translation>Mesurer</translation>
     </message>
@@ -3915,6 +3971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>N s/m</translation>
     </message>
     <message>
+        <source>N/m</source>
+        <translation>N/m</translation>
+    </message>
+    <message>
         <source>N/mm</source>
         <translation>N/mm</translation>
     </message>
@@ -3953,6 +4013,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Name, or 192.168.1.20</source>
         <translation>Nom, ou 192.168.1.20</translation>
+    </message>
+    <message>
+        <source>Name, task, guidance; of a shipped exercise a copy</source>
+        <translation>Nom, tâche, guidage ; d'un exercice fourni, une copie</translation>
     </message>
     <message>
         <source>Named poses</source>
@@ -4015,6 +4079,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Nouveau</translation>
     </message>
     <message>
+        <source>New exercise</source>
+        <translation>Nouvel exercice</translation>
+    </message>
+    <message>
         <source>New folder</source>
         <translation>Nouveau dossier</translation>
     </message>
@@ -4045,6 +4113,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>New workcell</source>
         <translation>Nouvelle cellule</translation>
+    </message>
+    <message>
+        <source>New…</source>
+        <translation>Nouveau…</translation>
     </message>
     <message>
         <source>Next page</source>
@@ -4193,6 +4265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>No robot of that name</source>
         <translation>Aucun robot de ce nom</translation>
+    </message>
+    <message>
+        <source>No run without guidance yet.</source>
+        <translation>Pas encore d'essai sans guidage.</translation>
     </message>
     <message>
         <source>No run yet</source>
@@ -4363,6 +4439,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>OWAS</translation>
     </message>
     <message>
+        <source>Of the pull at full help</source>
+        <translation>De la traction avec toute l'aide</translation>
+    </message>
+    <message>
         <source>Off</source>
         <translation>Arrêt</translation>
     </message>
@@ -4373,6 +4453,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Off mm</source>
         <translation>Écart mm</translation>
+    </message>
+    <message>
+        <source>Off the path</source>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Off: the figure may step to where the hand is reached</source>
@@ -4775,6 +4859,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Réussi</translation>
     </message>
     <message>
+        <source>Passed from</source>
+        <translation>Réussi dès</translation>
+    </message>
+    <message>
         <source>Passed with %1 points</source>
         <translation>Réussi avec %1 points</translation>
     </message>
@@ -5003,6 +5091,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Points et aide par essai</translation>
     </message>
     <message>
+        <source>Points from which a run is passed</source>
+        <translation>Points à partir desquels un essai est réussi</translation>
+    </message>
+    <message>
         <source>Poor</source>
         <translation>Mauvaise</translation>
     </message>
@@ -5071,6 +5163,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Force</translation>
     </message>
     <message>
+        <source>Practice</source>
+        <translation>Entraînement</translation>
+    </message>
+    <message>
         <source>Preparing contacts</source>
         <translation>Préparation des contacts</translation>
     </message>
@@ -5089,6 +5185,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Properties</source>
         <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>Pull ahead</source>
+        <translation>Traction devant</translation>
     </message>
     <message>
         <source>Pushing</source>
@@ -5165,6 +5265,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Radius</source>
         <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Radius about the expert's path</source>
+        <translation>Rayon autour du chemin de l'expert</translation>
     </message>
     <message>
         <source>Raising the work by %1</source>
@@ -5287,6 +5391,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Capturer %1</translation>
     </message>
     <message>
+        <source>Record the expert's motion first (R), then choose it here.</source>
+        <translation>Enregistrez d'abord le mouvement de l'expert (R), puis choisissez-le ici.</translation>
+    </message>
+    <message>
         <source>Record what moves  (R)</source>
         <translation>Capturer ce qui bouge  (R)</translation>
     </message>
@@ -5347,6 +5455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Répétition</translation>
     </message>
     <message>
+        <source>Replay beside the expert</source>
+        <translation>Rejouer à côté de l'expert</translation>
+    </message>
+    <message>
         <source>Report</source>
         <translation>Rapport</translation>
     </message>
@@ -5363,12 +5475,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Rapport…</translation>
     </message>
     <message>
+        <source>Rest</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
         <source>Restore</source>
         <translation>Restaurer</translation>
     </message>
     <message>
         <source>Results</source>
         <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Retention</source>
+        <translation>Rétention</translation>
+    </message>
+    <message>
+        <source>Retention after %1: %2 points.</source>
+        <translation>Rétention après %1 : %2 points.</translation>
+    </message>
+    <message>
+        <source>Retention: %1 points.</source>
+        <translation>Rétention : %1 points.</translation>
     </message>
     <message>
         <source>Retract</source>
@@ -5503,6 +5631,14 @@ Voulez-vous le remplacer ?</translation>
         <translation>Enregistrer le journal…</translation>
     </message>
     <message>
+        <source>Save the cell first (Ctrl+S): the exercise opens its file.</source>
+        <translation>Enregistrez d'abord la cellule (Ctrl+S) : l'exercice ouvre son fichier.</translation>
+    </message>
+    <message>
+        <source>Save the exercise</source>
+        <translation>Enregistrer l'exercice</translation>
+    </message>
+    <message>
         <source>Save the motion</source>
         <translation>Enregistrer le mouvement</translation>
     </message>
@@ -5529,6 +5665,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Saved views</source>
         <translation>Vues gardées</translation>
+    </message>
+    <message>
+        <source>Say what the trainee is to do.</source>
+        <translation>Dites ce que l'élève doit faire.</translation>
     </message>
     <message>
         <source>Scale</source>
@@ -5719,6 +5859,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Montrer un dossier…</translation>
     </message>
     <message>
+        <source>Show me</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
         <source>Show the first page at start</source>
         <translation>Montrer la première page au démarrage</translation>
     </message>
@@ -5809,6 +5953,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Slider</source>
         <translation>Glissière</translation>
+    </message>
+    <message>
+        <source>Slowness</source>
+        <translation>Lenteur</translation>
     </message>
     <message>
         <source>Smooth</source>
@@ -6247,6 +6395,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'exercice ne peut pas être ouvert</translation>
     </message>
     <message>
+        <source>The exercise is saved.</source>
+        <translation>L'exercice est enregistré.</translation>
+    </message>
+    <message>
         <source>The expert's recording has no frames.</source>
         <translation>L'enregistrement de l'expert n'a pas d'images.</translation>
     </message>
@@ -6443,6 +6595,18 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le mouvement n'a pas été enregistré</translation>
     </message>
     <message>
+        <source>The one it has</source>
+        <translation>Celui qu'il a</translation>
+    </message>
+    <message>
+        <source>The part goes the expert's way; the cell stays as it is</source>
+        <translation>La pièce suit le chemin de l'expert ; la cellule reste comme elle est</translation>
+    </message>
+    <message>
+        <source>The part goes the way of the run, a ghost the expert's, both at once</source>
+        <translation>La pièce suit le chemin de l'essai, un fantôme celui de l'expert, en même temps</translation>
+    </message>
+    <message>
         <source>The part is shown in a quieter colour than %1</source>
         <translation>La pièce est montrée dans une couleur plus sobre que %1</translation>
     </message>
@@ -6521,6 +6685,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The robot's tool centre point</source>
         <translation>Le centre outil du robot</translation>
+    </message>
+    <message>
+        <source>The run cannot be replayed later</source>
+        <translation>L'essai ne pourra pas être rejoué</translation>
     </message>
     <message>
         <source>The run has no frames: take the part with the stylus and move it.</source>
@@ -6623,12 +6791,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Thème</translation>
     </message>
     <message>
+        <source>There is an exercise of this name: choose another.</source>
+        <translation>Un exercice porte déjà ce nom : choisissez-en un autre.</translation>
+    </message>
+    <message>
         <source>There is no %1 in this cell.</source>
         <translation>Il n'y a pas de %1 dans cette cellule.</translation>
     </message>
     <message>
         <source>There is no motion below this one.</source>
         <translation>Il n'y a pas de mouvement sous celui-ci.</translation>
+    </message>
+    <message>
+        <source>There is no practice yet that could be retained: practise first.</source>
+        <translation>Il n'y a pas encore d'entraînement à retenir : entraînez-vous d'abord.</translation>
     </message>
     <message>
         <source>There was not enough memory</source>
@@ -6663,12 +6839,20 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cette entité n'a pas de repère</translation>
     </message>
     <message>
+        <source>This exercise was practised: transfer is shown at another one, here choose Retention.</source>
+        <translation>Cet exercice a été pratiqué : le transfert se montre sur un autre ; ici, choisissez Rétention.</translation>
+    </message>
+    <message>
         <source>This motion and the one below it, one after the other</source>
         <translation>Ce mouvement et celui du dessous, l'un après l'autre</translation>
     </message>
     <message>
         <source>This motion has no joints.</source>
         <translation>Ce mouvement n'a pas d'articulations.</translation>
+    </message>
+    <message>
+        <source>This motion has no way: choose another.</source>
+        <translation>Ce mouvement n'a pas de chemin : choisissez-en un autre.</translation>
     </message>
     <message>
         <source>This pair's own choice; click to change it</source>
@@ -6721,6 +6905,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Times</source>
         <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Times the expert's time that cost all its points</source>
+        <translation>Multiple du temps de l'expert qui coûte tous ses points</translation>
     </message>
     <message>
         <source>Timing</source>
@@ -6813,6 +7001,14 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Trajectory</source>
         <translation>Trajectoire</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Transfert</translation>
+    </message>
+    <message>
+        <source>Transfer: %1 points.</source>
+        <translation>Transfert : %1 points.</translation>
     </message>
     <message>
         <source>Tree</source>
@@ -7115,6 +7311,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ce que touche la pointe</translation>
     </message>
     <message>
+        <source>What the trainee is to do</source>
+        <translation>Ce que l'élève doit faire</translation>
+    </message>
+    <message>
         <source>What you asked for last was not done, and the workcell is as it was before. Save it, then close other programs, or remove parts that are not needed.</source>
         <translation>Ce que vous avez demandé en dernier n'a pas été fait, et la cellule est comme avant. Enregistrez-la, puis fermez d'autres programmes ou retirez les pièces inutiles.</translation>
     </message>
@@ -7185,6 +7385,18 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Within</source>
         <translation>Dans</translation>
+    </message>
+    <message>
+        <source>Without guidance, a day and a week after practice.</source>
+        <translation>Sans guidage, un jour et une semaine après l'entraînement.</translation>
+    </message>
+    <message>
+        <source>Without guidance, a day and a week after practice. Last practice: %1 ago.</source>
+        <translation>Sans guidage, un jour et une semaine après l'entraînement. Dernier : il y a %1.</translation>
+    </message>
+    <message>
+        <source>Without guidance, at an exercise that was not practised.</source>
+        <translation>Sans guidage, sur un exercice qui n'a pas été pratiqué.</translation>
     </message>
     <message>
         <source>Woman</source>
@@ -7771,6 +7983,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>pièces</translation>
     </message>
     <message>
+        <source>points</source>
+        <translation>points</translation>
+    </message>
+    <message>
         <source>re-timed</source>
         <translation>nouveaux temps</translation>
     </message>
@@ -7863,6 +8079,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>le haut</translation>
     </message>
     <message>
+        <source>times</source>
+        <translation>fois</translation>
+    </message>
+    <message>
         <source>to device edge</source>
         <translation>jusqu'au bord</translation>
     </message>
@@ -7905,6 +8125,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>up</source>
         <translation>haut</translation>
+    </message>
+    <message>
+        <source>what the motion moves</source>
+        <translation>ce que le mouvement déplace</translation>
     </message>
     <message>
         <source>with a frame</source>

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSignalSpy>
 
 #include "app/host/document_model.h"
@@ -171,6 +174,126 @@ TEST(TrainingDock, ForcesAreAskedForAtTheStart) {
   EXPECT_EQ(switched.count(), 1);
   EXPECT_TRUE(page.panel->isRunning());
   page.window().setSnapshot(std::nullopt);
+}
+
+/// What is missing is told below its field, and nothing is saved; then it is saved, found, opened and changed again.
+TEST(TrainingDock, AnExerciseIsMadeInTheWindowAndChangedLater) {
+  LessonPage page;
+  const QString folder = page.folder().filePath("own");
+  page.panel->setExercises(folder);
+  auto* choice = page.find<QComboBox>("comboExercise");
+  const int before = choice->count();
+  page.put(0.05);
+  page.press("buttonNewExercise");
+  EXPECT_EQ(page.find<QComboBox>("comboExpertMotion")->currentText(), "lesson");
+  EXPECT_EQ(page.words("labelHeldPart"), "box");
+  page.press("buttonSaveExercise");
+  EXPECT_FALSE(page.words("problemName").isEmpty());
+  EXPECT_FALSE(page.words("problemText").isEmpty());
+  EXPECT_FALSE(page.words("problemCell").isEmpty()) << "the cell differs from its file";
+  EXPECT_TRUE(page.words("problemMotion").isEmpty());
+  EXPECT_FALSE(QDir(folder).exists());
+  page.find<QLineEdit>("editExerciseName")->setText("Door");
+  page.find<QPlainTextEdit>("editExerciseText")->setPlainText("Bring the box to the wall.");
+  EXPECT_TRUE(page.words("problemText").isEmpty());
+  page.find<ValueField>("fieldExerciseTube")->setValue(12.5);
+  page.find<ValueField>("fieldExercisePass")->setValue(70);
+  page.model().undo();
+  EXPECT_TRUE(page.words("problemCell").isEmpty()) << "told anew when the cell is as its file";
+  page.press("buttonSaveExercise");
+  page.settle();
+  const QString file = QDir(folder).filePath("Door.hexercise");
+  const auto saved = manipulation::readExercise(file.toStdString());
+  ASSERT_TRUE(saved.has_value()) << saved.error().message();
+  EXPECT_EQ(saved->text, "Bring the box to the wall.");
+  EXPECT_NEAR(saved->tube_radius, 0.0125, 1e-12);
+  EXPECT_EQ(saved->pass, 70.0);
+  EXPECT_EQ(saved->workcell, page.document().path());
+  const auto expert = trajectory::readTrajectory(saved->recording);
+  ASSERT_TRUE(expert.has_value());
+  EXPECT_EQ(expert->size(), 51u);
+  EXPECT_EQ(choice->count(), before + 1);
+  EXPECT_EQ(choice->currentText(), "Door") << "chosen at once";
+  EXPECT_EQ(page.words("labelExercise"), "Bring the box to the wall.");
+  // Again: the same file, another name refused that is taken, numbers kept that were not touched.
+  page.press("buttonNewExercise");
+  page.find<QLineEdit>("editExerciseName")->setText("Door");
+  page.press("buttonSaveExercise");
+  EXPECT_FALSE(page.words("problemName").isEmpty()) << "there is one of this name";
+  page.window().findChild<QDialog*>("exerciseEditor")->close();
+  QTest::qWait(1);
+  page.settle();
+  page.press("buttonEditExercise");
+  EXPECT_EQ(page.find<QLineEdit>("editExerciseName")->text(), "Door");
+  page.find<QPlainTextEdit>("editExerciseText")->setPlainText("Slowly.");
+  page.press("buttonSaveExercise");
+  page.settle();
+  const auto again = manipulation::readExercise(file.toStdString());
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->text, "Slowly.");
+  EXPECT_EQ(again->tube_radius, saved->tube_radius);
+  EXPECT_EQ(again->recording, saved->recording);
+  EXPECT_EQ(choice->count(), before + 1);
+}
+
+TEST(TrainingDock, TheExpertIsShownAndTheRunBesideIt) {
+  LessonPage page;
+  const auto steps = page.document().undoTexts();
+  page.press("buttonShowMe");
+  EXPECT_TRUE(MotionPage::until([&] { return page.shownBox().p.x > 0.12; }, MotionPage::kPatience)) << "it goes";
+  EXPECT_EQ(page.boxAt(), 0.0);
+  page.press("buttonShowMe");
+  EXPECT_EQ(page.shownBox().p.x, 0.0) << "stopped: the cell as it is";
+  EXPECT_FALSE(page.find<QAbstractButton>("buttonReplayRun")->isEnabled()) << "no run yet";
+  page.press("buttonStartRun");
+  ASSERT_TRUE(page.run());
+  ASSERT_TRUE(page.find<QAbstractButton>("buttonReplayRun")->isEnabled());
+  page.press("buttonReplayRun");
+  const auto ghosts = [&] { return page.window().viewport().scene().ghosts(); };
+  EXPECT_TRUE(MotionPage::until([&] { return page.shownBox().p.x > 0.12; }, MotionPage::kPatience));
+  ASSERT_EQ(ghosts().size(), 1u) << "the expert beside the run";
+  EXPECT_EQ(ghosts().front().entity, page.box());
+  EXPECT_TRUE(MotionPage::until([&] { return ghosts().empty(); }, MotionPage::kPatience)) << "it ends by itself";
+  EXPECT_EQ(page.shownBox().p.x, 0.0);
+  EXPECT_EQ(page.document().undoTexts(), steps);
+  EXPECT_FALSE(page.model().isDirty());
+}
+
+TEST(TrainingDock, RunsWithoutGuidanceAreScoredApart) {
+  LessonPage page;
+  auto* kind = page.find<QComboBox>("comboRunKind");
+  kind->setCurrentIndex(1);
+  page.press("buttonStartRun");
+  EXPECT_FALSE(page.panel->isRunning()) << "nothing was practised that could be retained";
+  EXPECT_FALSE(page.words("labelRun").isEmpty());
+  kind->setCurrentIndex(0);
+  page.press("buttonStartRun");
+  ASSERT_TRUE(page.run());
+  const double help = page.panel->session().nextHelp();
+  kind->setCurrentIndex(2);
+  page.press("buttonStartRun");
+  EXPECT_FALSE(page.panel->isRunning()) << "what was practised shows no transfer";
+  kind->setCurrentIndex(1);
+  page.press("buttonStartRun");
+  ASSERT_TRUE(page.panel->isRunning());
+  EXPECT_FALSE(page.panel->isLed());
+  ASSERT_TRUE(page.window().recording().guide().has_value());
+  EXPECT_FALSE(page.window().recording().guide()->enabled) << "no guidance";
+  ASSERT_TRUE(page.run());
+  const auto kept = trajectory::readTraining(page.folder().filePath("ana.htrain").toStdString());
+  ASSERT_TRUE(kept.has_value());
+  ASSERT_EQ(kept->attempts.size(), 2u);
+  EXPECT_EQ(kept->attempts[0].kind, trajectory::RunKind::kPractice);
+  EXPECT_EQ(kept->attempts[1].kind, trajectory::RunKind::kRetention);
+  EXPECT_EQ(kept->attempts[1].help, 0.0);
+  EXPECT_EQ(kept->nextHelp(), help);
+  EXPECT_TRUE(page.words("labelUnaided").contains("Retention")) << page.words("labelUnaided").toStdString();
+  EXPECT_TRUE(page.find<QComboBox>("comboRuns")->itemText(0).contains("Retention"));
+  const QString table = page.folder().filePath("apart.csv");
+  ASSERT_TRUE(writeTrainingReport(table, page.panel->session(), 60.0).has_value());
+  QFile file(table);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readAll().contains(",retention,"));
 }
 
 class ShippedExercise : public testing::TestWithParam<const char*> {};

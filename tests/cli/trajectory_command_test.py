@@ -271,6 +271,14 @@ def test_training_fades_its_help(case):
     kept = json.loads((case.folder / "ana.htrain").read_text())
     assert kept["trainee"] == "Ana" and len(kept["attempts"]) == 2
     assert len((case.folder / "ana.csv").read_text().splitlines()) == 3
+    train = ("trajectory", "train", folder / "peg_in_hole.hexercise", "--hand", folder / "peg_in_hole-hand.csv")
+    test = case.run(*train, "--results", "ana.htrain", "--csv", "ana.csv", "--kind", "retention", "--date",
+                    "1970-01-02T00:00:00Z", timeout=120)
+    assert test["kind"] == "retention" and test["help"] == 0 and abs(test["next_help"] - 0.6) < 1e-9, test
+    assert (case.folder / "ana.csv").read_text().splitlines()[-1].endswith(",retention,86400")
+    assert json.loads((case.folder / "ana.htrain").read_text())["attempts"][2]["kind"] == "retention"
+    refused = case.run(*train, "--results", "ana.htrain", "--kind", "transfer", expect=2)
+    assert "practised" in refused, refused
 
 
 def test_smoothing_keeps_free_in_the_cell(case):

@@ -161,5 +161,55 @@ TEST(TrainingFile, WhatIsWrongIsNamed) {
   }
 }
 
+TEST(TrainingSession, RunsWithoutGuidanceStandApart) {
+  TrainingSession session{"Ana", "Peg", {}};
+  const auto add = [&](RunKind kind, const char* date, double help, bool success, double points) {
+    TrainingAttempt attempt;
+    attempt.kind = kind;
+    attempt.date = date;
+    attempt.help = help;
+    attempt.success = success;
+    attempt.score.points = points;
+    session.attempts.push_back(attempt);
+  };
+  add(RunKind::kPractice, "2026-02-28T23:00:00+01:00", 1.0, true, 90.0);
+  add(RunKind::kRetention, "2026-03-01T22:00:00Z", 0.0, false, 40.0);
+  session.attempts.back().recording = "runs/2.htraj";
+  EXPECT_NEAR(session.nextHelp(), 0.8, 1e-12) << "a test takes and gives no help";
+  EXPECT_EQ(session.restBefore("2026-03-01T22:00:00Z"), 86400.0) << "over the month's end and another zone";
+  EXPECT_FALSE(session.restBefore("2026-02-28T20:00:00Z").has_value()) << "before all practice";
+  EXPECT_FALSE(session.restBefore("soon").has_value());
+  EXPECT_EQ(session.count(RunKind::kRetention), 1u);
+  EXPECT_EQ(session.count(RunKind::kTransfer), 0u);
+  const std::string csv = toCsvText(session);
+  EXPECT_NE(csv.find(",contacts,kind,rest_s\n"), std::string::npos);
+  EXPECT_NE(csv.find(",retention,86400\n"), std::string::npos) << csv;
+  const auto file = std::filesystem::temp_directory_path() / ("kinds-" + std::to_string(::getpid()) + ".htrain");
+  const auto read = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    return readTraining(file);
+  };
+  const std::string text = toJsonText(session);
+  const auto back = read(text);
+  ASSERT_TRUE(back.has_value()) << back.error().message();
+  EXPECT_EQ(back->attempts[0].kind, RunKind::kPractice);
+  EXPECT_EQ(back->attempts[1].kind, RunKind::kRetention);
+  EXPECT_EQ(back->attempts[1].recording, "runs/2.htraj");
+  // Files of before there were kinds: all runs were practice.
+  std::string old = text;
+  for (const char* word : {"practice", "retention"}) {
+    const std::string field = std::string("\"kind\": \"") + word + "\",";
+    ASSERT_NE(old.find(field), std::string::npos) << old;
+    old.erase(old.find(field), field.size());
+  }
+  const auto before = read(old);
+  ASSERT_TRUE(before.has_value()) << before.error().message();
+  EXPECT_EQ(before->attempts[1].kind, RunKind::kPractice);
+  std::string odd = text;
+  odd.replace(odd.find("retention"), 9, "holiday");
+  EXPECT_FALSE(read(odd).has_value());
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace hapticell::trajectory
