@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/host/document_model.h"
@@ -17,6 +18,7 @@
 #include "app/host/message_log.h"
 #include "app/host/recording_hub.h"
 #include "app/panels/form.h"
+#include "app/panels/refresh_timer.h"
 #include "app/start/file_dialog.h"
 #include "app/style/theme.h"
 #include "app/style/units.h"
@@ -33,8 +35,6 @@
 
 namespace hapticell::app {
 namespace {
-
-constexpr int kLookMilliseconds = 200;
 
 QLabel* said(const char* name, int lines, TextRole role, bool quiet) {
   auto* label = makeLive(lines, role, quiet);
@@ -150,10 +150,9 @@ void TrainingPanel::addRun(QVBoxLayout& column) {
   });
   connect(without_, &QPushButton::clicked, this, &TrainingPanel::start);
   // The forces go on and off without a word to panels.
-  connect(&tick_, &QTimer::timeout, this, [this] {
+  connect(&refreshTimer(host_), &QTimer::timeout, this, [this] {
     if (isSeen(*this)) showForces();
   });
-  tick_.start(kLookMilliseconds);
 }
 
 void TrainingPanel::addResults(QVBoxLayout& column) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -109,7 +108,6 @@ class TrainingPanel : public QWidget {
   QString note_;  ///< The last that was said; until the next run.
   TrainingPlay* play_;
   bool cell_wanted_ = false;  ///< The exercise's own cell is being opened.
-  QTimer tick_;
   QComboBox *exercises_, *kind_, *runs_;
   QLineEdit* trainee_;
   QLabel *text_, *state_, *forces_, *score_, *unaided_, *help_label_;

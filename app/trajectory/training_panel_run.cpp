@@ -59,10 +59,11 @@ void TrainingPanel::switchForcesOn() {
 void TrainingPanel::showForces() {
   const auto& snapshot = host_.snapshot();
   const bool off = forcesAreOff();
-  forces_->setText(!snapshot || !snapshot->connected ? tr("No stylus is connected: the guide is seen, not felt.")
-                   : !off                            ? tr("Forces are on.")
-                   : run_                            ? tr("Forces are off: the guide is not felt.")
-                                                     : tr("Forces are off. Without them the guide is not felt."));
+  const QString words = !snapshot || !snapshot->connected ? tr("No stylus is connected: the guide is seen, not felt.")
+                        : !off                            ? tr("Forces are on.")
+                        : run_                            ? tr("Forces are off: the guide is not felt.")
+                                                          : tr("Forces are off. Without them the guide is not felt.");
+  if (words != forces_->text()) forces_->setText(words);
   start_->setEnabled(exercise_.has_value());
   start_->setText(run_ ? tr("End the run") : off ? tr("Forces on and start") : tr("Start the run"));
   without_->setEnabled(exercise_ && !run_ && off);
