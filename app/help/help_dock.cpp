@@ -14,8 +14,8 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/key_overlay.h"
+#include "app/host/language.h"
 #include "app/host/selection.h"
-#include "app/settings/user_choices.h"
 #include "app/style/dock_title_bar.h"
 #include "app/style/icon.h"
 #include "app/viewport/viewport_widget.h"
@@ -92,7 +92,7 @@ class HelpDock : public QObject {
 
   HelpPanel* panel() {
     if (panel_) return panel_;
-    panel_ = new HelpPanel(languageFrom(host_.userSettings()), [this](const QString& page) { return addition(page); });
+    panel_ = new HelpPanel(languageNow(), [this](const QString& page) { return addition(page); });
     panel_->setMinimumWidth(kHelpWidth);
     dock_ = makeDock("dockHelp", tr("Help"), panel_);
     dock_->setWindowIcon(icon("help"));

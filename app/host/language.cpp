@@ -41,6 +41,10 @@ QString Translator::translate(const char*, const char* text, const char* meaning
   return found.isEmpty() && meaning ? QTranslator::translate(kContext, text, nullptr, count) : found;
 }
 
+QString languageNow() {
+  return QLocale().language() == QLocale::French ? QStringLiteral("fr") : QStringLiteral("en");
+}
+
 bool installLanguage(const QString& language) {
   QLocale::setDefault(QLocale(language));
   if (language == QLatin1String("en")) {

@@ -21,5 +21,7 @@ class Translator : public QTranslator {
 /// Before the first widget is made: the window's texts and Qt's own in this language, for the life of the application.
 /// False where it has none; the window is then English.
 bool installLanguage(const QString& language);
+/// The language that the window speaks ("en", "fr"), whatever the settings say of the next start.
+QString languageNow();
 
 }  // namespace hapticell::app

@@ -565,6 +565,15 @@ TEST(Help, ALinkOpensItsPageAndTheKeysAreTheUsersOwn) {
   EXPECT_TRUE(browser->toPlainText().simplified().contains("Ctrl+Alt+9 Save")) << browser->toPlainText().toStdString();
 }
 
+TEST(Help, SpeaksTheWindowsLanguage) {
+  const QLocale before;
+  QLocale::setDefault(QLocale("fr"));  // As the window does that was started in French.
+  CellPage page;
+  page.trigger("actionManual");
+  EXPECT_TRUE(page.find<QTextBrowser>("browserHelp")->toPlainText().startsWith("Premiers pas"));
+  QLocale::setDefault(before);
+}
+
 /// Fields and buttons of a dock that a screen reader would not name.
 QStringList nameless(const QWidget& dock) {
   QStringList found;
