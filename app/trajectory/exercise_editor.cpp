@@ -58,6 +58,7 @@ ExerciseEditor::ExerciseEditor(Host& host, MotionList& list, const QString& fold
     : QDialog(parent), host_(host), list_(list), folder_(folder) {
   setObjectName("exerciseEditor");
   setAttribute(Qt::WA_DeleteOnClose);
+  setWindowFlag(Qt::Tool);  // The window's own keys go on working: the cell may have to be saved.
   setWindowTitle(tr("New exercise"));
   setMinimumWidth(kEditorWidth);
   auto* column = new QVBoxLayout(this);

@@ -62,6 +62,7 @@ class TrainingPanel : public QWidget {
   void guideChanged(const std::optional<hapticell::workcell::Guide>& guide);
   void runStarted(const hapticell::trajectory::Trajectory& expert);
   void runEnded();
+  void sceneWanted();  ///< A run or a play begins: what else is played ends.
   void told(const QString& line, bool careful);
 
  private:

@@ -103,6 +103,7 @@ void TrainingPanel::editExercise(bool fresh) {
 void TrainingPanel::play(const trajectory::Trajectory& run) {
   const auto& snapshot = host_.snapshot();
   if (snapshot && snapshot->held != 0) return say(tr("Let go of what is held first."), true);
+  emit sceneWanted();
   const auto played = play_->play(expert_, run);
   if (!played) say(QString::fromStdString(played.error().message()), true);
   show();

@@ -131,6 +131,7 @@ void TrainingPanel::showKind() {
 void TrainingPanel::start() {
   if (!exercise_ || !mayStart()) return;
   play_->stop();
+  emit sceneWanted();
   note_.clear();
   const workcell::Entity* entity = host_.documentModel().document().findByName(expert_.entity);
   if (!entity) {
@@ -161,6 +162,7 @@ void TrainingPanel::follow(const Pose& X_WM) {
 
 /// What is held is let go first, so that where it was left is known when the recording comes.
 void TrainingPanel::endRun() {
+  if (!host_.recording().isRecording()) return;  // It ends already: what was recorded is on its way.
   host_.holdChoice().letGo();
   host_.recording().stop();
 }

@@ -115,6 +115,7 @@ class TrajectoryDocks : public QObject {
     connect(&work_, &MotionWork::told, this, tell);
     connect(&files_, &MotionExport::told, this, tell);
     connect(&training_.panel(), &TrainingPanel::told, this, tell);
+    connect(&training_.panel(), &TrainingPanel::sceneWanted, this, [this] { player_.setShown(false); });
     connect(&host_.recording(), &RecordingHub::recorded, this, &TrajectoryDocks::takeRecorded);
     connect(&host_.documentModel(), &DocumentModel::closing, this, [this, tell] {
       video_.cancel();

@@ -201,7 +201,7 @@ TEST(TrainingDock, AnExerciseIsMadeInTheWindowAndChangedLater) {
   page.model().undo();
   EXPECT_TRUE(page.words("problemCell").isEmpty()) << "told anew when the cell is as its file";
   page.press("buttonSaveExercise");
-  page.settle();
+  QTest::qWait(1);
   const QString file = QDir(folder).filePath("Door.hexercise");
   const auto saved = manipulation::readExercise(file.toStdString());
   ASSERT_TRUE(saved.has_value()) << saved.error().message();
