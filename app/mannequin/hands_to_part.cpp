@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
+#include <cmath>
 
 #include "app/host/actions.h"
 #include "app/host/document_model.h"
@@ -17,6 +18,8 @@
 #include "app/viewport/viewport_widget.h"
 #include "mannequin/ergonomics/body_sizes.h"
 #include "mannequin/hands_to.h"
+#include "mannequin/sitting.h"
+#include "workcell/built_in_parts.h"
 
 namespace hapticell::app {
 namespace {
@@ -28,6 +31,14 @@ constexpr std::array kAllHands{Hands::kLeft, Hands::kRight, Hands::kBoth};
 constexpr std::array kHereNames{"actionLeftHandHere", "actionRightHandHere", "actionBothHandsHere"};
 constexpr std::array kToNames{"actionLeftHandTo", "actionRightHandTo", "actionBothHandsTo"};
 constexpr double kMissed = 2.5e-3;  // m; less is there.
+
+constexpr double kLevel = 0.7;  // Of a face's normal upwards: a body stays on it.
+
+bool isSeat(const workcell::Entity& part) {
+  const std::string& source = part.source.path;
+  return (source.starts_with("chair:") || source.starts_with("stool:")) && !workcell::partSizes(part.source).empty() &&
+         part.X_WE.rotate({0.0, 0.0, 1.0}).z > kLevel;
+}
 
 /// What the hands are to reach; empty: the part has no sides.
 std::optional<Targets> targetsOf(Hands hands, const PickedFeature& place, const mannequin::Posture& posture) {
@@ -78,6 +89,10 @@ HandsToPart::HandsToPart(MannequinContext& context, QMenu& menu, QObject* parent
       if (place_) send(hands, *place_);
     });
   }
+  sit_ = makeAction(&window, {"actionSitHere", tr("Sit here"), {}, {}, {}});
+  connect(sit_, &QAction::triggered, this, [this] {
+    if (place_) sit(*place_);
+  });
   connect(&context_.host().viewport(), &ViewportWidget::contextMenuWanted, this, &HandsToPart::remember);
   connect(&context_, &MannequinContext::mannequinChanged, this, &HandsToPart::showActions);
   connect(&context_, &MannequinContext::documentChanged, this, &HandsToPart::showActions);
@@ -95,6 +110,10 @@ void HandsToPart::showActions() {
     action->setVisible(ready && place_);
     action->setEnabled(ready && place_);
   }
+  const workcell::Entity* part = place_ ? context_.host().documentModel().document().find(place_->entity) : nullptr;
+  const bool bears = part && (isSeat(*part) || place_->nhat_W.z > kLevel);
+  sit_->setVisible(ready && bears);
+  sit_->setEnabled(ready && bears);
 }
 
 void HandsToPart::remember(workcell::EntityId entity, const QPoint& global) {
@@ -154,6 +173,34 @@ void HandsToPart::send(Hands hands, const PickedFeature& place) {
         }
         showActions();
       });
+}
+
+void HandsToPart::sit(const PickedFeature& place) {
+  const workcell::Entity* entity = context_.entity();
+  const workcell::Entity* part = context_.host().documentModel().document().find(place.entity);
+  if (!entity || !part || !context_.isFree() || busy_) return;
+  const dvec3 ahead = postureOf(*entity).X_WR.rotate({1.0, 0.0, 0.0});
+  dvec3 p_WSeat = place.p_WHit;
+  double heading = std::atan2(ahead.y, ahead.x);
+  if (isSeat(*part)) {
+    p_WSeat = part->X_WE * dvec3(0.0, 0.0, workcell::partSizes(part->source).front());
+    if (part->source.path.starts_with("chair:")) {  // Who sits on it looks along its -y.
+      const dvec3 looks = part->X_WE.rotate({0.0, -1.0, 0.0});
+      heading = std::atan2(looks.y, looks.x);
+    }
+  }
+  const mannequin::Sitting sitting = mannequin::sitOn(*entity->figure, *entity->robot, p_WSeat, heading);
+  const QString name = QString::fromStdString(entity->name), seat = QString::fromStdString(part->name);
+  if (!context_.host().documentModel().executeAll(tr("%1 sits on %2").arg(name, seat),
+                                                  {postureCommand(*entity, sitting.posture)}))
+    return;
+  HoldChoice::Locks locks = context_.host().holdChoice().locks();
+  locks.seat = true;  // The seat bears it when a hand is drawn next.
+  context_.host().holdChoice().setLocks(locks);
+  if (sitting.feet_above_floor_m > 0.0)
+    context_.host().messages().tell(Severity::kWarning, tr("The feet of %1 do not reach the floor").arg(name),
+                                    tr("They hang %1 above it: lower the seat or put a rest under them.")
+                                        .arg(lengthText(sitting.feet_above_floor_m, 0)));
 }
 
 void HandsToPart::told(Hands hands, const QString& part, const std::array<double, 2>& short_m) {

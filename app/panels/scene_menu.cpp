@@ -44,7 +44,7 @@ void SceneMenu::open(workcell::EntityId entity, const QPoint& global) {
     for (const auto id : host_.selection().all())
       if (id != entity) ids.push_back(id);
     // Those of the mannequin, where one is in the cell: they show themselves.
-    for (const char* name : {"actionLeftHandHere", "actionRightHandHere", "actionBothHandsHere"})
+    for (const char* name : {"actionLeftHandHere", "actionRightHandHere", "actionBothHandsHere", "actionSitHere"})
       if (auto* action = host_.window().findChild<QAction*>(name)) menu->addAction(action);
     menu->addSeparator();
     fillEntityMenu(*menu, host_, ids, [this, entity] { tree_.rename(entity); });

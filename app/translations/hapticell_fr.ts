@@ -471,6 +471,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>manque %1</translation>
     </message>
     <message>
+        <source>%1 sits on %2</source>
+        <translation>%1 s'assied sur %2</translation>
+    </message>
+    <message>
         <source>%1 takes configuration %2</source>
         <translation>%1 prend la configuration %2</translation>
     </message>
@@ -5923,6 +5927,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Singularité</translation>
     </message>
     <message>
+        <source>Sit here</source>
+        <translation>S'asseoir ici</translation>
+    </message>
+    <message>
         <source>Sitting height</source>
         <translation>Taille assise</translation>
     </message>
@@ -6403,6 +6411,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>L'enregistrement de l'expert n'a pas d'images.</translation>
     </message>
     <message>
+        <source>The feet of %1 do not reach the floor</source>
+        <translation>Les pieds de %1 n'atteignent pas le sol</translation>
+    </message>
+    <message>
         <source>The figure in its posture</source>
         <translation>Le corps dans sa posture</translation>
     </message>
@@ -6817,6 +6829,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>They are lost if they are not saved.</source>
         <translation>Ils sont perdus s'ils ne sont pas enregistrés.</translation>
+    </message>
+    <message>
+        <source>They hang %1 above it: lower the seat or put a rest under them.</source>
+        <translation>Ils pendent à %1 au-dessus : abaissez le siège ou mettez un repose-pieds.</translation>
     </message>
     <message>
         <source>They move together, about the one chosen last.</source>

@@ -22,6 +22,7 @@
 #include "mannequin/forward_kinematics.h"
 #include "tests/app/mannequin_page.h"
 #include "tests/support/test_data.h"
+#include "workcell/built_in_parts.h"
 
 namespace hapticell::app {
 namespace {
@@ -349,10 +350,10 @@ struct CratePage : MannequinPage {
     return crate != 0;
   }
   /// A click of the right button on the crate's lid, and an entry of the menu that it opens.
-  bool chooseAtCrate(const char* name) {
+  bool chooseAtCrate(const char* name, const dvec3& p_E = {0.08, 0.0, 0.125}) {
     while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
     ViewportWidget& viewport = window().viewport();
-    const dvec3 lid = document().document().find(crate)->X_WE * dvec3(0.08, 0.0, 0.125);
+    const dvec3 lid = document().document().find(crate)->X_WE * p_E;
     const auto pixel =
         viewport.camera().project(lid, {static_cast<double>(viewport.width()), static_cast<double>(viewport.height())});
     if (!pixel) return false;
@@ -406,6 +407,31 @@ TEST(HandsToPart, OneGoesToThePlaceAndAFarOneIsSaidWithByHowMuch) {
   const auto& told = page.window().messages().messages().back();
   EXPECT_EQ(told.title, "Crate is out of reach");
   EXPECT_TRUE(told.text.contains("The right hand is") && told.text.contains("short")) << told.text.toStdString();
+}
+
+TEST(HandsToPart, SitsOnAChairLookingAsTheChairDoes) {
+  CratePage page;
+  ASSERT_TRUE(page.open(0.7));
+  auto chair = workcell::makeBuiltInPart("chair:0.42", 1.0);
+  ASSERT_TRUE(chair);
+  page.trigger("actionUndo");  // In the crate's place.
+  chair->X_WE.p = {1.0, 0.0, 0.0};
+  chair->name = "Chair";
+  page.crate = page.add(std::move(*chair));
+  page.window().selection().set(page.figure);
+  geometry::Bounds bounds;
+  bounds.add(dvec3(0.4, -0.6, 0.0));
+  bounds.add(dvec3(1.6, 0.6, 1.0));
+  page.window().viewport().fit(bounds, false);
+  page.window().viewport().finishedPicture();
+  page.settle();
+  ASSERT_TRUE(page.chooseAtCrate("actionSitHere", {0.0, -0.1, 0.42}));
+  const auto* figure = page.document().document().find(page.figure);
+  const auto pose = mannequin::forwardKinematics(*figure->figure, postureOf(*figure));
+  EXPECT_NEAR(pose[mannequin::Segment::kPelvis].p_WS.x, 1.0, 2e-3);
+  EXPECT_LT(mannequin::footPose(pose, mannequin::Side::kLeft).p.y, -0.2) << "along the chair's -y";
+  EXPECT_NEAR(mannequin::footPose(pose, mannequin::Side::kLeft).p.z + figure->figure->sole.z, 0.0, 3e-3);
+  EXPECT_TRUE(page.window().holdChoice().locks().seat);
 }
 
 TEST(HandsToPart, TheMenusEntriesAreThereOnlyWithAMannequin) {
