@@ -13,11 +13,13 @@
 #include "cli/progress_line.h"
 #include "geometry/mass_properties.h"
 #include "geometry/topology.h"
+#include "workcell/carried_load.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/import_scene.h"
 #include "workcell/length_unit.h"
 #include "workcell/mesh_reader.h"
+#include "workcell/robot_library.h"
 #include "workcell/robot_reader.h"
 
 namespace hapticell::cli {
@@ -159,10 +161,41 @@ Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& 
                     ordered_json::array({entityReport(*robot)}), notes);
 }
 
+/// What each robot of the cell carries, against what its maker allows.
+ordered_json loadsReport(const workcell::DocumentState& state) {
+  using workcell::LoadVerdict;
+  ordered_json loads = ordered_json::array();
+  for (const auto& entity : state.entities) {
+    if (entity->kind != workcell::EntityKind::kRobot || !entity->robot) continue;
+    const workcell::CarriedLoad load = workcell::carriedLoad(state, *entity);
+    const double payload = workcell::ratedPayload(entity->source.path).value_or(0.0);
+    const LoadVerdict verdict = workcell::verdictOn(load, payload);
+    const char* word = verdict == LoadVerdict::kNothing    ? "none"
+                       : verdict == LoadVerdict::kTooHeavy ? "too heavy"
+                       : verdict == LoadVerdict::kAllowed  ? "allowed"
+                                                           : "not known";
+    ordered_json parts = ordered_json::array(), other = ordered_json::array();
+    for (const auto& part : load.parts) parts.push_back(part->name);
+    for (const auto& part : load.other) other.push_back(part->name);
+    loads.push_back({{"robot", entity->name},
+                     {"link", load.link},
+                     {"payload", payload > 0.0 ? ordered_json(payload) : ordered_json(nullptr)},
+                     {"mass", load.mass},
+                     {"center_of_mass", toJson(load.p_LC)},
+                     {"distance", glm::length(load.p_LC)},
+                     {"parts", std::move(parts)},
+                     {"mass_not_entered", load.starting},
+                     {"on_other_links", std::move(other)},
+                     {"verdict", word}});
+  }
+  return loads;
+}
+
 Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostics& notes) {
   const auto document = workcell::loadDocument(options.file, notes);
   if (!document) return tl::unexpected(document.error());
   ordered_json result = inspection("hcell", "m", treeReport(document->snapshotEntities()), notes);
+  result["loads"] = loadsReport(document->state());
   result["pair_sets"] = ordered_json::array();
   for (const workcell::PairSet& set : document->state().pair_sets) {
     result["pair_sets"].push_back({{"name", set.name},

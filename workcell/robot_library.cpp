@@ -17,6 +17,15 @@ bool isPlain(const std::string& name) {
   });
 }
 
+/// A robot of the library that has no robot.toml says no more than its name.
+Expected<RobotSheet> sheetOf(const std::string& name, const fs::path& file) {
+  if (file.extension() == ".toml") return readRobotSheet(file);
+  RobotSheet sheet;
+  sheet.name = name;
+  if (name == "hc6") sheet = {"HC-6", "HaptiCell", "6-axis", "HaptiCell's own demonstration robot", 12.0, 1.4};
+  return sheet;
+}
+
 }  // namespace
 
 Expected<fs::path> findLibraryRobot(const std::string& name) {
@@ -43,21 +52,28 @@ std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics) {
     const auto file = findLibraryRobot(name);
     if (!file) continue;
     LibraryRobot robot{name, {}, *file};
-    robot.sheet.name = name;
-    if (file->extension() == ".toml") {
-      auto sheet = readRobotSheet(*file);
-      if (!sheet) {
-        diagnostics.warn(sheet.error().message());
-        continue;
-      }
-      robot.sheet = std::move(*sheet);
-    } else if (name == "hc6") {
-      robot.sheet = {"HC-6", "HaptiCell", "6-axis", "HaptiCell's own demonstration robot", 12.0, 1.4};
+    auto sheet = sheetOf(name, *file);
+    if (!sheet) {
+      diagnostics.warn(sheet.error().message());
+      continue;
     }
+    robot.sheet = std::move(*sheet);
     robots.push_back(std::move(robot));
   }
   std::sort(robots.begin(), robots.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return robots;
+}
+
+Expected<double> ratedPayload(const std::string& source) {
+  constexpr std::string_view kLibrary = "library:";
+  if (source.starts_with(kLibrary)) {
+    const std::string name = source.substr(kLibrary.size());
+    return findLibraryRobot(name)
+        .and_then([&](const fs::path& file) { return sheetOf(name, file); })
+        .map([](const RobotSheet& sheet) { return sheet.payload; });
+  }
+  if (fs::path(source).extension() != ".toml") return 0.0;
+  return readRobotSheet(source).map([](const RobotSheet& sheet) { return sheet.payload; });
 }
 
 }  // namespace hapticell::workcell

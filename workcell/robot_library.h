@@ -23,4 +23,8 @@ std::vector<LibraryRobot> listLibraryRobots(Diagnostics& diagnostics);
 /// The file of one of them; an error that names some where there is none of that name.
 Expected<std::filesystem::path> findLibraryRobot(const std::string& name);
 
+/// What the maker allows at the flange, kg, of a robot with that SourceFile::path: as its robot.toml says, built-in or
+/// the user's own. 0 where nothing says it (URDF, SDF, mechanisms). An error where that file is missing or broken.
+Expected<double> ratedPayload(const std::string& source);
+
 }  // namespace hapticell::workcell

@@ -122,7 +122,9 @@ void PropertiesPanel::addChoices(QVBoxLayout& column) {
                        QString::fromStdString(key));
   addRow(column, tr("Material"), material_, kNarrowLabel);
   mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
-  mass_row_ = addRow(column, tr("Mass felt"), mass_, kNarrowLabel);
+  mass_->setObjectName("fieldEntityMass");
+  mass_->setToolTip(tr("Felt in the class Dynamics; counts in the load of the robot that carries it"));
+  addRow(column, tr("Mass"), mass_, kNarrowLabel);
   swatches_ = new SwatchRow(quietColors());
   swatches_->offerOther();
   addRow(column, tr("Colour"), swatches_, kNarrowLabel);
@@ -254,7 +256,6 @@ void PropertiesPanel::showChoices() {
   force_class_->setCurrent(static_cast<int>(now->force_class));
   material_->setCurrentIndex(material_->findData(QString::fromStdString(now->material)));
   mass_->setValue(now->mass);
-  mass_row_->setVisible(now->force_class == workcell::ForceClass::kDynamics);
   swatches_->setCurrent(colorOf(*now));
   swatches_->parentWidget()->setVisible(!now->robot);
   checked_->setChecked(now->checked);

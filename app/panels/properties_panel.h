@@ -62,7 +62,7 @@ class PropertiesPanel : public QWidget {
   QLabel* nothing_;
   QWidget* content_;
   PoseBlock tool_, place_;
-  QWidget *joints_holder_, *mass_row_;
+  QWidget* joints_holder_;
   QVBoxLayout* joints_column_;
   std::vector<JointRow*> rows_;
   QLabel* configuration_ = nullptr;                    ///< "front · up · no flip"; of the rows.

@@ -143,8 +143,8 @@ void SolidPanel::addFeel(QVBoxLayout& column) {
   addRow(*section, tr("Material"), material_);
   mass_ = new ValueField({tr("kg"), 2, 0.01, 10000.0, 0.1});
   mass_->setObjectName("fieldSolidMass");
-  mass_->setToolTip(tr("Felt in the class Dynamics"));
-  mass_row_ = addRow(*section, tr("Mass felt"), mass_);
+  mass_->setToolTip(tr("Felt in the class Dynamics; counts in the load of the robot that carries it"));
+  addRow(*section, tr("Mass"), mass_);
   on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
   on_contact_->setObjectName("segmentsSolidOnContact");
   addRow(*section, tr("On contact"), on_contact_);
@@ -237,7 +237,6 @@ void SolidPanel::showFeel(const workcell::Entity& solid) {
   on_contact_->setCurrent(static_cast<int>(solid.on_contact));
   material_->setCurrentIndex(material_->findData(QString::fromStdString(solid.material)));
   if (!mass_->hasFocus()) mass_->setValue(solid.mass);
-  mass_row_->setVisible(solid.force_class == workcell::ForceClass::kDynamics);
   checked_->setChecked(solid.checked);
   locked_->setChecked(solid.locked);
   visible_->setChecked(solid.visible);

@@ -52,7 +52,7 @@ class SolidPanel : public QWidget {
   QWidget* content_;
   Segmented *turns_, *place_in_, *force_class_, *on_contact_;
   QComboBox *frame_, *material_;
-  QWidget *frame_row_, *mass_row_;
+  QWidget* frame_row_;
   QPushButton* new_frame_;
   std::array<ValueField*, 6> place_{};
   ValueField* mass_;

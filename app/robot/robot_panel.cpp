@@ -17,6 +17,7 @@
 #include "app/robot/holding_view.h"
 #include "app/robot/joint_jog.h"
 #include "app/robot/joint_mover.h"
+#include "app/robot/load_line.h"
 #include "app/robot/robot_context.h"
 #include "app/robot/robot_thumbnail.h"
 #include "app/robot/stop_line.h"
@@ -121,6 +122,7 @@ void RobotPanel::addHeading(QVBoxLayout& column) {
   kind_ = makeLive(2, TextRole::kSecond, true);
   rows->addWidget(name_);
   rows->addWidget(kind_);
+  rows->addWidget(new LoadLine(context_, "labelLoad"));
 }
 
 void RobotPanel::addHolding(QVBoxLayout& column) {

@@ -13,6 +13,7 @@
 #include "app/host/host.h"
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
+#include "app/robot/load_line.h"
 #include "app/robot/robot_context.h"
 #include "app/style/icon.h"
 #include "app/style/value_field.h"
@@ -127,6 +128,7 @@ void ToolsPanel::addCarried(QVBoxLayout& column) {
   addRow(*rows, tr("On link"), carrier_link_, 56);
   attach_ = makeButton("buttonAttach", tr("Attach"), tr("Where it stands now"));
   rows->addWidget(sideBySide({release_, attach_}));
+  rows->addWidget(new LoadLine(context_, "labelToolsLoad"));
   connect(carried_, &QListWidget::currentRowChanged, this, [this](int row) { release_->setEnabled(row >= 0); });
   connect(release_, &QPushButton::clicked, this, [this] {
     if (const QListWidgetItem* item = carried_->currentItem())

@@ -839,6 +839,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>, à la main</translation>
     </message>
     <message>
+        <source>, centre %1 from %2</source>
+        <translation>, centre à %1 de %2</translation>
+    </message>
+    <message>
         <source>, firmware %1</source>
         <translation>, micrologiciel %1</translation>
     </message>
@@ -2547,8 +2551,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Senti aussitôt pendant la modification.</translation>
     </message>
     <message>
-        <source>Felt in the class Dynamics</source>
-        <translation>Senti dans la classe Dynamique</translation>
+        <source>Felt in the class Dynamics; counts in the load of the robot that carries it</source>
+        <translation>Sentie dans la classe Dynamique ; compte dans la charge du robot qui la porte</translation>
     </message>
     <message>
         <source>Fence</source>
@@ -3655,12 +3659,28 @@ Voulez-vous le remplacer ?</translation>
         <translation>Charge</translation>
     </message>
     <message>
+        <source>Load %1 of %2 allowed</source>
+        <translation>Charge %1 sur %2 admis</translation>
+    </message>
+    <message>
+        <source>Load %1; the payload is not known</source>
+        <translation>Charge %1 ; la charge admise n'est pas connue</translation>
+    </message>
+    <message>
         <source>Load, left hand</source>
         <translation>Charge à gauche</translation>
     </message>
     <message>
         <source>Load, right hand</source>
         <translation>Charge à droite</translation>
+    </message>
+    <message>
+        <source>Load: none of %1 allowed</source>
+        <translation>Charge : aucune, %1 admis</translation>
+    </message>
+    <message>
+        <source>Load: none. The payload is not known</source>
+        <translation>Charge : aucune. La charge admise n'est pas connue</translation>
     </message>
     <message>
         <source>Lock</source>
@@ -3771,8 +3791,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Masse</translation>
     </message>
     <message>
-        <source>Mass felt</source>
-        <translation>Masse sentie</translation>
+        <source>Mass not entered, 1 kg taken: %1</source>
+        <translation>Masse non saisie, 1 kg pris : %1</translation>
     </message>
     <message>
         <source>Material</source>
@@ -6949,6 +6969,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Told once the figure rests</source>
         <translation>Dit dès que le corps est au repos</translation>
+    </message>
+    <message>
+        <source>Too heavy: %1 of %2 allowed</source>
+        <translation>Trop lourd : %1 pour %2 admis</translation>
     </message>
     <message>
         <source>Tool</source>

@@ -126,6 +126,28 @@ TEST(Tools, APartIsAttachedGoesAlongAndIsReleasedWhereItIs) {
   EXPECT_EQ(placeOf(), there);
 }
 
+TEST(Tools, WhatIsAttachedIsWeighedAgainstTheMakersPayload) {
+  RobotPage page;
+  const workcell::EntityId robot = page.addRobot("kuka_kr16_2");
+  const Pose X_WT = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
+  const workcell::EntityId part = page.add(box("Casting", X_WT.p));
+  page.window().selection().set(robot);
+  page.settle();
+  EXPECT_EQ(page.words("labelLoad"), "Load: none of 16 kg allowed");
+  page.click("buttonTools");
+  ASSERT_TRUE(page.clickForStep("buttonAttach"));
+  EXPECT_TRUE(page.words("labelToolsLoad").startsWith("Load 1 kg of 16 kg allowed"));
+  EXPECT_TRUE(page.words("labelToolsLoad").contains("Mass not entered, 1 kg taken: Casting"));
+  ASSERT_TRUE(page.document().execute(workcell::SetProperties{.id = part, .mass = 20.0}));
+  page.settle();
+  EXPECT_TRUE(page.words("labelToolsLoad").startsWith("Too heavy: 20 kg of 16 kg allowed, centre "));
+  EXPECT_FALSE(page.words("labelToolsLoad").contains("not entered"));
+  page.document().undo();
+  page.document().undo();
+  page.settle();
+  EXPECT_EQ(page.words("labelToolsLoad"), "Load: none of 16 kg allowed");
+}
+
 TEST(Mechanisms, ASampleIsOneStepJogsAndStopsAtItsLimit) {
   RobotPage page;
   page.trigger("actionMechanism");

@@ -115,6 +115,29 @@ TEST_F(FileCommands, workcellNewWritesWhatInspectShows) {
   EXPECT_EQ(cell["pair_sets"].size(), 2u);
 }
 
+TEST_F(FileCommands, inspectWeighsWhatARobotCarries) {
+  ASSERT_EQ(run({"workcell", "new", "cell.hcell", "--add", "library:kuka_kr16_2,name=robot", "--add",
+                 "box:0.1,0.1,0.1,name=casting,on=robot"}),
+            0)
+      << said_;
+  ASSERT_EQ(run({"inspect", "cell.hcell"}), 0) << said_;
+  json load = result()["loads"][0];
+  EXPECT_EQ(load["robot"], "robot");
+  EXPECT_EQ(load["payload"], 16.0);
+  EXPECT_EQ(load["parts"], json::array({"casting"}));
+  EXPECT_EQ(load["mass_not_entered"], json::array({"casting"}));
+  EXPECT_EQ(load["verdict"], "not known");
+  json cell = document("cell.hcell");
+  for (json& entity : cell["entities"])
+    if (entity["name"] == "casting") entity["mass"] = 20.0;
+  std::ofstream("cell.hcell") << cell;
+  ASSERT_EQ(run({"inspect", "cell.hcell"}), 0) << said_;
+  load = result()["loads"][0];
+  EXPECT_EQ(load["mass"], 20.0);
+  EXPECT_EQ(load["mass_not_entered"], json::array());
+  EXPECT_EQ(load["verdict"], "too heavy");
+}
+
 TEST_F(FileCommands, inspectPutsEntitiesBelowTheirAssembly) {
   folder_.write("cell.hcell", R"({"format": "hapticell-workcell", "version": 1, "entities": [
     {"name": "a", "source": {"file": "box:1,1,1"}, "parent": "fixture"},
