@@ -32,7 +32,7 @@ struct PostureReportInput {
   std::optional<WorkplaceFinding> workplace{};
   std::optional<MotionPhase> phase{};  ///< The worst of the recorded motion.
   bool is_of_phase = false;            ///< The posture is that of the phase, not as the figure stands.
-  std::string company{};               ///< Above the title.
+  std::string company{};               ///< In the head.
   ReportPicture logo{};                ///< Beside it.
 };
 

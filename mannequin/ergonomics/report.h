@@ -51,7 +51,7 @@ struct ReportPicture {
 struct Report {
   std::string title, subtitle, date;
   std::string language = "en";  ///< "en" or "fr".
-  std::string company{};        ///< Over the title; may be empty.
+  std::string company{};        ///< In the head; may be empty.
   ReportPicture logo{};         ///< At the head's right end; may be empty.
   ReportPicture scene{};        ///< The figure in its cell; may be empty.
   std::vector<ReportShape> picture{};

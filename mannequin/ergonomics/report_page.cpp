@@ -93,17 +93,16 @@ class PagePainter : protected ReportCanvas {
 
   void header() {
     const double taken = logo();
-    if (!report_.company.empty()) {
-      font(10, true);
-      show(margin_, y_ + 8, report_.company);
-      y_ += 15;
-    }
     font(16, true);
     show(margin_, y_ + 12, report_.title);
     font(9);
     quiet();
     show(margin_ + inner_ - taken - widthOf(report_.date), y_ + 12, report_.date);
     show(margin_, y_ + 27, report_.subtitle);
+    // Under the date, so that the page stays one page.
+    font(9, true);
+    ink();
+    show(margin_ + inner_ - taken - widthOf(report_.company), y_ + 27, report_.company);
     ink();
     y_ += 36;
     rule(margin_, inner_, 1.4, 0.1);

@@ -114,7 +114,7 @@ TEST(Report, NamesTheCompanyAndShowsItsLogo) {
   const std::string without = reportHtml(postureReport(input));
   EXPECT_EQ(without.find("class=\"logo\""), std::string::npos);
   input.company = "Ada & Sons";
-  input.logo = {2, 1, {0xFFFF0000u, 0xFF00FF00u}};
+  input.logo = {40, 20, std::vector<std::uint32_t>(800, 0xFFFF0000u)};
   const Report report = postureReport(input);
   const std::string html = reportHtml(report);
   EXPECT_NE(html.find("Ada &amp; Sons"), std::string::npos);
@@ -122,7 +122,7 @@ TEST(Report, NamesTheCompanyAndShowsItsLogo) {
   EXPECT_NE(reportCsv(report).find("Ada & Sons"), std::string::npos);
   EXPECT_NE(reportJson(report).find("\"company\": \"Ada & Sons\""), std::string::npos);
   const ReportPicture page = drawReportPage(report, 1, 600);
-  EXPECT_GT(std::count(page.pixels.begin(), page.pixels.end(), 0xFFFF0000u), 20) << "the logo's red half is drawn";
+  EXPECT_GT(std::count(page.pixels.begin(), page.pixels.end(), 0xFFFF0000u), 20) << "the red logo is drawn";
   EXPECT_EQ(reportPages(report), 1);
 }
 
