@@ -14,6 +14,7 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
+#include "app/panels/ghost_placer.h"
 #include "app/panels/place_fields.h"
 #include "app/panels/pose_text.h"
 #include "app/style/icon.h"
@@ -87,6 +88,7 @@ PartPanel::PartPanel(Host& host, QWidget* parent) : QWidget(parent), host_(host)
   whole->addWidget(scrolledPanel(scrolled), 1);
   whole->addWidget(makePlace());  // Never scrolled away: it holds the button that inserts.
   connect(list_, &QListWidget::currentRowChanged, this, &PartPanel::showChosen);
+  connect(list_, &QListWidget::itemPressed, this, &PartPanel::showGhost);
   connect(list_, &QListWidget::itemDoubleClicked, this, &PartPanel::insert);
   connect(&host_.documentModel(), &DocumentModel::changed, this, &PartPanel::showRobots);
   connect(&draw_, &QTimer::timeout, this, &PartPanel::drawPictures);
@@ -128,6 +130,8 @@ QWidget* PartPanel::makePlace() {
   QVBoxLayout* section = addSection(*column, tr("Where it stands"));
   place_ = new PlaceFields(host_, "placePart", tr("Click where the middle of its lower side shall stand"));
   section->addWidget(place_);
+  ghost_ = new GhostPlacer(
+      host_, *place_, [this] { insertThere(); }, this);
   mount_on_ = new QComboBox;
   mount_on_->setObjectName("comboMountOn");
   mount_row_ = addRow(*section, tr("Mount on"), mount_on_);
@@ -149,6 +153,11 @@ void PartPanel::showEvent(QShowEvent* event) {
   place_->set(floorInView(host_.viewport().camera()));
   showRobots();
   draw_.start(kPartDrawPause);
+}
+
+void PartPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  ghost_->end();
 }
 
 void PartPanel::choose(const QString& scheme) {
@@ -203,10 +212,21 @@ void PartPanel::showPart() {
   }
   if (!made && problem.isEmpty()) problem = tr("The inner radius must be smaller than the outer one");
   problem_->setText(problem);
+  if (ghost_->isOn()) showGhost();
   if (!made || !isVisible()) return;
   made->X_WE = {};
   const QImage picture = picture_.draw({std::move(*made)}, kPartPicture, themeOf(palette()));
   if (!picture.isNull()) big_picture_->setPixmap(QPixmap::fromImage(picture));
+}
+
+/// Not of what is mounted: that has its place.
+void PartPanel::showGhost() {
+  std::optional<Entity> made = part();
+  if (!made || robotToMountOn()) return ghost_->end();
+  made->X_WE = place_->X_W().inverse() * made->X_WE;
+  QWidget* const focused = focusWidget();
+  ghost_->begin(*made);
+  if (focused) focused->setFocus();  // The pick took it; letters and arrows go on in the panel.
 }
 
 void PartPanel::showRobots() {
@@ -247,6 +267,11 @@ const Entity* PartPanel::robotToMountOn() const {
 }
 
 void PartPanel::insert() {
+  ghost_->end();
+  insertThere();
+}
+
+void PartPanel::insertThere() {
   std::optional<Entity> made = part();
   if (!made) return;
   DocumentModel& document = host_.documentModel();

@@ -16,13 +16,15 @@ class QPushButton;
 
 namespace hapticell::app {
 
+class GhostPlacer;
 class Host;
 class PlaceFields;
 class ValueField;
 
 /// "Insert part": the built-in parts with pictures, their sizes, where one shall stand, and the button that adds it as
-/// one step of undo. A gripper can be mounted on a robot: it stands on the flange, is attached to it, and the robot's
-/// tool centre point moves between its fingers where it was at the flange.
+/// one step of undo. One that is clicked follows the pointer over the scene as a ghost until a click there inserts it.
+/// A gripper can be mounted on a robot: it stands on the flange, is attached to it, and the robot's tool centre point
+/// moves between its fingers where it was at the flange.
 class PartPanel : public QWidget {
   Q_OBJECT
  public:
@@ -35,6 +37,7 @@ class PartPanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   static constexpr std::size_t kMostSizes = 3;
@@ -44,6 +47,8 @@ class PartPanel : public QWidget {
   std::string source() const;
   void showChosen();
   void showPart();
+  void showGhost();
+  void insertThere();
   void showRobots();
   void drawPictures();
   const workcell::Entity* robotToMountOn() const;
@@ -57,6 +62,7 @@ class PartPanel : public QWidget {
   std::array<QLabel*, kMostSizes> names_{};
   std::array<ValueField*, kMostSizes> sizes_{};
   PlaceFields* place_;
+  GhostPlacer* ghost_;
   QWidget* mount_row_;
   QComboBox* mount_on_;
   QPushButton* insert_;

@@ -16,6 +16,7 @@
 #include "app/host/message_log.h"
 #include "app/host/selection.h"
 #include "app/panels/form.h"
+#include "app/panels/ghost_placer.h"
 #include "app/panels/place_fields.h"
 #include "app/robot/robot_facts.h"
 #include "app/style/icon.h"
@@ -127,6 +128,10 @@ LibraryPanel::LibraryPanel(Host& host, QWidget* parent) : QWidget(parent), host_
   connect(search_, &QLineEdit::textChanged, this, search);
   connect(maker_, &QComboBox::activated, this, search);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, &LibraryPanel::showChosen);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    if (ghost_->isOn()) showGhost();
+  });
+  connect(list_, &QListView::pressed, this, &LibraryPanel::showGhost);
   connect(list_, &QListView::doubleClicked, this, &LibraryPanel::add);
   connect(model_, &LibraryModel::dataChanged, this, &LibraryPanel::showChosen);
   connect(&draw_, &QTimer::timeout, this, &LibraryPanel::drawNext);
@@ -166,6 +171,8 @@ QWidget* LibraryPanel::makePlace() {
   QVBoxLayout* inside = addSection(*rows, tr("Where its base stands"));
   place_ = new PlaceFields(host_, QStringLiteral("placeLibrary"), tr("Click where the base shall stand"));
   inside->addWidget(place_);
+  ghost_ = new GhostPlacer(
+      host_, *place_, [this] { addThere(); }, this);
   add_ = new QPushButton(tr("Add"));
   add_->setObjectName("buttonAddFromLibrary");
   add_->setProperty("main", true);
@@ -183,6 +190,11 @@ void LibraryPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (!list_->currentIndex().isValid() && filter_.rowCount() > 0) list_->setCurrentIndex(filter_.index(0, 0));
   draw_.start(kDrawMilliseconds);
+}
+
+void LibraryPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  ghost_->end();
 }
 
 void LibraryPanel::choose(const std::string& name) {
@@ -255,28 +267,46 @@ void LibraryPanel::drawNext() {
   }
 }
 
-void LibraryPanel::add() {
+/// At rest, standing at the origin; nothing, and a message, where its file cannot be read.
+std::optional<workcell::Entity> LibraryPanel::chosenRobot() {
   const int row = chosenRow();
-  if (row < 0) return;
-  workcell::Entity entity;
-  if (const workcell::Entity* known = model_->entity(row)) {
-    entity = *known;
-  } else {
-    Diagnostics diagnostics;
-    auto loaded = workcell::EntityLoader({}).load("library:" + model_->robot(row).name, 0.0, diagnostics);
-    if (!loaded)
-      return host_.messages().tell(Severity::kProblem, tr("The robot was not added"),
-                                   QString::fromStdString(loaded.error().message()));
-    entity = std::move(*loaded);
+  if (row < 0) return std::nullopt;
+  if (const workcell::Entity* known = model_->entity(row)) return *known;
+  Diagnostics diagnostics;
+  auto loaded = workcell::EntityLoader({}).load("library:" + model_->robot(row).name, 0.0, diagnostics);
+  if (!loaded) {
+    host_.messages().tell(Severity::kProblem, tr("The robot was not added"),
+                          QString::fromStdString(loaded.error().message()));
+    return std::nullopt;
   }
+  loaded->joints = kinematics::restPositions(*loaded->robot);
+  return std::move(*loaded);
+}
+
+void LibraryPanel::showGhost() {
+  const std::optional<workcell::Entity> robot = chosenRobot();
+  if (!robot) return ghost_->end();
+  ghost_->begin(*robot);
+  list_->setFocus();  // The pick took it; letters and arrows go on in the list.
+}
+
+void LibraryPanel::add() {
+  ghost_->end();
+  const std::size_t before = host_.documentModel().document().state().entities.size();
+  addThere();
+  if (host_.documentModel().document().state().entities.size() > before)
+    host_.viewport().fit(host_.viewport().scene().bounds_W());
+}
+
+void LibraryPanel::addThere() {
+  std::optional<workcell::Entity> entity = chosenRobot();
+  if (!entity) return;
   DocumentModel& document = host_.documentModel();
-  entity.joints = kinematics::restPositions(*entity.robot);
-  entity.name = document.document().uniqueName(model_->robot(row).sheet.name);
-  entity.X_WE = place_->X_W();
-  const std::string name = entity.name;
-  if (!document.execute(workcell::AddEntity{std::move(entity)})) return;
+  entity->name = document.document().uniqueName(model_->robot(chosenRow()).sheet.name);
+  entity->X_WE = place_->X_W();
+  const std::string name = entity->name;
+  if (!document.execute(workcell::AddEntity{std::move(*entity)})) return;
   if (const workcell::Entity* made = document.document().findByName(name)) host_.selection().set(made->id);
-  host_.viewport().fit(host_.viewport().scene().bounds_W());
   emit added();
 }
 

@@ -5,6 +5,7 @@
 #include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
+#include <optional>
 #include <set>
 
 #include "app/robot/library_model.h"
@@ -18,6 +19,7 @@ class QPushButton;
 
 namespace hapticell::app {
 
+class GhostPlacer;
 class Host;
 class PlaceFields;
 
@@ -35,7 +37,8 @@ class LibraryFilter : public QSortFilterProxyModel {
 };
 
 /// "Add robot": the built-in robots with pictures, search and maker, where the chosen one shall stand, and the button
-/// that adds it as one step of undo.
+/// that adds it as one step of undo. One that is clicked follows the pointer over the scene as a ghost until a click
+/// there adds it.
 class LibraryPanel : public QWidget {
   Q_OBJECT
  public:
@@ -52,12 +55,16 @@ class LibraryPanel : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makeSheet();
   QWidget* makePlace();
   int chosenRow() const;
   void showChosen();
+  void showGhost();
+  void addThere();
+  std::optional<workcell::Entity> chosenRobot();
   void load(int row);
   void drawNext();
   Host& host_;
@@ -69,6 +76,7 @@ class LibraryPanel : public QWidget {
   QListView* list_;
   QLabel *big_picture_, *name_, *sheet_;
   PlaceFields* place_;
+  GhostPlacer* ghost_;
   QPushButton* add_;
   std::set<int> asked_;
   QTimer draw_;

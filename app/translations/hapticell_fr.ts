@@ -1871,6 +1871,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez pour le jouer</translation>
     </message>
     <message>
+        <source>Click where it shall stand; Esc: not now</source>
+        <translation>Cliquez où le poser ; Échap : pas maintenant</translation>
+    </message>
+    <message>
         <source>Click where the base shall stand</source>
         <translation>Cliquez où la base se posera</translation>
     </message>

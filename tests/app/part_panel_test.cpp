@@ -52,6 +52,55 @@ TEST(InsertPart, ATableStandsOnTheFloorAsLargeAsTypedAndIsOneStep) {
   EXPECT_EQ(page.entities(), 0u);
 }
 
+TEST(InsertPart, AChosenPartFollowsThePointerAndStandsWhereItIsClicked) {
+  PartPage page;
+  page.window().viewport().setMotion(false);
+  page.choose("Table");
+  ASSERT_TRUE(page.window().viewport().isPicking());
+  EXPECT_EQ(page.ghosts(), 0u) << "the pointer is not over the scene yet";
+  const dvec3 place(0.3, 0.2, 0.0);
+  const QPoint pixel = page.pixelOfPoint(place);
+  ASSERT_TRUE(page.window().viewport().rect().contains(pixel));
+  page.overScene(pixel, false);
+  EXPECT_GT(page.ghosts(), 0u);
+  EXPECT_EQ(page.entities(), 0u);
+  page.overScene(pixel, true);
+  ASSERT_EQ(page.entities(), 1u);
+  EXPECT_EQ(page.ghosts(), 0u);
+  EXPECT_FALSE(page.window().viewport().isPicking());
+  const auto boundsOf = [&] { return geometry::transformed(page.selected()->X_WE, page.selected()->mesh->bounds()); };
+  EXPECT_LT(glm::length(boundsOf().center() - (place + dvec3(0, 0, 0.375))), 0.02) << "a pixel is some millimetres";
+  EXPECT_NEAR(boundsOf().min.z, 0.0, 1e-9);
+  EXPECT_EQ(page.steps(), 1u);
+  page.choose("Box");
+  page.overScene(page.pixelOfPoint(place + dvec3(0, 0, 0.75)), true);
+  ASSERT_EQ(page.entities(), 2u);
+  EXPECT_NEAR(boundsOf().min.z, 0.75, 1e-6) << "on the table";
+  page.trigger("actionUndo");
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.entities(), 0u);
+}
+
+TEST(InsertPart, EscapeAndTheButtonEndTheGhost) {
+  PartPage page;
+  page.choose("Box");
+  const QPoint pixel = page.pixelOfPoint(dvec3(0.0));
+  page.overScene(pixel, false);
+  EXPECT_GT(page.ghosts(), 0u);
+  QTest::keyClick(&page.window().viewport(), Qt::Key_Escape);
+  page.settle();
+  EXPECT_EQ(page.ghosts(), 0u);
+  EXPECT_FALSE(page.window().viewport().isPicking());
+  page.overScene(pixel, true);
+  EXPECT_EQ(page.entities(), 0u);
+  page.choose("Cylinder");
+  page.overScene(pixel, false);
+  ASSERT_TRUE(page.insert());
+  EXPECT_EQ(page.ghosts(), 0u);
+  EXPECT_FALSE(page.window().viewport().isPicking());
+  EXPECT_EQ(page.entities(), 1u);
+}
+
 TEST(InsertPart, ABenchIsSetToAnotherHeightAfterwardsInOneStep) {
   PartPage page;
   page.choose("Adjustable bench");

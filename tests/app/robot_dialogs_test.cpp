@@ -23,6 +23,28 @@ workcell::Entity box(const std::string& name, const dvec3& p_W) {
   return entity;
 }
 
+TEST(RobotLibrary, AChosenRobotFollowsThePointerAndStandsWhereItIsClicked) {
+  RobotPage page;
+  page.window().viewport().setMotion(false);
+  page.trigger("actionAddRobot");
+  auto* list = page.find<QAbstractItemView>("listLibrary");
+  page.settle();
+  EXPECT_FALSE(page.window().viewport().isPicking()) << "nobody has chosen yet";
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(1, 0)).center());
+  page.settle();
+  ASSERT_TRUE(page.window().viewport().isPicking());
+  const dvec3 place(0.4, -0.2, 0.0);
+  page.overScene(page.pixelOfPoint(place), false);
+  EXPECT_GT(page.ghosts(), 0u);
+  EXPECT_EQ(page.steps(), 0u);
+  page.overScene(page.pixelOfPoint(place), true);
+  ASSERT_EQ(page.steps(), 1u);
+  ASSERT_TRUE(page.selected());
+  EXPECT_LT(glm::length(page.selected()->X_WE.p - place), 0.02);
+  EXPECT_EQ(page.ghosts(), 0u);
+  EXPECT_FALSE(page.isShown("dockAddRobot"));
+}
+
 TEST(RobotLibrary, IsSearchedAndAddsOneStepAtThePlace) {
   RobotPage page;
   page.trigger("actionAddRobot");

@@ -4,10 +4,14 @@
 #include <QAbstractButton>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QTableView>
 #include <QtTest/QTest>
+#include <algorithm>
+#include <cmath>
 
 #include "app/style/value_field.h"
+#include "app/viewport/viewport_widget.h"
 #include "kinematics/robot_model.h"
 #include "tests/app/window_page.h"
 #include "workcell/entity_source.h"
@@ -86,6 +90,32 @@ class RobotPage : public WindowPage {
   QString words(const QString& label) {
     auto* found = find<QLabel>(label);
     return found ? found->text() : QString();
+  }
+  /// A pixel of the scene where a point of the cell lies.
+  QPoint pixelOfPoint(const dvec3& p_W) {
+    ViewportWidget& scene = window().viewport();
+    const auto seen =
+        scene.camera().project(p_W, {static_cast<double>(scene.width()), static_cast<double>(scene.height())});
+    return seen ? QPoint(static_cast<int>(std::lround(seen->x)), static_cast<int>(std::lround(seen->y))) : QPoint();
+  }
+  /// The pointer goes to a place of the scene, and clicks there where it is told so.
+  void overScene(const QPoint& place, bool click) {
+    ViewportWidget& scene = window().viewport();
+    const auto send = [&](QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons held) {
+      QMouseEvent event(type, QPointF(place), scene.mapToGlobal(QPointF(place)), button, held, Qt::NoModifier);
+      QApplication::sendEvent(&scene, &event);
+      settle();
+    };
+    send(QEvent::MouseMove, Qt::NoButton, Qt::NoButton);
+    if (!click) return;
+    send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton);
+  }
+  /// How many shapes are in the scene only as ghosts.
+  std::size_t ghosts() {
+    const auto items = window().viewport().scene().items({});
+    return static_cast<std::size_t>(
+        std::count_if(items.begin(), items.end(), [](const RenderItem& item) { return item.ghost != Ghost::kNone; }));
   }
   bool isShown(const char* dock) {
     const auto* found = window().findChild<QDockWidget*>(dock);
