@@ -36,7 +36,6 @@ class Writer {
     if (!input_.bodies.empty()) report.blocks.push_back(bodies());
     report.blocks.push_back(drives());
     if (!input_.history.empty()) report.blocks.push_back(history());
-    if (input_.workplace) report.blocks.push_back(workplaceBlock(*input_.workplace, language()));
     report.blocks.push_back(subScores());
     report.blocks.push_back(zones());
     ReportBlock assumed = limits();

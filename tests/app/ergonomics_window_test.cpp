@@ -354,8 +354,11 @@ TEST(WorkplaceDock, SearchesShowsItsMapAndMovesTheTable) {
   ASSERT_TRUE(page.until([&] { return panel->map().has_value(); }, 15 * ErgonomicsPage::kPatience));
   EXPECT_EQ(panel->map()->cells.size(), 9u);
   EXPECT_TRUE(page.words("labelSearch").contains("Moved: Bench.")) << page.words("labelSearch").toStdString();
+  page.bringDock("actionErgonomicsReport");
+  page.segment("segmentsReport", 1);
   const std::string told = ergonomics::reportCsv(page.window().findChild<ReportPanel*>()->report());
   EXPECT_NE(told.find("Moved, and nothing else: Bench"), std::string::npos) << told;
+  page.bringDock("actionWorkplace");
   const dvec3 shelf_before = page.document().document().find(shelf)->X_WE.p;
   if (panel->map()->best >= 0) {
     const dvec3 before = page.document().document().find(bench)->X_WE.p;
