@@ -310,7 +310,12 @@ void WorkcellPanel::openMenu(const QPoint& place) {
 void WorkcellPanel::fillMenu(QMenu& menu, const QModelIndex& index) {
   const QPersistentModelIndex row = index;
   const bool named = model_.flags(source(index)) & Qt::ItemIsEditable;
-  fillEntityMenu(menu, host_, chosenEntities(), named ? [this, row] { tree_->edit(row); } : std::function<void()>());
+  const auto rename = named ? [this, row] { tree_->edit(row); } : std::function<void()>();
+  if (index.data(Role::kMotionRole).toString().isEmpty())
+    fillEntityMenu(menu, host_, chosenEntities(), rename);
+  else if (named)
+    menu.addAction(tr("Rename"), &menu, rename);
+  emit menuFilled(&menu, index);
 }
 
 void WorkcellPanel::rename(workcell::EntityId entity) {

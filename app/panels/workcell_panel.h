@@ -54,6 +54,10 @@ class WorkcellPanel : public QWidget {
   /// Brings the tree to the front and edits the name there.
   void rename(workcell::EntityId entity);
 
+ signals:
+  /// The menu of a row is about to be shown: whoever knows more of the row adds entries.
+  void menuFilled(QMenu* menu, const QModelIndex& index);
+
  private:
   void takeSelection();
   void showSelection();

@@ -305,7 +305,8 @@ Qt::ItemFlags WorkcellTreeModel::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
   const Kind kind = kindOf(index);
   Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-  if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kPairSet) result |= Qt::ItemIsEditable;
+  if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kPairSet || kind == Kind::kTrajectory)
+    result |= Qt::ItemIsEditable;
   if (kind == Kind::kFolder || kind == Kind::kEntity) result |= Qt::ItemIsDragEnabled;
   if (kind == Kind::kCell || kind == Kind::kFolder || kind == Kind::kEntity) result |= Qt::ItemIsDropEnabled;
   return result;
@@ -331,6 +332,10 @@ bool WorkcellTreeModel::setData(const QModelIndex& index, const QVariant& value,
   if (name.isEmpty() || name == node.name) return false;
   if (node.kind == Kind::kEntity) return document_.execute(workcell::RenameEntity{node.entity, name.toStdString()});
   if (node.kind == Kind::kFolder) return renameFolder(nodes_[index.internalId()], name);
+  if (node.kind == Kind::kTrajectory) {
+    emit motionRenameWanted(node.name, name);
+    return true;
+  }
   if (node.kind != Kind::kPairSet) return false;
   const workcell::PairSet* set = document_.document().state().findPairSet(node.name.toStdString());
   if (!set) return false;

@@ -92,6 +92,10 @@ class WorkcellTreeModel : public QAbstractItemModel {
   /// Dragged rows carry the names of their entities too, one a line, UTF-8.
   static constexpr const char* kNamesFormat = "application/x-hapticell-entity-names";
 
+ signals:
+  /// A trajectory was given another name in its row; whoever keeps what is known of it renames it.
+  void motionRenameWanted(const QString& name, const QString& new_name);
+
  private:
   struct Node {
     Kind kind = Kind::kEntity;

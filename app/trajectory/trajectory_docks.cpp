@@ -148,7 +148,12 @@ class TrajectoryDocks : public QObject {
                  });
     });
     tree_ = host_.window().findChild<WorkcellPanel*>();
-    if (tree_) connect(&tree_->tree(), &QTreeView::clicked, this, &TrajectoryDocks::takeTreeRow);
+    if (tree_) {
+      connect(&tree_->tree(), &QTreeView::clicked, this, &TrajectoryDocks::takeTreeRow);
+      connect(tree_, &WorkcellPanel::menuFilled, this, &TrajectoryDocks::fillMotionMenu);
+      connect(&tree_->model(), &WorkcellTreeModel::motionRenameWanted, this,
+              [this](const QString& name, const QString& fresh) { list_.rename(name.toStdString(), fresh); });
+    }
     connect(&list_, &MotionList::changed, this, &TrajectoryDocks::showFrameRows);
     showFrameRows();
     showTraces();
@@ -165,6 +170,39 @@ class TrajectoryDocks : public QObject {
     if (!frame.isValid() || !motion->trajectory || frame.toULongLong() >= motion->trajectory->size()) return;
     motion_->setFrame(frame.toULongLong());
     player_.seek((*motion->trajectory)[frame.toULongLong()].t);
+  }
+
+  /// What can be done with a trajectory, or with one of its frames; each gives a copy, as in the dock.
+  void fillMotionMenu(QMenu* menu, const QModelIndex& index) {
+    const std::string name = index.data(WorkcellTreeModel::kMotionRole).toString().toStdString();
+    const Motion* motion = name.empty() ? nullptr : list_.find(name);
+    if (!motion || !motion->trajectory) return;
+    takeTreeRow(index);
+    const QVariant row = index.data(WorkcellTreeModel::kMotionFrameRole);
+    if (!row.isValid()) {
+      menu->addAction(icon("check"), tr("Check the motion"), menu, [this] { work_.check(); });
+      menu->addAction(tr("Edit and export motions…"), menu, [this] { openMotion({}); });
+      menu->addAction(tr("Remove"), menu, [this, name] { list_.remove(name); });
+      return;
+    }
+    using Made = Expected<std::vector<trajectory::Trajectory>>;
+    const auto one = [](Expected<trajectory::Trajectory> made) -> Made {
+      if (!made) return makeError(made.error());
+      return std::vector<trajectory::Trajectory>{std::move(*made)};
+    };
+    const std::size_t frame = row.toULongLong();
+    QAction* insert = menu->addAction(tr("Insert a frame after this one"), menu, [this, frame, one] {
+      work_.edit(tr("with a frame"), [frame, one](const auto& given) {
+        const double t = 0.5 * (given[frame].t + given[frame + 1].t);
+        return one(trajectory::withFrame(given, t, given.poseAt(t)));
+      });
+    });
+    insert->setEnabled(frame + 1 < motion->trajectory->size());
+    QAction* remove = menu->addAction(tr("Delete this frame"), menu, [this, frame, one] {
+      work_.edit(tr("without a frame"),
+                 [frame, one](const auto& given) { return one(trajectory::withoutFrames(given, frame, frame)); });
+    });
+    remove->setEnabled(motion->trajectory->size() > 1);
   }
 
   void showFrameRows() {

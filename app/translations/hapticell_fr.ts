@@ -2167,6 +2167,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Supprimer</translation>
     </message>
     <message>
+        <source>Delete this frame</source>
+        <translation>Supprimer cette image</translation>
+    </message>
+    <message>
         <source>Detach</source>
         <translation>Détacher</translation>
     </message>
@@ -3309,6 +3313,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Insert %1</source>
         <translation>Insérer %1</translation>
+    </message>
+    <message>
+        <source>Insert a frame after this one</source>
+        <translation>Insérer une image après celle-ci</translation>
     </message>
     <message>
         <source>Insert part</source>

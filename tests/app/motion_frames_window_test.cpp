@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QMenu>
 
 #include "app/panels/workcell_panel.h"
 #include "tests/app/motion_page.h"
@@ -119,6 +120,44 @@ TEST(MotionFrames, AreInsertedAtTheCursorAndDeleted) {
   ASSERT_EQ(page.newest().size(), 3u);
   EXPECT_NEAR(page.newest()[1].t, 0.5, 5e-3);
   EXPECT_EQ(page.newest()[2].X_WT.p, dvec3(0.2, 0.2, 0));
+}
+
+TEST(MotionFrames, AreInsertedDeletedAndTheirMotionRenamedInTheTree) {
+  FramesPage page;
+  ASSERT_TRUE(page.import({{0, {0, 0, 0}}, {1, {0.2, 0, 0}}, {2, {0.2, 0.2, 0}}}, "three"));
+  auto* panel = page.window().findChild<WorkcellPanel*>();
+  ASSERT_NE(panel, nullptr);
+  const auto choose = [&](const QModelIndex& index, const QString& text) {
+    QMenu menu;
+    panel->fillMenu(menu, index);
+    for (QAction* action : menu.actions())
+      if (action->text() == text && action->isEnabled()) return action->trigger(), true;
+    return false;
+  };
+  const auto becomesMotions = [&](std::size_t count) {
+    return MotionPage::until([&] { return page.motions() == count && page.isIdle(); }, MotionPage::kPatience);
+  };
+  QModelIndex motion = page.motionRow("three");
+  const QAbstractItemModel& rows = *page.tree().model();
+  EXPECT_FALSE(choose(rows.index(2, 0, motion), "Insert a frame after this one")) << "nothing comes after the last";
+  ASSERT_TRUE(choose(rows.index(0, 0, motion), "Insert a frame after this one"));
+  ASSERT_TRUE(becomesMotions(2));
+  ASSERT_EQ(page.newest().size(), 4u);
+  EXPECT_NEAR(page.newest()[1].t, 0.5, 1e-9);
+  EXPECT_NEAR(page.newest()[1].X_WT.p.x, 0.1, 1e-9);
+  motion = page.motionRow("three");
+  ASSERT_TRUE(choose(rows.index(1, 0, motion), "Delete this frame"));
+  ASSERT_TRUE(becomesMotions(3));
+  ASSERT_EQ(page.newest().size(), 2u);
+  EXPECT_EQ(page.newest()[1].X_WT.p, dvec3(0.2, 0.2, 0));
+  ASSERT_TRUE(page.tree().model()->setData(page.motionRow("three"), "first try", Qt::EditRole));
+  EXPECT_TRUE(page.motionRow("first try").isValid());
+  EXPECT_FALSE(page.motionRow("three").isValid());
+  page.trigger("actionUndo");
+  EXPECT_TRUE(page.motionRow("three").isValid());
+  page.trigger("actionUndo");
+  page.trigger("actionUndo");
+  EXPECT_EQ(page.motions(), 1u);
 }
 
 TEST(MotionShapes, SplitJoinMirrorReverseApproachAndRetract) {
