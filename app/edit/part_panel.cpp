@@ -224,7 +224,7 @@ void PartPanel::showGhost() {
   std::optional<Entity> made = part();
   if (!made || robotToMountOn()) return ghost_->end();
   made->X_WE = place_->X_W().inverse() * made->X_WE;
-  QWidget* const focused = focusWidget();
+  QWidget* const focused = ghost_->isOn() ? nullptr : focusWidget();
   ghost_->begin(*made);
   if (focused) focused->setFocus();  // The pick took it; letters and arrows go on in the panel.
 }

@@ -286,8 +286,9 @@ std::optional<workcell::Entity> LibraryPanel::chosenRobot() {
 void LibraryPanel::showGhost() {
   const std::optional<workcell::Entity> robot = chosenRobot();
   if (!robot) return ghost_->end();
+  const bool begins = !ghost_->isOn();
   ghost_->begin(*robot);
-  list_->setFocus();  // The pick took it; letters and arrows go on in the list.
+  if (begins) list_->setFocus();  // The pick took it; letters and arrows go on in the list.
 }
 
 void LibraryPanel::add() {

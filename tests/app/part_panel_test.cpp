@@ -73,6 +73,8 @@ TEST(InsertPart, AChosenPartFollowsThePointerAndStandsWhereItIsClicked) {
   EXPECT_NEAR(boundsOf().min.z, 0.0, 1e-9);
   EXPECT_EQ(page.steps(), 1u);
   page.choose("Box");
+  ViewportWidget& scene = page.window().viewport();
+  ASSERT_TRUE(PartPage::until([&] { return scene.hasWhole(scene.scene().revision()); }, PartPage::kPatience));
   page.overScene(page.pixelOfPoint(place + dvec3(0, 0, 0.75)), true);
   ASSERT_EQ(page.entities(), 2u);
   EXPECT_NEAR(boundsOf().min.z, 0.75, 1e-6) << "on the table";

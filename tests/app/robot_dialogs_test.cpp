@@ -41,7 +41,7 @@ TEST(RobotLibrary, AChosenRobotFollowsThePointerAndStandsWhereItIsClicked) {
   ASSERT_EQ(page.steps(), 1u);
   ASSERT_TRUE(page.selected());
   EXPECT_LT(glm::length(page.selected()->X_WE.p - place), 0.02);
-  EXPECT_EQ(page.ghosts(), 0u);
+  EXPECT_FALSE(page.window().viewport().isPicking());
   EXPECT_FALSE(page.isShown("dockAddRobot"));
 }
 
