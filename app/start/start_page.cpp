@@ -181,6 +181,8 @@ void StartPage::keyPressEvent(QKeyEvent* event) {
 
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   if (watched == &scene_ && event->type() == QEvent::Resize && isVisible()) place();
+  // Something is to be picked or placed: that needs the scene.
+  if (watched == &scene_ && event->type() == QEvent::CursorChange && scene_.cursor().shape() == Qt::CrossCursor) hide();
   return QFrame::eventFilter(watched, event);
 }
 

@@ -16,7 +16,7 @@ class UserSettings;
 
 /// What stands over the empty scene at the start: unsaved work after a crash, three sample cells with pictures, what
 /// was opened last, and how to begin with one's own. A part of the viewport, not a window: it goes when a cell is
-/// opened or by Escape. GUI thread.
+/// opened, when something is picked or placed in the scene, or by Escape. GUI thread.
 class StartPage : public QFrame {
   Q_OBJECT
  public:

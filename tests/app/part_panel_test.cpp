@@ -83,6 +83,16 @@ TEST(InsertPart, AChosenPartFollowsThePointerAndStandsWhereItIsClicked) {
   EXPECT_EQ(page.entities(), 0u);
 }
 
+TEST(InsertPart, TheFirstPageMakesRoomForWhatIsPlaced) {
+  PartPage page;
+  page.trigger("actionFirstPage");
+  auto* start = page.find<QWidget>("startPage");
+  ASSERT_TRUE(start->isVisible());
+  page.choose("Box");
+  EXPECT_FALSE(start->isVisible());
+  EXPECT_TRUE(page.window().viewport().isPicking());
+}
+
 TEST(InsertPart, EscapeAndTheButtonEndTheGhost) {
   PartPage page;
   page.choose("Box");
