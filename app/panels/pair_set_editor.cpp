@@ -22,7 +22,7 @@
 namespace hapticell::app {
 namespace {
 
-constexpr int kSetLabels = 76;
+constexpr int kSetLabels = 92;
 
 /// A set's own colours stay in the family of their state: contacts dark and warm, near misses light.
 std::vector<QColor> contactColors() {

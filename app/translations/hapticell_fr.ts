@@ -7720,7 +7720,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>flip</source>
-        <translation>retourné</translation>
+        <translation>ret.</translation>
     </message>
     <message>
         <source>foot</source>
@@ -7928,7 +7928,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>no flip</source>
-        <translation>non retourné</translation>
+        <translation>non ret.</translation>
     </message>
     <message>
         <source>no gap</source>
