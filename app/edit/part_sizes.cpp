@@ -23,6 +23,7 @@ PartSizes::PartSizes(Host& host, QWidget* parent) : QWidget(parent), host_(host)
   for (std::size_t i = 0; i < kMost; ++i) {
     fields_[i] = new ValueField({QStringLiteral("mm"), 1, 0.001, 1e6, 10.0});
     fields_[i]->setObjectName(QStringLiteral("fieldPartSize%1").arg(i + 1));
+    fields_[i]->setAccessibleName(tr("Size %1").arg(i + 1));  // Its own name comes with the part.
     names_[i] = makeLabel({}, TextRole::kSecond, true);
     names_[i]->setFixedWidth(kLabelColumn);
     rows_[i] = new QWidget;

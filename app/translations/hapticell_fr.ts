@@ -5971,6 +5971,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Dimensions</translation>
     </message>
     <message>
+        <source>Size %1</source>
+        <translation>Taille %1</translation>
+    </message>
+    <message>
         <source>Size of %1</source>
         <translation>Taille de %1</translation>
     </message>

@@ -117,7 +117,8 @@ TEST(PartColor, AnyCanBeChosenAndIsOneStepOfUndo) {
   EXPECT_NEAR(color()[0], 0xd0 / 255.0, 1e-3);
   EXPECT_NEAR(color()[2], 0x10 / 255.0, 1e-3);
   EXPECT_GT(drawn()[2], 0.5F) << "quiet, so that contacts are loud";
-  EXPECT_TRUE(page.sentence().contains("quieter colour")) << page.sentence().toStdString();
+  ASSERT_FALSE(page.window().messages().messages().empty());
+  EXPECT_TRUE(page.window().messages().messages().back().title.contains("quieter colour"));
   page.window().userSettings().setValue("colors/full", true);
   EXPECT_NEAR(drawn()[2], 0x10 / 255.0, 1e-3);
   page.window().userSettings().setValue("colors/full", false);

@@ -202,6 +202,10 @@ TEST(TrainingDock, AnExerciseIsMadeInTheWindowAndChangedLater) {
   EXPECT_TRUE(page.words("problemCell").isEmpty()) << "told anew when the cell is as its file";
   page.press("buttonSaveExercise");
   QTest::qWait(1);
+  for (const char* name : {"problemName", "problemText", "problemMotion", "problemCell", "problemFile"}) {
+    const auto* label = page.window().findChild<QLabel*>(name);
+    EXPECT_EQ(label ? label->text() : QString(), "") << name;
+  }
   const QString file = QDir(folder).filePath("Door.hexercise");
   const auto saved = manipulation::readExercise(file.toStdString());
   ASSERT_TRUE(saved.has_value()) << saved.error().message();

@@ -135,7 +135,7 @@ class WalkPage : public ServerFirst, public CellPage {
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, [&] {
       QWidget* dialog = QApplication::activeModalWidget();
-      if (answered || !dialog || dialog->objectName() != "fileDialog" || !QGuiApplication::focusWindow()) return;
+      if (answered || !dialog || dialog->objectName() != "fileDialog" || !dialog->windowHandle()) return;
       answered = true;
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
       name->setFocus();  // Where a person would type, too: it has the focus once the dialog is open.
@@ -197,6 +197,7 @@ class WalkPage : public ServerFirst, public CellPage {
     settle();
   }
   QWindow* keyboard() {
+    if (QWidget* dialog = QApplication::activeModalWidget()) return dialog->windowHandle();
     QWindow* focus = QGuiApplication::focusWindow();
     return focus ? focus : window().windowHandle();
   }

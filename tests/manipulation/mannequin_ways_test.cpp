@@ -218,7 +218,8 @@ TEST(TargetSight, AWallHidesWhatIsBehindIt) {
 
 TEST(WorkplaceSearch, MovesTheChosenPartsWithWhatIsAttachedAndNothingElse) {
   WorkplaceQuestion question;
-  Entity vise = box(9, "vise", {0.1, 0.1, 0.1}, {0.8, 0.0, 0.66}), jaw = box(10, "jaw", {0.02, 0.1, 0.02}, {});
+  workcell::Entity vise = box(9, "vise", {0.1, 0.1, 0.1}, {0.8, 0.0, 0.66}),
+                   jaw = box(10, "jaw", {0.02, 0.1, 0.02}, {});
   vise.attachment.to = "table";
   jaw.attachment.to = "vise";
   question.entities = {jaw, worker("both_hands_forward"), vise, box(8, "table", {0.5, 0.8, 0.04}, {0.80, 0.0, 0.60}),
