@@ -17,9 +17,9 @@ struct EngineerWalk : WalkPage {
       if (entity->name.rfind(begins, 0) == 0) return entity.get();
     return nullptr;
   }
-  /// A fixture of 0.4 m: the small one of the importer's tests, said to be in centimetres.
+  /// A plate of 0.4 m: the small one of the importer's tests, said to be in centimetres.
   QString stepFile() {
-    QFile small(QStringLiteral(HAPTICELL_TEST_STEP)), large(folder.filePath("fixture.step"));
+    QFile small(QStringLiteral(HAPTICELL_TEST_STEP)), large(folder.filePath("plate.step"));
     EXPECT_TRUE(small.open(QIODevice::ReadOnly) && large.open(QIODevice::WriteOnly));
     large.write(small.readAll().replace("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT(.CENTI.,.METRE.)"));
     return large.fileName();
@@ -62,20 +62,30 @@ struct EngineerWalk : WalkPage {
   /// Forces on, the robot taken by its TCP and led down onto the part while it is recorded.
   void feelAndRecord() {
     clickText("treeWorkcell", QString::fromStdString(document().find(robot)->name));
-    pointInto(0.5, 0.4);
     press(Qt::Key_Space, Qt::ControlModifier);
     ASSERT_TRUE(until([this] { return now().forces_on; }, kPatience));
+    pointInto(0.5, 0.1);
+    press(Qt::Key_1);  // Rough.
     press(Qt::Key_H);
-    hold(Qt::Key_B);
+    press(Qt::Key_B);
     ASSERT_TRUE(until([this] { return now().held == robot; }, kPatience));
     press(Qt::Key_R);
     ASSERT_TRUE(until([this] { return window().recording().isRecording(); }, kPatience));
     const auto touches = [this] {
       return std::any_of(now().pairs.begin(), now().pairs.end(), [](const auto& pair) { return pair.contact; });
     };
-    for (int i = 0; i < 40 && !touches(); ++i) {
-      drag(0, 12);
-      until(touches, 250);
+    const auto lead = [&] {
+      for (int i = 0; i < 40 && !touches(); ++i) {
+        drag(0, 12);
+        until(touches, 60);
+      }
+    };
+    lead();
+    for (int again = 0; again < 3 && !touches(); ++again) {  // The clutch: the hand goes back up alone.
+      hold(Qt::Key_Space);
+      drag(0, -480);
+      letGo(Qt::Key_Space);
+      lead();
     }
     EXPECT_TRUE(until(touches, kPatience)) << "the gripper meets the part";
     picture("engineer-4-contact");
@@ -83,7 +93,7 @@ struct EngineerWalk : WalkPage {
     until([] { return false; }, 400);
     press(Qt::Key_R);
     ASSERT_TRUE(until([this] { return state().trajectories.size() == 1u; }, kPatience));
-    letGo(Qt::Key_B);
+    press(Qt::Key_B);
     press(Qt::Key_Escape);  // Forces off; once more: the mouse is free.
     press(Qt::Key_Escape);
     EXPECT_TRUE(until([this] { return !now().forces_on && now().held == 0; }, kPatience));
@@ -121,20 +131,19 @@ TEST(EngineerWalk, FromTheFirstPageToTheSavedPathAndBack) {
   walk.editCheckAndExport();
   ASSERT_FALSE(testing::Test::HasFatalFailure());
   const QString cell = walk.folder.filePath("cell.hcell");
-  walk.withFile(cell, [&] { walk.press(Qt::Key_S, Qt::ControlModifier); });
+  walk.withFile(cell, [&] { walk.clickTool("actionSave"); });
   ASSERT_TRUE(WalkPage::until([&] { return QFileInfo::exists(cell) && walk.isIdle(); }, WalkPage::kPatience));
   const std::size_t parts = walk.entities(), steps = walk.document().undoTexts().size();
   EXPECT_GE(steps, 5u);
   walk.clickTab("dockHistory");
   walk.clickRow("listHistory", 0);
   EXPECT_TRUE(walk.state().entities.empty()) << "all is taken back at one click";
-  walk.press(Qt::Key_N, Qt::ControlModifier);
-  walk.picture("engineer-7-new");
-  walk.withFile(cell, [&] { walk.press(Qt::Key_O, Qt::ControlModifier); });
+  walk.picture("engineer-7-taken-back");
+  walk.withFile(cell, [&] { walk.clickTool("actionOpen"); });
   ASSERT_TRUE(WalkPage::until([&] { return walk.entities() == parts; }, WalkPage::kPatience));
   EXPECT_EQ(walk.state().trajectories.size(), 2u);
   EXPECT_TRUE(walk.now().held == 0 && !walk.now().forces_on);
-  walk.picture("engineer-8-again");
+  walk.picture("engineer-8-opened-again");
   std::puts(walk.counted().c_str());
   EXPECT_LE(walk.clicks(), 30) << walk.counted();
   EXPECT_LE(walk.keys(), 15) << walk.counted();

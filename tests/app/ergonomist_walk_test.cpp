@@ -13,7 +13,7 @@ namespace {
 
 struct ErgonomistWalk : WalkPage {
   const workcell::Entity& person() { return *document().findByName("operator"); }
-  const workcell::Entity& housing() { return *document().findByName("housing"); }
+  const workcell::Entity& cover() { return *document().findByName("cover"); }
   /// Where the middle of a part's upper side is drawn.
   QPoint pixelOf(const workcell::Entity& part) {
     ViewportWidget& viewport = window().viewport();
@@ -28,7 +28,7 @@ struct ErgonomistWalk : WalkPage {
   double handToPart(mannequin::Side side) {
     const auto pose = mannequin::forwardKinematics(*person().figure, postureOf(person()));
     const dvec3 grip_W = mannequin::handPose(pose, side) * person().figure->p_HandGrip[static_cast<std::size_t>(side)];
-    const geometry::Bounds bounds = window().viewport().scene().boundsOf_W(housing().id);
+    const geometry::Bounds bounds = window().viewport().scene().boundsOf_W(cover().id);
     return glm::distance(glm::clamp(grip_W, bounds.min, bounds.max), grip_W);
   }
   QTemporaryDir folder;
@@ -43,7 +43,10 @@ TEST(ErgonomistWalk, BothHandsToAPartAndTheReport) {
   walk.picture("ergonomist-1-bench");
   const double left = walk.handToPart(mannequin::Side::kLeft), right = walk.handToPart(mannequin::Side::kRight);
   const std::size_t steps = walk.document().undoTexts().size();
-  walk.rightClickAt(&walk.window().viewport(), walk.pixelOf(walk.housing()));
+  walk.window().viewport().finishedPicture();
+  const auto sees = [&] { return walk.window().viewport().featureAt(walk.pixelOf(walk.cover()), {}).has_value(); };
+  EXPECT_TRUE(WalkPage::until(sees, WalkPage::kPatience)) << "parts that were just read can be picked";
+  walk.rightClickAt(&walk.window().viewport(), walk.pixelOf(walk.cover()));
   walk.picture("ergonomist-2-menu");
   walk.chooseFromPopup("actionBothHandsHere");
   ASSERT_TRUE(WalkPage::until([&] { return walk.document().undoTexts().size() == steps + 1; }, WalkPage::kPatience));

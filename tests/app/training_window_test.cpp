@@ -193,7 +193,7 @@ TEST(TrainingDock, AnExerciseIsMadeInTheWindowAndChangedLater) {
   EXPECT_FALSE(page.words("problemCell").isEmpty()) << "the cell differs from its file";
   EXPECT_TRUE(page.words("problemMotion").isEmpty());
   EXPECT_FALSE(QDir(folder).exists());
-  page.find<QLineEdit>("editExerciseName")->setText("Door");
+  page.find<QLineEdit>("editExerciseName")->setText("Crate over");
   page.find<QPlainTextEdit>("editExerciseText")->setPlainText("Bring the box to the wall.");
   EXPECT_TRUE(page.words("problemText").isEmpty());
   page.find<ValueField>("fieldExerciseTube")->setValue(12.5);
@@ -206,7 +206,7 @@ TEST(TrainingDock, AnExerciseIsMadeInTheWindowAndChangedLater) {
     const auto* label = page.window().findChild<QLabel*>(name);
     EXPECT_EQ(label ? label->text() : QString(), "") << name;
   }
-  const QString file = QDir(folder).filePath("Door.hexercise");
+  const QString file = QDir(folder).filePath("Crate-over.hexercise");
   const auto saved = manipulation::readExercise(file.toStdString());
   ASSERT_TRUE(saved.has_value()) << saved.error().message();
   EXPECT_EQ(saved->text, "Bring the box to the wall.");
@@ -217,18 +217,18 @@ TEST(TrainingDock, AnExerciseIsMadeInTheWindowAndChangedLater) {
   ASSERT_TRUE(expert.has_value());
   EXPECT_EQ(expert->size(), 51u);
   EXPECT_EQ(choice->count(), before + 1);
-  EXPECT_EQ(choice->currentText(), "Door") << "chosen at once";
+  EXPECT_EQ(choice->currentText(), "Crate over") << "chosen at once";
   EXPECT_EQ(page.words("labelExercise"), "Bring the box to the wall.");
   // Again: the same file, another name refused that is taken, numbers kept that were not touched.
   page.press("buttonNewExercise");
-  page.find<QLineEdit>("editExerciseName")->setText("Door");
+  page.find<QLineEdit>("editExerciseName")->setText("Crate over");
   page.press("buttonSaveExercise");
   EXPECT_FALSE(page.words("problemName").isEmpty()) << "there is one of this name";
   page.window().findChild<QDialog*>("exerciseEditor")->close();
   QTest::qWait(1);
   page.settle();
   page.press("buttonEditExercise");
-  EXPECT_EQ(page.find<QLineEdit>("editExerciseName")->text(), "Door");
+  EXPECT_EQ(page.find<QLineEdit>("editExerciseName")->text(), "Crate over");
   page.find<QPlainTextEdit>("editExerciseText")->setPlainText("Slowly.");
   page.press("buttonSaveExercise");
   page.settle();

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTemporaryDir>
+#include <QToolBar>
 #include <QWindow>
 
 #include "tests/app/cell_page.h"
@@ -20,7 +21,7 @@ namespace hapticell::app {
 /// its own has a simulated stylus. Pictures go to the folder named by HAPTICELL_WALK_PICTURES, if it is set.
 class WalkPage : public ServerFirst, public CellPage {
  public:
-  static constexpr int kPatience = 60000;  // ms.
+  static constexpr int kPatience = 20000;  // ms.
 
   WalkPage() : CellPage(on(withoutMotion())) {
     window().resize(1600, 1000);
@@ -50,6 +51,7 @@ class WalkPage : public ServerFirst, public CellPage {
     QTest::mouseClick(screen, button, Qt::NoModifier, under->window()->mapFromGlobal(global));
     ++clicks_;
     settle();
+    activateTop();
   }
   /// A button, a card, a field: in its middle.
   void clickOn(const char* name) {
@@ -58,6 +60,14 @@ class WalkPage : public ServerFirst, public CellPage {
     ASSERT_TRUE(widget->isEnabled()) << name << " is grey";
     scrollTo(widget);
     clickAt(widget, widget->rect().center());
+  }
+  /// A button of the tool bar.
+  void clickTool(const char* action_name) {
+    auto* action = window().findChild<QAction*>(action_name);
+    ASSERT_TRUE(action && action->isEnabled()) << action_name;
+    for (QToolBar* bar : window().findChildren<QToolBar*>())
+      if (QWidget* button = bar->widgetForAction(action)) return clickAt(button, button->rect().center());
+    ADD_FAILURE() << action_name << " is in no tool bar";
   }
   void clickSegment(const char* name, int index) {
     auto* segments = dynamic_cast<Segmented*>(seen(name));
@@ -79,7 +89,8 @@ class WalkPage : public ServerFirst, public CellPage {
   void chooseFromPopup(const char* action_name) {
     auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
     auto* action = window().findChild<QAction*>(action_name);
-    ASSERT_TRUE(menu && action && menu->actions().contains(action)) << action_name;
+    ASSERT_NE(menu, nullptr) << "no menu is open";
+    ASSERT_TRUE(action && action->isVisible() && menu->actions().contains(action)) << action_name;
     clickAt(menu, menu->actionGeometry(action).center());
   }
   void clickTab(const char* dock) {
@@ -146,6 +157,7 @@ class WalkPage : public ServerFirst, public CellPage {
     timer.start(50);
     ask();
     EXPECT_TRUE(answered) << "nobody asked for a file";
+    activateTop();
   }
   /// The pointer into the scene, at parts of its width and height.
   void pointInto(double right, double down) {
@@ -195,6 +207,16 @@ class WalkPage : public ServerFirst, public CellPage {
     for (QWidget* holder = widget->parentWidget(); holder; holder = holder->parentWidget())
       if (auto* area = qobject_cast<QScrollArea*>(holder)) area->ensureWidgetVisible(widget, 0, 12);
     settle();
+  }
+  /// The window that is on top has the keys: on a desktop its window manager sees to that.
+  void activateTop() {
+    if (QApplication::activePopupWidget() || QApplication::activeModalWidget()) return;
+    QWidget* top = &window();
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (widget->isVisible() && widget->inherits("QDialog")) top = widget;
+    if (top->isActiveWindow()) return;
+    top->activateWindow();
+    until([top] { return top->isActiveWindow(); }, 2000);
   }
   QWindow* keyboard() {
     if (QWidget* dialog = QApplication::activeModalWidget()) return dialog->windowHandle();
