@@ -65,6 +65,30 @@ class TypedBack final : public QObject {
   std::function<bool()> take_back_;
 };
 
+/// The click that gives a field the focus chooses its whole number, so that one types the next; a drag or a further
+/// click in it works as in any text.
+class ChosenByClick final : public QObject {
+ public:
+  ChosenByClick(QObject& field, QLineEdit& edit) : QObject(&field), edit_(edit) {
+    field.installEventFilter(this);
+    edit.installEventFilter(this);
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched != &edit_ && event->type() == QEvent::FocusIn)
+      entered_ = static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason;
+    if (watched == &edit_ && event->type() == QEvent::MouseButtonRelease && std::exchange(entered_, false) &&
+        !edit_.hasSelectedText())
+      QMetaObject::invokeMethod(&edit_, &QLineEdit::selectAll, Qt::QueuedConnection);  // After the field's own.
+    return false;
+  }
+
+ private:
+  QLineEdit& edit_;
+  bool entered_ = false;
+};
+
 }  // namespace
 
 ValueField::ValueField(const Format& format, QWidget* parent)
@@ -87,6 +111,7 @@ ValueField::ValueField(const Format& format, QWidget* parent)
   // Not QLineEdit::isModified(): the box writes the typed number anew before it tells that editing has ended.
   connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
   connect(lineEdit(), &QLineEdit::textChanged, this, &ValueField::fitUnit);
+  new ChosenByClick(*this, *lineEdit());
   new TypedBack(*this, [this] {
     if (!std::exchange(typed_, false)) return false;
     lineEdit()->setText(textFromValue(value()));

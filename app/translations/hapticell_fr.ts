@@ -4136,7 +4136,7 @@ Voulez-vous le remplacer ?</translation>
     </message>
     <message>
         <source>New key</source>
-        <translation>Nouvelle touche</translation>
+        <translation>Touche</translation>
     </message>
     <message>
         <source>New pair set</source>

@@ -2,8 +2,17 @@
 #include "app/viewport/render_item.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hapticell::app {
+namespace {
+
+/// Luma as Rec. 601 weighs the components.
+float brightness(const std::array<float, 3>& color) {
+  return 0.299f * color[0] + 0.587f * color[1] + 0.114f * color[2];
+}
+
+}  // namespace
 
 std::array<float, 3> quietened(const std::array<float, 3>& color, float limit) {
   const float high = std::max({color[0], color[1], color[2]});
@@ -12,7 +21,13 @@ std::array<float, 3> quietened(const std::array<float, 3>& color, float limit) {
   const float saturation = (high - low) / high;
   if (saturation <= limit) return color;
   const float share = limit / saturation;
-  return {high - (high - color[0]) * share, high - (high - color[1]) * share, high - (high - color[2]) * share};
+  std::array<float, 3> quiet{};
+  for (std::size_t i = 0; i < 3; ++i) quiet[i] = high - (high - color[i]) * share;
+  // Half way to as bright as it was: at the same greatest component an orange becomes a light pink, at the same
+  // brightness a brown.
+  const float darker = std::sqrt(brightness(color) / brightness(quiet));
+  for (float& component : quiet) component *= darker;
+  return quiet;
 }
 
 }  // namespace hapticell::app

@@ -5,6 +5,8 @@
 #include <QListView>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTemporaryDir>
@@ -139,13 +141,22 @@ class WalkPage : public ServerFirst, public CellPage {
     ++texts_;
     settle();
   }
-  /// Does what asks for a file, and answers with its name and Enter.
+  /// Does what asks for a file, and answers with its name and Enter; a question before it gets what it proposes, and changes
+  /// are discarded.
   template <class Ask>
   void withFile(const QString& path, Ask&& ask) {
     bool answered = false;
     QTimer timer;
+    const QWidget* asked = nullptr;
     QObject::connect(&timer, &QTimer::timeout, [&] {
       QWidget* dialog = QApplication::activeModalWidget();
+      if (auto* question = qobject_cast<QMessageBox*>(dialog); question && question != asked) {
+        asked = question;
+        QAbstractButton* answer = question->button(QMessageBox::Discard);
+        if (!answer) answer = question->defaultButton();
+        // By a timer of its own: this one is not called again while the file dialog is open within its call.
+        QTimer::singleShot(0, answer, [this, answer] { clickAt(answer, answer->rect().center()); });
+      }
       if (answered || !dialog || dialog->objectName() != "fileDialog" || !dialog->windowHandle()) return;
       answered = true;
       auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
