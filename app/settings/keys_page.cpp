@@ -54,7 +54,13 @@ class KeysPage : public QWidget {
     filter_->setPlaceholderText(tr("Filter by what it does or by key"));
     filter_->setClearButtonEnabled(true);
     connect(filter_, &QLineEdit::textChanged, this, &KeysPage::fill);
-    section->addWidget(filter_);
+    auto* row = new QHBoxLayout;
+    row->addWidget(filter_, 1);
+    auto* all = new QPushButton(tr("All as shipped"));
+    all->setObjectName("buttonKeysShipped");
+    row->addWidget(all);
+    connect(all, &QPushButton::clicked, this, [this] { keys_.resetAll(); });
+    section->addLayout(row);
   }
 
   void addTable(QVBoxLayout& column) {
@@ -90,7 +96,6 @@ class KeysPage : public QWidget {
       connect(button, &QPushButton::clicked, this, slot);
       return button;
     };
-    add(tr("All as shipped"), "buttonKeysShipped", [this] { keys_.resetAll(); });
     row->addStretch(1);
     add(tr("No key"), "buttonKeyNone", [this] { take(QKeySequence()); });
     add(tr("As shipped"), "buttonKeyShipped", [this] {

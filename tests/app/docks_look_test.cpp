@@ -197,7 +197,7 @@ TEST(Docks, ShowAllOfTheirWordsAndLieBesideEachOther) {
         for (int row = 1; row < pages->count(); ++row) {
           pages->setCurrentRow(row);
           page.settle();
-          findings << Look(*dock).findings();
+          for (const QString& one : Look(*dock).findings()) findings << pages->item(row)->text() + ": " + one;
         }
         pages->setCurrentRow(0);
         dock->hide();

@@ -17,15 +17,17 @@
 namespace hapticell::app {
 namespace {
 
-/// Answers the next file dialog: `answer` is called while it is open.
+/// Answers the next file dialog: `answer` is called while it is open, and once more each second while it stays: the
+/// files of a folder are looked up beside the window, and what is not known yet may not be chosen.
 void answerFileDialog(std::function<void(QFileDialog&)> answer) {
   auto* timer = new QTimer(qApp);
   QObject::connect(timer, &QTimer::timeout, qApp, [timer, answer] {
     auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
     if (!dialog) return;
+    answer(*dialog);
+    if (dialog->isVisible()) return timer->setInterval(1000);
     timer->stop();
     timer->deleteLater();
-    answer(*dialog);
   });
   timer->start(20);
 }
