@@ -142,6 +142,18 @@ void paintForce(QPainter& painter, const Overlay& overlay) {
   painter.setOpacity(1.0);
 }
 
+/// Quiet text with a halo. By shifted copies: glyphs are kept, while the outline of a path is worked out each time and
+/// took a third of the overlay.
+void haloText(QPainter& painter, const QPointF& place, const QString& text, const Theme& theme) {
+  constexpr double kAside = 1.25;
+  painter.setPen(theme.halo);
+  for (const double x : {-kAside, 0.0, kAside})
+    for (const double y : {-kAside, 0.0, kAside})
+      if (x != 0.0 || y != 0.0) painter.drawText(place + QPointF(x, y), text);
+  painter.setPen(theme.text2);
+  painter.drawText(place, text);
+}
+
 void paintQuietText(QPainter& painter, const Overlay& overlay) {
   const Theme& theme = *overlay.theme;
   const double cell = floorCell(overlay.camera);
@@ -154,13 +166,10 @@ void paintQuietText(QPainter& painter, const Overlay& overlay) {
                         ? QString()
                         : QObject::tr("  ·  %n parts are made ready", nullptr, static_cast<int>(overlay.missing_parts));
   if (overlay.simplified) missing += QObject::tr("  ·  Simplified while moving");
-  QPainterPath words;
   const QRectF strip = stripsBox(overlay.strips, overlay.size);
   const bool under_strip = 14 + textWidth(textFont(TextRole::kSecond), grid + missing) + 8 > strip.left();
   const double base = !strip.isEmpty() && under_strip ? strip.top() - 8 : overlay.size.height - 17;
-  words.addText(14, base, textFont(TextRole::kSecond), grid + missing);
-  painter.strokePath(words, QPen(theme.halo, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.fillPath(words, theme.text2);
+  haloText(painter, {14, base}, grid + missing, theme);
   if (overlay.hint.isEmpty()) return;
   const double above = strip.isEmpty() ? 34.0 : overlay.size.height - strip.top() + 26.0;
   const double width = textWidth(textFont(TextRole::kSecond), overlay.hint) + 20.0;

@@ -10,6 +10,11 @@
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
+namespace {
+
+constexpr QImage::Format kOverlayFormat = QImage::Format_ARGB32_Premultiplied;
+
+}  // namespace
 
 std::vector<StripCell> ViewportWidget::spokenNumbers() const {
   const auto& snapshot = scene_.snapshot();
@@ -175,21 +180,29 @@ Overlay ViewportWidget::makeOverlay() {
 
 void ViewportWidget::paintOverlayImage() {
   const Overlay overlay = makeOverlay();
+  const double ratio = devicePixelRatioF();
+  if (overlay_image_.size() != devicePixels()) overlay_image_ = QImage(devicePixels(), kOverlayFormat);
+  QRegion pieces;  // In pixels of the screen. Its boxes do not overlap: what is half transparent is laid over once.
+  for (const QRectF& piece : overlayPieces(overlay)) {
+    const QRectF scaled(piece.topLeft() * ratio, piece.size() * ratio);
+    pieces += scaled.toAlignedRect().intersected(overlay_image_.rect());
+  }
+  // Painted by the raster engine (the one on OpenGL smooths lines only with multisampling), all of it once, and only
+  // where there is something; each piece is uploaded.
+  {
+    QPainter painter(&overlay_image_);
+    painter.setClipRegion(pieces);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.fillRect(overlay_image_.rect(), Qt::transparent);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+    painter.scale(ratio, ratio);
+    paintOverlay(painter, overlay);
+  }
   QPainter onto(this);
-  // Painted by the raster engine (the one on OpenGL smooths lines only with multisampling), and only where there is
-  // something: each piece is uploaded.
-  QRegion pieces;  // Its boxes do not overlap: what is half transparent is painted once.
-  for (const QRectF& piece : overlayPieces(overlay)) pieces += piece.toAlignedRect().intersected(rect());
   for (const QRect& box : pieces) {
-    QImage image(box.size() * devicePixelRatioF(), QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(devicePixelRatioF());
-    image.fill(Qt::transparent);
-    {
-      QPainter painter(&image);
-      painter.translate(-box.topLeft());
-      paintOverlay(painter, overlay);
-    }
-    onto.drawImage(box.topLeft(), image);
+    const uchar* first = overlay_image_.constScanLine(box.top()) + qsizetype{4} * box.left();
+    const QImage piece(first, box.width(), box.height(), overlay_image_.bytesPerLine(), kOverlayFormat);
+    onto.drawImage(QRectF(QPointF(box.topLeft()) / ratio, QSizeF(box.size()) / ratio), piece);
   }
 }
 

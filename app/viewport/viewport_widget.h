@@ -196,6 +196,7 @@ class ViewportWidget : public QOpenGLWidget {
   bool software_ = false, simplified_ = false;
   QElapsedTimer clock_;
   LabelLayout label_layout_;
+  QImage overlay_image_;  ///< What is painted over the scene; only its pieces of now are valid.
   double last_overlay_s_ = 0.0;
   std::uint64_t drawn_revision_ = 0, told_revision_ = 0;
   Camera drawn_camera_;

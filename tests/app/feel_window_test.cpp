@@ -339,8 +339,17 @@ TEST(FeelWindow, AContactThatIsFeltIsSeenAndTheDelayIsTold) {
   ASSERT_TRUE(WindowPage::until([&] { return page.now().force_ramp > 0.99; }, kPatience));
   EXPECT_EQ(page.window().viewport().touchFigures().contacts, 0u);
   EXPECT_EQ(page.now().felt_ns, 0);
-  page.drag(0.0, 0.035 / page.metresPerPixel());
-  ASSERT_TRUE(WindowPage::until([&] { return page.window().viewport().touchFigures().contacts > 0; }, kPatience));
+  // Several, so that the figures say something of the machine: their median and worst stand in the test's report.
+  constexpr std::size_t kContacts = 8;
+  for (std::size_t contact = 0; contact < kContacts; ++contact) {
+    page.drag(0.0, 0.035 / page.metresPerPixel());
+    ASSERT_TRUE(WindowPage::until([&] { return page.window().viewport().touchFigures().contacts > contact; }, kPatience));
+    page.drag(0.0, -0.035 / page.metresPerPixel());
+    const auto touches = [&] {
+      return std::any_of(page.now().pairs.begin(), page.now().pairs.end(), [](const auto& pair) { return pair.contact; });
+    };
+    ASSERT_TRUE(WindowPage::until([&] { return !touches(); }, kPatience));
+  }
   const TouchMeter::Figures seen = page.window().viewport().touchFigures();
   EXPECT_GT(page.now().felt_ns, 0);
   EXPECT_GT(seen.last_s, 0.0);
@@ -351,6 +360,7 @@ TEST(FeelWindow, AContactThatIsFeltIsSeenAndTheDelayIsTold) {
       [&] { return checks->accessibleDescription().contains(QStringLiteral("ms after they are felt")); }, kPatience))
       << checks->accessibleDescription().toStdString();
   testing::Test::RecordProperty("median_ms", static_cast<int>(1e3 * seen.median_s));
+  testing::Test::RecordProperty("worst_ms", static_cast<int>(1e3 * seen.worst_s));
 }
 
 /// A cell whose server has been taken by another window.
