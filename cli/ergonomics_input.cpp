@@ -158,6 +158,12 @@ std::vector<std::optional<int>> asVector(const Values& values) {
   return {values.begin(), values.end()};
 }
 
+std::string neutralWords(const PostureAngles& angles) {
+  return angles.measured.value_or(false)
+             ? "angles are measured: trunk, neck and wrist are neutral within 5 degrees of 0."
+             : "the trunk is upright at 0 degrees only, and a neck or a wrist is neutral by the letter.";
+}
+
 struct NumberField {
   const char* name;
   double LiftingTask::*member;
@@ -256,9 +262,9 @@ Expected<ScoredInput> rulaInput(const json& input) {
   if (auto spread = spreadOverBoth(input, method, *result); !spread) return tl::unexpected(spread.error());
   if (result->angles) {
     result->assumptions.push_back(
-        "An inner boundary belongs to the lower class, the last class includes its boundary (\"or more\"); the trunk "
-        "is "
-        "upright at 0 degrees only.");
+        std::string(
+            "An inner boundary belongs to the lower class, the last class includes its boundary (\"or more\"); ") +
+        neutralWords(*result->angles));
   }
   return result;
 }
@@ -266,7 +272,7 @@ Expected<ScoredInput> rulaInput(const json& input) {
 Expected<ScoredInput> rebaInput(const json& input) {
   auto result = scoredInput(input, Reba(), {"load", "coupling", "activity"}, rebaValuesOf);
   if (result && result->angles) {
-    result->assumptions.push_back("A boundary belongs to the lower class; the trunk is upright at 0 degrees only.");
+    result->assumptions.push_back("A boundary belongs to the lower class; " + neutralWords(*result->angles));
   }
   return result;
 }

@@ -135,17 +135,18 @@ ordered_json scoredSide(const ScoredMethod& method, const Values& values, const 
 
 /// By the names of `ergonomics en1005 --input` and `iso11226`.
 ordered_json zoneInputs(const PostureScores& scores, PostureMethod method, mannequin::Side side, const WorkTask& task) {
-  const MeasuredPosture& measured = scores.sides[static_cast<std::size_t>(side)].measured;
-  const PostureUse use = postureUse(task, side);
+  const ZonePosture posture = zonePosture(scores, side, task);
+  const MeasuredPosture& measured = posture.measured;
+  const PostureUse& use = posture.use;
   ordered_json inputs{{"trunk_flexion", measured.trunk_flexion},
                       {"trunk_twist", measured.trunk_twist},
                       {"trunk_side_bend", measured.trunk_side_bend},
                       {"upper_arm_flexion", measured.upper_arm_flexion},
                       {"upper_arm_abduction", measured.upper_arm_abduction}};
   if (method == PostureMethod::kEn1005) {
-    inputs["gaze_below_horizontal"] = scores.gaze_below_horizontal;
+    inputs["gaze_below_horizontal"] = posture.gaze_below_horizontal;
   } else {
-    inputs["head_inclination"] = scores.head_inclination;
+    inputs["head_inclination"] = posture.head_inclination;
     inputs["shoulder_raised_deg"] = measured.girdle_elevation;
   }
   inputs["movements_per_min"] = use.movements_per_min;
@@ -273,7 +274,9 @@ Expected<ordered_json> zonesReport(const std::string& method, const json& input)
                       {"parts", partsOf(verdicts)}};
   addAdvice(adviseZones(is_en ? PostureMethod::kEn1005 : PostureMethod::kIso11226, {posture, gaze, head, use}), report);
   report["assumptions"] = {"a boundary angle belongs to the lower zone",
-                           "an arm behind the body counts as raised over 60 deg"};
+                           "an arm more than 20 deg behind the body counts as raised over 60 deg",
+                           "flexion is seen from the side, abduction is out of that plane: the arm's elevation is the "
+                           "angle whose cosine is the product of their cosines"};
   return report;
 }
 

@@ -183,6 +183,8 @@ ordered_json motionReport(MotionMethod method, const MotionScores& scores, const
       json["right"] = frame.right;
     }
     json["trunk_flexion"] = frame.trunk_flexion;
+    json["trunk_side_bend"] = frame.trunk_side_bend;
+    json["trunk_inclination"] = frame.trunk_inclination;
     json["upper_arm_elevation"] = {{"left", frame.upper_arm_elevation[0]}, {"right", frame.upper_arm_elevation[1]}};
     return json;
   };
@@ -215,9 +217,13 @@ ordered_json motionReport(MotionMethod method, const MotionScores& scores, const
   }
   if (method == MotionMethod::kOwas) report["task"] = {{"load_kg", task.load_kg}};
   report["assumptions"] = {
-      "Joint angles are those of a male figure of the 50th percentile that follows the recorded directions.",
+      "Joint angles are those of a male figure of the 50th percentile that follows the recorded directions; the "
+      "trunk's "
+      "forward and side bend and the upper arms are of the recorded joints' places.",
       "The person stands (not seated, not walking), arms unsupported; task scores are the same in every frame.",
-      "Twist and side bend count from 10 degrees, abduction from 45, a raised girdle from 10."};
+      "Twist and side bend count from 10 degrees, abduction from 45, a raised girdle from 10.",
+      "Measured angles of trunk, neck and wrist within 5 degrees of 0 are neutral; RULA's neck is class 2 up to 6.5 "
+      "degrees of extension, 3 up to 8, beyond 4."};
   ordered_json frames = ordered_json::array();
   for (std::size_t i = 0; i < scores.frames.size(); ++i) frames.push_back(frameJson(i));
   report["frames"] = std::move(frames);

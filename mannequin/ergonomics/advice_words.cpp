@@ -36,6 +36,8 @@ constexpr auto kWords = std::to_array<FieldWords>({
     {"legs_supported", "both feet bear", "appui sur les deux pieds", ""},
     {"legs_bilateral", "weight on both legs", "poids sur les deux jambes", ""},
     {"seated", "seated", "assis", ""},
+    {"measured", "measured", "mesuré", ""},
+    {"off_seat", "from being seated", "pour être assis", "°"},
     {"trunk_twist", "trunk twist", "torsion du tronc", "°"},
     {"trunk_side_bend", "trunk side bend", "inclinaison latérale du tronc", "°"},
     {"upper_arm_abduction", "upper arm sideways", "bras de côté", "°"},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mannequin/ergonomics/advice_words.h"
+#include "mannequin/ergonomics/figure_measurement.h"
 
 namespace hapticell::ergonomics {
 namespace {
@@ -147,6 +148,13 @@ JointAngle between(const dvec3& joint, const dvec3& zero, const dvec3& end) {
   return {joint, glm::normalize(zero), limb / length, length};
 }
 
+/// In the plane that the pelvis faces, where it is measured.
+JointAngle trunkAngle(const FigurePose& pose, const dvec3& hip, double length) {
+  const ViewPlanes planes = pelvisPlanes(pose);
+  const double flexion = glm::radians(trunkAngles(planes, trunkLine(pose)).flexion);
+  return {hip, planes.up, std::sin(flexion) * planes.forward + std::cos(flexion) * planes.up, length};
+}
+
 }  // namespace
 
 std::vector<DrivingPart> drivingParts(const PostureScores& scores, PostureMethod method, std::size_t most) {
@@ -212,7 +220,7 @@ JointAngle jointAngle(const FigurePose& pose, const DrivingPart& part) {
   const dvec3 knee = pose[legSegment(part.side, Segment::kLeftShank)].p_WS;
   switch (part.part) {
     case BodyPart::kUpperArm:
-      return between(shoulder, hip - neck, elbow);
+      return between(shoulder, -trunkLine(pose), elbow);
     case BodyPart::kLowerArm:
       return between(elbow, elbow - shoulder, wrist);
     case BodyPart::kWrist:
@@ -220,7 +228,7 @@ JointAngle jointAngle(const FigurePose& pose, const DrivingPart& part) {
     case BodyPart::kNeck:
       return between(neck, neck - hip, pose[Segment::kHead].p_WS);
     case BodyPart::kTrunk:
-      return between(hip, dvec3(0.0, 0.0, 1.0), neck);
+      return trunkAngle(pose, hip, glm::length(neck - hip));
     case BodyPart::kLegs:
       return between(knee, knee - pose[legSegment(part.side, Segment::kLeftThigh)].p_WS,
                      pose[legSegment(part.side, Segment::kLeftFoot)].p_WS);

@@ -2,6 +2,7 @@
 #include "mannequin/ergonomics/figure_measurement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hapticell::ergonomics {
@@ -19,44 +20,32 @@ using mannequin::Segment;
 using mannequin::Side;
 
 constexpr double kDegrees = 57.295779513082323;
-constexpr double kLiftedFoot = 0.05;   ///< m
+constexpr double kLiftedFoot = 0.04;   ///< m
 constexpr double kKneelingKnee = 0.2;  ///< m
 
 double angleBetween(const dvec3& a, const dvec3& b) {
   return kDegrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// Trunk as a frame: up along the spine's line, forward out of the chest, left.
-struct TrunkFrame {
-  dvec3 up, forward, left;
-};
-
-TrunkFrame trunkFrame(const FigurePose& pose) {
-  TrunkFrame trunk{};
-  trunk.up = glm::normalize(pose[Segment::kLowerNeck].p_WS - middleOfHips(pose));
+/// The trunk's planes: up along its line, forward out of the chest, left.
+ViewPlanes trunkPlanes(const FigurePose& pose) {
+  ViewPlanes trunk;
+  trunk.up = glm::normalize(trunkLine(pose));
   const dvec3 chest = pose[Segment::kThorax].R_WS * dvec3(1, 0, 0);
-  trunk.left = glm::normalize(glm::cross(trunk.up, chest));
-  trunk.forward = glm::cross(trunk.left, trunk.up);
+  trunk.outward = glm::normalize(glm::cross(trunk.up, chest));
+  trunk.forward = glm::cross(trunk.outward, trunk.up);
   return trunk;
 }
 
-/// What arithmetic leaves of nought is nought: a neck that is 1e-15 deg behind it would be scored as in extension.
-double cleaned(double degrees) {
-  constexpr double kLeft = 1e-6;
-  return std::abs(degrees) < kLeft ? 0.0 : degrees;
-}
-
-/// Turn about the vertical, forward bend and side bend of one frame in another, degrees: what its forward axis does,
-/// and its left axis.
+/// Of one segment in another, degrees: what the joint's own angles are where there is one joint between them.
 struct Bends {
   double flexion, side_bend, twist;
 };
 Bends bendsOf(const dmat3& R) {
-  const dvec3 forward = R * dvec3(1, 0, 0);
-  const dvec3 left = R * dvec3(0, 1, 0);
-  return {cleaned(kDegrees * std::asin(std::clamp(-forward.z, -1.0, 1.0))),
-          cleaned(kDegrees * std::asin(std::clamp(left.z, -1.0, 1.0))),
-          cleaned(kDegrees * std::atan2(forward.y, forward.x))};
+  // What arithmetic leaves of nought is nought: a neck that is 1e-15 deg behind it would be in extension.
+  const auto cleaned = [](double radians) { return std::abs(radians) < 1e-8 ? 0.0 : kDegrees * radians; };
+  const dvec3 angles = mannequin::anglesYXZ(R);
+  return {cleaned(angles.y), cleaned(angles.x), cleaned(angles.z)};
 }
 
 dmat3 relative(const FigurePose& pose, Segment base, Segment moved) {
@@ -68,14 +57,9 @@ double degreesOf(const Posture& posture, Dof dof) {
 }
 
 void measureTrunk(const FigurePose& pose, MeasuredPosture& measured) {
-  const TrunkFrame trunk = trunkFrame(pose);
-  const dvec3 ahead = pose[Segment::kPelvis].R_WS * dvec3(1, 0, 0);
-  const dvec3 left = glm::cross(dvec3(0, 0, 1), ahead);
-  const double leaning = angleBetween(trunk.up, dvec3(0, 0, 1));
-  measured.trunk_flexion = glm::dot(trunk.up, ahead) < 0.0 ? -leaning : leaning;
-  const double width = glm::length(left);
-  measured.trunk_side_bend =
-      width > 1e-6 ? kDegrees * std::asin(std::clamp(glm::dot(trunk.up, left / width), -1.0, 1.0)) : 0.0;
+  const PlaneAngles trunk = trunkAngles(pelvisPlanes(pose), trunkLine(pose));
+  measured.trunk_flexion = trunk.flexion;
+  measured.trunk_side_bend = trunk.sideways;
   measured.trunk_twist = bendsOf(relative(pose, Segment::kPelvis, Segment::kThorax)).twist;
   const Bends neck = bendsOf(relative(pose, Segment::kThorax, Segment::kHead));
   measured.neck_flexion = neck.flexion;
@@ -84,27 +68,22 @@ void measureTrunk(const FigurePose& pose, MeasuredPosture& measured) {
 }
 
 void measureArm(const Posture& posture, const FigurePose& pose, Side side, MeasuredPosture& measured) {
-  const TrunkFrame trunk = trunkFrame(pose);
-  const dvec3 outwards = side == Side::kLeft ? trunk.left : -trunk.left;
+  ViewPlanes trunk = trunkPlanes(pose);
+  if (side == Side::kRight) trunk.outward = -trunk.outward;
   const dvec3 shoulder = pose[armSegment(side, Segment::kLeftUpperArm)].p_WS;
   const dvec3 elbow = pose[armSegment(side, Segment::kLeftForearm)].p_WS;
   const dvec3 wrist = pose[armSegment(side, Segment::kLeftHand)].p_WS;
-  const dvec3 upper = glm::normalize(elbow - shoulder);
-  const dvec3 fore = glm::normalize(wrist - elbow);
-  measured.upper_arm_abduction = kDegrees * std::asin(std::clamp(glm::dot(upper, outwards), -1.0, 1.0));
-  const double ahead = glm::dot(upper, trunk.forward);
-  const double down = -glm::dot(upper, trunk.up);
-  // An arm straight out to the side has no angle in the sagittal plane.
-  measured.upper_arm_flexion = std::hypot(ahead, down) > 0.1 ? kDegrees * std::atan2(ahead, down) : 0.0;
-  // Straight up is 180, and a little behind that is no extension.
-  if (measured.upper_arm_flexion < -120.0) measured.upper_arm_flexion += 360.0;
+  const PlaneAngles upper = upperArmAngles(trunk, elbow - shoulder);
+  measured.upper_arm_flexion = upper.flexion;
+  measured.upper_arm_abduction = upper.sideways;
+  measured.upper_arm_elevation = upper.elevation;
   measured.upper_arm_rotation = degreesOf(posture, armDof(side, Dof::kLeftShoulderInternalRotation));
   measured.girdle_elevation = degreesOf(posture, armDof(side, Dof::kLeftClavicleElevation));
-  measured.lower_arm_flexion = angleBetween(upper, fore);
+  measured.lower_arm_flexion = angleBetween(elbow - shoulder, wrist - elbow);
   const dvec3 chest = pose[Segment::kThorax].p_WS;
-  measured.wrist_past_midline = glm::dot(wrist - chest, outwards) < 0.0;
-  const double out = glm::dot(fore, outwards), along = glm::dot(fore, trunk.forward);
-  measured.lower_arm_outwards = std::hypot(out, along) > 0.3 ? kDegrees * std::atan2(out, along) : 0.0;
+  measured.wrist_past_midline = glm::dot(wrist - chest, trunk.outward) < 0.0;
+  const double outward = glm::dot(glm::normalize(wrist - elbow), trunk.outward);
+  measured.lower_arm_outwards = kDegrees * std::asin(std::clamp(outward, -1.0, 1.0));
   measured.wrist_flexion = degreesOf(posture, armDof(side, Dof::kLeftWristFlexion));
   measured.wrist_deviation = degreesOf(posture, armDof(side, Dof::kLeftWristUlnarDeviation));
   const Dof pronation = armDof(side, Dof::kLeftPronation);
@@ -129,6 +108,30 @@ double kneeFlexion(const Posture& posture, Side side) {
 }
 
 }  // namespace
+
+dvec3 trunkLine(const FigurePose& pose) {
+  constexpr std::array<Segment, 5> kSpine{Segment::kPelvis, Segment::kLowerBack, Segment::kUpperBack, Segment::kThorax,
+                                          Segment::kLowerNeck};
+  dvec3 line(0.0);
+  for (std::size_t i = 0; i + 1 < kSpine.size(); ++i) {
+    const dvec3& along = pose[kSpine[i]].R_WS[2];
+    const dvec3 from = i == 0 ? middleOfHips(pose) : pose[kSpine[i]].p_WS;
+    line += glm::dot(pose[kSpine[i + 1]].p_WS - from, along) * along;
+  }
+  return line;
+}
+
+ViewPlanes pelvisPlanes(const FigurePose& pose) {
+  const dmat3& R = pose[Segment::kPelvis].R_WS;
+  ViewPlanes planes;
+  const dvec3 level_left(R[1].x, R[1].y, 0.0);
+  // On its side it has no level left: then what is ahead of it.
+  planes.outward = glm::length(level_left) > 1e-3
+                       ? glm::normalize(level_left)
+                       : glm::normalize(glm::cross(dvec3(0, 0, 1), R[0]) + dvec3(0, 1e-9, 0));
+  planes.forward = glm::cross(planes.outward, planes.up);
+  return planes;
+}
 
 MeasuredPosture measure(const Figure& figure, const Posture& posture, const FigurePose& pose, Side side) {
   MeasuredPosture measured;

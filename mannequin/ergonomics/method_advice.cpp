@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mannequin/ergonomics/posture_advice.h"
+#include "mannequin/ergonomics/view_planes.h"
 
 namespace hapticell::ergonomics {
 namespace {
@@ -89,13 +90,19 @@ double eawsScore(const EawsObservation& observed) {
   return eawsPosturePoints(shares);
 }
 
+/// How far the arm may go one way for an elevation, `other` being its angle the other way, degrees: see armElevation().
+double sideOfElevation(double elevation, double other) {
+  constexpr double kRadians = 0.017453292519943295;
+  return std::acos(std::clamp(std::cos(elevation * kRadians) / std::cos(other * kRadians), -1.0, 1.0)) / kRadians;
+}
+
 /// The upper arm is judged by how far it is off the trunk, whichever way: what one of its angles may be beside the
 /// other, to a tenth of a degree.
 std::vector<double> armAngles(double other) {
   std::vector<double> sizes{0.0};
   for (const double elevation : {60.0, 20.0}) {
-    if (std::abs(other) < elevation)
-      sizes.push_back(std::floor(10.0 * std::sqrt(elevation * elevation - other * other)) / 10.0);
+    const double least = armElevation(0.0, other);
+    if (least < elevation) sizes.push_back(std::floor(10.0 * sideOfElevation(elevation, other) + 1e-6) / 10.0);
   }
   return sizes;
 }
@@ -113,9 +120,14 @@ Places<ZonePosture> zonePlaces(PostureMethod method, const ZonePosture& posture)
       {eitherWay("trunk_side_bend", m.trunk_side_bend, {10.0, 9.9}),
        [](P& p, double v) { p.measured.trunk_side_bend = v; }},
       {eitherWay("upper_arm_flexion", m.upper_arm_flexion, arm),
-       [](P& p, double v) { p.measured.upper_arm_flexion = v; }},
-      {eitherWay("upper_arm_abduction", m.upper_arm_abduction, armAngles(m.upper_arm_flexion)),
-       [](P& p, double v) { p.measured.upper_arm_abduction = v; }}};
+       [](P& p, double v) {
+         p.measured.upper_arm_flexion = v;
+         p.measured.upper_arm_elevation.reset();
+       }},
+      {eitherWay("upper_arm_abduction", m.upper_arm_abduction, armAngles(m.upper_arm_flexion)), [](P& p, double v) {
+         p.measured.upper_arm_abduction = v;
+         p.measured.upper_arm_elevation.reset();
+       }}};
   if (method == PostureMethod::kEn1005) {
     places.push_back({angle("gaze_below_horizontal", posture.gaze_below_horizontal, {0.0, 40.0}),
                       [](P& p, double v) { p.gaze_below_horizontal = v; }});
@@ -248,8 +260,7 @@ MethodAdvice advise(const PostureScores& scores, PostureMethod method, Side side
       return adviseOwas(scores.owas_posture);
     case PostureMethod::kEn1005:
     case PostureMethod::kIso11226:
-      return adviseZones(method,
-                         {one.measured, scores.gaze_below_horizontal, scores.head_inclination, postureUse(task, side)});
+      return adviseZones(method, zonePosture(scores, side, task));
     case PostureMethod::kEaws:
       return adviseEaws(scores.eaws_observation);
   }

@@ -32,14 +32,6 @@ struct MethodAdvice {
   std::optional<Goal> next{};  ///< Empty at the least level, or where no change of posture alone helps.
 };
 
-/// What EN 1005-4 and ISO 11226 look at, degrees.
-struct ZonePosture {
-  MeasuredPosture measured;
-  double gaze_below_horizontal = 0.0;  ///< EN 1005-4.
-  double head_inclination = 0.0;       ///< ISO 11226.
-  PostureUse use;
-};
-
 /// For RULA and REBA out of angles; `values` as of scoreOfAngles(). The method is told by `method.name()`.
 MethodAdvice adviseAngles(const ScoredMethod& method, const PostureAngles& angles,
                           std::span<const std::optional<int>> values);

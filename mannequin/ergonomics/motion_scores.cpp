@@ -18,30 +18,30 @@ namespace {
 
 using mannequin::Side;
 
-constexpr double kDegrees = 57.295779513082323;
-
-/// What the places of the recorded joints tell by themselves, degrees; arms left, right.
+/// What the places of the recorded joints tell by themselves; arms left, right.
 struct Recorded {
-  double trunk = 0.0;  ///< Against the vertical (the file's Y), without a sign.
-  double elevation[2] = {}, flexion[2] = {}, abduction[2] = {};
+  PlaneAngles trunk, arm[2];
 };
 
 Recorded recordedAngles(const mannequin::ClipMap& map, const mannequin::ClipPose& pose) {
   const auto place = [&](int joint) { return pose.p[static_cast<std::size_t>(joint)]; };
-  const dvec3 up = glm::normalize(place(map.neck) - 0.5 * (place(map.hip[0]) + place(map.hip[1])));
-  const dvec3 across = place(map.shoulder[0]) - place(map.shoulder[1]);
-  const dvec3 left = glm::normalize(across - glm::dot(across, up) * up);
-  const dvec3 forward = glm::cross(left, up);
+  // The file's Y is up; the hips' line says which way they face.
+  ViewPlanes hips{dvec3(0, 0, 1), dvec3(1, 0, 0), dvec3(0, 1, 0)};
+  const dvec3 to_left = place(map.hip[0]) - place(map.hip[1]);
+  const dvec3 level_left(to_left.x, 0.0, to_left.z);
+  if (glm::length(level_left) > 1e-3 * glm::length(to_left)) hips.outward = glm::normalize(level_left);
+  hips.forward = glm::cross(hips.outward, hips.up);
+  const dvec3 line = place(map.neck) - 0.5 * (place(map.hip[0]) + place(map.hip[1]));
   Recorded recorded;
-  recorded.trunk = kDegrees * std::atan2(std::hypot(up.x, up.z), up.y);
+  recorded.trunk = trunkAngles(hips, line);
+  ViewPlanes chest;
+  chest.up = glm::normalize(line);
+  const dvec3 across = place(map.shoulder[0]) - place(map.shoulder[1]);
+  chest.outward = glm::normalize(across - glm::dot(across, chest.up) * chest.up);
+  chest.forward = glm::cross(chest.outward, chest.up);
   for (std::size_t side = 0; side < 2; ++side) {
-    const dvec3 arm = glm::normalize(place(map.elbow[side]) - place(map.shoulder[side]));
-    const double ahead = glm::dot(arm, forward), down = -glm::dot(arm, up);
-    recorded.elevation[side] = kDegrees * std::acos(std::clamp(down, -1.0, 1.0));
-    recorded.flexion[side] = std::hypot(ahead, down) > 0.1 ? kDegrees * std::atan2(ahead, down) : 0.0;
-    if (recorded.flexion[side] < -120.0) recorded.flexion[side] += 360.0;
-    recorded.abduction[side] =
-        kDegrees * std::asin(std::clamp(glm::dot(arm, left) * (side == 0 ? 1.0 : -1.0), -1.0, 1.0));
+    recorded.arm[side] = upperArmAngles(chest, place(map.elbow[side]) - place(map.shoulder[side]));
+    chest.outward = -chest.outward;
   }
   return recorded;
 }
@@ -87,12 +87,14 @@ class FrameScorer {
   FrameScorer(const mannequin::Figure& figure, MotionMethod method, const MotionTask& task)
       : figure_(figure), method_(method), task_(task) {}
 
-  /// `recorded` replaces the figure's trunk (its sign is kept) and upper arms: they need no model.
+  /// `recorded` replaces the bends of the figure's trunk and its upper arms: they need no model.
   FrameScore score(const mannequin::Posture& posture, const Recorded& recorded) {
     const auto pose = mannequin::forwardKinematics(figure_, posture);
     FrameScore frame;
-    frame.trunk_flexion = recorded.trunk;
-    std::copy(std::begin(recorded.elevation), std::end(recorded.elevation), frame.upper_arm_elevation);
+    frame.trunk_inclination = recorded.trunk.elevation;
+    frame.trunk_flexion = recorded.trunk.flexion;
+    frame.trunk_side_bend = recorded.trunk.sideways;
+    for (std::size_t side = 0; side < 2; ++side) frame.upper_arm_elevation[side] = recorded.arm[side].elevation;
     if (method_ == MotionMethod::kOwas) {
       frame.left = frame.right = frame.score = scoreOf(Owas(), owasValues(owasOf(posture, pose, recorded)));
     } else {
@@ -129,7 +131,8 @@ class FrameScorer {
   OwasPosture owasOf(const mannequin::Posture& posture, const mannequin::FigurePose& pose,
                      const Recorded& recorded) const {
     OwasPosture whole = owasPosture(figure_, posture, pose);
-    whole.trunk_flexion = recorded.trunk;
+    whole.trunk_flexion = recorded.trunk.flexion;
+    whole.trunk_side_bend = recorded.trunk.sideways;
     whole.load_kg = task_.load_kg;
     return whole;
   }
@@ -137,9 +140,12 @@ class FrameScorer {
   PostureAngles anglesOf(const mannequin::Posture& posture, const mannequin::FigurePose& pose, Side side,
                          const Recorded& recorded) const {
     MeasuredPosture measured = measure(figure_, posture, pose, side);
-    measured.trunk_flexion = std::copysign(recorded.trunk, measured.trunk_flexion);
-    measured.upper_arm_flexion = recorded.flexion[static_cast<std::size_t>(side)];
-    measured.upper_arm_abduction = recorded.abduction[static_cast<std::size_t>(side)];
+    measured.trunk_flexion = recorded.trunk.flexion;
+    measured.trunk_side_bend = recorded.trunk.sideways;
+    const PlaneAngles& arm = recorded.arm[static_cast<std::size_t>(side)];
+    measured.upper_arm_flexion = arm.flexion;
+    measured.upper_arm_abduction = arm.sideways;
+    measured.upper_arm_elevation = arm.elevation;
     PostureAngles angles = postureAngles(measured);
     angles.arm_supported = false;
     return angles;
@@ -162,7 +168,8 @@ void summarise(MotionScores& scores) {
     scores.share_by_level[frame.level] += share;
     scores.share_by_score[frame.score] += share;
     const FrameScore& worst = scores.frames[scores.worst];
-    if (frame.score > worst.score || (frame.score == worst.score && frame.trunk_flexion > worst.trunk_flexion)) {
+    if (frame.score > worst.score ||
+        (frame.score == worst.score && frame.trunk_inclination > worst.trunk_inclination)) {
       scores.worst = i;
     }
   }

@@ -28,8 +28,10 @@ struct MotionTask {
 struct FrameScore {
   int score = 0;
   int level = 0;
-  int left = 0, right = 0;  ///< Of each arm's side; both equal for OWAS.
-  double trunk_flexion = 0.0;
+  int left = 0, right = 0;             ///< Of each arm's side; both equal for OWAS.
+  double trunk_inclination = 0.0;      ///< Against the vertical, whichever way, degrees;
+  double trunk_flexion = 0.0;          ///< forward in the plane that the hips face, backward negative;
+  double trunk_side_bend = 0.0;        ///< out of that plane, left positive.
   double upper_arm_elevation[2] = {};  ///< Left, right, degrees.
 };
 
@@ -44,8 +46,9 @@ struct MotionScores {
 };
 
 /// Scores each frame of a recorded motion, the worse side counting. Joint angles come from the motion on `figure`;
-/// the trunk's inclination (mid-hip to the lowest neck joint) and the upper arms' angles are of the recorded person's
-/// own joints. Nobody is taken as seated or walking; arms are not supported. Errors: a clip whose joints are not known.
+/// the trunk's bends (of the line from mid-hip to the lowest neck joint) and the upper arms' angles are of the recorded
+/// person's own joints. Nobody is taken as seated or walking; arms are not supported. Errors: a clip whose joints are
+/// not known.
 Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task);
 

@@ -30,12 +30,13 @@ void set(const PostureField& field, PostureAngles& angles, double value) {
   }
 }
 
-/// The values worth trying. Seating a standing figure is no correction of its posture.
+/// The values worth trying.
 ChangeField changeFieldOf(const PostureField& field, double from) {
   ChangeField result{field.name, field.flag != nullptr, field.flag != nullptr ? 1.0 : 10.0, from};
+  if (!field.is_correctable) return result;
   if (field.flag != nullptr) {
     const double good = field.good_value ? 1.0 : 0.0;
-    if (from != good && field.name != "seated") result.values.push_back(good);
+    if (from != good) result.values.push_back(good);
     return result;
   }
   std::vector<double> ends;
@@ -94,7 +95,9 @@ const std::vector<PostureField>& postureFields() {
       {"trunk_supported", nullptr, &A::trunk_supported, 0.0, 0.0, true},
       {"legs_supported", nullptr, &A::legs_supported, 0.0, 0.0, true},
       {"legs_bilateral", nullptr, &A::legs_bilateral, 0.0, 0.0, true},
-      {"seated", nullptr, &A::seated, 0.0, 0.0, true},
+      {"seated", nullptr, &A::seated, 0.0, 0.0, true, false},
+      {"off_seat", &A::off_seat, nullptr, 0.0, 180.0, false, false},
+      {"measured", nullptr, &A::measured, 0.0, 0.0, true, false},
   };
   return kFields;
 }

@@ -20,7 +20,8 @@ struct PostureField {
   std::optional<bool> PostureAngles::*flag = nullptr;  ///< Exactly one of the two is set.
   double least = 0.0;                                  ///< Of an angle that a person can have, degrees.
   double greatest = 0.0;
-  bool good_value = false;  ///< Of a flag: the one that never scores higher.
+  bool good_value = false;     ///< Of a flag: the one that never scores higher.
+  bool is_correctable = true;  ///< False for what is no correction of a posture: to sit instead, how it was measured.
 };
 
 /// All members, in the order of PostureAngles.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mannequin/ergonomics/posture_angles.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hapticell::ergonomics {
+
+double neutralSettled(const PostureAngles& angles, double degrees) {
+  return angles.measured.value_or(false) && std::abs(degrees) <= kNeutralBand ? 0.0 : degrees;
+}
 
 PostureAngles postureAngles(const MeasuredPosture& measured, const PostureThresholds& thresholds) {
   const auto reaches = [](double angle, double threshold) { return std::abs(angle) >= threshold; };
@@ -12,7 +17,7 @@ PostureAngles postureAngles(const MeasuredPosture& measured, const PostureThresh
   angles.upper_arm_flexion = measured.upper_arm_flexion;
   angles.lower_arm_flexion = measured.lower_arm_flexion;
   angles.wrist_flexion = settled(measured.wrist_flexion, thresholds.neutral_wrist);
-  angles.neck_flexion = measured.neck_flexion;
+  angles.neck_flexion = settled(measured.neck_flexion, thresholds.neutral_neck);
   angles.trunk_flexion = settled(measured.trunk_flexion, thresholds.upright);
   angles.knee_flexion = measured.knee_flexion;
   angles.upper_arm_abducted = reaches(measured.upper_arm_abduction, thresholds.abduction);
@@ -29,6 +34,8 @@ PostureAngles postureAngles(const MeasuredPosture& measured, const PostureThresh
   angles.legs_supported = measured.seated || measured.share_on_heavier_foot <= thresholds.one_leg_share;
   angles.legs_bilateral = angles.legs_supported;
   angles.seated = measured.seated;
+  angles.measured = true;
+  if (!measured.seated && measured.off_seat < kOffSeat) angles.off_seat = std::max(0.0, measured.off_seat);
   return angles;
 }
 

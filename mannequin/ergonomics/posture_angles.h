@@ -32,16 +32,34 @@ struct PostureAngles {
   std::optional<bool> legs_supported;   ///< RULA: feet supported and evenly balanced.
   std::optional<bool> legs_bilateral;   ///< REBA: weight on both legs, or walking.
   std::optional<bool> seated;
+  std::optional<double> off_seat;  ///< Degrees that a standing figure lacks to be seated: REBA's legs go up with it.
+  /// By an instrument or on a figure, not by eye: then kNeutralBand counts, and RULA's neck leads up to its extension
+  /// class by class. Not given: by eye, and the methods' text is followed to the letter.
+  std::optional<bool> measured;
 };
 
-/// The same measured on a figure, where twist, side bend and the rest are angles too.
+/// A measured angle of trunk, neck or wrist within so many degrees of 0 is neutral. The methods' texts name no width:
+/// to the letter, noise of a tenth of a degree would decide between classes (of RULA's neck between 1 and 4).
+inline constexpr double kNeutralBand = 5.0;
+/// RULA's neck behind the band, measured: up to so many degrees of extension it is class 2, then 3, beyond 4.
+inline constexpr double kNeckSecond = 6.5, kNeckThird = 8.0;
+
+/// Degrees within which legs that are nearly seated go from REBA's class of the seated to their own, a class a third.
+inline constexpr double kOffSeat = 4.5;
+
+/// The angle as it is classed: 0 where it is measured and neutral.
+double neutralSettled(const PostureAngles& angles, double degrees);
+
+/// The same measured on a figure, where twist, side bend and the rest are angles too. Each is of its own plane (see
+/// view_planes.h): a bend to the side has no flexion, a turn has neither.
 struct MeasuredPosture {
   double upper_arm_flexion = 0.0;
   double upper_arm_abduction = 0.0;
+  std::optional<double> upper_arm_elevation;  ///< Against hanging, whichever way; not given: out of the two before it.
   double upper_arm_rotation = 0.0;
   double girdle_elevation = 0.0;
   double lower_arm_flexion = 0.0;
-  double lower_arm_outwards = 0.0;  ///< Wrist outside the elbow's sagittal line, degrees.
+  double lower_arm_outwards = 0.0;  ///< Of the forearm out of the sagittal plane, degrees; inwards negative.
   bool wrist_past_midline = false;
   double wrist_flexion = 0.0;
   double wrist_deviation = 0.0;
@@ -55,6 +73,7 @@ struct MeasuredPosture {
   double knee_flexion = 0.0;           ///< The more bent one.
   double share_on_heavier_foot = 0.5;  ///< Of the weight, 0.5 to 1.
   bool seated = false;
+  double off_seat = 180.0;  ///< Degrees that it lacks to be seated; 0 or less where it is.
 };
 
 /// From which angles on a figure counts as twisted, abducted and so on, degrees. The methods' texts name none: 10 deg
@@ -69,11 +88,12 @@ struct PostureThresholds {
   double wrist_deviation = 10.0;
   double wrist_twist_share = 0.75;
   double one_leg_share = 0.9;
-  double upright = 0.0;  ///< Trunk within this of the vertical is upright.
-  double neutral_wrist = 0.0;
+  double upright = kNeutralBand;  ///< Trunk within this of the vertical is upright.
+  double neutral_neck = kNeutralBand;
+  double neutral_wrist = kNeutralBand;
 };
 
-/// `arm_supported` and `trunk_supported` are left empty: no figure shows them.
+/// Marked as measured. `arm_supported` and `trunk_supported` are left empty: no figure shows them.
 PostureAngles postureAngles(const MeasuredPosture& measured, const PostureThresholds& thresholds = {});
 
 }  // namespace hapticell::ergonomics

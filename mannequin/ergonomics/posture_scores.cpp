@@ -19,9 +19,9 @@ using mannequin::Segment;
 using mannequin::Side;
 
 constexpr double kDegrees = 57.295779513082323;
-constexpr double kLevelThigh = 0.574;  ///< Sine of 35 degrees.
-constexpr double kBentKnee = 45.0;     ///< Degrees
-constexpr double kBehindFeet = -0.03;  ///< m that the body's weight is outside the soles.
+constexpr double kLevelThigh = 35.0, kBentKnee = 45.0, kUprightShank = 60.0;  ///< Degrees, of the seated.
+constexpr double kOffTheSoles = 0.03;  ///< m that their weight is outside the soles;
+constexpr double kSoleDegree = 0.01;   ///< of this so much counts as a degree.
 
 template <class Values>
 auto complete(const Values& values) {
@@ -78,6 +78,15 @@ EawsObservation eawsObservation(const PostureScores& scores, const WorkTask& tas
   return observed;
 }
 
+/// Of the head's long axis against the vertical, forward in the plane that its left side leaves level.
+double headInclination(const FigurePose& pose) {
+  const dmat3& head = pose[Segment::kHead].R_WS;
+  ViewPlanes planes;
+  planes.outward = glm::normalize(dvec3(head[1].x, head[1].y, 0.0) + dvec3(0.0, 1e-9, 0.0));
+  planes.forward = glm::cross(planes.outward, planes.up);
+  return trunkAngles(planes, head[2]).flexion;
+}
+
 double comfortOf(const Posture& posture) {
   int within = 0;
   for (std::size_t i = 0; i < mannequin::kDofCount; ++i) {
@@ -102,6 +111,11 @@ PostureUse postureUse(const WorkTask& task, Side side) {
           task.arm_supported[static_cast<std::size_t>(side)]};
 }
 
+ZonePosture zonePosture(const PostureScores& scores, Side side, const WorkTask& task) {
+  return settledZones({scores.sides[static_cast<std::size_t>(side)].measured, scores.gaze_below_horizontal,
+                       scores.head_inclination, postureUse(task, side)});
+}
+
 Side PostureScores::worseSide() const {
   const int left = 100 * sides[0].rula_score + sides[0].reba_score;
   const int right = 100 * sides[1].rula_score + sides[1].reba_score;
@@ -114,23 +128,31 @@ int PostureScores::owasCode() const {
   return code;
 }
 
-bool looksSeated(const Figure& figure, const FigurePose& pose) {
+double offSeat(const Figure& figure, const FigurePose& pose) {
+  const auto support = mannequin::supportPolygon(figure, {pose[Segment::kLeftFoot], pose[Segment::kRightFoot]});
+  const double on_feet = support.margin(glm::dvec2(mannequin::centerOfMass(figure, pose)));
+  double off = (on_feet + kOffTheSoles) / kSoleDegree;
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const dvec3 hip = pose[legSegment(side, Segment::kLeftThigh)].p_WS;
     const dvec3 knee = pose[legSegment(side, Segment::kLeftShank)].p_WS;
     const dvec3 ankle = pose[legSegment(side, Segment::kLeftFoot)].p_WS;
     const dvec3 thigh = glm::normalize(knee - hip), shank = glm::normalize(ankle - knee);
-    if (std::abs(thigh.z) > kLevelThigh) return false;
-    if (kDegrees * std::acos(std::clamp(glm::dot(thigh, shank), -1.0, 1.0)) < kBentKnee) return false;
-    if (knee.z < ankle.z + 0.5 * figure.shankLength()) return false;  // Kneeling.
+    const auto inDegrees = [](double cosine) { return kDegrees * std::acos(std::clamp(cosine, -1.0, 1.0)); };
+    off =
+        std::max({off, 90.0 - inDegrees(std::abs(thigh.z)) - kLevelThigh, kBentKnee - inDegrees(glm::dot(thigh, shank)),
+                  inDegrees(-shank.z) - kUprightShank});  // Farther: kneeling.
   }
-  const auto support = mannequin::supportPolygon(figure, {pose[Segment::kLeftFoot], pose[Segment::kRightFoot]});
-  return support.margin(glm::dvec2(mannequin::centerOfMass(figure, pose))) < kBehindFeet;
+  return off;
+}
+
+bool looksSeated(const Figure& figure, const FigurePose& pose) {
+  return offSeat(figure, pose) <= 0.0;
 }
 
 PostureScores scorePosture(const Figure& figure, const Posture& posture, const FigurePose& pose, const WorkTask& task) {
   PostureScores scores;
-  scores.is_seated = looksSeated(figure, pose);
+  const double off_seat = offSeat(figure, pose);
+  scores.is_seated = off_seat <= 0.0;
   std::vector<std::string_view> scratch;
   scratch.reserve(16);
   OwasPosture& whole = scores.owas_posture;
@@ -138,8 +160,7 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
   whole.seated = scores.is_seated;
   whole.walking = task.is_walking;
   whole.load_kg = task.totalLoad().value_or(0.0);
-  const dmat3& head = pose[Segment::kHead].R_WS;
-  scores.head_inclination = kDegrees * std::atan2(head[2].x * head[0].x + head[2].y * head[0].y, head[2].z);
+  scores.head_inclination = headInclination(pose);
   const Pose eyes = mannequin::eyePose(figure, pose, posture.gaze);
   scores.gaze_below_horizontal = kDegrees * std::asin(std::clamp(eyes.rotate({0.0, 0.0, 1.0}).z, -1.0, 1.0));
   for (const Side side : {Side::kLeft, Side::kRight}) {
@@ -147,10 +168,11 @@ PostureScores scorePosture(const Figure& figure, const Posture& posture, const F
     SideScores& one = scores.sides[i];
     one.measured = measure(figure, posture, pose, side);
     one.measured.seated = scores.is_seated;
+    one.measured.off_seat = off_seat;
     scoreSide(task, side, one, scratch);
-    const PostureUse use = postureUse(task, side);
-    one.en1005 = en1005(one.measured, scores.gaze_below_horizontal, use);
-    one.iso11226 = iso11226(one.measured, scores.head_inclination, use);
+    const ZonePosture zones = zonePosture(scores, side, task);
+    one.en1005 = en1005(zones.measured, zones.gaze_below_horizontal, zones.use);
+    one.iso11226 = iso11226(zones.measured, zones.head_inclination, zones.use);
   }
   scores.owas = owasValues(whole);
   scores.owas_category = Owas().score(complete(scores.owas));

@@ -61,7 +61,13 @@ PostureScores scorePosture(const mannequin::Figure& figure, const mannequin::Pos
 /// Pace and support of one side's arm and of the trunk, out of the task; what nobody entered counts as none.
 PostureUse postureUse(const WorkTask& task, mannequin::Side side);
 
-/// True where the thighs lie level, the knees are bent and the body is not borne by the feet.
+/// What EN 1005-4 and ISO 11226 look at of one side, settledZones().
+ZonePosture zonePosture(const PostureScores& scores, mannequin::Side side, const WorkTask& task);
+
+/// Degrees that a figure lacks to be seated: thighs within 35 deg of level, knees bent over 45 deg, shanks within 60
+/// deg of upright, the weight 30 mm or more off the soles (10 mm count as a degree); 0 or less where it is.
+double offSeat(const mannequin::Figure& figure, const mannequin::FigurePose& pose);
+/// True where it lacks nothing.
 bool looksSeated(const mannequin::Figure& figure, const mannequin::FigurePose& pose);
 
 /// The lift of a load between the hands as they are now, as the lifting equation asks for it; refused with the reason

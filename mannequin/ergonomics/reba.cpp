@@ -72,6 +72,11 @@ int upperArm(double flexion) {
   return flexion > 20.0 || flexion < -20.0 ? 2 : 1;
 }
 
+/// The most that legs count as which lack so many degrees to be seated, where they are 1.
+int nearSeated(double off_seat) {
+  return 1 + std::clamp(static_cast<int>(std::ceil(3.0 * off_seat / kOffSeat)), 1, 3);
+}
+
 int either(bool a, bool b) {
   return a || b ? 1 : 0;
 }
@@ -125,11 +130,13 @@ Reba::Values rebaValues(const PostureAngles& angles, std::vector<std::string_vie
   Reba::Values values;
   if (angles.neck_flexion) {
     const int turned = either(is(angles.neck_twisted, "neck_twisted"), is(angles.neck_side_bent, "neck_side_bent"));
-    values[Reba::kNeck] = (*angles.neck_flexion > 20.0 || *angles.neck_flexion < 0.0 ? 2 : 1) + turned;
+    const double flexion = neutralSettled(angles, *angles.neck_flexion);
+    values[Reba::kNeck] = (flexion > 20.0 || flexion < 0.0 ? 2 : 1) + turned;
   }
   if (angles.trunk_flexion) {
-    values[Reba::kTrunk] = trunk(*angles.trunk_flexion) + either(is(angles.trunk_twisted, "trunk_twisted"),
-                                                                 is(angles.trunk_side_bent, "trunk_side_bent"));
+    values[Reba::kTrunk] =
+        trunk(neutralSettled(angles, *angles.trunk_flexion)) +
+        either(is(angles.trunk_twisted, "trunk_twisted"), is(angles.trunk_side_bent, "trunk_side_bent"));
   }
   const bool is_seated = angles.seated.value_or(false);
   if (is_seated) {
@@ -138,6 +145,7 @@ Reba::Values rebaValues(const PostureAngles& angles, std::vector<std::string_vie
     values[Reba::kLegs] = (*angles.legs_bilateral ? 1 : 2) + (*angles.knee_flexion > 60.0    ? 2
                                                               : *angles.knee_flexion >= 30.0 ? 1
                                                                                              : 0);
+    if (angles.off_seat) values[Reba::kLegs] = std::min(*values[Reba::kLegs], nearSeated(*angles.off_seat));
   }
   if (angles.upper_arm_flexion) {
     const int out =

@@ -63,7 +63,9 @@ int upperArm(double flexion) {
   return flexion > 20.0 || flexion < -20.0 ? 2 : 1;
 }
 
-int neck(double flexion) {
+/// Extension is 4 however little; where it is measured, what is just behind the neutral band leads up to it.
+int neck(double flexion, bool is_measured) {
+  if (is_measured && flexion < 0.0 && flexion >= -kNeckThird) return flexion >= -kNeckSecond ? 2 : 3;
   if (flexion < 0.0) return 4;
   if (flexion >= 20.0) return 3;
   return flexion > 10.0 ? 2 : 1;
@@ -133,16 +135,17 @@ Rula::Values rulaValues(const PostureAngles& angles, std::vector<std::string_vie
     values[Rula::kLowerArm] = (is_middle ? 1 : 2) + is(angles.lower_arm_across_midline, "lower_arm_across_midline");
   }
   if (angles.wrist_flexion) {
-    const double size = std::abs(*angles.wrist_flexion);
+    const double size = std::abs(neutralSettled(angles, *angles.wrist_flexion));
     values[Rula::kWrist] = (size >= 15.0 ? 3 : size > 0.0 ? 2 : 1) + is(angles.wrist_deviated, "wrist_deviated");
   }
   if (angles.wrist_twist_at_end) values[Rula::kWristTwist] = *angles.wrist_twist_at_end ? 2 : 1;
   if (angles.neck_flexion) {
-    values[Rula::kNeck] = neck(*angles.neck_flexion) + is(angles.neck_twisted, "neck_twisted") +
+    const double flexion = neutralSettled(angles, *angles.neck_flexion);
+    values[Rula::kNeck] = neck(flexion, angles.measured.value_or(false)) + is(angles.neck_twisted, "neck_twisted") +
                           is(angles.neck_side_bent, "neck_side_bent");
   }
   if (angles.trunk_flexion) {
-    const int base = angles.trunk_supported.value_or(false) ? 1 : trunk(*angles.trunk_flexion);
+    const int base = angles.trunk_supported.value_or(false) ? 1 : trunk(neutralSettled(angles, *angles.trunk_flexion));
     values[Rula::kTrunk] =
         base + is(angles.trunk_twisted, "trunk_twisted") + is(angles.trunk_side_bent, "trunk_side_bent");
   }

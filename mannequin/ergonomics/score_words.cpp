@@ -194,6 +194,11 @@ std::vector<std::string> assumptionsOf(const PostureScores& scores, const WorkTa
                           "torsion du poignet en fin de course au-delà de 75 % (choix de ce programme)."
                         : "Twisted or bent sideways from 10° on, abducted from 45°, shoulder raised from 10°, wrist "
                           "twist at its end beyond 75 % of the range (this program's choice).");
+  lines.emplace_back(
+      fr ? "Angles mesurés de tronc, cou et poignet : neutres à moins de 5° de 0 ; extension du cou pour "
+           "RULA : classe 2 jusqu'à 6,5°, 3 jusqu'à 8°, 4 au-delà (choix de ce programme)."
+         : "Measured angles of trunk, neck and wrist are neutral within 5° of 0; RULA's neck in extension: "
+           "class 2 up to 6.5°, 3 up to 8°, beyond 4 (this program's choice).");
   if (!scores.missing.empty()) {
     std::string line = word("The score is partial: not entered", language);
     const char* separator = fr ? " : " : ": ";

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mannequin/ergonomics/view_planes.h"
+
 namespace hapticell::ergonomics {
 namespace {
 
@@ -52,12 +54,13 @@ PartVerdict lineOfSight(double below, const PostureUse& use) {
 }
 
 /// Of the upper arm against its hanging position, whichever way it points.
-double armElevation(const MeasuredPosture& posture) {
-  return std::hypot(posture.upper_arm_flexion, posture.upper_arm_abduction);
+double elevationOf(const MeasuredPosture& posture) {
+  return posture.upper_arm_elevation ? *posture.upper_arm_elevation
+                                     : armElevation(posture.upper_arm_flexion, posture.upper_arm_abduction);
 }
 
 bool isBehind(const MeasuredPosture& posture) {
-  return posture.upper_arm_flexion < -20.0 && std::abs(posture.upper_arm_abduction) < 20.0;
+  return posture.upper_arm_flexion < -20.0;
 }
 
 }  // namespace
@@ -74,12 +77,19 @@ std::string_view nameOf(Zone zone) {
   return "";
 }
 
+ZonePosture settledZones(ZonePosture posture) {
+  for (double* angle : {&posture.measured.trunk_flexion, &posture.gaze_below_horizontal, &posture.head_inclination}) {
+    if (*angle < 0.0 && *angle >= -kNeutralBand) *angle = 0.0;
+  }
+  return posture;
+}
+
 PartVerdicts en1005(const MeasuredPosture& posture, double gaze_below_horizontal, const PostureUse& use) {
   PartVerdicts verdicts;
   add(verdicts, trunkForward(posture.trunk_flexion, use));
   add(verdicts, sidewaysTrunk("trunk side bend", posture.trunk_side_bend, use.movements_per_min));
   add(verdicts, sidewaysTrunk("trunk twist", posture.trunk_twist, use.movements_per_min));
-  add(verdicts, upperArm(armElevation(posture), isBehind(posture), use));
+  add(verdicts, upperArm(elevationOf(posture), isBehind(posture), use));
   add(verdicts, lineOfSight(gaze_below_horizontal, use));
   return verdicts;
 }
@@ -110,7 +120,7 @@ PartVerdicts iso11226(const MeasuredPosture& posture, double head_inclination, c
   }
   add(verdicts, head);
 
-  PartVerdict arm{"upper arm elevation", armElevation(posture)};
+  PartVerdict arm{"upper arm elevation", elevationOf(posture)};
   if (arm.angle > 60.0 || isBehind(posture)) {
     arm.zone = Zone::kNotAcceptable;
   } else if (arm.angle > 20.0 && !use.arm_supported) {

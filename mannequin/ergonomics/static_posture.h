@@ -36,6 +36,18 @@ struct PostureUse {
   bool arm_supported = false;
 };
 
+/// What EN 1005-4 and ISO 11226 look at, degrees.
+struct ZonePosture {
+  MeasuredPosture measured;
+  double gaze_below_horizontal = 0.0;  ///< EN 1005-4.
+  double head_inclination = 0.0;       ///< ISO 11226.
+  PostureUse use;
+};
+
+/// The same of angles that were measured: a trunk that leans back, a head or a gaze that points up within kNeutralBand
+/// counts as level. The standards' 0 has no width, and nobody stands at it.
+ZonePosture settledZones(ZonePosture posture);
+
 /// EN 1005-4:2005 (evaluation of working postures in relation to machinery), its zones for trunk, upper arm, head and
 /// line of sight. `gaze_below_horizontal`: degrees, negative upwards.
 PartVerdicts en1005(const MeasuredPosture& posture, double gaze_below_horizontal, const PostureUse& use);

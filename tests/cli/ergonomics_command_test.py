@@ -249,6 +249,39 @@ def test_every_method_says_what_brings_its_next_level_down(case):
     assert composite["next_level"]["any_of"]
 
 
+def posture_of(case, **joints):
+    file = case.folder / ("-".join(f"{name}{angle}" for name, angle in joints.items()) + ".json")
+    file.write_text(json.dumps({"format": "hapticell-posture", "version": 1, "unit": "deg", "joints": joints}))
+    return case.run("ergonomics", "posture", "--sex", "male", "--percentile", "50", "--posture", file)
+
+
+def zone(side, method, part):
+    return next(entry["zone"] for entry in side[method]["parts"] if entry["part"] == part)
+
+
+def test_angles_do_not_leak_and_do_not_jump(case):
+    bend = posture_of(case, vl5_right_bend=11, vl1_right_bend=12, vt6_right_bend=9)
+    turn = posture_of(case, vt6_left_turn=25, vl1_left_turn=8, vl5_left_turn=2)
+    for found, flag in ((bend, "trunk_side_bent"), (turn, "trunk_twisted")):
+        for side in (found["left"], found["right"]):
+            assert side["inputs"]["trunk_flexion"] == 0 and side["inputs"][flag] and side["inputs"]["measured"], side["inputs"]
+            assert side["rula"]["sub_scores"]["trunk"] == side["reba"]["sub_scores"]["trunk"] == 2
+            assert zone(side, "en1005", "trunk forward") == zone(side, "iso11226", "trunk inclination") == "acceptable"
+        assert found["owas"]["inputs"]["trunk_flexion"] == 0
+    back = posture_of(case, r_shoulder_flexion=-30)["right"]
+    assert not back["inputs"]["lower_arm_across_midline"] and back["rula"]["sub_scores"]["lower_arm"] == 2
+    assert abs(back["inputs"]["upper_arm_flexion"] + 30) < 1
+    sides = [posture_of(case, r_shoulder_abduction=angle)["right"] for angle in (94, 95, 96, 97)]
+    for a, b in zip(sides, sides[1:]):
+        for method in ("rula", "reba"):
+            scores = [(a[method]["sub_scores"][name], b[method]["sub_scores"][name]) for name in a[method]["sub_scores"]]
+            assert all(x is None or abs(x - y) <= 1 for x, y in scores), (method, scores)
+    neck = dict(RULA_ANGLES, neck_flexion=-0.6)
+    by_eye = ergonomics(case, "rula", {"angles": neck, "muscle_use": 0, "force": 0})
+    measured = ergonomics(case, "rula", {"angles": dict(neck, measured=True), "muscle_use": 0, "force": 0})
+    assert by_eye["sub_scores"]["neck"] == 4 and measured["sub_scores"]["neck"] == 1
+
+
 def test_own_limits_of_the_hands_force(case):
     table = case.folder / "limits.csv"
     table.write_text("# source: our physiologist, 2026\nhand,height_from_m,height_to_m,limit_n\nany,0,3,40\nright,1.0,3,30\n")

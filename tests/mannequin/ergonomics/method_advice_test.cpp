@@ -35,11 +35,6 @@ PostureScores scoresOf(const Figure& figure, const Posture& posture) {
   return scorePosture(figure, posture, mannequin::forwardKinematics(figure, posture), often());
 }
 
-ZonePosture zonePosture(const PostureScores& scores, Side side) {
-  return {scores.sides[static_cast<std::size_t>(side)].measured, scores.gaze_below_horizontal, scores.head_inclination,
-          postureUse(often(), side)};
-}
-
 /// The posture with the changes in it, by the fields' names of `ergonomics en1005 --input`.
 ZonePosture with(ZonePosture posture, const std::vector<FieldChange>& changes) {
   const std::map<std::string_view, double MeasuredPosture::*> angles{
@@ -53,6 +48,7 @@ ZonePosture with(ZonePosture posture, const std::vector<FieldChange>& changes) {
     if (const auto angle = angles.find(change.field); angle != angles.end()) {
       EXPECT_NEAR(posture.measured.*angle->second, change.from, 1e-12);
       posture.measured.*angle->second = change.to;
+      if (change.field.starts_with("upper_arm")) posture.measured.upper_arm_elevation.reset();
     } else if (change.field == "gaze_below_horizontal") {
       posture.gaze_below_horizontal = change.to;
     } else if (change.field == "head_inclination") {
@@ -91,7 +87,7 @@ TEST(MethodAdvice, ZonesComeDownByTheNearestAnglesOfTheirWorstParts) {
     const PostureScores scores = scoresOf(figure, *mannequin::libraryPosture(figure, library.name));
     for (const PostureMethod method : {PostureMethod::kEn1005, PostureMethod::kIso11226}) {
       for (const Side side : {Side::kLeft, Side::kRight}) {
-        const ZonePosture posture = zonePosture(scores, side);
+        const ZonePosture posture = zonePosture(scores, side, often());
         const MethodAdvice advice = advise(scores, method, side, often());
         ASSERT_EQ(advice.now.level, levelOf(method, posture));
         if (advice.now.level == 1) {
@@ -124,7 +120,10 @@ TEST(MethodAdvice, AnArmOffBothWaysComesDownAlongOneOfThem) {
   EXPECT_EQ(advice.now.level, 3);
   ASSERT_TRUE(advice.next);
   ASSERT_EQ(advice.next->changes.size(), 1u);
-  EXPECT_NEAR(advice.next->changes[0].to, std::sqrt(60.0 * 60.0 - 50.0 * 50.0), 0.1);
+  // The arm's elevation by its direction: 50 deg out of the sagittal plane, and in it the angle that was found.
+  const double forward = advice.next->changes[0].to * 3.14159265358979 / 180.0, out = 50.0 * 3.14159265358979 / 180.0;
+  const dvec3 arm(std::cos(out) * std::sin(forward), std::sin(out), -std::cos(out) * std::cos(forward));
+  EXPECT_NEAR(std::acos(-arm.z) * 180.0 / 3.14159265358979, 60.0, 0.1);
   posture.measured.upper_arm_flexion = posture.measured.upper_arm_abduction = 80.0;
   const MethodAdvice both = adviseZones(PostureMethod::kEn1005, posture);
   ASSERT_TRUE(both.next);

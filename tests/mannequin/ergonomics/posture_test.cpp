@@ -24,9 +24,10 @@ TEST(PostureAngles, FlagsFollowTheThresholds) {
   EXPECT_EQ(angles.legs_supported, false);
   EXPECT_FALSE(angles.arm_supported.has_value());
   PostureThresholds tolerant;
-  tolerant.upright = 5.0;
-  measured.trunk_flexion = 4.0;
+  tolerant.upright = 7.0;
+  measured.trunk_flexion = 6.0;
   EXPECT_EQ(postureAngles(measured, tolerant).trunk_flexion, 0.0);
+  EXPECT_EQ(postureAngles(measured).trunk_flexion, 6.0);
 }
 
 PostureAngles reaching() {
