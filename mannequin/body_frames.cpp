@@ -350,7 +350,7 @@ class BodyFrames::Finder {
     }
     std::sort(slopes.begin(), slopes.end());
     const std::size_t low = slopes.size() / 4;
-    return low > 2 ? std::clamp(slopes[low / 2].second, 0.0, 60.0 * kDegree) : kFootSlope;
+    return low > 2 ? std::clamp(slopes[low / 2].second, 0.0, 40.0 * kDegree) : kFootSlope;
   }
 
   void tell() {

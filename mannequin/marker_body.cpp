@@ -56,6 +56,7 @@ class MarkerBody {
     motion_.assumptions = clip_.warnings;
     motion_.assumptions.push_back("the markers are read as " + set_.name +
                                   "; joints are found from them with our own offsets");
+    findBlind();
     for (const auto& [landmark, markers] : set_.markers) {
       if (auto done = addWay(landmark, markers); !done) return makeError(done.error());
     }
@@ -78,19 +79,39 @@ class MarkerBody {
   bool both(const char* landmark) const { return has(sided(0, landmark)) && has(sided(1, landmark)); }
   dvec3 middle(const char* landmark) const { return 0.5 * (at(sided(0, landmark)) + at(sided(1, landmark))); }
 
+  bool isSeen(std::size_t f, std::size_t m) const {
+    const auto& p = clip_.at(f, m);
+    return p && *p != dvec3(0.0);  // Some programs write 0 0 0 for what was not seen.
+  }
+
+  /// Frames in which nothing of the person is seen: before it comes into the cameras' view, and after.
+  void findBlind() {
+    blind_.assign(clip_.frames(), true);
+    std::size_t count = 0;
+    for (std::size_t f = 0; f < blind_.size(); ++f) {
+      for (const auto& [landmark, markers] : set_.markers) {
+        for (const std::size_t m : markers) blind_[f] = blind_[f] && !isSeen(f, m);
+      }
+      count += blind_[f] ? 1 : 0;
+    }
+    if (count == 0) return;
+    motion_.assumptions.push_back(
+        "in " + std::to_string(count) + " of " + std::to_string(blind_.size()) +
+        " frames no marker of the person is seen; it is taken to stand still or to go straight "
+        "on there, and these frames count like others");
+  }
+
   Expected<void> addWay(const std::string& landmark, const std::vector<std::size_t>& markers) {
     Way way(clip_.frames());
     std::vector<bool> seen(way.size(), false);
     for (std::size_t f = 0; f < way.size(); ++f) {
       bool all = true;
       for (const std::size_t m : markers) {
-        const auto& p = clip_.at(f, m);
-        // Some programs write 0 0 0 for what was not seen.
-        if (!p || *p == dvec3(0.0)) {
+        if (!isSeen(f, m)) {
           all = false;
           break;
         }
-        way[f] += *p / static_cast<double>(markers.size());
+        way[f] += *clip_.at(f, m) / static_cast<double>(markers.size());
       }
       seen[f] = all;
     }
@@ -121,10 +142,14 @@ class MarkerBody {
         const double s = static_cast<double>(k - f + 1) / static_cast<double>(end - f + 1);
         way[k] = f == 0 ? way[end] : end == way.size() ? way[f - 1] : (1.0 - s) * way[f - 1] + s * way[end];
       }
-      longest = std::max(longest, end - f);
-      count += end - f;
+      const auto first = blind_.begin() + static_cast<std::ptrdiff_t>(f);
+      const auto last = blind_.begin() + static_cast<std::ptrdiff_t>(end);
+      const std::size_t here = static_cast<std::size_t>(std::count(first, last, false));
+      longest = std::max(longest, here > 0 ? end - f : 0);
+      count += here;
       f = end;
     }
+    if (count == 0) return;
     char text[200];
     std::snprintf(text, sizeof text,
                   "the marker on %s is not seen in %zu of %zu frames, %.2f s at the longest; it is "
@@ -392,6 +417,7 @@ class MarkerBody {
   const MarkerSet& set_;
   RecordedMotion motion_;
   std::map<std::string, Way> ways_;
+  std::vector<bool> blind_;
   std::size_t frame_ = 0;
   double pelvis_tilt_ = 0.0, head_tilt_ = 0.0;  ///< rad, forwards.
 };
