@@ -6,12 +6,13 @@
 #include "cli/commands.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_report.h"
+#include "cli/motion_options.h"
 #include "mannequin/ergonomics/motion_scores.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/reba.h"
 #include "mannequin/ergonomics/rula.h"
 #include "mannequin/figure.h"
-#include "mannequin/motion_clip.h"
+#include "mannequin/recorded_motion.h"
 
 namespace hapticell::cli {
 
@@ -22,7 +23,7 @@ using nlohmann::ordered_json;
 
 struct ErgonomicsOptions {
   std::string input;
-  std::string motion;
+  std::string motion, up, markers;
   ergonomics::MotionTask task;
   std::optional<double> fail_over;
 };
@@ -53,19 +54,23 @@ Expected<ordered_json> judge(const std::string& method, const json& input) {
 }
 
 Expected<ordered_json> judgeMotion(const std::string& method, const ErgonomicsOptions& options) {
-  const auto clip = mannequin::readMotionFile(options.motion);
-  if (!clip) return tl::unexpected(clip.error());
+  const auto reading = motionReading(options.up, options.markers);
+  if (!reading) return tl::unexpected(reading.error());
+  const auto recorded = mannequin::readRecordedMotion(options.motion, *reading);
+  if (!recorded) return tl::unexpected(recorded.error());
   const auto figure = mannequin::makeFigure({});
   if (!figure) return tl::unexpected(figure.error());
   const auto kind = method == "rula"   ? ergonomics::MotionMethod::kRula
                     : method == "reba" ? ergonomics::MotionMethod::kReba
                                        : ergonomics::MotionMethod::kOwas;
-  auto scores = ergonomics::scoreMotion(*clip, *figure, kind, options.task);
+  auto scores = ergonomics::scoreMotion(*recorded, *figure, kind, options.task);
   if (!scores) {
     if (scores.error().file.empty()) scores.error().file = options.motion;
     return tl::unexpected(scores.error());
   }
-  return motionReport(kind, *scores, options.task);
+  ordered_json report = motionReport(kind, *scores, options.task);
+  addReading(*recorded, report);
+  return report;
 }
 
 Expected<ordered_json> result(const std::string& method, const ErgonomicsOptions& options) {
@@ -74,6 +79,8 @@ Expected<ordered_json> result(const std::string& method, const ErgonomicsOptions
         {"", "--input, --motion", options.input.empty() ? "neither is given" : "both are given", "one of the two", ""});
   }
   if (!options.motion.empty()) return judgeMotion(method, options);
+  if (!options.up.empty() || !options.markers.empty())
+    return makeError({"", "--up, --markers", "given without --motion", "a recorded motion to read by them", ""});
   const auto input = readErgonomicsInput(options.input);
   if (!input) return tl::unexpected(input.error());
   auto judged = judge(method, *input);
@@ -101,7 +108,8 @@ ExitStatus run(const std::string& method, const ErgonomicsOptions& options, cons
 }
 
 void addMotionOptions(Subcommand method, const std::string& name, ErgonomicsOptions& options) {
-  method.option("--motion", options.motion, "A recorded motion instead: .bvh, or .amc with its .asf");
+  method.option("--motion", options.motion, "A recorded motion instead: .bvh, .amc with its .asf, or .c3d (markers)");
+  addMotionReading(method, options.up, options.markers);
   const auto whole = [&](const char* option, int& value, int greatest, const char* description) {
     method.option(option, value, description).withinWhole(0, greatest);
   };

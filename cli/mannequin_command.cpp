@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/hand_targets.h"
+#include "cli/motion_options.h"
 #include "cli/timing.h"
 #include "mannequin/body_skin.h"
 #include "mannequin/figure.h"
@@ -34,7 +35,7 @@ struct MannequinOptions {
   std::string hands = "both";
   std::vector<std::string> lock;
   bool fail_on_limit = false;
-  std::string motion;
+  std::string motion, up, markers;
   std::string output;
 };
 
@@ -244,19 +245,23 @@ std::string textFor(const std::string& file, const Figure& figure, const Posture
   return postureText(posture);
 }
 
-Expected<RetargetedMotion> motionFor(const std::string& file, const Figure& figure, Outcome& outcome) {
-  const Expected<MotionClip> clip = readMotionFile(file);
-  if (!clip) return makeError(clip.error());
-  Expected<RetargetedMotion> motion = retarget(figure, *clip);
+Expected<RetargetedMotion> motionFor(const MannequinOptions& options, const Figure& figure, Outcome& outcome) {
+  const Expected<MotionReading> reading = motionReading(options.up, options.markers);
+  if (!reading) return makeError(reading.error());
+  const Expected<RecordedMotion> recorded = readRecordedMotion(options.motion, *reading);
+  if (!recorded) return makeError(recorded.error());
+  Expected<RetargetedMotion> motion = retarget(figure, *recorded);
   if (!motion) {
     Error error = motion.error();
-    error.file = file;
+    error.file = options.motion;
     return makeError(std::move(error));
   }
   outcome.document["motion"] = {{"frames", motion->postures.size()},
                                 {"frame_time", motion->frame_time},
-                                {"metres_per_unit", clip->metres_per_unit},
+                                {"metres_per_unit", recorded->metres_per_unit},
                                 {"frames_beyond_limit", motion->frames_beyond_limit}};
+  addReading(*recorded, outcome.document["motion"]);
+  addReading(*recorded, outcome.document);
   outcome.found = outcome.found || !motion->frames_beyond_limit.empty();
   return motion;
 }
@@ -276,7 +281,7 @@ Expected<Outcome> solve(const MannequinOptions& options) {
   }
   RetargetedMotion motion{{*posture}, 1.0, {}};
   if (!options.motion.empty()) {
-    Expected<RetargetedMotion> read = motionFor(options.motion, *figure, outcome);
+    Expected<RetargetedMotion> read = motionFor(options, *figure, outcome);
     if (!read) return makeError(read.error());
     motion = std::move(*read);
   }
@@ -312,7 +317,9 @@ void addMannequinCommand(Subcommand app, Action& chosen) {
   command.option("--targets", options->targets, "CSV hand,x,y,z,qw,qx,qy,qz[,step]: where hands are wanted");
   command.option("--hands", options->hands, "left, right or both: which of the targets' hands count");
   command.option("--lock", options->lock, "trunk, feet, pelvis: what does not move").separatedByCommas();
-  command.option("--motion", options->motion, "A recorded motion (.bvh, or .amc beside its .asf) for the figure");
+  command.option("--motion", options->motion,
+                 "A recorded motion for the figure: .bvh, .amc beside its .asf, or .c3d (markers)");
+  addMotionReading(command, options->up, options->markers);
   command.flag("--fail-on-limit", options->fail_on_limit, "Exit 1 when a limit is exceeded or a target not met");
   command.option("-o,--output", options->output,
                  "Write the posture to this file (.json); .obj: the body in it, .x3d: H-Anim, .bvh: the motion");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "mannequin/motion_clip.h"
 #include "mannequin/word_reader.h"
@@ -23,16 +25,18 @@ struct Bone {
   dvec3 direction{0.0};
   double length = 0.0;
   dquat axes{1.0, 0.0, 0.0, 0.0};  ///< C.
-  std::vector<int> dofs;           ///< 0 rx, 1 ry, 2 rz; 3 to 5 tx to tz (the root's).
+  std::vector<int> dofs;           ///< 0 rx, 1 ry, 2 rz; 3 to 5 tx to tz; 6 l. As they stand in the motion's rows.
   std::string parent;
 };
 
 /// Skeleton and motion as they stand in their files, before they become a clip.
 class AsfReader {
  public:
-  AsfReader(std::string_view text, const std::string& name) : words_(text), name_(name) {}
+  AsfReader(std::string_view text, const std::string& name) : words_(text), text_(text), name_(name) {}
 
   Expected<void> read() {
+    if (const std::string why = whyNoText(text_); !why.empty())
+      return makeError({name_, "", why, "a skeleton in ASF", "Save it as plain text (UTF-8)."});
     while (!words_.atEnd()) {
       const std::string_view word = words_.next();
       Expected<void> done;
@@ -65,25 +69,62 @@ class AsfReader {
         if (!value || !(*value > 0.0)) return fail("no length unit", "a number above 0");
         metres_per_unit = 0.0254 / *value;
       } else if (word == "angle") {
-        degrees_per_unit = words_.next() == "rad" ? 180.0 / M_PI : 1.0;
+        const std::string_view unit = words_.next();
+        if (!unit.starts_with("deg") && !unit.starts_with("rad"))
+          return fail("the angle's unit '" + std::string(unit.substr(0, 40)) + "'", "deg or rad");
+        degrees_per_unit = unit.starts_with("rad") ? 180.0 / M_PI : 1.0;
       }
     }
     return {};
   }
 
+  /// "XYZ" turns about x first: Rz Ry Rx.
+  Expected<dquat> axesOf(const dvec3& degrees, std::string_view order) const {
+    dquat axes(1.0, 0.0, 0.0, 0.0);
+    if (order.size() != 3) return fail("the order of turns '" + std::string(order.substr(0, 40)) + "'", "XYZ");
+    for (const char letter : order) {
+      const int axis = std::toupper(static_cast<unsigned char>(letter)) - 'X';
+      if (axis < 0 || axis > 2) return fail("the order of turns '" + std::string(order) + "'", "XYZ");
+      axes = about(axis, degrees[axis]) * axes;
+    }
+    return axes;
+  }
+  Expected<dvec3> three() {
+    dvec3 values(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const auto value = words_.number();
+      if (!value) return fail("no number", "three numbers");
+      values[k] = *value;
+    }
+    return values;
+  }
+
   Expected<void> readRoot() {
     Bone root;
     root.name = "root";
+    dvec3 orientation(0.0);
+    std::string order = "XYZ";
     while (!words_.atEnd() && !words_.peek().starts_with(':')) {
-      if (words_.next() != "order") continue;
+      const std::string_view key = words_.next();
+      if (key == "orientation") {
+        const Expected<dvec3> values = three();
+        if (!values) return makeError(values.error());
+        orientation = *values;
+      }
+      if (key == "axis") order = std::string(words_.next());
+      if (key != "order") continue;
       for (int i = 0; i < 6; ++i) {
         const std::string_view word = words_.peek();
-        const int axis = word.size() == 2 ? word[1] - 'X' : -1;
-        if (axis < 0 || axis > 2 || (word[0] != 'T' && word[0] != 'R')) break;
-        root.dofs.push_back(word[0] == 'T' ? 3 + axis : axis);
+        const int axis = word.size() == 2 ? std::toupper(static_cast<unsigned char>(word[1])) - 'X' : -1;
+        const int kind = word.empty() ? 0 : std::toupper(static_cast<unsigned char>(word[0]));
+        if (axis < 0 || axis > 2 || (kind != 'T' && kind != 'R')) break;
+        root.dofs.push_back(kind == 'T' ? 3 + axis : axis);
         words_.next();
       }
     }
+    const Expected<dquat> axes = axesOf(degrees_per_unit * orientation, order);
+    if (!axes) return makeError(axes.error());
+    root.axes = *axes;
     bones["root"] = root;
     return {};
   }
@@ -109,23 +150,30 @@ class AsfReader {
         bone.length = *value;
       }
       if (word == "direction" || word == "axis") {
-        dvec3 values;
-        for (int k = 0; k < 3; ++k) {
-          const auto value = words_.number();
-          if (!value) return fail("no number", "three numbers");
-          values[k] = *value;
-        }
-        if (word == "direction") bone.direction = values;
+        const Expected<dvec3> values = three();
+        if (!values) return makeError(values.error());
+        if (word == "direction") bone.direction = *values;
         if (word == "axis") {
-          values *= degrees_per_unit;
-          bone.axes = about(2, values.z) * about(1, values.y) * about(0, values.x);
+          const Expected<dquat> axes = axesOf(degrees_per_unit * *values, words_.next());
+          if (!axes) return makeError(axes.error());
+          bone.axes = *axes;
         }
       }
-      while (word == "dof" && words_.peek().size() == 2 && words_.peek()[0] == 'r') {
-        bone.dofs.push_back(std::min(2, std::max(0, words_.next()[1] - 'x')));
+      while (word == "dof") {
+        const int dof = dofOf(words_.peek());
+        if (dof < 0) break;
+        bone.dofs.push_back(dof);
+        words_.next();
       }
     }
     return {};
+  }
+
+  /// "rx" to "rz", "tx" to "tz", "l"; else -1.
+  static int dofOf(std::string_view word) {
+    if (word == "l") return 6;
+    if (word.size() != 2 || (word[0] != 'r' && word[0] != 't') || word[1] < 'x' || word[1] > 'z') return -1;
+    return (word[0] == 't' ? 3 : 0) + word[1] - 'x';
   }
 
   Expected<void> readHierarchy() {
@@ -149,6 +197,7 @@ class AsfReader {
   }
 
   WordReader words_;
+  std::string_view text_;
   const std::string& name_;
 };
 
@@ -196,23 +245,58 @@ class ClipBuilder {
 class AmcReader {
  public:
   AmcReader(const AsfReader& skeleton, ClipBuilder& builder, std::string_view text, const std::string& name)
-      : skeleton_(skeleton), builder_(builder), words_(text), name_(name) {}
+      : skeleton_(skeleton), builder_(builder), words_(text), text_(text), name_(name) {}
 
   Expected<void> read() {
-    while (words_.peek().starts_with('#') || words_.peek().starts_with(':')) {
-      words_.next();
-      words_.restOfLine();
-    }
+    if (const std::string why = whyNoText(text_); !why.empty())
+      return makeError({name_, "", why, "a motion in AMC", "Save it as plain text (UTF-8)."});
+    if (auto done = readHead(); !done) return done;
+    std::optional<double> last;
     while (!words_.atEnd()) {
-      if (!words_.number()) return fail("no frame number", "a number");
+      const std::string_view word = words_.next();
+      const auto number = WordReader::numberOf(word);
+      if (!number) return fail("no frame number: '" + std::string(word.substr(0, 40)) + "'", "a number");
+      if (last && *number != *last + 1.0) {
+        return fail("frame " + std::string(word) + " after frame " + std::to_string(std::llround(*last)),
+                    "frames that follow each other", "Frames are missing or doubled; write the file anew.");
+      }
+      last = number;
       if (auto done = readFrame(); !done) return done;
     }
+    for (const auto& [bone, frames] : missing_) {
+      builder_.clip.warnings.push_back("the bone '" + bone + "' has no numbers in " + std::to_string(frames) + " of " +
+                                       std::to_string(builder_.clip.frames.size()) +
+                                       " frames; it is taken at rest there");
+    }
+    if (stretched_) builder_.clip.warnings.emplace_back("bones that slide or grow are taken as they are at rest");
     return {};
   }
 
  private:
-  tl::unexpected<Error> fail(std::string found, std::string expected) const {
-    return makeError({name_, words_.place(), std::move(found), std::move(expected), ""});
+  tl::unexpected<Error> fail(std::string found, std::string expected, std::string fix = {}) const {
+    return makeError({name_, words_.place(), std::move(found), std::move(expected), std::move(fix)});
+  }
+
+  /// Comments and keywords; those of the angles' unit count, others ("FULLY-SPECIFIED") say nothing that is needed.
+  Expected<void> readHead() {
+    std::optional<double> degrees;
+    while (words_.peek().starts_with('#') || words_.peek().starts_with(':')) {
+      std::string word(words_.next());
+      words_.restOfLine();
+      for (char& c : word) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      if (word != ":RADIANS" && word != ":DEGREES") continue;
+      const double said = word == ":RADIANS" ? 180.0 / M_PI : 1.0;
+      if (degrees && *degrees != said) return fail(":RADIANS and :DEGREES", "one of the two");
+      degrees = said;
+    }
+    unit_ = degrees.value_or(skeleton_.degrees_per_unit);
+    if (degrees && *degrees != skeleton_.degrees_per_unit) {
+      builder_.clip.warnings.emplace_back(std::string("angles of the motion are ") +
+                                          (*degrees > 1.0 ? "radians" : "degrees") +
+                                          ", as the AMC says; those of the "
+                                          "skeleton are not");
+    }
+    return {};
   }
 
   static bool beginsName(std::string_view word) {
@@ -222,34 +306,54 @@ class AmcReader {
   Expected<void> readFrame() {
     ClipFrame frame;
     frame.turns.assign(builder_.clip.joints.size(), dquat(1.0, 0.0, 0.0, 0.0));
+    std::set<std::string> there;
     while (beginsName(words_.peek())) {
       const std::string word(words_.next());
       const auto bone = skeleton_.bones.find(word);
       if (bone == skeleton_.bones.end()) return fail("the bone '" + word.substr(0, 40) + "'", "a bone of the skeleton");
-      std::array<double, 6> values{};
-      for (const int dof : bone->second.dofs) {
-        const auto value = words_.number();
-        if (!value)
-          return fail("no number for '" + word.substr(0, 40) + "'",
-                      std::to_string(bone->second.dofs.size()) + " numbers");
-        values[static_cast<std::size_t>(dof)] = *value;
-      }
-      const auto joint = builder_.index.find(word);
-      if (joint == builder_.index.end()) continue;
-      const double unit = skeleton_.degrees_per_unit;
-      const dquat M = about(2, unit * values[2]) * about(1, unit * values[1]) * about(0, unit * values[0]);
-      const dquat C = bone->second.axes;
-      frame.turns[joint->second] = glm::normalize(C * M * glm::conjugate(C));
-      if (joint->second == 0) frame.p_root = dvec3(values[3], values[4], values[5]) * skeleton_.metres_per_unit;
+      if (!there.insert(word).second)
+        return fail("the bone '" + word.substr(0, 40) + "' twice in a frame", "each bone once");
+      if (auto done = readBone(bone->second, frame); !done) return done;
+    }
+    for (const auto& [name, bone] : skeleton_.bones) {
+      if (!bone.dofs.empty() && builder_.index.contains(name) && !there.contains(name)) ++missing_[name];
     }
     builder_.clip.frames.push_back(std::move(frame));
+    return {};
+  }
+
+  /// The turns in the order in which they stand: the first is made first.
+  Expected<void> readBone(const Bone& bone, ClipFrame& frame) {
+    dquat M(1.0, 0.0, 0.0, 0.0);
+    dvec3 p(0.0);
+    for (const int dof : bone.dofs) {
+      const std::string_view word = words_.next();
+      const auto value = WordReader::numberOf(word);
+      if (!value) {
+        return fail("no number for '" + bone.name.substr(0, 40) + "': '" + std::string(word.substr(0, 40)) + "'",
+                    std::to_string(bone.dofs.size()) + " numbers");
+      }
+      if (dof < 3) M = about(dof, unit_ * *value) * M;
+      if (dof >= 3 && dof < 6) p[dof - 3] = *value * skeleton_.metres_per_unit;
+      stretched_ = stretched_ || (dof >= 3 && bone.name != "root" && *value != 0.0);
+    }
+    const auto joint = builder_.index.find(bone.name);
+    if (joint == builder_.index.end()) return {};
+    frame.turns[joint->second] = glm::normalize(bone.axes * M * glm::conjugate(bone.axes));
+    if (joint->second != 0) return {};
+    frame.turns[0] = glm::normalize(bone.axes * M);
+    frame.p_root = p;
     return {};
   }
 
   const AsfReader& skeleton_;
   ClipBuilder& builder_;
   WordReader words_;
+  std::string_view text_;
   const std::string& name_;
+  double unit_ = 1.0;                   ///< Degrees.
+  std::map<std::string, int> missing_;  ///< Frames without a bone that has turns, by bone.
+  bool stretched_ = false;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "geometry/error.h"
 #include "geometry/vector.h"
+#include "mannequin/up_axis.h"
 
 namespace hapticell::mannequin {
 
@@ -18,7 +19,8 @@ struct MarkerClip {
   std::vector<std::optional<dvec3>> places;  ///< Frame by frame; empty where the cameras did not see a marker.
   double frame_time = 1.0 / 120.0;           ///< s
   double metres_per_unit = 1e-3;             ///< Of the file.
-  std::vector<std::string> warnings;         ///< What was assumed, a sentence each.
+  UpAxis up = UpAxis::kZ;                    ///< Which of the file's axes became z.
+  std::vector<std::string> warnings;         ///< What was assumed or did not agree in the file, a sentence each.
 
   std::size_t frames() const { return names.empty() ? 0 : places.size() / names.size(); }
   double seconds() const { return static_cast<double>(frames()) * frame_time; }
@@ -30,10 +32,12 @@ struct MarkerClip {
 };
 
 /// Reads C3D (the C3D File Format user guide, c3d.org): numbers of Intel, DEC and MIPS processors, whole or real
-/// points; analog channels are passed over. The frame count is that of TRIAL or POINT:LONG_FRAMES where they are there,
-/// since the header's has 16 bits. Errors name the byte: what is cut, contradicts itself or has no points.
-Expected<MarkerClip> parseC3d(std::string_view bytes, const std::string& name);
+/// points; analog channels are passed over. Where header and parameters disagree on counts, places or scale, the size
+/// of the file decides (c3d_layout.h); a unit that is cut ("mete") is completed. Up is `up` where it is given; else
+/// where head and shoulders are over pelvis and feet, by the markers' usual names; else POINT:Y_SCREEN; else the
+/// longest side of all markers; else z. Every choice is a warning. Errors name the byte: what is cut or has no points.
+Expected<MarkerClip> parseC3d(std::string_view bytes, const std::string& name, std::optional<UpAxis> up = {});
 /// The same of a file of at most 1 GB.
-Expected<MarkerClip> readC3d(const std::filesystem::path& file);
+Expected<MarkerClip> readC3d(const std::filesystem::path& file, std::optional<UpAxis> up = {});
 
 }  // namespace hapticell::mannequin

@@ -45,13 +45,14 @@ void placeJoints(const MotionClip& clip, const ClipFrame& frame, ClipPose& pose)
   pose.q.resize(clip.joints.size());
   for (std::size_t i = 0; i < clip.joints.size(); ++i) {
     const ClipJoint& joint = clip.joints[i];
+    const dvec3& p_Parent = frame.p_Parent.empty() ? joint.p_Parent : frame.p_Parent[i];
     if (joint.parent < 0) {
       pose.p[i] = frame.p_root + joint.p_Parent;
       pose.q[i] = frame.turns[i];
       continue;
     }
     const std::size_t parent = static_cast<std::size_t>(joint.parent);
-    pose.p[i] = pose.p[parent] + pose.q[parent] * joint.p_Parent;
+    pose.p[i] = pose.p[parent] + pose.q[parent] * p_Parent;
     pose.q[i] = glm::normalize(pose.q[parent] * frame.turns[i]);
   }
 }
@@ -62,7 +63,8 @@ Expected<MotionClip> readMotionFile(const std::filesystem::path& file) {
   const Expected<std::string> text = contentOf(file);
   if (!text) return makeError(text.error());
   if (ending == ".bvh") return readBvh(*text, file.string());
-  if (ending != ".amc") return makeError({file.string(), "", "'" + ending + "'", ".bvh, or .amc beside its .asf", ""});
+  if (ending != ".amc")
+    return makeError({file.string(), "", "'" + ending + "'", ".bvh, .amc beside its .asf, or .c3d", ""});
   std::filesystem::path skeleton = file;
   skeleton.replace_extension(".asf");
   std::error_code ignored;

@@ -9,14 +9,17 @@
 
 namespace hapticell::mannequin {
 
-/// Words of a text with the line they stand in.
+/// Words of a text with the line they stand in. Lines end as on Unix, Windows or an old Mac; a byte order mark before
+/// the first word is passed over.
 class WordReader {
  public:
-  explicit WordReader(std::string_view text) : text_(text) {}
+  explicit WordReader(std::string_view text) : text_(text) {
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  }
 
   /// The next word; empty at the end.
   std::string_view next() {
-    while (at_ < text_.size() && isBlank(text_[at_])) line_ += text_[at_++] == '\n' ? 1 : 0;
+    while (at_ < text_.size() && isBlank(text_[at_])) step();
     const std::size_t begin = at_;
     while (at_ < text_.size() && !isBlank(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
@@ -29,12 +32,33 @@ class WordReader {
   /// What is left of this line.
   std::string_view restOfLine() {
     const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    while (at_ < text_.size() && !endsLine(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
   }
+  /// The next line that has a word in it, from its first word on; empty at the end.
+  std::string_view nextLine() {
+    while (at_ < text_.size() && isBlank(text_[at_])) step();
+    return restOfLine();
+  }
+  /// What stands before `mark` or the line's end, from the next word on, without blanks at its end.
+  std::string_view nextBefore(char mark) {
+    while (at_ < text_.size() && isBlank(text_[at_])) step();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !endsLine(text_[at_]) && text_[at_] != mark) ++at_;
+    std::size_t end = at_;
+    while (end > begin && isBlank(text_[end - 1])) --end;
+    return text_.substr(begin, end - begin);
+  }
+  /// Takes `mark` where it comes next, after blanks; else false.
+  bool take(char mark) {
+    while (at_ < text_.size() && isBlank(text_[at_])) step();
+    if (at_ >= text_.size() || text_[at_] != mark) return false;
+    ++at_;
+    return true;
+  }
   /// A finite number of believable size, or nothing.
-  std::optional<double> number() {
-    const std::string_view word = next();
+  std::optional<double> number() { return numberOf(next()); }
+  static std::optional<double> numberOf(std::string_view word) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole = error == std::errc() && end == word.data() + word.size() && !word.empty();
@@ -47,10 +71,23 @@ class WordReader {
   std::string place() const { return "line " + std::to_string(line_); }
 
  private:
-  static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+  static bool endsLine(char c) { return c == '\n' || c == '\r'; }
+  static bool isBlank(char c) { return c == ' ' || c == '\t' || endsLine(c); }
+  void step() {
+    const bool windows = text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n';
+    line_ += endsLine(text_[at_]) && !windows ? 1 : 0;
+    ++at_;
+  }
   std::string_view text_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
 };
+
+/// What to say of a text that is not one: two bytes a letter, or zeros in it. Empty where it is sound.
+inline std::string whyNoText(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "a text of two bytes a letter (UTF-16)";
+  if (text.substr(0, 4096).find('\0') != std::string_view::npos) return "bytes that are no text";
+  return {};
+}
 
 }  // namespace hapticell::mannequin

@@ -99,7 +99,7 @@ class ErgonomicsDocks : public QObject {
     };
     entry("actionErgonomics", tr("Ergonomics, live"), dock_);
     QAction* open =
-        makeAction(&host_.window(), {"actionOpenMotion", tr("Open a recorded motion (BVH, AMC)…"), {}, {}, {}});
+        makeAction(&host_.window(), {"actionOpenMotion", tr("Open a recorded motion (BVH, AMC, C3D)…"), {}, {}, {}});
     host_.window().addAction(open);
     menu->addAction(open);
     connect(open, &QAction::triggered, this, [this] {

@@ -26,9 +26,10 @@ std::vector<int> rulaOf(const mannequin::Figure& figure, const std::vector<manne
 Expected<std::shared_ptr<const MotionScoresModel::Motion>> MotionScoresModel::read(const std::string& path,
                                                                                    const mannequin::Figure& figure,
                                                                                    const ergonomics::WorkTask& task) {
-  const auto clip = mannequin::readMotionFile(path);
+  const auto clip = mannequin::readRecordedMotion(path);
   if (!clip) return makeError(clip.error());
   auto motion = std::make_shared<Motion>();
+  motion->assumptions = clip->assumptions;
   auto own = mannequin::retarget(figure, *clip);
   if (!own) return makeError(own.error());
   if (own->postures.empty()) return makeError({path, "frames", "none", "a motion", ""});
@@ -118,6 +119,13 @@ QString MotionScoresModel::beyondLimits() const {
     for (const auto& [limit, frames] : motion_->beyond)
       said << tr("%1 in %n frames", nullptr, frames).arg(QString::fromStdString(limit));
   return said.join(", ");
+}
+
+QString MotionScoresModel::assumptions() const {
+  QStringList said;
+  if (motion_)
+    for (const std::string& each : motion_->assumptions) said << QString::fromStdString(each);
+  return said.join("; ");
 }
 
 double MotionScoresModel::shareAbove(std::size_t body) const {

@@ -19,7 +19,8 @@ class MotionScoresModel : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
-  /// Begins to read a BVH or AMC file (the ASF beside it) and to score it with the task. `figure` is the mannequin's.
+  /// Begins to read a BVH, AMC (the ASF beside it) or C3D file and to score it with the task. `figure` is the
+  /// mannequin's.
   void open(const QString& path, std::shared_ptr<const mannequin::Figure> figure, const ergonomics::WorkTask& task);
   /// Scores the motion anew where it was scored for another figure or task.
   void follow(const std::shared_ptr<const mannequin::Figure>& figure, const ergonomics::WorkTask& task);
@@ -40,6 +41,8 @@ class MotionScoresModel : public QObject {
   QString beyondLimits() const;
   /// The one of these that lasts longest.
   QString mostBeyond() const;
+  /// What was found or taken where the file does not say it: the axis that is up, the marker set ...
+  QString assumptions() const;
   /// Share of the time in the two higher bands.
   double shareAbove(std::size_t body) const;
   /// Where RULA of the own body stays at its highest; only while there is a motion.
@@ -65,6 +68,7 @@ class MotionScoresModel : public QObject {
     std::array<std::vector<int>, 4> bands;
     std::vector<int> own;
     std::map<std::string, int> beyond;  ///< Frames by limit.
+    std::vector<std::string> assumptions;
     double seconds = 0.0;
     ergonomics::ScorePhase phase;
     std::vector<ergonomics::BodyAtTask> bodies;

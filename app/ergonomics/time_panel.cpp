@@ -92,7 +92,11 @@ TimePanel::TimePanel(MannequinContext& context, const LiveScores& scores, Motion
   connect(take_, &QPushButton::clicked, this, &TimePanel::takePosture);
   connect(history_, &ScoreHistory::frameChosen, this, &TimePanel::setFrame);
   connect(&motion_, &MotionScoresModel::changed, this, &TimePanel::showMotion);
-  connect(&motion_, &MotionScoresModel::opened, this, [this] { setFrame(motion_.worstFrame()); });
+  connect(&motion_, &MotionScoresModel::opened, this, [this] {
+    setFrame(motion_.worstFrame());
+    if (const QString said = motion_.assumptions(); !said.isEmpty())
+      context_.host().messages().tell(Severity::kInformation, tr("How %1 was read").arg(motion_.name()), said);
+  });
   connect(&motion_, &MotionScoresModel::failed, this, [this](const QString& why) {
     context_.host().messages().tell(Severity::kWarning, tr("The motion cannot be shown"), why);
   });
@@ -115,7 +119,8 @@ void TimePanel::open(const QString& path) {
 }
 
 void TimePanel::choose() {
-  const QString path = askToOpen(this, tr("Open a recorded motion"), {}, tr("Motions (*.bvh *.amc);;All files (*)"));
+  const QString path =
+      askToOpen(this, tr("Open a recorded motion"), {}, tr("Motions (*.bvh *.amc *.c3d);;All files (*)"));
   if (!path.isEmpty()) open(path);
 }
 
@@ -142,7 +147,7 @@ void TimePanel::showMotion() {
                        : tr("Beyond limits of the figure, not clamped; longest: %1.").arg(motion_.mostBeyond()));
   beyond_->setToolTip(beyond);
   name_->setText(motion_.isBusy() ? tr("Scoring the motion…") : any ? motion_.name() : QString());
-  at_->setText(any ? QString() : tr("Open a recording (BVH, AMC) to score each of its frames."));
+  at_->setText(any ? QString() : tr("Open a recording (BVH, AMC, C3D) to score each of its frames."));
   frame_ = std::min(frame_, std::max(0, motion_.frames() - 1));
   history_->setFrame(frame_);
   history_->update();

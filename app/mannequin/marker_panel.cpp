@@ -18,6 +18,7 @@
 #include "app/start/file_dialog.h"
 #include "app/viewport/viewport_widget.h"
 #include "geometry/shapes.h"
+#include "mannequin/marker_set.h"
 
 namespace hapticell::app {
 namespace {
@@ -110,6 +111,13 @@ void MarkerPanel::take(mannequin::MarkerClip clip, const QString& path) {
                      .arg(1.0 / clip_.frame_time, 0, 'f', 0));
   for (const std::string& warning : clip_.warnings)
     context_.host().messages().tell(Severity::kWarning, QFileInfo(path).fileName(), QString::fromStdString(warning));
+  const auto set = mannequin::recogniseMarkers(clip_);
+  context_.host().messages().tell(
+      Severity::kInformation, QFileInfo(path).fileName(),
+      set ? tr("These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.")
+                .arg(QString::fromStdString(set->name))
+          : tr("The markers are shown; they are of no set that a figure can be fitted to: %1")
+                .arg(QString::fromStdString(set.error().message())));
   draw(true);
 }
 

@@ -879,12 +879,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>.</translation>
     </message>
     <message>
-        <source>. Kept nearer to the recording from %1 to %2 s</source>
-        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
-    </message>
-    <message>
         <source>. A smaller window helps</source>
         <translation>. Une fenêtre plus petite aide</translation>
+    </message>
+    <message>
+        <source>. Kept nearer to the recording from %1 to %2 s</source>
+        <translation>. Tenu plus près de l'enregistrement de %1 à %2 s</translation>
     </message>
     <message>
         <source>. Real-time priority mends it: add the account to the group realtime</source>
@@ -1429,10 +1429,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Balance: %1 inside the soles</source>
         <translation>Équilibre : %1 à l'intérieur des semelles</translation>
-    </message>
-    <message>
-        <source>Bars: points of each run, hatched where it was not passed. Line: help.</source>
-        <translation>Barres : points de chaque essai, hachurées s'il a échoué. Ligne : aide.</translation>
     </message>
     <message>
         <source>Bars: points of each run, hatched where it was not passed; without guidance apart. Line: help.</source>
@@ -2171,16 +2167,16 @@ Voulez-vous le remplacer ?</translation>
         <translation>Supprimer cette image</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
+    </message>
+    <message>
         <source>Detach</source>
         <translation>Détacher</translation>
     </message>
     <message>
         <source>Detach %1</source>
         <translation>Détacher %1</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Profondeur</translation>
     </message>
     <message>
         <source>Detents</source>
@@ -3223,6 +3219,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Origine</translation>
     </message>
     <message>
+        <source>How %1 was read</source>
+        <translation>Comment %1 a été lu</translation>
+    </message>
+    <message>
         <source>How far</source>
         <translation>Distance</translation>
     </message>
@@ -3895,8 +3895,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Mouvements</translation>
     </message>
     <message>
-        <source>Motions (*.bvh *.amc);;All files (*)</source>
-        <translation>Mouvements (*.bvh *.amc);;Tous les fichiers (*)</translation>
+        <source>Motions (*.bvh *.amc *.c3d);;All files (*)</source>
+        <translation>Mouvements (*.bvh *.amc *.c3d);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Motions (*.bvh);;All files (*)</source>
@@ -4579,12 +4579,12 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir un mouvement enregistré</translation>
     </message>
     <message>
-        <source>Open a recorded motion (BVH, AMC)…</source>
-        <translation>Ouvrir un mouvement enregistré (BVH, AMC)…</translation>
+        <source>Open a recorded motion (BVH, AMC, C3D)…</source>
+        <translation>Ouvrir un mouvement enregistré (BVH, AMC, C3D)…</translation>
     </message>
     <message>
-        <source>Open a recording (BVH, AMC) to score each of its frames.</source>
-        <translation>Ouvrez un enregistrement (BVH, AMC) pour noter chacune de ses images.</translation>
+        <source>Open a recording (BVH, AMC, C3D) to score each of its frames.</source>
+        <translation>Ouvrez un enregistrement (BVH, AMC, C3D) pour noter chacune de ses images.</translation>
     </message>
     <message>
         <source>Open a recording of markers (C3D) to see them in the scene.</source>
@@ -6023,7 +6023,7 @@ Voulez-vous le remplacer ?</translation>
         <translation>Aimante aux coins, arêtes, faces et repères · Ctrl : libre · Échap annule</translation>
     </message>
     <message>
-        <source>So contacts stay easy to see. Settings, Appearance, "Parts in their full colours" changes it.</source>
+        <source>So contacts stay easy to see. Settings, Appearance, &quot;Parts in their full colours&quot; changes it.</source>
         <translation>Ainsi les contacts restent bien visibles. Réglages, Apparence, « Pièces en pleines couleurs » le change.</translation>
     </message>
     <message>
@@ -6603,6 +6603,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Le mannequin ne peut pas être dessiné ainsi</translation>
     </message>
     <message>
+        <source>The markers are shown; they are of no set that a figure can be fitted to: %1</source>
+        <translation>Les marqueurs sont affichés ; ils ne forment aucun jeu sur lequel un mannequin puisse être ajusté : %1</translation>
+    </message>
+    <message>
         <source>The markers cannot be shown</source>
         <translation>Les marqueurs ne peuvent pas être montrés</translation>
     </message>
@@ -6857,6 +6861,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>There was not enough memory</source>
         <translation>La mémoire n'a pas suffi</translation>
+    </message>
+    <message>
+        <source>These are the markers of %1. Mannequin, Open a recorded motion, puts the recording on the figure.</source>
+        <translation>Ce sont les marqueurs de %1. Mannequin, Ouvrir un mouvement enregistré, les pose sur le mannequin.</translation>
     </message>
     <message>
         <source>These parts may move, with the hands' targets</source>
@@ -7221,10 +7229,6 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Use this one</source>
         <translation>Utiliser celui-ci</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Valeur</translation>
     </message>
     <message>
         <source>Video of a turn round it</source>

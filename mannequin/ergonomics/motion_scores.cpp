@@ -23,24 +23,23 @@ struct Recorded {
   PlaneAngles trunk, arm[2];
 };
 
-Recorded recordedAngles(const mannequin::ClipMap& map, const mannequin::ClipPose& pose) {
-  const auto place = [&](int joint) { return pose.p[static_cast<std::size_t>(joint)]; };
-  // The file's Y is up; the hips' line says which way they face.
-  ViewPlanes hips{dvec3(0, 0, 1), dvec3(1, 0, 0), dvec3(0, 1, 0)};
-  const dvec3 to_left = place(map.hip[0]) - place(map.hip[1]);
-  const dvec3 level_left(to_left.x, 0.0, to_left.z);
+Recorded recordedAngles(const mannequin::RecordedBody& body) {
+  // The hips' line says which way they face.
+  ViewPlanes hips{dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)};
+  const dvec3 to_left = body.hip[0] - body.hip[1];
+  const dvec3 level_left(to_left.x, to_left.y, 0.0);
   if (glm::length(level_left) > 1e-3 * glm::length(to_left)) hips.outward = glm::normalize(level_left);
   hips.forward = glm::cross(hips.outward, hips.up);
-  const dvec3 line = place(map.neck) - 0.5 * (place(map.hip[0]) + place(map.hip[1]));
+  const dvec3 line = body.neck - body.p_root;
   Recorded recorded;
   recorded.trunk = trunkAngles(hips, line);
   ViewPlanes chest;
   chest.up = glm::normalize(line);
-  const dvec3 across = place(map.shoulder[0]) - place(map.shoulder[1]);
+  const dvec3 across = body.shoulder[0] - body.shoulder[1];
   chest.outward = glm::normalize(across - glm::dot(across, chest.up) * chest.up);
   chest.forward = glm::cross(chest.outward, chest.up);
   for (std::size_t side = 0; side < 2; ++side) {
-    recorded.arm[side] = upperArmAngles(chest, place(map.elbow[side]) - place(map.shoulder[side]));
+    recorded.arm[side] = upperArmAngles(chest, body.elbow[side] - body.shoulder[side]);
     chest.outward = -chest.outward;
   }
   return recorded;
@@ -202,25 +201,26 @@ ScorePhase worstPhase(std::span<const int> scores, double frame_time) {
   return worst;
 }
 
-Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
+Expected<MotionScores> scoreMotion(const mannequin::RecordedMotion& recorded, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task) {
-  const auto map = mannequin::mapClip(clip);
-  if (!map) return tl::unexpected(map.error());
-  const auto motion = mannequin::retarget(figure, clip);
+  const auto motion = mannequin::retarget(figure, recorded);
   if (!motion) return tl::unexpected(motion.error());
   if (motion->postures.empty()) return makeError({"", "frames", "none", "a motion", ""});
   MotionScores scores;
   scores.frame_time = motion->frame_time;
   FrameScorer scorer(figure, method, task);
-  mannequin::ClipPose recorded;
-  for (std::size_t i = 0; i < motion->postures.size(); ++i) {
-    mannequin::placeJoints(clip, clip.frames[i], recorded);
-    scores.frames.push_back(scorer.score(motion->postures[i], recordedAngles(*map, recorded)));
-  }
+  for (std::size_t i = 0; i < motion->postures.size(); ++i)
+    scores.frames.push_back(scorer.score(motion->postures[i], recordedAngles(recorded.bodies[i])));
   summarise(scores);
-  mannequin::placeJoints(clip, clip.frames[scores.worst], recorded);
-  scorer.explain(motion->postures[scores.worst], recordedAngles(*map, recorded), scores);
+  scorer.explain(motion->postures[scores.worst], recordedAngles(recorded.bodies[scores.worst]), scores);
   return scores;
+}
+
+Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
+                                   MotionMethod method, const MotionTask& task) {
+  const auto recorded = mannequin::recordedMotion(clip);
+  if (!recorded) return tl::unexpected(recorded.error());
+  return scoreMotion(*recorded, figure, method, task);
 }
 
 }  // namespace hapticell::ergonomics

@@ -10,6 +10,7 @@
 #include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/figure.h"
 #include "mannequin/motion_clip.h"
+#include "mannequin/recorded_motion.h"
 
 namespace hapticell::ergonomics {
 
@@ -47,8 +48,10 @@ struct MotionScores {
 
 /// Scores each frame of a recorded motion, the worse side counting. Joint angles come from the motion on `figure`;
 /// the trunk's bends (of the line from mid-hip to the lowest neck joint) and the upper arms' angles are of the recorded
-/// person's own joints. Nobody is taken as seated or walking; arms are not supported. Errors: a clip whose joints are
-/// not known.
+/// person's own joints. Nobody is taken as seated or walking; arms are not supported. Errors: no frames.
+Expected<MotionScores> scoreMotion(const mannequin::RecordedMotion& recorded, const mannequin::Figure& figure,
+                                   MotionMethod method, const MotionTask& task);
+/// The same of a clip, with recordedMotion()'s errors.
 Expected<MotionScores> scoreMotion(const mannequin::MotionClip& clip, const mannequin::Figure& figure,
                                    MotionMethod method, const MotionTask& task);
 

@@ -38,7 +38,7 @@ FOREIGN = {
     r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
     r"^archive": {"workcell", "importer"},
     r"^meshoptimizer": {"workcell", "app"},
-    r"^toml\+\+": {"config", "workcell"},
+    r"^toml\+\+": {"config", "mannequin", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/client"},
     r"^CLI/": {"cli"},

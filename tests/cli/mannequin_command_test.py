@@ -7,6 +7,7 @@ usage: mannequin_command_test.py HAPTICELL_CLI
 import json
 import math
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -110,9 +111,77 @@ def test_refusals(folder):
     assert json.loads((folder / "x.json").read_text())["format"] == "hapticell-posture"
 
 
+def c3d(path, labels, frames, up=None):
+    """A C3D of real numbers in millimetres: frames of places, one a label; nothing where a marker is not seen."""
+    def group(number, name):
+        return bytes([len(name)]) + struct.pack("b", -number) + name + struct.pack("<H", 3) + b"\0"
+
+    def parameter(name, kind, sizes, content):
+        body = struct.pack("b", kind) + bytes([len(sizes)]) + bytes(sizes) + content + b"\0"
+        return bytes([len(name), 1]) + name + struct.pack("<H", 2 + len(body)) + body
+
+    width = max(map(len, labels))
+    section = group(1, b"POINT") + parameter(b"LABELS", -1, [width, len(labels)],
+                                             b"".join(x.encode().ljust(width) for x in labels))
+    section += parameter(b"UNITS", -1, [2], b"mm") + (parameter(b"Y_SCREEN", -1, [2], up) if up else b"") + b"\0\0"
+    blocks = (len(section) + 4 + 511) // 512
+    head = bytes([2, 0x50]) + struct.pack("<5Hf2Hf", len(labels), 0, 1, len(frames), 0, -1.0, 2 + blocks, 1, 100.0)
+    data = b"".join(struct.pack("<4f", *(place or (0, 0, 0)), 0.0 if place else -1.0) for frame in frames for place in frame)
+    path.write_bytes(head.ljust(512, b"\0") + (bytes([1, 0x50, blocks, 84]) + section).ljust(512 * blocks, b"\0") + data)
+
+
+def standing_markers():
+    """Helen Hayes on somebody who stands and looks along x; y to the left, z up, mm."""
+    marks = {"V.Sacral": (-110, 0, 1000), "Top.Head": (0, 0, 1760), "Front.Head": (90, 0, 1680), "Rear.Head": (-90, 0, 1680)}
+    for side, out in (("L", 1), ("R", -1)):
+        for word, (x, y, z) in {"ASIS": (50, 120, 1010), "Shoulder": (0, 190, 1460), "Elbow": (0, 240, 1110), "Wrist": (10, 215, 860),
+                                "Knee": (0, 145, 500), "Ankle": (0, 130, 80), "Heel": (-60, 90, 40), "Toe": (140, 90, 40)}.items():
+            marks[f"{side}.{word}"] = (x, out * y, z)
+    return marks
+
+
+def bent(marks, degrees):
+    """All above the hips turned forwards about the hips' axis."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return {name: ((c * x + s * (z - 920), y, 920 - s * x + c * (z - 920)) if z > 1050 or "Wrist" in name else (x, y, z))
+            for name, (x, y, z) in marks.items()}
+
+
+def test_markers(folder):
+    stands = standing_markers()
+    labels = list(stands)
+    frames = [[bent(stands, angle)[name] for name in labels] for angle in range(0, 61, 2)]
+    size = ("--sex", "male", "--percentile", 50)
+    for name, turn, up in (("z.c3d", lambda p: p, b"+Z"), ("unsaid.c3d", lambda p: p, None),
+                           ("y.c3d", lambda p: (p[0], p[2], -p[1]), None), ("wrong.c3d", lambda p: (p[0], p[2], -p[1]), b"+X")):
+        c3d(folder / name, ["Worker:" + label for label in labels], [[turn(p) for p in frame] for frame in frames], up)
+        found = answer(*size, "--motion", folder / name, "-o", folder / "fitted.bvh")
+        assert found["marker_set"] == "Helen Hayes" and found["motion"]["frames"] == len(frames), found["motion"]
+        assert found["up"] == ("y" if name[0] in "yw" else "z") and found["assumptions"], found["up"]
+        done = subprocess.run([CLI, "ergonomics", "rula", "--motion", folder / name], capture_output=True, text=True)
+        scores = json.loads(done.stdout)
+        leans = [frame["trunk_inclination"] for frame in scores["frames"]]
+        assert leans[0] < 6 and abs(leans[-1] - leans[0] - 60) < 6, (leans[0], leans[-1])
+        assert scores["marker_set"] == "Helen Hayes" and scores["frames"][-1]["score"] > scores["frames"][0]["score"]
+    told = answer(*size, "--motion", folder / "z.c3d", "--up", "y")
+    assert told["up"] == "y" and any("as told" in each for each in told["assumptions"]), told["assumptions"]
+    c3d(folder / "own.c3d", [f"P{i}" for i in range(len(labels))], frames, b"+Z")
+    refused("--markers", *size, "--motion", folder / "own.c3d")
+    landmark = {"V.Sacral": "sacrum", "Top.Head": "head_top", "Front.Head": "head_front", "Rear.Head": "head_back"}
+    rows = ["name = \"Ours\"", "[markers]"]
+    for i, label in enumerate(labels):
+        side = {"L": "left_", "R": "right_"}.get(label[0], "")
+        rows.append(f"{landmark.get(label) or side + label[2:].lower()} = \"P{i}\"")
+    (folder / "own.toml").write_text("\n".join(rows))
+    assert answer(*size, "--motion", folder / "own.c3d", "--markers", folder / "own.toml")["marker_set"] == "Ours"
+    refused("nobody", *size, "--motion", folder / "own.c3d", "--markers", folder / "nobody.toml")
+    refused("x, y, z, -x, -y or -z", *size, "--motion", folder / "z.c3d", "--up", "w")
+
+
 with tempfile.TemporaryDirectory() as name:
     test_sizes()
     test_targets(pathlib.Path(name))
     (pathlib.Path(name) / "targets.csv").write_text("hand,x,y,z,qw,qx,qy,qz\nleft,0.3,0.2,1,1,0,0,0\n")
     test_refusals(pathlib.Path(name))
-print("3 passed, 0 failed")
+    test_markers(pathlib.Path(name))
+print("4 passed, 0 failed")

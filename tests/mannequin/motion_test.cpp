@@ -8,6 +8,7 @@
 
 #include "bench/mannequin_recorded.h"
 #include "mannequin/forward_kinematics.h"
+#include "mannequin/joint_names.h"
 #include "mannequin/limb_inverse.h"
 #include "mannequin/motion_clip.h"
 #include "mannequin/motion_writer.h"
@@ -75,6 +76,183 @@ TEST(Bvh, RefusesWhatIsBrokenWithItsLine) {
   bad.replace(bad.find("Yrotation"), 9, "Wrotation");
   EXPECT_NE(refused(bad).find("Wrotation"), std::string::npos);
   EXPECT_FALSE(readMotionFile("/nonexistent/file.bvh").has_value());
+}
+
+bool says(const std::vector<std::string>& sentences, const std::string& words) {
+  return std::any_of(sentences.begin(), sentences.end(),
+                     [&](const std::string& each) { return each.find(words) != std::string::npos; });
+}
+
+TEST(Bvh, LosesNoFrameAndShiftsNoRow) {
+  std::string text = kSmall;
+  text.replace(text.find("Frames: 2"), 9, "Frames: 1");
+  const auto more = readBvh(text, "more.bvh");
+  ASSERT_TRUE(more);
+  EXPECT_EQ(more->frames.size(), 2u);
+  EXPECT_TRUE(says(more->warnings, "states 1 frames and has 2"));
+  text.replace(text.find("Frames: 1"), 9, "Frames: 3");
+  const auto fewer = readBvh(text, "fewer.bvh");
+  ASSERT_FALSE(fewer);
+  EXPECT_NE(fewer.error().message().find("no frame 3"), std::string::npos) << fewer.error().message();
+  // One number short in the first row, one too many in the last: as many as there should be.
+  std::string shifted = kSmall;
+  shifted.replace(shifted.find("0 180 0 0 0 0 0 0 0"), 19, "0 180 0 0 0 0 0 0");
+  shifted.insert(shifted.size() - 1, " 0");
+  const auto row = readBvh(shifted, "shifted.bvh");
+  ASSERT_FALSE(row);
+  EXPECT_NE(row.error().message().find("8 numbers in frame 1"), std::string::npos) << row.error().message();
+  EXPECT_NE(row.error().message().find("line 19"), std::string::npos) << row.error().message();
+}
+
+TEST(Bvh, ReadsWhatOtherProgramsWrite) {
+  const std::string plain = kSmall;
+  const auto same = [&](const std::string& text, const char* what) {
+    const auto clip = readBvh(text, what);
+    ASSERT_TRUE(clip) << what << ": " << clip.error().message();
+    ASSERT_EQ(clip->frames.size(), 2u) << what;
+    ClipPose pose;
+    placeJoints(*clip, clip->frames[1], pose);
+    EXPECT_LT(glm::length(pose.p[2] - dvec3(1.0, 1.8, -0.9)), 1e-12) << what;
+  };
+  same("\xEF\xBB\xBF" + plain, "a byte order mark");
+  std::string windows, mac;
+  for (const char c : plain) {
+    windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    mac += c == '\n' ? '\r' : c;
+  }
+  same(windows, "lines of Windows");
+  same(mac, "lines of an old Mac");
+  std::string blanks = plain;
+  blanks.replace(blanks.find("JOINT knee"), 10, "JOINT Bip01 L Calf ");
+  same(blanks, "blanks in a name");
+  EXPECT_EQ(readBvh(blanks, "x")->joints[1].name, "Bip01 L Calf");
+  std::string capitals = plain;
+  for (std::size_t at = 0; (at = capitals.find("position", at)) != std::string::npos;)
+    capitals.replace(at, 8, "POSITION");
+  same(capitals, "capital letters");
+  std::string one_line = plain;
+  one_line.replace(one_line.find("hips\n{"), 6, "hips {");
+  same(one_line, "a brace behind the name");
+}
+
+TEST(Bvh, SaysClearlyWhatItDoesNotRead) {
+  const auto refused = [](const std::string& text) {
+    const auto clip = readBvh(text, "x.bvh");
+    return clip ? std::string("read") : clip.error().message();
+  };
+  const std::string plain = kSmall;
+  std::string comma = plain;
+  comma.replace(comma.find("10 180"), 6, "10,5 180");
+  EXPECT_NE(refused(comma).find("decimal points"), std::string::npos) << refused(comma);
+  std::string time = plain;
+  time.replace(time.find("0.01"), 4, "0,01");
+  EXPECT_NE(refused(time).find("decimal points"), std::string::npos) << refused(time);
+  std::string two = plain;
+  two.insert(two.find("MOTION"), "ROOT other\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n");
+  EXPECT_NE(refused(two).find("a second ROOT 'other'"), std::string::npos) << refused(two);
+  EXPECT_NE(refused(std::string("\xFF\xFEH\0I\0", 6)).find("UTF-16"), std::string::npos);
+}
+
+TEST(Bvh, PositionsInTheChannelsReplaceOffsetsOrAreAddedToThem) {
+  const std::string plain = kSmall;
+  std::string moved = plain;
+  moved.replace(moved.find("CHANNELS 3"), 10, "CHANNELS 6 Xposition Yposition Zposition");
+  const auto with = [&](const char* offset, const char* row) {
+    std::string text = moved;
+    text.replace(text.find("OFFSET 0 -90 0"), 14, offset);
+    text.replace(text.find("0 180 0 0 0 0 0 0 0"), 19, std::string("0 180 0 0 0 0 ") + row + " 0 0 0");
+    text.replace(text.find("10 180 0 90 0 0 0 90 0"), 22, std::string("10 180 0 90 0 0 ") + row + " 0 90 0");
+    const auto clip = readBvh(text, "moved.bvh", 0.01);
+    EXPECT_TRUE(clip);
+    ClipPose pose;
+    placeJoints(*clip, clip->frames[1], pose);
+    EXPECT_LT(glm::length(pose.p[2] - dvec3(1.0, 1.8, -0.9)), 1e-9) << offset << ", " << row;
+    EXPECT_NEAR(clip->joints[1].p_Parent.y, -0.9, 1e-9);
+  };
+  with("OFFSET 0 0 0", "0 -90 0");    // All in the channels.
+  with("OFFSET 0 -90 0", "0 -90 0");  // Twice the same.
+  with("OFFSET 0 -90 0", "0 0 0");    // What is added.
+}
+
+constexpr const char* kAsf = R"(:version 1.10
+:units
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+begin
+  id 1
+  name thigh
+  direction 0 -1 0
+  length 7
+  axis 0 0 20 XYZ
+  dof rx ry rz
+end
+:hierarchy
+begin
+root thigh
+end
+)";
+
+TEST(Amc, TheWordForTheAnglesUnitCounts) {
+  const auto degrees =
+      readAsfAmc(kAsf, "a.asf", ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 10 20 30\nthigh 40 50 60\n", "a.amc");
+  const auto plain = readAsfAmc(kAsf, "a.asf", "1\nroot 0 0 0 10 20 30\nthigh 40 50 60\n", "a.amc");
+  const auto radians = readAsfAmc(kAsf, "a.asf",
+                                  ":FULLY-SPECIFIED\n:RADIANS\n1\nroot 0 0 0 0.17453293 0.34906585 0.52359878\n"
+                                  "thigh 0.69813170 0.87266463 1.04719755\n",
+                                  "a.amc");
+  ASSERT_TRUE(degrees && plain && radians);
+  for (std::size_t j = 0; j < 2; ++j) {
+    EXPECT_GT(std::abs(glm::dot(degrees->frames[0].turns[j], plain->frames[0].turns[j])), 1.0 - 1e-12);
+    EXPECT_GT(std::abs(glm::dot(degrees->frames[0].turns[j], radians->frames[0].turns[j])), 1.0 - 1e-12);
+  }
+  EXPECT_TRUE(says(radians->warnings, "radians, as the AMC says"));
+  EXPECT_TRUE(degrees->warnings.empty());
+  EXPECT_FALSE(readAsfAmc(kAsf, "a.asf", ":RADIANS\n:DEGREES\n1\nroot 0 0 0 1 2 3\n", "a.amc"));
+}
+
+TEST(Amc, FramesFollowEachOther) {
+  const std::string first = "1\nroot 0 0 0 0 0 0\nthigh 1 2 3\n";
+  const auto gap = readAsfAmc(kAsf, "a.asf", first + "3\nroot 0 0 0 0 0 0\nthigh 1 2 3\n", "a.amc");
+  ASSERT_FALSE(gap);
+  EXPECT_NE(gap.error().message().find("frame 3 after frame 1"), std::string::npos) << gap.error().message();
+  const auto without = readAsfAmc(kAsf, "a.asf", first + "2\nroot 0 0 0 0 0 0\n", "a.amc");
+  ASSERT_TRUE(without);
+  EXPECT_TRUE(says(without->warnings, "the bone 'thigh' has no numbers in 1 of 2 frames"));
+  EXPECT_FALSE(readAsfAmc(kAsf, "a.asf", "1\nroot 0 0 0 0 0 0\nthigh 1 2 3\nthigh 1 2 3\n", "a.amc"));
+}
+
+TEST(JointNames, AreTakenApart) {
+  const std::vector<std::string> names{"mixamorig1:LeftUpLeg", "lfemur",   "l_shoulder", "upperarm_r", "RUArm",
+                                       "Actor|RightForeArm",   "spine_03", "root"};
+  const std::vector<JointName> found = jointNames(names);
+  using Of = JointName::Of;
+  const std::pair<Of, const char*> expected[] = {
+      {Of::kLeft, "upleg"}, {Of::kLeft, "femur"},    {Of::kLeft, "shoulder"}, {Of::kRight, "upperarm"},
+      {Of::kRight, "uarm"}, {Of::kRight, "forearm"}, {Of::kMiddle, "spine"},  {Of::kMiddle, "root"}};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(found[i].side, expected[i].first) << names[i];
+    EXPECT_EQ(found[i].part, expected[i].second) << names[i];
+  }
+  const std::vector<JointName> biped =
+      jointNames({"Bip01", "Bip01 Pelvis", "Bip01 L Thigh", "Bip01 R Calf", "Bip01 Spine1", "Bip01 Head"});
+  EXPECT_EQ(biped[2].part, "thigh");
+  EXPECT_EQ(biped[3].side, Of::kRight);
+  EXPECT_EQ(biped[5].part, "head");
+}
+
+TEST(MotionFiles, AMissingJointIsNamed) {
+  const auto clip = readBvh(kSmall, "small.bvh");
+  const auto motion = recordedMotion(*clip);
+  ASSERT_FALSE(motion);
+  EXPECT_NE(motion.error().message().find("without a joint for the head (its joints are hips, knee)"),
+            std::string::npos)
+      << motion.error().message();
 }
 
 TEST(MotionFiles, ASkeletonWithoutRootIsRefused) {
@@ -146,10 +324,10 @@ TEST(Retarget, KeepsTheAnglesOfTheClipAndTheFloor) {
   const Expected<RetargetedMotion> motion = retarget(figure, clip);
   ASSERT_TRUE(motion.has_value()) << motion.error().message();
   ASSERT_EQ(motion->postures.size(), clip.frames.size());
-  const ClipMap map = *mapClip(clip);
+  const RecordedMotion recorded = *recordedMotion(clip);
   double lowest = 1e9;
   for (std::size_t f = 0; f < clip.frames.size(); f += 11) {
-    const ClipBody body = bodyOf(clip, map, clip.frames[f]);
+    const RecordedBody& body = recorded.bodies[f];
     const FigurePose pose = forwardKinematics(figure, motion->postures[f]);
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const std::size_t i = static_cast<std::size_t>(side);
@@ -231,12 +409,12 @@ struct SwivelError {
 
 /// Shoulder, wrist and hand orientation from the recording, the elbow from our rule.
 SwivelError swivelError(const MotionClip& clip) {
-  const ClipMap map = *mapClip(clip);
+  const RecordedMotion recorded = *recordedMotion(clip);
   SwivelError error;
   Figure figure = *makeFigure({Sex::kMale, 1.755});
   const int every = std::max(1, static_cast<int>(std::lround(1.0 / 30.0 / clip.frame_time)));
   for (std::size_t f = 0; f < clip.frames.size(); f += static_cast<std::size_t>(every)) {
-    const ClipBody body = bodyOf(clip, map, clip.frames[f]);
+    const RecordedBody& body = recorded.bodies[f];
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const std::size_t i = static_cast<std::size_t>(side);
       const double upper = glm::length(body.elbow[i] - body.shoulder[i]);
