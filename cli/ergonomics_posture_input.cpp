@@ -112,10 +112,11 @@ ordered_json partsOf(const PartVerdicts& verdicts) {
 ordered_json inputsOf(const PostureAngles& angles) {
   ordered_json inputs = ordered_json::object();
   for (const PostureField& field : postureFields()) {
-    ordered_json& value = inputs[std::string(field.name)];
+    ordered_json value;
     if (field.angle && angles.*field.angle) value = *(angles.*field.angle);
     if (field.flag && angles.*field.flag) value = *(angles.*field.flag);
     if (field.name == "wrist_twist" && value.is_boolean()) value = value.get<bool>() ? "end" : "mid";
+    if (!value.is_null()) inputs[std::string(field.name)] = value;  // As it is given: what does not apply is left out.
   }
   return inputs;
 }

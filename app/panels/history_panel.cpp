@@ -54,7 +54,7 @@ HistoryModel::HistoryModel(DocumentModel& document, QObject* parent) : QAbstract
 
 void HistoryModel::read() {
   beginResetModel();
-  texts_ = {tr("Opened")};
+  texts_ = {tr("Start")};
   for (const auto& text : document_.document().undoTexts()) texts_ << QString::fromStdString(text);
   current_ = static_cast<int>(texts_.size()) - 1;
   for (const auto& text : document_.document().redoTexts()) texts_ << QString::fromStdString(text);

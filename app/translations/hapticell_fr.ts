@@ -4631,8 +4631,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir — %1</translation>
     </message>
     <message>
-        <source>Opened</source>
-        <translation>Ouvert</translation>
+        <source>Start</source>
+        <translation>Début</translation>
     </message>
     <message>
         <source>Opened last</source>

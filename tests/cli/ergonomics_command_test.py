@@ -58,7 +58,7 @@ def test_ergonomics_scores_a_mannequins_posture_and_writes_its_report(case):
     found = case.run("ergonomics", "posture", *figure, "--task", json.dumps(TASK), "--date", "20 Nov 2026", *reports)
     assert not found["partial"] and found["score"] == max(found[side]["rula"]["score"] for side in ("left", "right"))
     assert abs(found["stature"] - 1.525) < 1e-3 and found["right"]["rula"]["sub_scores"]["upper_arm"] >= 4
-    assert "upper arm" in found["drivers"][0]["input"] and found["drivers"][0]["score"] < found["score"]
+    assert found["drivers"][0]["input"] in ("upper arm", "neck") and found["drivers"][0]["score"] < found["score"]
     assert files[0].read_bytes().startswith(b"%PDF-") and "20 Nov 2026" in files[1].read_text()
     assert json.loads(files[3].read_text())["format"] == "hapticell-ergonomics-report"
     french = case.folder / "rapport.html"
