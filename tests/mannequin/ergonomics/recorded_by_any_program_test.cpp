@@ -356,6 +356,31 @@ TEST(RecordedByAnyProgram, WithoutNeckSpinePartsOrToesTheTrunkIsTheSame) {
   EXPECT_LT(score->frames.front().trunk_inclination, 10.0);
 }
 
+TEST(RecordedByAnyProgram, PublicFilesHaveTheTrunkOfTheirJoints) {
+  // Trunk against the vertical as found by another forward kinematics (case 06 and 08 of the motions tried): files of
+  // PyMO (no neck) and AnimatedDrawings (z up), in a folder bvh beside the other shared data.
+  struct Known {
+    const char* file;
+    double least, most;
+    mannequin::UpAxis up;
+  };
+  for (const Known& known : {Known{"bvh/AV_8Walk_Meredith_HVHA_Rep1.bvh", 0.1, 11.4, mannequin::UpAxis::kY},
+                             Known{"bvh/dab.bvh", 0.7, 21.1, mannequin::UpAxis::kZ}}) {
+    HAPTICELL_SHARED_DATA_OR_SKIP(file, known.file);
+    const auto motion = mannequin::readRecordedMotion(file);
+    ASSERT_TRUE(motion) << motion.error().message();
+    EXPECT_EQ(motion->up, known.up);
+    const auto scores = scoreMotion(*motion, *mannequin::makeFigure({}), MotionMethod::kOwas, {});
+    ASSERT_TRUE(scores);
+    const auto lean = [](const FrameScore& a, const FrameScore& b) {
+      return a.trunk_inclination < b.trunk_inclination;
+    };
+    const auto [least, most] = std::minmax_element(scores->frames.begin(), scores->frames.end(), lean);
+    EXPECT_NEAR(least->trunk_inclination, known.least, 2.0) << known.file;
+    EXPECT_NEAR(most->trunk_inclination, known.most, 2.0) << known.file;
+  }
+}
+
 TEST(RecordedByAnyProgram, UpIsReportedAndCanBeTold) {
   const std::string text = BvhText(turnedWhole(workingPerson(), turnAbout(0, 90.0))).text();
   const auto clip = mannequin::readBvh(text, "z.bvh");
