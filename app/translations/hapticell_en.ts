@@ -30,7 +30,7 @@
     </message>
     <message numerus="yes">
         <source>%n frames</source>
-        <translation type="unfinished"><numerusform></numerusform><numerusform></numerusform></translation>
+        <translation><numerusform>%n frame</numerusform><numerusform>%n frames</numerusform></translation>
     </message>
     <message numerus="yes">
         <source>%n joints</source>
