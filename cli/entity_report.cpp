@@ -119,6 +119,28 @@ ordered_json robotReport(const workcell::Entity& entity) {
   return report;
 }
 
+ordered_json poseReport(const Pose& X_W) {
+  return {{"position", toJson(X_W.p)}, {"quaternion", {X_W.q.w, X_W.q.x, X_W.q.y, X_W.q.z}}};
+}
+
+/// An entity's own frames, in the world.
+ordered_json ownFrames(const workcell::Entity& entity) {
+  ordered_json frames = ordered_json::array();
+  for (const workcell::Frame& frame : entity.frames)
+    frames.push_back({{"name", frame.name}, {"placement", poseReport(entity.X_WE * frame.X_EF)}});
+  return frames;
+}
+
+/// A frame of the cell: where it stands, and what it goes with.
+ordered_json frameReport(const workcell::Entity& entity) {
+  ordered_json report = groupReport(entity.name, "frame", ordered_json::array());
+  report["placement"] = poseReport(entity.X_WE);
+  report["attached_to"] = entity.attachment.to.empty() ? ordered_json(nullptr) : ordered_json(entity.attachment.to);
+  report["attached_link"] =
+      entity.attachment.link.empty() ? ordered_json(nullptr) : ordered_json(entity.attachment.link);
+  return report;
+}
+
 }  // namespace
 
 ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& mesh, const Pose& X_WM,
@@ -138,6 +160,7 @@ ordered_json meshReport(const std::string& name, const geometry::TriangleMesh& m
 
 ordered_json entityReport(const workcell::Entity& entity) {
   if (entity.robot) return robotReport(entity);
+  if (entity.kind == workcell::EntityKind::kFrame) return frameReport(entity);
   if (!entity.mesh) return groupReport(entity.name, "assembly", ordered_json::array());
   return meshReport(entity.name, *entity.mesh, entity.X_WE, entity.color);
 }
@@ -179,6 +202,7 @@ class TreeReporter {
     }
     ordered_json own = entityReport(entity);
     for (ordered_json& child : children) own["children"].push_back(std::move(child));
+    if (!entity.frames.empty()) own["frames"] = ownFrames(entity);
     return own;
   }
 

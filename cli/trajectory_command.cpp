@@ -89,6 +89,9 @@ Expected<ordered_json> info(const Trajectory& given, const TrajectoryOptions&) {
   std::size_t by_hand = 0;
   for (const auto& frame : given.frames()) by_hand += frame.by_hand ? 1 : 0;
   result["frames_by_hand"] = by_hand;
+  result["points"] = ordered_json::array();
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (given[i].name) result["points"].push_back({{"frame", i}, {"name", *given[i].name}});
   result["start"] = given.empty() ? ordered_json(nullptr) : ordered_json(given[0].t);
   return result;
 }

@@ -21,11 +21,11 @@ using nlohmann::ordered_json;
 using trajectory::Trajectory;
 
 struct EditOptions {
-  std::string file, output, rest, workcell, plane = "y";
+  std::string file, output, rest, workcell, name, plane = "y";
   std::vector<std::string> with;
   double from = -1e300, to = 1e300, at = 0.0, offset = 0.0, speed = 0.1, reach = 0.5, seconds = 0.0, length = 0.05,
          step = 0.01;
-  std::size_t frame = 0, first = 0, last = 0;
+  std::size_t frame = 0, place = 0, first = 0, last = 0;
   std::vector<double> pose, direction{0.0, 0.0, -1.0};
 };
 
@@ -89,6 +89,12 @@ Made remove(const Trajectory& given, const EditOptions& o) {
 }
 Made dwell(const Trajectory& given, const EditOptions& o) {
   return one(trajectory::withDwell(given, o.frame, o.seconds));
+}
+Made namePoint(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::withName(given, o.frame, o.name));
+}
+Made reorderPoints(const Trajectory& given, const EditOptions& o) {
+  return one(trajectory::withFrameMoved(given, o.frame, o.place));
 }
 Expected<trajectory::StraightWay> wayOf(const EditOptions& o) {
   if (o.direction.size() != 3)
@@ -211,9 +217,15 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   sub = add("dwell", "Wait at a frame", dwell);
   sub.option("--frame", options->frame, "Its number, from 0").required();
   sub.option("--seconds", options->seconds, "0: goes through").required();
-  for (const auto& [name, edit] :
+  sub = add("name", "Call a point by a name", namePoint);
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--name", options->name, "Unique in the motion; left out: none");
+  sub = add("reorder", "Move a point to another place in the order", reorderPoints);
+  sub.option("--frame", options->frame, "Its number, from 0").required();
+  sub.option("--to", options->place, "The number that it gets, from 0").required();
+  for (const auto& [way, edit] :
        {std::pair<const char*, Edit>("approach", approach), std::pair<const char*, Edit>("retract", retract)}) {
-    sub = add(name, "A straight way before or after it", edit);
+    sub = add(way, "A straight way before or after it", edit);
     sub.option("--length", options->length, "m (0.05)");
     sub.option("--direction", options->direction, "x,y,z in the moved frame (0,0,-1)").separatedByCommas();
     sub.option("--speed", options->speed, "m/s (0.1)");

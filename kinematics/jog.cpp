@@ -54,8 +54,10 @@ std::string reasonAt(const RobotModel& model, const std::vector<double>& q, cons
 }  // namespace
 
 Pose jogged(const Pose& X_WT, const Pose& X_WB, const JogStep& step) {
-  const Pose& X_WF = step.frame == JogFrame::kTool ? X_WT : X_WB;
-  const dquat R_WF = step.frame == JogFrame::kWorld ? dquat(1.0, 0.0, 0.0, 0.0) : X_WF.q;
+  const dquat R_WF = step.frame == JogFrame::kTool    ? X_WT.q
+                     : step.frame == JogFrame::kBase  ? X_WB.q
+                     : step.frame == JogFrame::kGiven ? step.R_WF
+                                                      : dquat(1.0, 0.0, 0.0, 0.0);
   return {X_WT.p + R_WF * step.along, glm::normalize(quaternionFromRotationVector(R_WF * step.turn) * X_WT.q)};
 }
 
@@ -82,7 +84,7 @@ JogResult jogTool(const JogRobot& robot, const std::vector<double>& q_now, const
   for (int piece = 1; piece <= pieces; ++piece) {
     const double s = static_cast<double>(piece) / pieces;
     // Over the axes as they stood at the start: a tool's own axes do not turn away under the step.
-    const Pose X_WT = jogged(X_WT0, robot.X_WB, {step.frame, s * step.along, s * step.turn});
+    const Pose X_WT = jogged(X_WT0, robot.X_WB, {step.frame, s * step.along, s * step.turn, step.R_WF});
     robot.inverse.solveNearest(X_BW * X_WT, result.q, kUnboundedDuration, solution);
     double swing = 0.0;
     if (solution.q.size() == result.q.size()) fastest(result.q, solution.q, swing);

@@ -14,13 +14,15 @@ enum class JogFrame {
   kBase,   ///< The robot's root link.
   kTool,   ///< The tool centre point's own.
   kWorld,  ///< The cell.
+  kGiven,  ///< Any other: JogStep::R_WF says which way it is turned.
 };
 
 /// One step of a jog of the tool centre point. Turns are about the tool centre point, it stays where it is.
 struct JogStep {
   JogFrame frame = JogFrame::kBase;
-  dvec3 along{0.0};  ///< m, over the frame's axes.
-  dvec3 turn{0.0};   ///< Rotation vector, rad, over the frame's axes.
+  dvec3 along{0.0};                ///< m, over the frame's axes.
+  dvec3 turn{0.0};                 ///< Rotation vector, rad, over the frame's axes.
+  dquat R_WF{1.0, 0.0, 0.0, 0.0};  ///< kGiven only: the axes, a unit quaternion.
 };
 
 /// Where the tool centre point, now at X_WT, stands after the step; the root link is at X_WB.

@@ -15,7 +15,7 @@ constexpr double kLargeTilt = 12.0 * kDegree;  ///< From here on the motion deci
 constexpr double kNearNeck = 10.0 * kDegree;   ///< Of a head that leans at rest, against its neck there.
 /// How far the rest position's left may lie from what is seen, deg: where joints on the segment show it, where the wish
 /// is only what is likely, and where nothing tells.
-constexpr double kSeen = 12.0, kLikely = 45.0, kUntold = 180.0;
+constexpr double kSeen = 12.0, kNearlySeen = 25.0, kLikely = 45.0, kWithTheTrunk = 75.0, kUntold = 180.0;
 constexpr double kFootSlope = 18.0 * kDegree;  ///< From the ankle down to the ball of a foot that is flat.
 constexpr double kNoBone = 55.0 * kDegree;     ///< Between a bone and what it should point along, on the whole.
 constexpr double kBent = 0.35;                 ///< Sine of the flexion from which a hinge's plane is seen well.
@@ -123,13 +123,13 @@ class BodyFrames::Finder {
         [&](const ClipPose& m) {
           return Wish{trunk(m), shoulders(m), upright(m)};
         },
-        thoraxAxis(), kSeen);
+        thoraxAxis(), shoulderLine() == map_.shoulder ? kNearlySeen : kSeen);
     frames_.head_ = settle(
         "head", map_.head,
         [&](const ClipPose& m) {
           return Wish{trunk(m), shoulders(m), upright(m)};
         },
-        headAxis(), kLikely);
+        headAxis(), likely());
     for (std::size_t k = 0; k < 2; ++k) {
       const int next = k == 0 && map_.spine[1] >= 0 ? map_.spine[1] : map_.thorax;
       frames_.spine_[k] = settle(
@@ -162,7 +162,7 @@ class BodyFrames::Finder {
   std::array<int, 2> shoulderLine() const {
     if (map_.collar[0] < 0 || map_.collar[1] < 0 || moments_.empty()) return map_.shoulder;
     const ClipPose& m = moments_.front();
-    return glm::length(at(m, map_.collar[0]) - at(m, map_.collar[1])) > 0.05 * leg_ ? map_.collar : map_.shoulder;
+    return glm::length(at(m, map_.collar[0]) - at(m, map_.collar[1])) > 0.02 * leg_ ? map_.collar : map_.shoulder;
   }
 
   /// Mean direction, in a joint's frame, of what `world` tells at each moment; nothing where it is no direction.
@@ -188,8 +188,11 @@ class BodyFrames::Finder {
         joint, [=, this](const ClipPose& m) { return at(m, next) - at(m, joint); }, 0.02 * leg_);
   }
 
-  /// The segment's frame in the joint's. `bone`: which way is up, where a bone tells it. `trust`: kSeen, kLikely or
-  /// kUntold, of the wish for the left.
+  /// Where pelvis and chest lie as at the rest position, the others most likely do.
+  double likely() const { return turned_.empty() ? kWithTheTrunk : kLikely; }
+
+  /// The segment's frame in the joint's. `bone`: which way is up, where a bone tells it. `trust`: kSeen to kUntold, of
+  /// the wish for the left.
   dmat3 settle(const char* what, int joint, const std::function<Wish(const ClipPose&)>& wish,
                const std::optional<dvec3>& bone, double trust) {
     return settle(what, joint, wish, bone, trust, rest_);
@@ -207,7 +210,8 @@ class BodyFrames::Finder {
     if (glm::length(up) < 1e-9 || glm::length(left) < 1e-9) return rest.value_or(dmat3(1.0));
     const dmat3 mean = frameOf(up, left);
     // Some programs write an end of a bone where none is: along x, as of all other bones.
-    if (bone && angleOf(*bone, mean[2]) > kNoBone) bone.reset();
+    const bool as_at_rest = bone && rest && angleOf(*bone, (*rest)[2]) < kLargeTilt;
+    if (bone && !as_at_rest && angleOf(*bone, mean[2]) > kNoBone) bone.reset();
     const dvec3 z = joint == map_.head && bone ? *bone : upOf(mean, bone, rest);
     return frameOf(z, leftOf(what, mean, z, trust, rest));
   }
@@ -314,7 +318,7 @@ class BodyFrames::Finder {
       return Wish{-fore, glm::cross(-fore, unit(across(x, fore))), weight};
     };
     if (!knuckles && !thumb && !rest_) guessed_hands_ = true;
-    return settle("hands", hand, wish, bone, knuckles || thumb ? kLikely : kUntold, handAtRest(i));
+    return settle("hands", hand, wish, bone, knuckles || thumb ? likely() : kUntold, handAtRest(i));
   }
 
   dmat3 footFrame(std::size_t i, const std::function<dvec3(const ClipPose&)>& knee) {

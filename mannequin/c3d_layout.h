@@ -78,8 +78,6 @@ class LayoutFinder {
     collectAnalog();
     collectStarts();
     collectFrames();
-    if (frames_.values.front() > kMostRows)
-      return fail(6, std::to_string(frames_.values.front()) + " frames", "at most 2000000");
     if (kinds_.values.empty()) return fail(12, "a scale that is no number", "a real number");
     return {};
   }
@@ -113,7 +111,7 @@ class LayoutFinder {
       return low && high ? std::optional(*low + 65536.0 * *high) : std::nullopt;
     };
     const auto add = [this](double count) {
-      if (count >= 1.0) frames_.add(static_cast<std::size_t>(std::min(count, 1e9)));
+      if (count >= 1.0 && count <= static_cast<double>(kMostRows)) frames_.add(static_cast<std::size_t>(count));
     };
     const auto first = trial("TRIAL:ACTUAL_START_FIELD"), last = trial("TRIAL:ACTUAL_END_FIELD");
     if (first && last && *last >= *first) add(*last - *first + 1.0);
@@ -180,11 +178,12 @@ class LayoutFinder {
     std::size_t rows = rowsThere(l);
     while (rows > l.frames && isEmpty(l.data_at + (rows - 1) * l.rowBytes(), l.rowBytes())) --rows;
     const std::size_t rest = there(l) - rows * l.rowBytes();
-    if (rest < kBlockBytes) l.frames = std::min(rows, kMostRows);
+    if (rest < kBlockBytes) l.frames = rows;
     return l;
   }
 
-  C3dLayout finished(C3dLayout l, const C3dLayout& first) const {
+  Expected<C3dLayout> finished(C3dLayout l, const C3dLayout& first) const {
+    if (l.frames > kMostRows) return fail(6, std::to_string(l.frames) + " frames", "at most 2000000");
     const auto number = [](std::size_t value) { return std::to_string(value); };
     const auto warn = [&](std::string text) { l.warnings.push_back(std::move(text)); };
     const std::size_t stated = *b_.word(16);

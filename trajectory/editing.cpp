@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "trajectory/trajectory_io.h"
 
@@ -133,9 +134,7 @@ Expected<Trajectory> resampled(const Trajectory& trajectory, double step) {
   for (std::size_t i = 0; i <= count; ++i) times.push_back(begin + step * static_cast<double>(i));
   Trajectory result = trajectory.emptyCopy();
   std::size_t next = 0;
-  const auto keep = [&](std::size_t i) {
-    return trajectory[i].by_hand || trajectory[i].dwell > 0.0 || i + 1 == trajectory.size();
-  };
+  const auto keep = [&](std::size_t i) { return trajectory[i].isSet() || i + 1 == trajectory.size(); };
   for (const double t : times) {
     for (; next < trajectory.size() && trajectory[next].t <= t; ++next) {
       if (keep(next)) append(result, trajectory, next, -begin);
@@ -251,6 +250,60 @@ Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, doub
       frame.by_hand = true;
     }
     result.addFrame(frame, trajectory.joints(k), trajectory.channels(k));
+  }
+  return result;
+}
+
+Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const std::string& name) {
+  if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+  constexpr std::size_t kLongest = 200;
+  const bool printable = std::none_of(name.begin(), name.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  if (name.size() > kLongest || !printable)
+    return makeError(wrong("name", "'" + name.substr(0, 60) + "'", "printable, at most 200 letters"));
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    if (k != i && !name.empty() && trajectory[k].nameText() == name)
+      return makeError(wrong("name", "frame " + std::to_string(k) + " is called '" + name + "'", "a name of its own"));
+  }
+  Trajectory result = trajectory.emptyRecording();
+  result.touches = trajectory.touches;
+  result.reserve(trajectory.size());
+  for (std::size_t k = 0; k < trajectory.size(); ++k) {
+    Trajectory::Frame frame = trajectory[k];
+    if (k == i) frame.name = name.empty() ? nullptr : std::make_shared<const std::string>(name);
+    result.addFrame(frame, trajectory.joints(k), trajectory.channels(k));
+  }
+  return result;
+}
+
+Expected<Trajectory> withFrameMoved(const Trajectory& trajectory, std::size_t from, std::size_t to) {
+  for (const std::size_t i : {from, to})
+    if (auto checked = checkFrame(trajectory, i); !checked) return makeError(checked.error());
+  std::vector<std::size_t> order(trajectory.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  order.erase(order.begin() + static_cast<std::ptrdiff_t>(from));
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(to), from);
+  const auto lengthOf = [&](std::size_t a, std::size_t b) {
+    const PoseDistance way = distanceBetween(trajectory[a].X_WT, trajectory[b].X_WT);
+    return way.position + kMetresPerRadian * way.angle;
+  };
+  double length = 0.0;
+  for (std::size_t k = 1; k < trajectory.size(); ++k) length += lengthOf(k - 1, k);
+  constexpr double kSpeedOtherwise = 0.1;  // m/s, where nothing moves.
+  const double speed = length > 0.0 ? length / trajectory.duration() : kSpeedOtherwise;
+  Trajectory result = trajectory.emptyCopy();
+  result.reserve(trajectory.size());
+  double t = trajectory[0].t;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (k > 0) {
+      const std::size_t a = std::min(order[k - 1], order[k]), b = std::max(order[k - 1], order[k]);
+      t += b == a + 1 ? trajectory[b].t - trajectory[a].t : std::max(lengthOf(a, b) / speed, kLeastTime);
+    }
+    Trajectory::Frame frame = trajectory[order[k]];
+    frame.t = t;
+    result.addFrame(frame, trajectory.joints(order[k]));
   }
   return result;
 }

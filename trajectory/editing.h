@@ -56,6 +56,15 @@ Expected<Trajectory> withoutFrames(const Trajectory& trajectory, std::size_t fir
 /// Waits `seconds` (0: goes through) at frame `i`, where a program does its work. Errors: no such frame, negative time.
 Expected<Trajectory> withDwell(const Trajectory& trajectory, std::size_t i, double seconds);
 
+/// Frame `i` with a name, or with none (empty). Errors: no such frame, a name that does not fit one line of 200 bytes,
+/// or that another frame has.
+Expected<Trajectory> withName(const Trajectory& trajectory, std::size_t i, const std::string& name);
+
+/// Frame `from` at place `to` of the order; all others keep theirs. Frames keep pose, joints, wait and name. Ways that
+/// stay take the time they took, also turned round; a new one goes at the motion's average speed (turning counts
+/// 0.1 m/rad), at least 1 ms. What was recorded besides (channels, touches) is left out. Errors: no such frames.
+Expected<Trajectory> withFrameMoved(const Trajectory& trajectory, std::size_t from, std::size_t to);
+
 /// A straight way to the first frame or from the last one.
 struct StraightWay {
   double length = 0.05;               ///< m, above 0.

@@ -29,7 +29,7 @@ struct Span {
 };
 
 bool mustStay(const Trajectory::Frame& frame) {
-  return frame.by_hand || frame.dwell > 0.0;
+  return frame.isSet();
 }
 
 }  // namespace

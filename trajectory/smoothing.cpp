@@ -133,7 +133,7 @@ Smoothed smoothed(const Trajectory& trajectory, const SmoothingOptions& options)
   Trajectory smooth = trajectory.emptyCopy();
   smooth.reserve(trajectory.size());
   for (const auto& frame : trajectory.frames()) {
-    smooth.addFrame({frame.t, motion.pose(frame.t), frame.by_hand, frame.dwell}, motion.joints(frame.t));
+    smooth.addFrame({frame.t, motion.pose(frame.t), frame.by_hand, frame.dwell, frame.name}, motion.joints(frame.t));
   }
   measure(trajectory, smooth, result.report);
   result.report.rms_jerk_after = rmsJerkOf(motion);

@@ -38,6 +38,10 @@ bool Trajectory::addFrame(const Frame& frame, std::span<const double> joints, st
   return true;
 }
 
+bool Trajectory::isTaught() const {
+  return !empty() && std::all_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.by_hand; });
+}
+
 void Trajectory::reserve(std::size_t frames) {
   frames_.reserve(frames);
   joints_.reserve(frames * joint_names.size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,6 +43,12 @@ class Trajectory {
     /// Set by hand: kept by simplifying and met closely by smoothing.
     bool by_hand = false;
     double dwell = 0.0;  ///< Seconds that a program waits here.
+    /// What users call the point, "above the clamp"; null: nothing. Shared, so that hours of frames stay small.
+    std::shared_ptr<const std::string> name = nullptr;
+
+    /// A point that somebody set, not a sample: by hand, with a wait or with a name. Edits that choose frames keep it.
+    bool isSet() const { return by_hand || dwell > 0.0 || name; }
+    std::string nameText() const { return name ? *name : std::string(); }
   };
 
   std::size_t size() const { return frames_.size(); }
@@ -53,6 +60,8 @@ class Trajectory {
   /// Index of a channel by name; nothing where there is none.
   std::optional<std::size_t> findChannel(std::string_view channel) const;
   bool hasJoints() const { return !joint_names.empty(); }
+  /// All frames are points that somebody set: a program rather than a recording. False where there is none.
+  bool isTaught() const;
   /// From the first frame to the last, seconds.
   double duration() const { return empty() ? 0.0 : frames_.back().t - frames_.front().t; }
 

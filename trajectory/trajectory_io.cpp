@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "trajectory/csv_table.h"
@@ -37,12 +38,13 @@ Expected<Pose> poseOf(const double* v) {
 }
 
 /// A frame as both formats give it: t, pose, joints.
-Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers, bool by_hand, double dwell) {
+Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers, bool by_hand, double dwell,
+                      std::shared_ptr<const std::string> name = nullptr) {
   const auto pose = poseOf(numbers.data() + 1);
   if (!pose) return tl::unexpected(pose.error());
   const std::span<const double> joints = std::span(numbers).subspan(8, trajectory.joint_names.size());
   const std::span<const double> channels = std::span(numbers).subspan(8 + joints.size());
-  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell}, joints, channels)) {
+  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell, std::move(name)}, joints, channels)) {
     return makeError({"", "t", shortestText(numbers[0]) + " s",
                       "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s", ""});
   }
@@ -148,14 +150,16 @@ Expected<void> readText(const json& document, const char* field, std::string& te
   return {};
 }
 
-/// Frames that a list of indices marks ("by_hand") or that carry a number ("dwells": [[index, seconds], ...]).
+/// Frames that a list of indices marks ("by_hand"), or that carry a number ("dwells": [[index, seconds], ...]) or a
+/// name ("names": [[index, name], ...]).
 struct Marks {
   std::vector<bool> by_hand;
   std::vector<double> dwell;
+  std::map<std::size_t, std::string> names;
 };
 
 Expected<Marks> readMarks(const json& document, std::size_t count) {
-  Marks marks{std::vector<bool>(count, false), std::vector<double>(count, 0.0)};
+  Marks marks{std::vector<bool>(count, false), std::vector<double>(count, 0.0), {}};
   const auto isIndex = [count](const json& i) { return i.is_number_unsigned() && i.get<std::size_t>() < count; };
   for (const json& index : document.value("by_hand", json::array())) {
     if (!isIndex(index)) return makeError({"", "field 'by_hand'", index.dump(), "the number of a frame, from 0", ""});
@@ -166,6 +170,12 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
       return makeError({"", "field 'dwells'", dwell.dump(), "[frame, seconds]", ""});
     }
     marks.dwell[dwell[0].get<std::size_t>()] = dwell[1].get<double>();
+  }
+  for (const json& name : document.value("names", json::array())) {
+    if (!name.is_array() || name.size() != 2 || !isIndex(name[0]) || !name[1].is_string()) {
+      return makeError({"", "field 'names'", name.dump(), "[frame, \"name\"]", ""});
+    }
+    marks.names[name[0].get<std::size_t>()] = name[1].get<std::string>();
   }
   return marks;
 }
@@ -210,7 +220,9 @@ Expected<Trajectory> fromJson(const json& document) {
     const std::string place = "frame " + std::to_string(i);
     const auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size() + trajectory.channel_names.size());
     if (!numbers) return tl::unexpected(placed(numbers.error(), {}, place));
-    if (auto added = append(trajectory, *numbers, marks->by_hand[i], marks->dwell[i]); !added) {
+    const auto named = marks->names.find(i);
+    auto name = named == marks->names.end() ? nullptr : std::make_shared<const std::string>(named->second);
+    if (auto added = append(trajectory, *numbers, marks->by_hand[i], marks->dwell[i], std::move(name)); !added) {
       return tl::unexpected(placed(added.error(), {}, place));
     }
   }
@@ -264,10 +276,11 @@ std::string toJsonText(const Trajectory& trajectory) {
                               {"name", trajectory.name},   {"entity", trajectory.entity},
                               {"moved", trajectory.moved}, {"joints", trajectory.joint_names}};
   std::vector<std::size_t> by_hand;
-  nlohmann::ordered_json dwells = nlohmann::ordered_json::array();
+  nlohmann::ordered_json dwells = nlohmann::ordered_json::array(), names = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (trajectory[i].by_hand) by_hand.push_back(i);
     if (trajectory[i].dwell > 0.0) dwells.push_back({i, trajectory[i].dwell});
+    if (trajectory[i].name) names.push_back({i, *trajectory[i].name});
   }
   if (!trajectory.take.empty()) head["take"] = trajectory.take;
   if (!trajectory.channel_names.empty()) head["channels"] = trajectory.channel_names;
@@ -276,6 +289,7 @@ std::string toJsonText(const Trajectory& trajectory) {
   }
   head["by_hand"] = by_hand;
   head["dwells"] = std::move(dwells);
+  if (!names.empty()) head["names"] = std::move(names);
   std::string text = head.dump(1);
   text.erase(text.size() - 2);  // the closing brace, so that frames stand one a line
   text += ",\n \"frames\": [";

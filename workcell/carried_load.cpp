@@ -58,7 +58,7 @@ class LoadCollector {
   }
 
   void add(const std::shared_ptr<const Entity>& part, const Pose& X_LE) {
-    load_.parts.push_back(part);
+    if (part->kind != EntityKind::kFrame) load_.parts.push_back(part);  // It weighs nothing; what hangs on it does.
     if (part->mesh || part->robot) {
       if (part->mass == Entity{}.mass) load_.starting.push_back(part->name);
       lump_.add(part->mass, X_LE * centreOf(*part));
@@ -96,7 +96,7 @@ CarriedLoad carriedLoad(const DocumentState& state, const Entity& robot) {
     const int link = model.findLink(entity->attachment.link);
     if (link >= 0 && bodies[static_cast<std::size_t>(link)] == bodies[static_cast<std::size_t>(tip)]) {
       collector.add(entity, X_LB * X_BK[static_cast<std::size_t>(link)] * entity->attachment.X_LE);
-    } else {
+    } else if (entity->kind != EntityKind::kFrame) {
       load.other.push_back(entity);
     }
   }

@@ -30,6 +30,8 @@ const char* kindWord(EntityKind kind) {
       return "assembly";
     case EntityKind::kMannequin:
       return "mannequin";
+    case EntityKind::kFrame:
+      return "frame";
     case EntityKind::kMechanism:
       break;
   }

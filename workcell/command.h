@@ -179,6 +179,12 @@ struct AddTrajectory {
 struct RenameTrajectory {
   std::string name, new_name;
 };
+/// Another motion in the place of `name`'s, an edited program: `trajectory.name` is its name from then on. Its file is
+/// written by who sets it; the one before stays as it is.
+struct SetTrajectory {
+  std::string name;
+  TrajectoryReference trajectory;
+};
 /// Takes it out of the cell; its file stays.
 struct RemoveTrajectory {
   std::string name;
@@ -201,7 +207,7 @@ using Command = std::variant<AddEntity, RemoveEntity, RenameEntity, ReplaceShape
                              SetJoints, SetConfiguration, SetProperties, SetFrames, SetTool, SetTools, SetNamedPoses,
                              ChooseTool, Attach, Detach, MakeMechanism, EditMechanism, DissolveMechanism, AddPairSet,
                              EditPairSet, RemovePairSet, SetPairRules, AddGuide, EditGuide, RemoveGuide, AddTrajectory,
-                             RenameTrajectory, RemoveTrajectory, SetWorkTask, RemoveWorkTask, SetView>;
+                             RenameTrajectory, SetTrajectory, RemoveTrajectory, SetWorkTask, RemoveWorkTask, SetView>;
 
 /// Applies a command to a state; on error the state is as it was. `new_id` is what an added entity is given.
 /// Refused: unknown ids and names, names that are taken, empty or not printable, values that are not finite or out of

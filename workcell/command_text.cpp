@@ -33,6 +33,7 @@ class Describer {
   std::string operator()(const RemoveGuide& c) const { return "Remove guide " + c.name; }
   std::string operator()(const AddTrajectory& c) const { return "Add trajectory " + c.trajectory.name; }
   std::string operator()(const RenameTrajectory& c) const { return "Rename trajectory " + c.name; }
+  std::string operator()(const SetTrajectory& c) const { return "Edit trajectory " + c.name; }
   std::string operator()(const RemoveTrajectory& c) const { return "Remove trajectory " + c.name; }
   std::string operator()(const AddPairSet& c) const { return "Add pair set " + c.set.name; }
   std::string operator()(const EditPairSet& c) const { return "Change pair set " + c.name; }

@@ -6,6 +6,16 @@
 
 namespace hapticell::workcell {
 
+bool isCarriedBy(const DocumentState& state, const Entity& entity, EntityId carrier) {
+  const Entity* at = &entity;
+  // No more steps than entities: documents that were read may hang in circles.
+  for (std::size_t step = 0; at != nullptr && step <= state.entities.size(); ++step) {
+    if (at->id == carrier) return true;
+    at = at->attachment.to.empty() ? nullptr : state.findByName(at->attachment.to);
+  }
+  return false;
+}
+
 std::vector<EntityId> familyOf(const DocumentState& state, EntityId id) {
   const Entity* root = state.find(id);
   std::vector<EntityId> family;

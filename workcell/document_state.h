@@ -53,6 +53,9 @@ struct DocumentState {
   const ergonomics::WorkTask* workTaskOf(std::string_view mannequin) const;
 };
 
+/// `entity` is `carrier`, or is attached to it, directly or through others.
+bool isCarriedBy(const DocumentState& state, const Entity& entity, EntityId carrier);
+
 /// The entity and all that stands below it in the tree (by `parent`), itself first. Empty where there is none.
 std::vector<EntityId> familyOf(const DocumentState& state, EntityId id);
 

@@ -23,8 +23,9 @@ struct MechanismDefinition;
 using EntityId = std::uint64_t;
 
 /// An assembly holds others: it has neither mesh nor robot, and moving, hiding, locking or removing it does so to all
-/// that stands below it.
-enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly, kMannequin };
+/// that stands below it. A frame is a named place with axes: it has no shape, is never in contact and weighs nothing;
+/// attached to an entity or a link it goes with that, and what is attached to it goes with the frame.
+enum class EntityKind { kSolid, kRobot, kMechanism, kAssembly, kMannequin, kFrame };
 
 /// What happens to a moved entity that meets an obstacle.
 enum class OnContact { kStop, kSlide, kPass };
@@ -35,7 +36,7 @@ enum class ForceClass { kConstant, kContact, kDynamics };
 /// Where an entity came from, and how its numbers were read.
 struct SourceFile {
   /// A file (absolute while in memory, written relative to the document) or a built-in shape or robot as
-  /// loadEntity() understands it: "library:NAME", "box:X,Y,Z", "cylinder:R,H", "sphere:R".
+  /// loadEntity() understands it: "library:NAME", "box:X,Y,Z", "cylinder:R,H", "sphere:R", "frame:".
   std::string path;
   double scale = 1.0;  ///< Metres per unit of the file; 0 before it was loaded: as the file says, else 1.
   /// The part of a file that holds a tree (partPaths()); empty: all of it as one.
@@ -55,7 +56,8 @@ struct CollisionProxy {
   std::shared_ptr<const geometry::TriangleMesh> mesh;
 };
 
-/// A named frame F on an entity, to move it by or to take axes from (frame:NAME).
+/// A named frame F on an entity, to move it by or to take axes from (frame:NAME). Frames of the cell are entities of
+/// their own (EntityKind::kFrame).
 struct Frame {
   std::string name;
   Pose X_EF;
@@ -75,9 +77,9 @@ struct Attachment {
   Pose X_LE;         ///< Placement in that link (or in the solid).
 };
 
-/// One thing in the workcell: a solid, a robot or a mechanism (see workcell/mechanism.h). A value; meshes and models
-/// are shared and immutable. A mechanism has a `robot` too, made from its parts and joints: it poses, draws and checks
-/// like one.
+/// One thing in the workcell: a solid, a robot, a frame or a mechanism (see workcell/mechanism.h). A value; meshes and
+/// models are shared and immutable. A mechanism has a `robot` too, made from its parts and joints: it poses, draws and
+/// checks like one.
 struct Entity {
   EntityId id = 0;
   std::string name;

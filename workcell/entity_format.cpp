@@ -67,7 +67,7 @@ void readFrames(const Json& frames, const std::string& place, const FormatContex
 }  // namespace
 
 const std::vector<std::string>& entityKindWords() {
-  static const std::vector<std::string> words = {"solid", "robot", "mechanism", "assembly", "mannequin"};
+  static const std::vector<std::string> words = {"solid", "robot", "mechanism", "assembly", "mannequin", "frame"};
   return words;
 }
 

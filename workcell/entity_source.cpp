@@ -27,7 +27,7 @@ std::string schemeOf(const std::string& what) {
   const std::size_t colon = what.find(':');
   if (colon == std::string::npos) return {};
   std::string scheme = what.substr(0, colon);
-  for (const char* known : {"library", "mannequin", "hand"}) {
+  for (const char* known : {"library", "mannequin", "hand", "frame"}) {
     if (scheme == known) return scheme;
   }
   return findBuiltInPart(scheme) != nullptr ? scheme : std::string();
@@ -68,7 +68,26 @@ Expected<Entity> loadFreeHand(const std::string& what) {
   return entity;
 }
 
+/// "frame:".
+Expected<Entity> loadFrame(const std::string& what) {
+  if (what.back() != ':') {
+    return makeError({what, "", "'" + what.substr(what.find(':') + 1) + "' behind frame:", "frame: alone",
+                      "A frame has no sizes: give it a name and a place (name=N, pose=x,y,z,qw,qx,qy,qz)."});
+  }
+  return makeFrame("frame", {});
+}
+
 }  // namespace
+
+Entity makeFrame(std::string name, const Pose& X_WE) {
+  Entity entity;
+  entity.kind = EntityKind::kFrame;
+  entity.name = std::move(name);
+  entity.source = {"frame:", 1.0};
+  entity.X_WE = X_WE;
+  entity.checked = false;
+  return entity;
+}
 
 bool isBuiltIn(const std::string& what) {
   return !schemeOf(what).empty();
@@ -104,6 +123,7 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
   const bool said = source.scale != 0.0 && source.scale != 1.0;
   if (scheme == "mannequin") return loadMannequin(what);
   if (scheme == "hand") return loadFreeHand(what);
+  if (scheme == "frame") return loadFrame(what);
   if (scheme == "library") return loadLibraryRobot(what, diagnostics);
   if (!scheme.empty()) return makeBuiltInPart(what, said ? source.scale : 1.0);
   const fs::path file = (folder_ / what).lexically_normal();

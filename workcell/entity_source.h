@@ -16,9 +16,9 @@
 namespace hapticell::workcell {
 
 /// Makes entities of what users name: a mesh file (STL, OBJ, PLY, OFF), a CAD file (readScene), a robot file
-/// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), or a
-/// built-in solid such as "box:X,Y,Z" or "table:" (see builtInParts(); sizes in the given unit). Files that are named
-/// twice are read once. One thread.
+/// (readRobot), a cell (SDF model or world), "library:NAME" (a built-in robot: see listLibraryRobots()), a built-in
+/// solid such as "box:X,Y,Z" or "table:" (see builtInParts(); sizes in the given unit), or "frame:" (a frame of the
+/// cell). Files that are named twice are read once. One thread.
 class EntityLoader {
  public:
   /// Files are looked for relative to `folder`. `unit_is_stated`: each scale was written down by somebody (a workcell
@@ -73,7 +73,11 @@ class EntityLoader {
   std::map<std::string, ImportResult> trees_;                                            // By file and how it was read.
 };
 
-/// True for a source that is no file: "library:", "mannequin:", "hand:", or a built-in solid ("box:", "table:", ...).
+/// A frame of the cell of that name, standing at X_WE.
+Entity makeFrame(std::string name, const Pose& X_WE);
+
+/// True for a source that is no file: "library:", "mannequin:", "hand:", "frame:", or a built-in solid ("box:",
+/// "table:", ...).
 bool isBuiltIn(const std::string& what);
 
 }  // namespace hapticell::workcell

@@ -130,11 +130,12 @@ std::vector<EffectivePair> effectivePairs(std::span<const Entity> entities, std:
                                           EntityId moved, const PairDefaults& defaults) {
   std::vector<EffectivePair> pairs;
   const auto held = std::find_if(entities.begin(), entities.end(), [&](const Entity& e) { return e.id == moved; });
-  if (held == entities.end() || !held->checked) return pairs;
+  if (held == entities.end() || !held->checked || held->kind == EntityKind::kFrame) return pairs;
   const Names held_names = namesOf(entities, *held);
   const std::set<std::string_view> family = familyNames(entities, *held);
   for (const Entity& other : entities) {
     if (other.id == moved || !other.checked) continue;
+    if (other.kind == EntityKind::kFrame) continue;
     if (other.kind == EntityKind::kAssembly && !other.mesh) continue;  // It has no shape: its parts are there.
     if (family.contains(other.parent)) continue;                       // It goes along with the held assembly.
     if (sets.empty()) {

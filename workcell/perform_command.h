@@ -38,6 +38,7 @@ Expected<EntityId> perform(const EditGuide& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveGuide& command, StateEdit& edit);
 Expected<EntityId> perform(const AddTrajectory& command, StateEdit& edit);
 Expected<EntityId> perform(const RenameTrajectory& command, StateEdit& edit);
+Expected<EntityId> perform(const SetTrajectory& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit);
 Expected<EntityId> perform(const SetWorkTask& command, StateEdit& edit);
 Expected<EntityId> perform(const RemoveWorkTask& command, StateEdit& edit);

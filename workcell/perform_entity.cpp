@@ -13,8 +13,9 @@ namespace {
 Expected<void> checkNew(const Entity& entity, const DocumentState& state) {
   if (auto checked = checkName("the entity's name", entity.name); !checked) return checked;
   if (state.findByName(entity.name)) return makeError(taken(entity.name));
-  const bool solid = entity.kind == EntityKind::kSolid, assembly = entity.kind == EntityKind::kAssembly;
-  if (!assembly && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
+  const bool solid = entity.kind == EntityKind::kSolid;
+  const bool shapeless = entity.kind == EntityKind::kAssembly || entity.kind == EntityKind::kFrame;
+  if (!shapeless && !entity.unloaded && (solid ? !entity.mesh : !entity.robot)) {
     return makeError(refusal(quotedName(entity.name), "nothing in it", solid ? "a mesh" : "a robot"));
   }
   if (auto checked = checkPose(quotedName(entity.name), entity.X_WE); !checked) return checked;

@@ -126,6 +126,17 @@ Expected<EntityId> perform(const RenameTrajectory& command, StateEdit& edit) {
   return EntityId{0};
 }
 
+Expected<EntityId> perform(const SetTrajectory& command, StateEdit& edit) {
+  const auto found = findTrajectory(edit.state(), command.name);
+  if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));
+  const std::string& name = command.trajectory.name;
+  if (auto checked = checkName("the trajectory's name", name); !checked) return makeError(checked.error());
+  const TrajectoryReference* other = edit.state().findTrajectory(name);
+  if (other && other != &*found) return makeError(taken(name));
+  *found = command.trajectory;
+  return EntityId{0};
+}
+
 Expected<EntityId> perform(const RemoveTrajectory& command, StateEdit& edit) {
   const auto found = findTrajectory(edit.state(), command.name);
   if (found == edit.state().trajectories.end()) return makeError(unknownTrajectory(command.name));

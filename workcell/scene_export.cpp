@@ -34,7 +34,8 @@ class SceneCollector {
 
   ImportedScene collect() {
     scene_.unit_is_stated = true;
-    for (const auto& entity : state_.entities) nodeOf(*entity, 0);
+    for (const auto& entity : state_.entities)
+      if (entity->kind != EntityKind::kFrame) nodeOf(*entity, 0);  // But for those that others stand below.
     return std::move(scene_);
   }
 

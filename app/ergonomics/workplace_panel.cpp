@@ -127,7 +127,9 @@ void WorkplacePanel::fillStation() {
   const auto& entities = context_.host().documentModel().document().state().entities;
   std::vector<const workcell::Entity*> wanted;
   for (const auto& entity : entities)
-    if (!entity->figure && entity->attachment.to.empty() && !entity->locked) wanted.push_back(entity.get());
+    if (!entity->figure && entity->kind != workcell::EntityKind::kFrame && entity->attachment.to.empty() &&
+        !entity->locked)
+      wanted.push_back(entity.get());
   bool same = station_->count() == static_cast<int>(wanted.size());
   for (int i = 0; same && i < station_->count(); ++i)
     same = station_->item(i)->text().toStdString() == wanted[static_cast<std::size_t>(i)]->name &&

@@ -43,6 +43,11 @@ bool hasStops(GuideKind kind) {
          kind == GuideKind::kScrew;
 }
 
+/// What has no shape of its own is not led.
+bool canBeGuided(const workcell::Entity& entity) {
+  return entity.kind != workcell::EntityKind::kAssembly && entity.kind != workcell::EntityKind::kFrame;
+}
+
 bool hasDetents(GuideKind kind) {
   return hasStops(kind) && kind != GuideKind::kScrew;
 }
@@ -122,7 +127,7 @@ void GuidesPanel::take(const PickedFeature& feature, GuideKind kind, bool make) 
   if (!make && !now) return;
   fresh.kind = kind;
   if (!now) {
-    const workcell::Entity* guided = selected && selected->kind != workcell::EntityKind::kAssembly ? selected : picked;
+    const workcell::Entity* guided = selected && canBeGuided(*selected) ? selected : picked;
     fresh.entity = guided ? guided->name : std::string();
     for (int n = 1; fresh.name.empty() || state.findGuide(fresh.name); ++n)
       fresh.name = guideKindName(kind) + (n > 1 ? " " + std::to_string(n) : "");
@@ -247,7 +252,7 @@ void GuidesPanel::showGuide(const Guide* guide) {
   if (!name_->hasFocus()) name_->setText(QString::fromStdString(guide->name));
   entity_->clear();
   for (const auto& entity : host_.documentModel().document().state().entities)
-    if (entity->kind != workcell::EntityKind::kAssembly) entity_->addItem(QString::fromStdString(entity->name));
+    if (canBeGuided(*entity)) entity_->addItem(QString::fromStdString(entity->name));
   entity_->setCurrentText(QString::fromStdString(guide->entity));
   geometry_->setText(geometryText(*guide));
   geometry_->setCursorPosition(0);

@@ -17,7 +17,7 @@ struct SceneText {
 };
 
 QString countLine(const workcell::DocumentState& state) {
-  std::array<int, 5> counts{};
+  std::array<int, 6> counts{};
   int hidden = 0, locked = 0;
   for (const auto& entity : state.entities) {
     ++counts[static_cast<std::size_t>(entity->kind)];
@@ -26,10 +26,10 @@ QString countLine(const workcell::DocumentState& state) {
   }
   if (state.entities.empty()) return SceneText::tr("The cell is empty.");
   QStringList parts;
-  const std::array<const char*, 5> kinds{
-      QT_TRANSLATE_N_NOOP("SceneText", "%n solids"), QT_TRANSLATE_N_NOOP("SceneText", "%n robots"),
+  const std::array<const char*, 6> kinds{
+      QT_TRANSLATE_N_NOOP("SceneText", "%n solids"),     QT_TRANSLATE_N_NOOP("SceneText", "%n robots"),
       QT_TRANSLATE_N_NOOP("SceneText", "%n mechanisms"), QT_TRANSLATE_N_NOOP("SceneText", "%n assemblies"),
-      QT_TRANSLATE_N_NOOP("SceneText", "%n mannequins")};
+      QT_TRANSLATE_N_NOOP("SceneText", "%n mannequins"), QT_TRANSLATE_N_NOOP("SceneText", "%n frames")};
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 0) parts << SceneText::tr(kinds[i], nullptr, counts[i]);
   QString line = SceneText::tr("In the cell: %1.").arg(parts.join(QStringLiteral(", ")));

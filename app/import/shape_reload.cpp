@@ -18,7 +18,9 @@ ShapeReload reloadShapes(const workcell::DocumentState& state, const std::vector
   Diagnostics notes;
   for (const auto& entity : state.entities) {
     const bool wanted = std::find(paths.begin(), paths.end(), entity->source.path) != paths.end();
-    if (!wanted || entity->mechanism || entity->kind == workcell::EntityKind::kAssembly || entity->unloaded) continue;
+    const bool shapeless =
+        entity->kind == workcell::EntityKind::kAssembly || entity->kind == workcell::EntityKind::kFrame;
+    if (!wanted || entity->mechanism || shapeless || entity->unloaded) continue;
     workcell::SourceFile source = entity->source;
     if (entity->robot) source.scale = 0.0;
     auto fresh = loader.loadSource(source, notes);

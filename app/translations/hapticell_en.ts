@@ -29,6 +29,10 @@
         <translation><numerusform>%n entity in the cell.</numerusform><numerusform>%n entities in the cell.</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n frames</source>
+        <translation><numerusform>%n frame</numerusform><numerusform>%n frames</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n joints</source>
         <translation><numerusform>%n joint</numerusform><numerusform>%n joints</numerusform></translation>
     </message>

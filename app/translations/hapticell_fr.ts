@@ -751,6 +751,10 @@ Voulez-vous le remplacer ?</translation>
         <translation><numerusform>%n entité dans la cellule.</numerusform><numerusform>%n entités dans la cellule.</numerusform></translation>
     </message>
     <message numerus="yes">
+        <source>%n frames</source>
+        <translation><numerusform>%n repère</numerusform><numerusform>%n repères</numerusform></translation>
+    </message>
+    <message numerus="yes">
         <source>%n joints</source>
         <translation><numerusform>%n articulation</numerusform><numerusform>%n articulations</numerusform></translation>
     </message>

@@ -153,6 +153,30 @@ TEST_F(FileCommands, inspectPutsEntitiesBelowTheirAssembly) {
   EXPECT_NEAR(tree[0]["bounds"]["max"][0], 5.5, 1e-12);
 }
 
+TEST_F(FileCommands, framesOfTheCellAreMadeAndListed) {
+  folder_.write("arm.urdf", kArm);
+  ASSERT_EQ(
+      run({"workcell", "new", "cell.hcell", "--add", "arm.urdf", "--add",
+           "frame:,name=station,pose=1,2,3,0.5,0.5,0.5,0.5", "--add",
+           "frame:,name=flange,pose=0,0,1,1,0,0,0,on=arm:upper", "--add", "box:0.1,0.1,0.1,name=part,on=station"}),
+      0)
+      << said_;
+  ASSERT_EQ(run({"inspect", "cell.hcell"}), 0) << said_;
+  const json tree = result()["entities"];
+  ASSERT_EQ(tree.size(), 4u);
+  EXPECT_EQ(tree[1]["kind"], "frame");
+  EXPECT_EQ(tree[1]["name"], "station");
+  EXPECT_EQ(tree[1]["triangles"], 0);
+  EXPECT_TRUE(tree[1]["bounds"].is_null());
+  EXPECT_THAT(tree[1]["placement"]["position"], ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_THAT(tree[1]["placement"]["quaternion"], ElementsAre(0.5, 0.5, 0.5, 0.5));
+  EXPECT_TRUE(tree[1]["attached_to"].is_null());
+  EXPECT_EQ(tree[2]["attached_to"], "arm");
+  EXPECT_EQ(tree[2]["attached_link"], "upper");
+  EXPECT_EQ(run({"workcell", "new", "other.hcell", "--add", "frame:1,2"}), 2);
+  EXPECT_THAT(said_, HasSubstr("frame: alone"));
+}
+
 TEST_F(FileCommands, whatIsWrongIsOneSentenceAndNothingIsWritten) {
   folder_.write("part.obj", kTetrahedron);
   const std::pair<std::vector<std::string>, const char*> cases[] = {

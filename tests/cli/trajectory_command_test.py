@@ -227,6 +227,21 @@ def test_edits_are_copies(case):
     assert not (case.folder / "z.csv").exists()
 
 
+def test_points_are_named_and_reordered(case):
+    rows = ["t,x,y,z,qw,qx,qy,qz,by_hand"] + [f"{i},{0.1 * i},0,0,1,0,0,0,1" for i in range(4)]
+    (case.folder / "p.csv").write_text("\n".join(rows) + "\n")
+    case.run("trajectory", "name", "p.csv", "--frame", "3", "--name", "drop", "-o", "named.htraj")
+    case.run("trajectory", "reorder", "named.htraj", "--frame", "3", "--to", "1", "-o", "other.htraj")
+    other = json.loads((case.folder / "other.htraj").read_text())
+    assert other["names"] == [[1, "drop"]], other
+    assert [round(f[1], 9) for f in other["frames"]] == [0, 0.3, 0.1, 0.2], other
+    assert [round(f[0], 9) for f in other["frames"]] == [0, 3, 5, 6], other
+    info = case.run("trajectory", "info", "other.htraj")
+    assert info["points"] == [{"frame": 1, "name": "drop"}], info
+    wrong = case.run("trajectory", "reorder", "named.htraj", "--frame", "9", "--to", "0", "-o", "x.htraj", expect=2)
+    assert "frame 9" in wrong and not (case.folder / "x.htraj").exists(), wrong
+
+
 def test_a_robots_joints_are_found_again(case):
     joints = [[0.1 + 0.01 * i, -1.2, 1.4, -1.5 + 0.01 * i, -1.5, 0.3] for i in range(30)]
     (case.folder / "q.csv").write_text("shoulder_pan_joint,shoulder_lift_joint,elbow_joint,wrist_1_joint,wrist_2_joint,wrist_3_joint\n" +

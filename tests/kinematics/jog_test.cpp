@@ -36,13 +36,16 @@ TEST(Jog, StepsGoAlongTheAxesOfTheFrameChosen) {
   EXPECT_LT(glm::length(jogged(X_WT, X_WB, {JogFrame::kWorld, along, {}}).p - (X_WT.p + along)), 1e-15);
   EXPECT_LT(glm::length(jogged(X_WT, X_WB, {JogFrame::kBase, along, {}}).p - (X_WT.p + X_WB.rotate(along))), 1e-15);
   EXPECT_LT(glm::length(jogged(X_WT, X_WB, {JogFrame::kTool, along, {}}).p - X_WT * along), 1e-15);
+  const dquat R_WF = glm::angleAxis(-0.8, glm::normalize(dvec3(1, 2, 3)));
+  EXPECT_LT(glm::length(jogged(X_WT, X_WB, {JogFrame::kGiven, along, {}, R_WF}).p - (X_WT.p + R_WF * along)), 1e-15);
   // A turn about an axis of the frame leaves that axis where it is, and the point.
-  for (const JogFrame frame : {JogFrame::kBase, JogFrame::kTool, JogFrame::kWorld}) {
+  for (const JogFrame frame : {JogFrame::kBase, JogFrame::kTool, JogFrame::kWorld, JogFrame::kGiven}) {
     const dvec3 axis_F(0, 1, 0);
-    const dvec3 axis_W = frame == JogFrame::kWorld  ? axis_F
-                         : frame == JogFrame::kBase ? X_WB.rotate(axis_F)
-                                                    : X_WT.rotate(axis_F);
-    const Pose after = jogged(X_WT, X_WB, {frame, {}, 0.3 * axis_F});
+    const dvec3 axis_W = frame == JogFrame::kWorld   ? axis_F
+                         : frame == JogFrame::kBase  ? X_WB.rotate(axis_F)
+                         : frame == JogFrame::kGiven ? R_WF * axis_F
+                                                     : X_WT.rotate(axis_F);
+    const Pose after = jogged(X_WT, X_WB, {frame, {}, 0.3 * axis_F, R_WF});
     EXPECT_EQ(after.p, X_WT.p);
     const Twist turned = difference(after, X_WT);
     EXPECT_LT(glm::length(turned.angular - 0.3 * axis_W), 1e-12);
@@ -52,8 +55,8 @@ TEST(Jog, StepsGoAlongTheAxesOfTheFrameChosen) {
 TEST(Jog, ToolGoesStraightInOneConfiguration) {
   const Jogged arm(test::kr120());
   const std::vector<double> q{0.2, -1.2, 1.4, 0.3, 0.7, 0.1};
-  for (const JogFrame frame : {JogFrame::kBase, JogFrame::kTool, JogFrame::kWorld}) {
-    const JogStep step{frame, {0.03, -0.02, 0.05}, {0.02, 0.05, -0.04}};
+  for (const JogFrame frame : {JogFrame::kBase, JogFrame::kTool, JogFrame::kWorld, JogFrame::kGiven}) {
+    const JogStep step{frame, {0.03, -0.02, 0.05}, {0.02, 0.05, -0.04}, glm::angleAxis(0.6, dvec3(0.6, 0.0, 0.8))};
     const JogResult result = jogTool(arm.robot(), q, step);
     ASSERT_TRUE(result.complete) << result.reason;
     const Pose wanted = jogged(arm.tcp(q), arm.X_WB, step), there = arm.tcp(result.q);

@@ -7,6 +7,7 @@
 
 #include "collision/proximity_query.h"
 #include "tests/manipulation/test_cells.h"
+#include "workcell/entity_source.h"
 
 namespace hapticell::manipulation {
 namespace {
@@ -194,6 +195,24 @@ TEST(PathCheck, WhatARobotCarriesAndWhatHangsOnThatIsCheckedAgainstTheCell) {
       << "its front is at 50 mm, the post's face at 95 mm";
   EXPECT_NEAR(result->findings[1].t_in, (0.095 + 0.18) / 0.2, 1e-3);
   EXPECT_TRUE(result->touching_at_start.empty()) << "the gripper reaches into its own link, and that is no contact";
+}
+
+TEST(PathCheck, AFrameBetweenTheRobotAndWhatItCarriesChangesNothing) {
+  auto cell = carryingCell();
+  workcell::Entity frame = workcell::makeFrame("flange", Pose::translation({0.05, 0.1, 0.4}));
+  frame.id = 9;
+  frame.attachment = {"slide", "carriage", frame.X_WE};
+  cell[1].attachment = {"flange", "", frame.X_WE.inverse() * cell[1].X_WE};
+  cell.push_back(frame);
+  const auto motion = sliding({{0.0, 0.0}, {1.0, 0.2}, {2.0, 0.4}});
+  const auto plain = checkPath(PreparedScene::prepare(carryingCell(), {}, {}), "slide", motion, {}, {});
+  const auto framed = checkPath(PreparedScene::prepare(cell, {}, {}), "slide", motion, {}, {});
+  ASSERT_TRUE(plain && framed);
+  ASSERT_EQ(framed->findings.size(), plain->findings.size());
+  for (std::size_t k = 0; k < plain->findings.size(); ++k) {
+    EXPECT_EQ(framed->findings[k].first, plain->findings[k].first);
+    EXPECT_NEAR(framed->findings[k].t_in, plain->findings[k].t_in, 1e-9);
+  }
 }
 
 TEST(PathCheck, WhatARobotCarriesIsCheckedAgainstItsOtherLinks) {

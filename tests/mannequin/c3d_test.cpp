@@ -263,6 +263,11 @@ TEST(C3dOfMakers, NoFrameIsLostWhereSixteenBitsCountThem) {
   C3dFile plain = zeros;  // Only the size of the file tells.
   plain.parameter_frames.reset();
   expectTheThreeMarkers(plain, "20 stand in the file");
+  C3dFile absurd;  // What TRIAL or LONG_FRAMES say cannot be: the header's count fits.
+  absurd.long_frames = 3e9;
+  expectTheThreeMarkers(absurd, "");
+  absurd.long_frames = 25.0;
+  expectTheThreeMarkers(absurd, "20 stand in the file");
   for (const auto& [frames, said] : {std::pair(70'000, 70'000 & 0xffff), {90'000, 65'535}, {131'077, 5}}) {
     C3dFile file;
     file.labels = {"A"};

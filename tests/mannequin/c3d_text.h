@@ -70,7 +70,7 @@ struct C3dFile {
   int analog = 0;                                                    ///< Numbers a frame that stand in the file.
   std::optional<int> header_analog, header_first, header_last, header_block, header_points;
   std::optional<double> header_scale;
-  std::optional<double> parameter_scale, analog_used, analog_rate;
+  std::optional<double> parameter_scale, analog_used, analog_rate, long_frames;
   std::optional<int> parameter_start, parameter_frames;
   std::optional<std::string> unit = "mm", up = "+Z";
   bool last_link_swapped = false;
@@ -149,6 +149,7 @@ struct C3dFile {
     whole("DATA_START", parameter_start);
     whole("FRAMES", parameter_frames);
     real_number(1, "SCALE", parameter_scale);
+    real_number(1, "LONG_FRAMES", long_frames);
     text.group(2, "ANALOG");
     real_number(2, "USED", analog_used);
     real_number(2, "RATE", analog_rate);

@@ -386,6 +386,28 @@ TEST(MotionWriter, WhatIsWrittenComesBackWithItsHands) {
   }
 }
 
+TEST(MotionWriter, AnUnusualPostureComesBackToo) {
+  // One frame, in which the motion on the whole is nothing usual: the rest position tells how frames lie.
+  const Figure figure = *makeFigure({Sex::kMale, 1.755});
+  Posture posture = *libraryPosture(figure, "standing");
+  posture[Dof::kLeftElbowFlexion] = posture[Dof::kRightElbowFlexion] = 0.6;
+  posture[Dof::kSkullbaseLeftTurn] = 38.0 * kDegree;
+  posture[Dof::kVc7LeftTurn] = posture[Dof::kVc4LeftTurn] = 12.0 * kDegree;
+  posture[Dof::kLeftWristFlexion] = 2.0;
+  posture[Dof::kRightPronation] = 70.0 * kDegree;
+  posture[Dof::kRightClavicleProtraction] = 15.0 * kDegree;
+  posture[Dof::kVl1Flexion] = 25.0 * kDegree;
+  const auto clip = readBvh(bvhText(figure, std::vector{posture}, 0.1), "written");
+  const auto motion = retarget(figure, *clip);
+  ASSERT_TRUE(motion);
+  const FigurePose before = forwardKinematics(figure, posture), after = forwardKinematics(figure, motion->postures[0]);
+  for (const Segment segment : {Segment::kPelvis, Segment::kUpperBack, Segment::kThorax, Segment::kHead,
+                                Segment::kLeftHand, Segment::kRightHand, Segment::kLeftFoot, Segment::kRightFoot}) {
+    const dmat3 off = glm::transpose(before[segment].R_WS) * after[segment].R_WS;
+    EXPECT_LT(glm::length(rotationVector(glm::quat_cast(off))), 0.02) << segmentInfo(segment).name;
+  }
+}
+
 TEST(MotionWriter, HAnimHasEveryJointOnceWithItsCentre) {
   const Figure figure = *makeFigure({Sex::kFemale, 1.6});
   const std::string text = hanimText(figure, *libraryPosture(figure, "seated"), "worker");

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "tests/trajectory/motions.h"
+#include "trajectory/simplification.h"
 #include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
@@ -209,6 +210,73 @@ TEST(Edits, LeaveTheRecordingAsItWas) {
   (void)withFrameAt(motion, 3, {}, 1.0);
   (void)withDwell(motion, 3, 1.0);
   EXPECT_EQ(toJsonText(motion), before);
+}
+
+/// Four points on a line, 0.1 m and 1 s apart, set by hand; the second waits.
+Trajectory program() {
+  Trajectory motion;
+  motion.entity = "robot";
+  motion.joint_names = {"a"};
+  for (int i = 0; i < 4; ++i) {
+    const double joint = 10.0 * i;
+    motion.addFrame({1.0 * i, Pose::translation({0.1 * i, 0, 0}), true, i == 1 ? 2.0 : 0.0}, std::span(&joint, 1));
+  }
+  return motion;
+}
+
+TEST(WithName, NamesOnePointAndIsKeptByEveryEdit) {
+  auto named = withName(program(), 2, "above the clamp");
+  ASSERT_TRUE(named.has_value());
+  EXPECT_EQ((*named)[2].nameText(), "above the clamp");
+  EXPECT_EQ((*named)[1].nameText(), "");
+  EXPECT_EQ(named->joints(2)[0], 20.0);
+  EXPECT_TRUE(named->isTaught());
+  EXPECT_EQ(reversed(*named)[1].nameText(), "above the clamp");
+  EXPECT_EQ((*withoutFrames(*named, 0, 0))[1].nameText(), "above the clamp");
+  EXPECT_EQ(transformed(*named, Pose::translation({1, 0, 0}))[2].nameText(), "above the clamp");
+  // A point that is named is never thinned out, on however straight a way it lies.
+  Trajectory samples;
+  for (int i = 0; i <= 100; ++i) samples.addFrame({0.01 * i, Pose::translation({0.01 * i, 0, 0})});
+  EXPECT_EQ(simplified(*withName(samples, 37, "gate"), {}).size(), 3u);
+  EXPECT_FALSE(samples.isTaught());
+  EXPECT_FALSE(withName(*named, 1, "above the clamp").has_value()) << "taken";
+  EXPECT_FALSE(withName(*named, 4, "x").has_value());
+  EXPECT_FALSE(withName(*named, 0, "two\nlines").has_value());
+  const auto cleared = withName(*named, 2, "");
+  ASSERT_TRUE(cleared.has_value());
+  EXPECT_EQ((*cleared)[2].name, nullptr);
+}
+
+TEST(WithFrameMoved, KeepsThePointsAndTakesTheTimeThatTheNewWaysNeed) {
+  const Trajectory motion = program();  // 0.1 m/s on average.
+  const auto moved = withFrameMoved(motion, 3, 1);
+  ASSERT_TRUE(moved.has_value());
+  ASSERT_EQ(moved->size(), 4u);
+  const double x[]{0.0, 0.3, 0.1, 0.2}, t[]{0.0, 3.0, 5.0, 6.0};  // 0.3 m and 0.2 m are new, 0.1 m was there.
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR((*moved)[i].X_WT.p.x, x[i], 1e-15);
+    EXPECT_NEAR((*moved)[i].t, t[i], 1e-12) << i;
+    EXPECT_NEAR(moved->joints(i)[0], 100.0 * x[i], 1e-12) << "a point keeps its joints";
+  }
+  EXPECT_EQ((*moved)[2].dwell, 2.0) << "and its wait";
+  // Back again: the same points in the same order.
+  const auto back = withFrameMoved(*moved, 1, 3);
+  ASSERT_TRUE(back.has_value());
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ((*back)[i].X_WT.p, motion[i].X_WT.p);
+  // Neighbours that change places keep the time between them.
+  const auto swapped = withFrameMoved(motion, 1, 2);
+  ASSERT_TRUE(swapped.has_value());
+  EXPECT_NEAR((*swapped)[2].t - (*swapped)[1].t, 1.0, 1e-12);
+  EXPECT_FALSE(withFrameMoved(motion, 0, 4).has_value());
+  EXPECT_FALSE(withFrameMoved(motion, 4, 0).has_value());
+}
+
+TEST(WithFrameMoved, PointsThatLieTogetherStillComeOneAfterTheOther) {
+  Trajectory still;
+  for (int i = 0; i < 3; ++i) still.addFrame({0.5 * i, Pose::identity(), true});
+  const auto moved = withFrameMoved(still, 0, 2);
+  ASSERT_TRUE(moved.has_value());
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_GE((*moved)[i].t - (*moved)[i - 1].t, 1e-3);
 }
 
 }  // namespace

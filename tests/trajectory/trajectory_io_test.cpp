@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "tests/trajectory/motions.h"
+#include "trajectory/editing.h"
 #include "trajectory/ros_trajectory.h"
 
 namespace hapticell::trajectory {
@@ -58,6 +59,21 @@ void expectEqualBits(const Trajectory& a, const Trajectory& b, bool poses) {
     }
     for (std::size_t j = 0; j < a.joint_names.size(); ++j) EXPECT_EQ(a.joints(i)[j], b.joints(i)[j]) << i;
   }
+}
+
+TEST_F(TrajectoryFiles, NamesOfPointsComeBack) {
+  const Trajectory named = withName(sample(), 3, "oben \"links\" \xc3\xa9").value();
+  const std::string text = toJsonText(named);
+  const auto again = readTrajectory(write("a.htraj", text));
+  ASSERT_TRUE(again.has_value()) << again.error().message();
+  EXPECT_EQ((*again)[3].nameText(), named[3].nameText());
+  EXPECT_EQ((*again)[2].name, nullptr);
+  EXPECT_EQ(toJsonText(*again), text);
+  EXPECT_EQ(toJsonText(sample()).find("names"), std::string::npos) << "files without names are as they were";
+  const auto refused = readTrajectory(
+      write("b.htraj", R"({"format":"hapticell-trajectory","version":1,"names":[[7,"x"]],"frames":[]})"));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().message().find("names"), std::string::npos);
 }
 
 TEST_F(TrajectoryFiles, JsonCsvAndRosComeBackBitForBit) {
