@@ -80,6 +80,8 @@ EntityConfiguration ManipulationEngine::placement(workcell::EntityId entity) con
 
 void ManipulationEngine::takeState() {
   const haptic::LinkState now = link_.linkState();
+  // Forces that a lost server took away do not come back with the next one: they are asked for again.
+  if (link_state_ == haptic::LinkState::kConnected && now != link_state_) control_.forces_enabled = false;
   if (now != link_state_ && now == haptic::LinkState::kConnected) {
     link_.sendControl(control_);
     set_wanted_ = true;
@@ -87,6 +89,12 @@ void ManipulationEngine::takeState() {
   }
   link_state_ = now;
   if (std::optional<haptic::HapticState> newest = link_.latestState()) state_ = *newest;
+  // What a server said that is gone is no answer for the next one: its forces are off until it says otherwise.
+  if (state_ && now != haptic::LinkState::kConnected) {
+    state_->forces_on = false;
+    state_->force_ramp = 0.0;
+    state_->force_D = dvec3(0.0);
+  }
   if (std::optional<haptic::ServerStatistics> newest = link_.latestStatistics()) statistics_ = *newest;
 }
 

@@ -249,6 +249,32 @@ TEST_F(EngineTest, TellsWhenTheNewestContactWasFelt) {
   EXPECT_EQ(felt(), now - 3'000'000);
 }
 
+TEST_F(EngineTest, ForcesOfALostServerDoNotComeBackWithTheNext) {
+  moveTo({0, 0, 0});
+  engine.apply(command::SetForces{true});
+  moveTo({0, 0, 0});
+  ASSERT_TRUE(link.control.forces_enabled);
+  link.state.forces_on = true;
+  link.state.force_ramp = 1.0;
+  link.state.force_D = dvec3(0, 0, 1);
+  moveTo({0, 0, 0});
+  const auto shown = [this] {
+    SceneSnapshot snapshot;
+    engine.fillSnapshot(snapshot);
+    return snapshot;
+  };
+  ASSERT_TRUE(shown().forces_on);
+  link.connected = false;
+  moveTo({0, 0, 0});
+  EXPECT_FALSE(shown().forces_on);
+  EXPECT_EQ(shown().force_n, 0.0);
+  link.state = {};  // The next server has not been asked for forces.
+  link.connected = true;
+  moveTo({0, 0, 0});
+  EXPECT_FALSE(link.control.forces_enabled) << "what is sent at the new connection";
+  EXPECT_FALSE(shown().forces_on);
+}
+
 TEST_F(EngineTest, SnapshotShowsTheNearestPair) {
   click({0, 0, 0});
   moveTo({0, 0, -0.005});
