@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 
+#include "app/edit/frame_placer.h"
 #include "app/edit/move_panel.h"
 #include "app/edit/part_panel.h"
 #include "app/host/host.h"
@@ -22,7 +23,7 @@ namespace {
 /// Gizmo, keys and dock of one window; owned by it.
 class EditDocks : public QObject {
  public:
-  explicit EditDocks(Host& host) : QObject(&host.window()), host_(host), gizmo_(host, this) {
+  explicit EditDocks(Host& host) : QObject(&host.window()), host_(host), gizmo_(host, this), frames_(host, this) {
     panel_ = new MovePanel(host, gizmo_);
     QDockWidget* dock = makeDock("dockMove", tr("Move"), scrolledPanel(panel_));
     dock->setWindowIcon(icon("move"));
@@ -46,6 +47,8 @@ class EditDocks : public QObject {
     }
     if (auto* insert = host.window().findChild<QAction*>("actionInsertPart"))
       connect(insert, &QAction::triggered, this, [this] { openParts(); });
+    if (auto* frame = host.window().findChild<QAction*>("actionInsertFrame"))
+      connect(frame, &QAction::triggered, this, [this] { frames_.begin(); });
     if (auto* numbers = host.window().findChild<QAction*>("actionMoveBy"))
       connect(numbers, &QAction::triggered, dock, [dock] {
         dock->show();
@@ -86,6 +89,7 @@ class EditDocks : public QObject {
 
   Host& host_;
   EntityGizmo gizmo_;
+  FramePlacer frames_;
   MovePanel* panel_;
   QDockWidget* parts_dock_ = nullptr;
 };

@@ -38,8 +38,9 @@ void EntityGizmo::setMode(Mode mode) {
   showNow();
 }
 
-void EntityGizmo::setAxes(EditAxes axes) {
+void EntityGizmo::setAxes(EditAxes axes, const dquat& R_WF) {
   axes_ = axes;
+  R_WF_ = R_WF;
   showNow();
 }
 
@@ -75,6 +76,7 @@ std::optional<Pose> EntityGizmo::pose_W() const {
   for (const workcell::Frame& frame : entity.frames)
     if (hold.kind() == HoldChoice::Kind::kFrame && frame.name == hold.frame()) X_WG = entity.X_WE * frame.X_EF;
   if (axes_ == EditAxes::kWorld) X_WG.q = dquat(1, 0, 0, 0);
+  if (axes_ == EditAxes::kFrame) X_WG.q = R_WF_;
   if (axes_ == EditAxes::kParent) X_WG.q = parentPose_W(state, entity).q;
   return X_WG;
 }

@@ -21,9 +21,9 @@ struct EditSteps {
   double angle = 0.0;   ///< rad
 };
 
-/// Moves and turns what is selected by the mouse, along and about the axes of world, parent or the entity itself, at
-/// the place that the hand would take it by (HoldChoice). Several go together. A drag is one step of undo; Escape takes
-/// it back. Nothing that a module holds is moved. GUI thread.
+/// Moves and turns what is selected by the mouse, along and about the axes of world, parent, the entity itself or a
+/// frame of the cell, at the place that the hand would take it by (HoldChoice). Several go together. A drag is one step
+/// of undo; Escape takes it back. Nothing that a module holds is moved. GUI thread.
 class EntityGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:
@@ -35,7 +35,8 @@ class EntityGizmo final : public QObject, public PointerTool {
   Mode mode() const { return mode_; }
   void setMode(Mode mode);
   EditAxes axes() const { return axes_; }
-  void setAxes(EditAxes axes);
+  /// `R_WF`: the axes for kFrame.
+  void setAxes(EditAxes axes, const dquat& R_WF = {1.0, 0.0, 0.0, 0.0});
   void setSteps(const EditSteps& steps) { steps_ = steps; }
   /// Whether drags go to corners, edges, faces and frames under the pointer; Ctrl turns it round while held.
   void setSnapping(bool on) { snapping_ = on; }
@@ -86,6 +87,7 @@ class EntityGizmo final : public QObject, public PointerTool {
   Host& host_;
   Mode mode_ = Mode::kSelect;
   EditAxes axes_ = EditAxes::kWorld;
+  dquat R_WF_{1.0, 0.0, 0.0, 0.0};
   EditSteps steps_;
   bool snapping_ = false;
   std::optional<Gizmo::Handle> over_;

@@ -17,6 +17,7 @@
 #include "app/host/user_settings.h"
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
+#include "app/panels/reference_choice.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
 
@@ -25,6 +26,8 @@ namespace {
 
 using Mode = EntityGizmo::Mode;
 using Kind = HoldChoice::Kind;
+
+constexpr int kFrameAxes = static_cast<int>(EditAxes::kFrame);
 
 QCheckBox* makeSwitch(const QString& text, const char* name) {
   auto* box = new QCheckBox(text);
@@ -65,23 +68,42 @@ void MovePanel::addTool(QVBoxLayout& column) {
   mode_ = new Segmented({tr("Select"), tr("Move"), tr("Rotate")});
   mode_->setObjectName("segmentsTool");
   addRow(*section, tr("Tool"), mode_);
-  axes_ = new Segmented({tr("World"), tr("Parent"), tr("Own")});
+  axes_ = new Segmented({tr("World"), tr("Parent"), tr("Own"), tr("Frame")});
   axes_->setObjectName("segmentsEditAxes");
   addRow(*section, tr("Axes of"), axes_);
+  frame_ = new ReferenceChoice(host_, {});
+  frame_->setObjectName("comboEditFrame");
+  frame_row_ = addRow(*section, tr("Frame"), frame_);
   about_ = new Segmented({tr("Own origin"), tr("Centre"), tr("Frame")});
   about_->setObjectName("segmentsAbout");
   addRow(*section, tr("About"), about_);
   connect(mode_, &Segmented::chosen, this, [this](int index) { gizmo_.setMode(static_cast<Mode>(index)); });
-  connect(axes_, &Segmented::chosen, this, [this](int index) {
-    gizmo_.setAxes(static_cast<EditAxes>(index));
-    host_.userSettings().setValue("edit/axes", index);
-  });
+  connect(axes_, &Segmented::chosen, this, &MovePanel::chooseAxes);
+  connect(frame_, &ReferenceChoice::referenceChanged, this, &MovePanel::showFrames);
+  connect(frame_, &ReferenceChoice::framesListed, this, &MovePanel::showFrames);
   connect(about_, &Segmented::chosen, this, [this](int index) {
     const Kind kinds[]{Kind::kSelfOrigin, Kind::kGeometricCenter, Kind::kFrame};
     const workcell::Entity* now = host_.documentModel().document().find(host_.selection().current());
     const std::string frame = now && !now->frames.empty() ? now->frames.front().name : std::string();
     host_.holdChoice().set(kinds[index], index == 2 ? frame : std::string());
   });
+}
+
+void MovePanel::chooseAxes(int index) {
+  gizmo_.setAxes(static_cast<EditAxes>(index), frame_->frame_W().value_or(Pose::identity()).q);
+  if (index != kFrameAxes) host_.userSettings().setValue("edit/axes", index);  // Another cell has other frames.
+  showFrames();
+}
+
+/// The row is there as long as the cell has frames, so that nothing moves when one is chosen.
+void MovePanel::showFrames() {
+  const bool any = frame_->hasFrames();
+  if (gizmo_.axes() == EditAxes::kFrame)
+    gizmo_.setAxes(any ? EditAxes::kFrame : EditAxes::kWorld, frame_->frame_W().value_or(Pose::identity()).q);
+  axes_->setCurrent(static_cast<int>(gizmo_.axes()));
+  axes_->setChoiceEnabled(kFrameAxes, any, tr("This cell has no frame yet: Insert, Frame makes one"));
+  frame_row_->setVisible(any);
+  frame_->setEnabled(gizmo_.axes() == EditAxes::kFrame);
 }
 
 void MovePanel::addNumbers(QVBoxLayout& column) {
@@ -175,7 +197,7 @@ void MovePanel::storeSteps() {
 
 void MovePanel::showTool() {
   mode_->setCurrent(static_cast<int>(gizmo_.mode()));
-  axes_->setCurrent(static_cast<int>(gizmo_.axes()));
+  showFrames();
   const Kind kind = host_.holdChoice().kind();
   about_->setCurrent(kind == Kind::kGeometricCenter ? 1 : kind == Kind::kFrame ? 2 : 0);
 }

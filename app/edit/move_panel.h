@@ -14,6 +14,7 @@ class QVBoxLayout;
 
 namespace hapticell::app {
 
+class ReferenceChoice;
 class Segmented;
 class ValueField;
 
@@ -32,6 +33,8 @@ class MovePanel : public QWidget {
   void addSteps(QVBoxLayout& column);
   void addOnto(QVBoxLayout& column);
   void showTool();
+  void chooseAxes(int index);
+  void showFrames();
   void showSelection();
   void showMotion(const Twist& motion_G);
   void applyNumbers();
@@ -43,6 +46,8 @@ class MovePanel : public QWidget {
   EntityGizmo& gizmo_;
   QLabel *title_, *note_;
   Segmented *mode_, *axes_, *about_;
+  ReferenceChoice* frame_;  ///< Whose axes, where those of a frame are meant.
+  QWidget* frame_row_;
   std::array<ValueField*, 6> numbers_{};
   QPushButton *apply_, *onto_;
   QCheckBox *grid_on_, *angle_on_, *snap_, *align_;

@@ -8,8 +8,8 @@
 
 namespace hapticell::app {
 
-/// Whose axes a move follows.
-enum class EditAxes { kWorld, kParent, kOwn };
+/// Whose axes a move follows; kFrame: those of a frame that is chosen.
+enum class EditAxes { kWorld, kParent, kOwn, kFrame };
 
 /// What an entity stands in: the link or solid that carries it, else the entity it stands below in the tree; identity
 /// where there is neither.

@@ -32,7 +32,10 @@ std::optional<SnapPoint> snapAt(ViewportWidget& viewport, const QPointF& positio
     const QString name = QString::fromStdString(entity.name);
     for (const workcell::Frame& frame : entity.frames)
       look(X_WE * frame.X_EF, Snap::tr("Frame %1 of %2").arg(QString::fromStdString(frame.name), name));
-    if (entity.kind != workcell::EntityKind::kAssembly) look(X_WE, Snap::tr("Origin of %1").arg(name));
+    if (entity.kind == workcell::EntityKind::kFrame)
+      look(X_WE, Snap::tr("Frame %1").arg(name));
+    else if (entity.kind != workcell::EntityKind::kAssembly)
+      look(X_WE, Snap::tr("Origin of %1").arg(name));
   }
   if (nearest) return nearest;
   const auto feature = viewport.featureBeside(position, without);

@@ -107,6 +107,7 @@ void Actions::makeActions(QMainWindow& window) {
   isolate = make({"actionIsolate", tr("Isolate"), {}, {}, {}});
   show_all = make({"actionShowAll", tr("Show all"), {}, {}, {}});
   insert_part = make({"actionInsertPart", tr("Part…"), "cube", {}, {}});
+  insert_frame = make({"actionInsertFrame", tr("Frame"), "frame", {}, {}});
   add_robot_file = make({"actionAddRobotFile", tr("Add robot from a file…"), {}, {}, {}});
   quit = make({"actionQuit", tr("Quit"), {}, QKeySequence::Quit, {}});
   undo = make({"actionUndo", tr("Undo"), "undo", QKeySequence(Qt::CTRL | Qt::Key_Z), tr("Undo")});
@@ -172,7 +173,7 @@ void Actions::fillMenus(QMainWindow& window) {
   view->addSeparator();
   view->addActions({dark, light});
   insert = topMenu(window, "menuInsert", tr("Insert"));
-  insert->addActions({import_mesh, insert_part, add_robot, add_robot_file});
+  insert->addActions({import_mesh, insert_part, insert_frame, add_robot, add_robot_file});
   collision = topMenu(window, "menuCollision", tr("Collision"));
   collision->addAction(mesh_care);
   applications = topMenu(window, "menuApplications", tr("Applications"));

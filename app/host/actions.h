@@ -28,7 +28,8 @@ QAction* makeAction(QObject* parent, const ActionFace& face);
 /// them.
 struct Actions {
   explicit Actions(QMainWindow& window);
-  QAction *new_cell, *open, *save, *save_as, *import_mesh, *insert_part, *add_robot, *add_robot_file, *quit;
+  QAction *new_cell, *open, *save, *save_as, *import_mesh, *insert_part, *insert_frame, *add_robot, *add_robot_file,
+      *quit;
   QAction *export_cell, *export_selection, *reload, *pack, *mesh_care, *report_saved, *report_import, *report_other;
   QAction* go_back;  ///< Ten seconds of motion.
   QAction *undo, *redo, *remove, *duplicate, *isolate, *show_all;

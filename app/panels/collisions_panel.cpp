@@ -183,6 +183,16 @@ void CollisionsPanel::makeTable() {
           [this](const QModelIndex& index) { host_.selection().set(model_.row(index.row()).other); });
 }
 
+void CollisionsPanel::showPairs() {
+  pages_->setCurrent(0);
+  stack_->setCurrentIndex(0);
+  show_->setCurrent(0);
+  filter_->clear();
+  for (QWidget* one : {static_cast<QWidget*>(filter_), static_cast<QWidget*>(show_)}) one->show();
+  model_.setShow(PairTableModel::Show::kAll, {});
+  showSnapshot(host_.snapshot());
+}
+
 workcell::EntityId CollisionsPanel::movedEntity() const {
   if (host_.snapshot() && host_.snapshot()->held) return host_.snapshot()->held;
   return host_.selection().current();

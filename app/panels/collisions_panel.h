@@ -33,6 +33,8 @@ class CollisionsPanel : public QWidget {
   /// The log as CSV; false, and told in the messages, where the file cannot be written.
   bool saveLog(const QString& path) { return log_page_->save(path); }
   const ContactLog& log() const { return log_page_->log(); }
+  /// Brings up all pairs of what is held, else chosen: against the cell, and a robot's own links and parts.
+  void showPairs();
 
  signals:
   void alertsChanged(int count);

@@ -10,7 +10,9 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/host/top_menus.h"
+#include "app/panels/collisions_panel.h"
 #include "app/panels/color_choice.h"
+#include "app/panels/entity_icon.h"
 #include "app/panels/swatch_row.h"
 #include "app/style/icon.h"
 #include "app/viewport/viewport_widget.h"
@@ -68,6 +70,7 @@ class EntityMenu {
     const bool locked = first_ && first_->locked, checked = first_ && first_->checked;
     add("treeLock", locked ? QObject::tr("Unlock") : QObject::tr("Lock"), locked ? "unlock" : "lock",
         [&document = document_, ids = ids_, locked] { lockEntities(document, ids, !locked); });
+    if (first_ && first_->kind == workcell::EntityKind::kFrame) return;  // It is neither checked nor coloured.
     QAction* check = add("treeCheck", QObject::tr("Checked for collision"), {},
                          [&document = document_, ids = ids_, checked] { checkEntities(document, ids, !checked); });
     check->setCheckable(true);
@@ -100,10 +103,7 @@ class EntityMenu {
       const bool meant = std::find(ids_.begin(), ids_.end(), entity->id) != ids_.end();
       if (meant || entity->kind == workcell::EntityKind::kAssembly || entity->figure) continue;
       const auto to = entity->id;
-      carriers->addAction(icon(entity->figure  ? "mannequin"
-                               : entity->robot ? "robot"
-                                               : "cube"),
-                          QString::fromStdString(entity->name), &menu_,
+      carriers->addAction(icon(entityIcon(*entity)), QString::fromStdString(entity->name), &menu_,
                           [&document = document_, ids = ids_, to] { attachEntities(document, ids, to); });
     }
     carriers->setEnabled(first_ && !first_->figure && !carriers->isEmpty());
@@ -132,6 +132,15 @@ class EntityMenu {
       dock->show();
       dock->raise();
     });
+    if (first_ && (first_->mesh || first_->robot))
+      add("treePairs", QObject::tr("Its pairs and sets"), "contact", [&host = host_, id = first_->id] {
+        auto* dock = host.window().findChild<QDockWidget*>("dockCollisions");
+        if (!dock) return;
+        host.selection().set(id);
+        dock->show();
+        dock->raise();
+        if (auto* panel = dock->findChild<CollisionsPanel*>()) panel->showPairs();
+      });
     if (first_ && first_->figure)
       addNamed(menu_, host_, {"actionMannequinPanel"});
     else if (first_ && first_->robot)
@@ -185,7 +194,8 @@ void fillFloorMenu(QMenu& menu, Host& host, const dvec3& p_W) {
   QMenu* insert = menu.addMenu(QObject::tr("Insert"));
   insert->setObjectName("floorInsert");
   addNamed(*insert, host,
-           {"actionImport", "actionAddRobot", "actionAddRobotFile", "actionAddMannequin", "actionGuides"});
+           {"actionImport", "actionInsertPart", "actionInsertFrame", "actionAddRobot", "actionAddRobotFile",
+            "actionAddMannequin", "actionGuides"});
   QAction* here = menu.addAction(icon("import"), QObject::tr("Paste here"), &menu, [&host, p_W] { paste(host, p_W); });
   here->setObjectName("floorPaste");
   here->setEnabled(!copied().empty());

@@ -14,7 +14,9 @@
 #include "app/host/selection.h"
 #include "app/panels/color_choice.h"
 #include "app/panels/form.h"
+#include "app/panels/frame_fields.h"
 #include "app/panels/pose_text.h"
+#include "app/panels/reference_choice.h"
 #include "app/panels/swatch_row.h"
 #include "app/robot/configuration_model.h"
 #include "app/style/eliding_label.h"
@@ -51,6 +53,9 @@ PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent),
   auto* inside = new QVBoxLayout(content_);
   inside->setContentsMargins(12, 10, 8, 10);
   inside->setSpacing(6);
+  reference_ = new ReferenceChoice(host_, {tr("World")});
+  reference_->setObjectName("comboReference");
+  reference_row_ = addRow(*inside, tr("Seen from"), reference_, kNarrowLabel);
   tool_ = addPose(*inside, "tool");
   joints_holder_ = new QWidget;
   joints_column_ = new QVBoxLayout(joints_holder_);
@@ -58,10 +63,17 @@ PropertiesPanel::PropertiesPanel(Host& host, QWidget* parent) : QWidget(parent),
   joints_column_->setSpacing(0);
   inside->addWidget(joints_holder_);
   place_ = addPose(*inside, "place");
+  frame_ = new FrameFields(host_);
+  inside->addWidget(frame_);
   addChoices(*inside);
-  for (ValueField* field : tool_.fields) connect(field, &ValueField::edited, this, [this] { placeTool(typed(tool_)); });
+  for (ValueField* field : tool_.fields)
+    connect(field, &ValueField::edited, this, [this] { placeTool(reference_W() * typed(tool_)); });
   for (ValueField* field : place_.fields)
-    connect(field, &ValueField::edited, this, [this] { placeEntity(typed(place_)); });
+    connect(field, &ValueField::edited, this, [this] { placeEntity(placeReference_W() * typed(place_)); });
+  connect(reference_, &ReferenceChoice::referenceChanged, this, [this] {
+    showReference();
+    showNow();
+  });
   connect(&host_.selection(), &Selection::changed, this, &PropertiesPanel::rebuild);
   connect(&host_.documentModel(), &DocumentModel::changed, this, &PropertiesPanel::rebuild);
   rebuild();
@@ -107,7 +119,13 @@ PropertiesPanel::PoseBlock PropertiesPanel::addPose(QVBoxLayout& column, const c
   return block;
 }
 
-void PropertiesPanel::addChoices(QVBoxLayout& column) {
+void PropertiesPanel::addChoices(QVBoxLayout& all) {
+  feel_ = new QWidget;
+  auto* feel_column = new QVBoxLayout(feel_);
+  feel_column->setContentsMargins(0, 0, 0, 0);
+  feel_column->setSpacing(all.spacing());
+  all.addWidget(feel_);
+  QVBoxLayout& column = *feel_column;
   on_contact_ = new Segmented({tr("Stop"), tr("Slide"), tr("Pass")});
   on_contact_->setObjectName("segmentsEntityOnContact");
   column.addSpacing(2);
@@ -130,10 +148,9 @@ void PropertiesPanel::addChoices(QVBoxLayout& column) {
   addRow(column, tr("Colour"), swatches_, kNarrowLabel);
   checked_ = new QCheckBox(tr("Checked for collision"));
   locked_ = new QCheckBox(tr("Locked in place"));
-  for (QCheckBox* box : {checked_, locked_}) {
-    box->setMinimumHeight(24);
-    column.addWidget(box);
-  }
+  for (QCheckBox* box : {checked_, locked_}) box->setMinimumHeight(24);
+  column.addWidget(checked_);
+  all.addWidget(locked_);
   const auto execute = [this](auto&& edit) {
     if (!entity()) return;
     workcell::SetProperties change;
@@ -185,13 +202,38 @@ void PropertiesPanel::rebuild() {
   const bool robot = now->robot != nullptr;
   const bool figure = now->figure != nullptr;
   tool_.holder->setVisible(robot && !figure && !now->tip_link.empty());
-  tool_.heading->setText(tr("TCP in world"));
-  place_.heading->setText(figure ? tr("Stands in world") : robot ? tr("Base in world") : tr("Origin in world"));
+  frame_->showFrame(*now);
+  feel_->setVisible(now->kind != workcell::EntityKind::kFrame);
+  // Nothing is placed in what goes with it; a tool centre point may be given in a frame on its own robot.
+  reference_->leaveOut(robot ? 0 : now->id);
+  showReference();
   joints_holder_->setVisible(robot && !figure);  // A posture is led by hands and feet: dock Mannequin.
   const void* model = now->robot.get();
   if (model != shown_model_ || now->tip_link != shown_tip_) rebuildJoints();
   showChoices();
   showNow();
+}
+
+/// The row is there as long as there are frames to choose from.
+void PropertiesPanel::showReference() {
+  const workcell::Entity* now = entity();
+  if (!now) return;
+  reference_row_->setVisible(reference_->hasFrames());
+  const bool in_world = reference_->fixedEntry() >= 0;
+  tool_.heading->setText(in_world ? tr("TCP in world") : tr("TCP in frame"));
+  const bool place_in_world = in_world || reference_->goesWith(now->id);
+  place_.heading->setText(now->figure  ? (place_in_world ? tr("Stands in world") : tr("Stands in frame"))
+                          : now->robot ? (place_in_world ? tr("Base in world") : tr("Base in frame"))
+                                       : (place_in_world ? tr("Origin in world") : tr("Origin in frame")));
+}
+
+Pose PropertiesPanel::reference_W() const {
+  return reference_->frame_W().value_or(Pose::identity());
+}
+
+/// What it stands in: the world, where the chosen frame would go with it.
+Pose PropertiesPanel::placeReference_W() const {
+  return entity() && reference_->goesWith(entity()->id) ? Pose::identity() : reference_W();
 }
 
 void PropertiesPanel::rebuildJoints() {
@@ -281,10 +323,10 @@ void PropertiesPanel::showNow() {
   const workcell::Entity* now = entity();
   if (!now || !isVisible()) return;
   const Pose X_WE = host_.viewport().scene().placement_W(*now);
-  show(place_, X_WE);
+  show(place_, placeReference_W().inverse() * X_WE);
   if (!now->robot) return;
   const std::vector<double> q = joints();
-  show(tool_, tcpPose_W(*now, X_WE, q));
+  show(tool_, reference_W().inverse() * tcpPose_W(*now, X_WE, q));
   showConfiguration(*now, X_WE, q);
   for (std::size_t i = 0; i < rows_.size() && i < q.size(); ++i) {
     rows_[i]->setEnabled(!now->locked && !isHeld());

@@ -22,12 +22,14 @@ class InverseModel;
 namespace hapticell::app {
 
 class Host;
+class FrameFields;
+class ReferenceChoice;
 class Segmented;
 class SwatchRow;
 class ValueField;
 
-/// Pose, joints and choices of the selected entity. Typed values are commands of the document; shown is where the
-/// entity stands now, also while it is held.
+/// Pose, joints and choices of the selected entity; poses in the world or in a frame that is chosen. Typed values are
+/// commands of the document; shown is where the entity stands now, also while it is held.
 class PropertiesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -44,11 +46,14 @@ class PropertiesPanel : public QWidget {
     std::array<ValueField*, 6> fields{};
   };
   PoseBlock addPose(QVBoxLayout& column, const char* name);
-  void addChoices(QVBoxLayout& column);
+  void addChoices(QVBoxLayout& all);
   void rebuild();
   void rebuildJoints();
   void showConfiguration(const workcell::Entity& robot, const Pose& X_WE, const std::vector<double>& q);
   void showChoices();
+  void showReference();
+  Pose reference_W() const;
+  Pose placeReference_W() const;
   void show(const PoseBlock& block, const Pose& X);
   Pose typed(const PoseBlock& block) const;
   void placeEntity(const Pose& X_WE);
@@ -61,7 +66,11 @@ class PropertiesPanel : public QWidget {
   Host& host_;
   QLabel* nothing_;
   QWidget* content_;
+  ReferenceChoice* reference_;  ///< What both poses are given in.
+  QWidget* reference_row_;
   PoseBlock tool_, place_;
+  FrameFields* frame_;
+  QWidget* feel_;  ///< How it feels and looks; a frame does neither.
   QWidget* joints_holder_;
   QVBoxLayout* joints_column_;
   std::vector<JointRow*> rows_;

@@ -21,6 +21,7 @@
 #include "app/panels/color_choice.h"
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
+#include "app/panels/reference_choice.h"
 #include "app/panels/swatch_row.h"
 #include "app/style/segmented.h"
 #include "app/style/units.h"
@@ -33,6 +34,7 @@ namespace {
 using Kind = HoldChoice::Kind;
 
 constexpr const char* kCurves = "solid";
+constexpr int kInParent = 1, kInFrame = 2;  // Of the choices of a reference.
 
 /// The middle of the solid's bounds in its own frame, as the hand takes it by kGeometricCenter.
 dvec3 centerOf(const workcell::Entity& solid) {
@@ -110,10 +112,13 @@ void SolidPanel::addTurn(QVBoxLayout& column) {
 
 void SolidPanel::addPlace(QVBoxLayout& column) {
   QVBoxLayout* section = addSection(column, {});
-  place_in_ = new Segmented({tr("World"), tr("Parent")});
+  place_in_ = new Segmented({tr("World"), tr("Parent"), tr("Frame")});
   place_in_->setObjectName("segmentsPlaceIn");
   place_in_->setCurrent(0);
   addRow(*section, tr("Place in"), place_in_);
+  place_frame_ = new ReferenceChoice(host_, {});
+  place_frame_->setObjectName("comboPlaceFrame");
+  place_frame_row_ = addRow(*section, tr("Frame"), place_frame_);
   const char* const names[]{"X", "Y", "Z", "A", "B", "C"};
   for (std::size_t i = 0; i < 6; ++i) {
     const double range = i < 3 ? 1e6 : 360.0;
@@ -126,6 +131,7 @@ void SolidPanel::addPlace(QVBoxLayout& column) {
   for (std::size_t i = 0; i < 6; ++i)
     place_[i]->setAccessibleName(QString::fromLatin1(names[i]) + (i < 3 ? tr(" in millimetres") : tr(" in degrees")));
   connect(place_in_, &Segmented::chosen, this, &SolidPanel::rebuild);
+  connect(place_frame_, &ReferenceChoice::referenceChanged, this, &SolidPanel::showNow);
 }
 
 void SolidPanel::addFeel(QVBoxLayout& column) {
@@ -243,14 +249,26 @@ void SolidPanel::showFeel(const workcell::Entity& solid) {
   triangles_->setText(
       tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(solid.mesh->triangles.size()))));
   color_->setCurrent(QColor::fromRgbF(solid.color[0], solid.color[1], solid.color[2]));
-  place_in_->setChoiceEnabled(1, !solid.attachment.to.empty() || !solid.parent.empty(), tr("It stands below nothing"));
+  place_in_->setChoiceEnabled(kInParent, !solid.attachment.to.empty() || !solid.parent.empty(),
+                              tr("It stands below nothing"));
   for (ValueField* field : place_) field->setEnabled(!solid.locked);
+  place_frame_->leaveOut(solid.id);
+  const bool frames = place_frame_->hasFrames();
+  if (!frames && place_in_->current() == kInFrame) place_in_->setCurrent(0);
+  place_in_->setChoiceEnabled(kInFrame, frames, tr("This cell has no frame yet: Insert, Frame makes one"));
+  place_frame_row_->setVisible(frames);
+  place_frame_->setEnabled(place_in_->current() == kInFrame);
+}
+
+/// What its place is given in.
+Pose SolidPanel::placeReference_W(const workcell::Entity& solid) const {
+  if (place_in_->current() == kInFrame) return place_frame_->frame_W().value_or(Pose::identity());
+  return place_in_->current() == kInParent ? parentPose_W(state(), solid) : Pose::identity();
 }
 
 void SolidPanel::showPlace(const workcell::Entity& solid) {
   const Pose X_WE = host_.viewport().scene().placement_W(solid);
-  const bool in_parent = place_in_->current() == 1;
-  const auto numbers = poseNumbers(in_parent ? parentPose_W(state(), solid).inverse() * X_WE : X_WE);
+  const auto numbers = poseNumbers(placeReference_W(solid).inverse() * X_WE);
   for (std::size_t i = 0; i < 6; ++i)
     if (!place_[i]->hasFocus()) place_[i]->setValue(numbers[i]);
 }
@@ -260,8 +278,7 @@ void SolidPanel::place() {
   if (!now) return;
   std::array<double, 6> numbers{};
   for (std::size_t i = 0; i < 6; ++i) numbers[i] = place_[i]->value();
-  const Pose typed = poseFromNumbers(numbers);
-  const Pose X_WE = place_in_->current() == 1 ? parentPose_W(state(), *now) * typed : typed;
+  const Pose X_WE = placeReference_W(*now) * poseFromNumbers(numbers);
   if (!host_.documentModel().execute(workcell::SetPlacement{now->id, X_WE})) showPlace(*now);
 }
 

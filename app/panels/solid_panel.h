@@ -17,12 +17,13 @@ namespace hapticell::app {
 class Host;
 class PartSizes;
 class Segmented;
+class ReferenceChoice;
 class SwatchRow;
 class ValueField;
 
 /// The dialog of a solid: what it turns about when held (own origin, geometric centre, own frame; all three shown in
-/// the scene), where it stands in the world or in what it hangs on, how it feels, what it is checked for. Follows the
-/// selection. Each edit is a command of the document.
+/// the scene), where it stands in the world, in what it hangs on or in a frame, how it feels, what it is checked for.
+/// Follows the selection. Each edit is a command of the document.
 class SolidPanel : public QWidget {
   Q_OBJECT
  public:
@@ -40,6 +41,7 @@ class SolidPanel : public QWidget {
   void rebuild();
   void showTurn(const workcell::Entity& solid);
   void showPlace(const workcell::Entity& solid);
+  Pose placeReference_W(const workcell::Entity& solid) const;
   void showFeel(const workcell::Entity& solid);
   void pickFrame();
   void place();
@@ -53,6 +55,8 @@ class SolidPanel : public QWidget {
   Segmented *turns_, *place_in_, *force_class_, *on_contact_;
   QComboBox *frame_, *material_;
   QWidget* frame_row_;
+  ReferenceChoice* place_frame_;  ///< In which frame, where one of the cell is meant.
+  QWidget* place_frame_row_;
   QPushButton* new_frame_;
   std::array<ValueField*, 6> place_{};
   ValueField* mass_;

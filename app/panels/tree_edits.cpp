@@ -193,6 +193,23 @@ bool detachEntities(DocumentModel& document, const Entities& ids) {
   return !commands.empty() && document.executeAll(QObject::tr("Detach %1").arg(nameOf(state, ids)), commands);
 }
 
+bool renameOwnFrame(DocumentModel& document, EntityId entity, const QString& frame, const QString& name) {
+  const Entity* now = document.document().find(entity);
+  if (!now) return false;
+  workcell::SetFrames change{entity, now->frames};
+  for (workcell::Frame& one : change.frames)
+    if (one.name == frame.toStdString()) one.name = name.toStdString();
+  return document.execute(change);
+}
+
+bool removeOwnFrame(DocumentModel& document, EntityId entity, const QString& frame) {
+  const Entity* now = document.document().find(entity);
+  if (!now) return false;
+  workcell::SetFrames change{entity, now->frames};
+  std::erase_if(change.frames, [&](const workcell::Frame& one) { return one.name == frame.toStdString(); });
+  return document.execute(change);
+}
+
 bool moveBelow(DocumentModel& document, const Entities& ids, const QString& parent) {
   const DocumentState& state = document.document().state();
   std::vector<workcell::Command> commands;

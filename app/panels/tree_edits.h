@@ -36,6 +36,9 @@ Entities pasteEntities(DocumentModel& document, std::vector<workcell::Entity> co
 /// Attached to a robot's tip, or to a part as it stands.
 bool attachEntities(DocumentModel& document, const Entities& ids, workcell::EntityId to);
 bool detachEntities(DocumentModel& document, const Entities& ids);
+/// An entity's own frame (Entity::frames) gets another name, or goes.
+bool renameOwnFrame(DocumentModel& document, workcell::EntityId entity, const QString& frame, const QString& name);
+bool removeOwnFrame(DocumentModel& document, workcell::EntityId entity, const QString& frame);
 /// Puts them below `parent` (an entity's or a folder's name; empty: at the top). They stay where they stand.
 bool moveBelow(DocumentModel& document, const Entities& ids, const QString& parent);
 

@@ -17,6 +17,7 @@
 #include "app/host/host.h"
 #include "app/host/selection.h"
 #include "app/panels/entity_menu.h"
+#include "app/panels/tree_edits.h"
 #include "app/style/fonts.h"
 #include "app/style/icon.h"
 #include "app/style/style_painting.h"
@@ -171,6 +172,8 @@ void WorkcellTreeView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void WorkcellTreeView::keyPressEvent(QKeyEvent* event) {
+  const bool up = event->key() == Qt::Key_Up, down = event->key() == Qt::Key_Down;
+  if (event->modifiers().testFlag(Qt::AltModifier) && (up || down)) return emit moveWanted(up ? -1 : 1);
   if (event->key() != Qt::Key_Delete) return QTreeView::keyPressEvent(event);
   emit removeWanted();
 }
@@ -216,7 +219,14 @@ WorkcellPanel::WorkcellPanel(Host& host, QWidget* parent)
   });
   connect(tree_, &WorkcellTreeView::lockClicked, this,
           [this](const QModelIndex& index) { model_.setLocked(source(index), false); });
+  connect(tree_, &WorkcellTreeView::moveWanted, this, [this](int rows) {
+    const QModelIndex now = tree_->currentIndex();
+    if (now.data(Role::kMotionFrameRole).isValid()) emit pointStepWanted(now, rows);
+  });
   connect(tree_, &WorkcellTreeView::removeWanted, this, [this] {
+    const QModelIndex now = tree_->currentIndex();
+    if (host_.selection().all().empty() && !now.data(Role::kMotionRole).toString().isEmpty())
+      return emit motionRemoveWanted(now);
     if (auto* remove = host_.window().findChild<QAction*>("actionRemove")) remove->trigger();
   });
   connect(tree_, &QWidget::customContextMenuRequested, this, &WorkcellPanel::openMenu);
@@ -311,11 +321,32 @@ void WorkcellPanel::fillMenu(QMenu& menu, const QModelIndex& index) {
   const QPersistentModelIndex row = index;
   const bool named = model_.flags(source(index)) & Qt::ItemIsEditable;
   const auto rename = named ? [this, row] { tree_->edit(row); } : std::function<void()>();
-  if (index.data(Role::kMotionRole).toString().isEmpty())
+  if (model_.kindOf(source(index)) == WorkcellTreeModel::Kind::kFrame) {
+    menu.addAction(tr("Rename"), &menu, rename);
+    const auto entity = index.data(Role::kEntityRole).toULongLong();
+    menu.addAction(icon("delete"), tr("Remove this frame"), &menu,
+                   [this, entity, frame = index.data(Role::kPartRole).toString()] {
+                     removeOwnFrame(host_.documentModel(), entity, frame);
+                   });
+  } else if (index.data(Role::kMotionRole).toString().isEmpty())
     fillEntityMenu(menu, host_, chosenEntities(), rename);
   else if (named)
     menu.addAction(tr("Rename"), &menu, rename);
   emit menuFilled(&menu, index);
+}
+
+void WorkcellPanel::chooseFrame(const QString& motion, std::size_t frame) {
+  // Queued, as is the opening of the rows after they are new.
+  QMetaObject::invokeMethod(
+      this,
+      [this, motion, frame] {
+        const QModelIndex index = filter_model_.mapFromSource(model_.indexOfFrame(motion, frame));
+        if (!index.isValid()) return;
+        tree_->setExpanded(index.parent(), true);
+        tree_->setCurrentIndex(index);
+        tree_->scrollTo(index);
+      },
+      Qt::QueuedConnection);
 }
 
 void WorkcellPanel::rename(workcell::EntityId entity) {

@@ -27,7 +27,8 @@ class WorkcellTreeView : public QTreeView {
  signals:
   void eyeClicked(const QModelIndex& index);
   void lockClicked(const QModelIndex& index);
-  void removeWanted();  ///< Delete was pressed: what is selected.
+  void removeWanted();        ///< Delete was pressed: what is selected.
+  void moveWanted(int rows);  ///< Alt and an arrow key: the current row goes up (-1) or down (1).
 
  protected:
   void drawRow(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
@@ -51,12 +52,17 @@ class WorkcellPanel : public QWidget {
   std::vector<workcell::EntityId> chosenEntities() const;
   /// What can be done with the selected rows; `index` is the one that was pointed at.
   void fillMenu(QMenu& menu, const QModelIndex& index);
+  /// The row of a motion's frame becomes the current one.
+  void chooseFrame(const QString& motion, std::size_t frame);
   /// Brings the tree to the front and edits the name there.
   void rename(workcell::EntityId entity);
 
  signals:
   /// The menu of a row is about to be shown: whoever knows more of the row adds entries.
   void menuFilled(QMenu* menu, const QModelIndex& index);
+  /// Delete was pressed on a motion or one of its frames; or Alt and an arrow key on a frame.
+  void motionRemoveWanted(const QModelIndex& index);
+  void pointStepWanted(const QModelIndex& index, int rows);
 
  private:
   void takeSelection();

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panels/workcell_tree_model.h"
 
-#include <QMimeData>
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
+#include "app/panels/entity_icon.h"
 #include "app/panels/tree_edits.h"
 #include "app/style/units.h"
 
 namespace hapticell::app {
 namespace {
-
-constexpr const char* kMimeType = "application/x-hapticell-entities";
 
 int strength(Mark mark) {
   switch (mark) {
@@ -145,6 +143,15 @@ QModelIndex WorkcellTreeModel::indexOf(workcell::EntityId entity) const {
   return {};
 }
 
+QModelIndex WorkcellTreeModel::indexOfFrame(const QString& motion, std::size_t frame) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    if (node.frame && node.frame->frame == frame && nodes_[static_cast<std::size_t>(node.parent)].name == motion)
+      return indexOfNode(static_cast<int>(i));
+  }
+  return {};
+}
+
 WorkcellTreeModel::Kind WorkcellTreeModel::kindOf(const QModelIndex& index) const {
   return nodes_[index.internalId()].kind;
 }
@@ -235,8 +242,9 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
   const workcell::Entity* entity = node.kind == Kind::kEntity ? entityOf(node) : nullptr;
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::EditRole:
       return node.name;
+    case Qt::EditRole:
+      return node.frame ? node.frame->own_name : node.name;
     case Qt::AccessibleTextRole:
       return accessibleText(node);
     case Qt::ToolTipRole:
@@ -276,9 +284,7 @@ QVariant WorkcellTreeModel::data(const QModelIndex& index, int role) const {
         case Kind::kFolder:
           return QStringLiteral("folder");
         case Kind::kEntity:
-          if (entity && entity->kind == workcell::EntityKind::kAssembly) return QStringLiteral("folder");
-          if (entity && entity->kind == workcell::EntityKind::kMannequin) return QStringLiteral("mannequin");
-          return entity && entity->robot ? QStringLiteral("robot") : QStringLiteral("cube");
+          return entity ? QString::fromLatin1(entityIcon(*entity)) : QStringLiteral("cube");
         case Kind::kTcp:
         case Kind::kFrame:
           return QStringLiteral("frame");
@@ -305,10 +311,13 @@ Qt::ItemFlags WorkcellTreeModel::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
   const Kind kind = kindOf(index);
   Qt::ItemFlags result = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-  if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kPairSet || kind == Kind::kTrajectory)
+  if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kFrame || kind == Kind::kPairSet ||
+      kind == Kind::kTrajectory || kind == Kind::kMotionFrame)
     result |= Qt::ItemIsEditable;
-  if (kind == Kind::kFolder || kind == Kind::kEntity) result |= Qt::ItemIsDragEnabled;
-  if (kind == Kind::kCell || kind == Kind::kFolder || kind == Kind::kEntity) result |= Qt::ItemIsDropEnabled;
+  if (kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kMotionFrame) result |= Qt::ItemIsDragEnabled;
+  if (kind == Kind::kCell || kind == Kind::kFolder || kind == Kind::kEntity || kind == Kind::kTrajectory ||
+      kind == Kind::kMotionFrame)
+    result |= Qt::ItemIsDropEnabled;
   return result;
 }
 
@@ -329,9 +338,15 @@ bool WorkcellTreeModel::setData(const QModelIndex& index, const QVariant& value,
   if (!index.isValid() || role != Qt::EditRole) return false;
   const Node node = nodes_[index.internalId()];
   const QString name = value.toString().trimmed();
+  if (node.frame) {
+    if (name == node.frame->own_name) return false;
+    emit pointRenameWanted(index.data(kMotionRole).toString(), node.frame->frame, name);
+    return true;
+  }
   if (name.isEmpty() || name == node.name) return false;
   if (node.kind == Kind::kEntity) return document_.execute(workcell::RenameEntity{node.entity, name.toStdString()});
   if (node.kind == Kind::kFolder) return renameFolder(nodes_[index.internalId()], name);
+  if (node.kind == Kind::kFrame) return renameOwnFrame(document_, node.entity, node.part, name);
   if (node.kind == Kind::kTrajectory) {
     emit motionRenameWanted(node.name, name);
     return true;
@@ -350,37 +365,6 @@ bool WorkcellTreeModel::setShown(const QModelIndex& index, bool shown) {
 
 bool WorkcellTreeModel::setLocked(const QModelIndex& index, bool locked) {
   return lockEntities(document_, entitiesOf(index), locked);
-}
-
-QStringList WorkcellTreeModel::mimeTypes() const {
-  return {QString::fromLatin1(kMimeType)};
-}
-
-QMimeData* WorkcellTreeModel::mimeData(const QModelIndexList& indexes) const {
-  QStringList ids, names;
-  for (const QModelIndex& index : indexes) {
-    const Kind kind = kindOf(index);
-    if (kind != Kind::kEntity && kind != Kind::kFolder) continue;
-    for (const auto id : entitiesOf(index)) ids << QString::number(id);
-    // An entity's own name means all that stands below it; a folder has none.
-    const auto meant = kind == Kind::kEntity ? Entities{nodes_[index.internalId()].entity} : entitiesOf(index);
-    for (const auto id : meant)
-      if (const workcell::Entity* entity = document_.document().find(id)) names << QString::fromStdString(entity->name);
-  }
-  auto* data = new QMimeData;
-  data->setData(QString::fromLatin1(kMimeType), ids.join(' ').toLatin1());
-  data->setData(QString::fromLatin1(kNamesFormat), names.join('\n').toUtf8());
-  return data;
-}
-
-bool WorkcellTreeModel::dropMimeData(const QMimeData* data, Qt::DropAction, int, int, const QModelIndex& parent) {
-  if (!data->hasFormat(QString::fromLatin1(kMimeType)) || !parent.isValid()) return false;
-  Entities ids;
-  for (const QByteArray& id : data->data(QString::fromLatin1(kMimeType)).split(' ')) ids.push_back(id.toULongLong());
-  const Kind kind = kindOf(parent);
-  if (kind != Kind::kCell && kind != Kind::kFolder && kind != Kind::kEntity) return false;
-  moveBelow(document_, ids, kind == Kind::kCell ? QString() : nodes_[parent.internalId()].name);
-  return false;  // The document has done it; the view has nothing to take away.
 }
 
 }  // namespace hapticell::app

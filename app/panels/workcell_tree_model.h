@@ -15,7 +15,8 @@
 namespace hapticell::app {
 
 /// The workcell as a tree: the cell, its folders and entities, assemblies and solids with what stands below them,
-/// robots with tool centre point, links and what is attached to them, frames, pair sets, trajectories.
+/// robots with tool centre point, their motions with the points, links and what is attached to them, frames, pair sets;
+/// motions of nothing that is in the cell.
 ///
 /// Names, places in the tree, visibility and lock are changed through the document's commands, each one step of undo.
 /// State marks come from the newest snapshot and are a role of their own, so that a screen reader can say them. GUI
@@ -53,14 +54,20 @@ class WorkcellTreeModel : public QAbstractItemModel {
   };
   /// A frame of a trajectory as a row below it, standing for the way on to the next row.
   struct MotionFrame {
-    QString name;             ///< "Frame 12 · 0.11 s"
+    QString name;             ///< "Frame 12 · 0.11 s", or the point's own name in front.
+    QString own_name;         ///< What users call the point; empty: nothing.
     std::size_t frame = 0;    ///< Its index.
     QString finding;          ///< What a check found there; empty: nothing.
     Mark mark = Mark::kNone;  ///< The strongest of it.
     bool checked = false;
     bool operator==(const MotionFrame&) const = default;
   };
-  using MotionFrames = std::map<std::string, std::vector<MotionFrame>>;  ///< By the trajectory's name.
+  struct MotionRows {
+    std::string entity;  ///< Whose motion it is; its row stands below that one's.
+    std::vector<MotionFrame> frames;
+    bool operator==(const MotionRows&) const = default;
+  };
+  using MotionFrames = std::map<std::string, MotionRows>;  ///< By the trajectory's name.
 
   explicit WorkcellTreeModel(DocumentModel& document, QObject* parent = nullptr);
 
@@ -69,6 +76,8 @@ class WorkcellTreeModel : public QAbstractItemModel {
   /// The rows below the trajectories; those of names that the cell does not have wait.
   void setMotionFrames(MotionFrames frames);
   QModelIndex indexOf(workcell::EntityId entity) const;
+  /// The row of a motion's frame; not valid where it has none.
+  QModelIndex indexOfFrame(const QString& motion, std::size_t frame) const;
   Kind kindOf(const QModelIndex& index) const;
   /// Shows or hides, locks or unlocks the entities of the row and below it, as one step of undo.
   bool setShown(const QModelIndex& index, bool shown);
@@ -95,6 +104,9 @@ class WorkcellTreeModel : public QAbstractItemModel {
  signals:
   /// A trajectory was given another name in its row; whoever keeps what is known of it renames it.
   void motionRenameWanted(const QString& name, const QString& new_name);
+  /// A motion's frame was given a name in its row (empty: none), or dragged to another place in the order.
+  void pointRenameWanted(const QString& motion, qulonglong frame, const QString& name);
+  void pointMoveWanted(const QString& motion, qulonglong frame, qulonglong to);
 
  private:
   struct Node {
@@ -111,11 +123,14 @@ class WorkcellTreeModel : public QAbstractItemModel {
     }
   };
   std::vector<Node> build() const;
-  void appendMotions(std::vector<Node>& nodes, int cell) const;
+  using Motions = std::multimap<std::string, const workcell::TrajectoryReference*>;  // By the name of whose they are.
+  void appendMotion(std::vector<Node>& nodes, int parent, const workcell::TrajectoryReference& motion) const;
+  Motions motionsByEntity() const;
+  bool dropFrame(const QByteArray& dragged, int row, const Node& onto);
   static int append(std::vector<Node>& nodes, int parent, Node node);
   using Children = std::multimap<std::string, const workcell::Entity*>;  // By the name of what they stand below.
-  static void appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity,
-                           const Children& children);
+  void appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity, const Children& children,
+                    const Motions& motions) const;
   static void appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity);
   void documentChanged();
   void takeRows(std::vector<Node> fresh);

@@ -38,10 +38,6 @@ int WorkcellTreeModel::append(std::vector<Node>& nodes, int parent, Node node) {
 }
 
 void WorkcellTreeModel::appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity) {
-  if (!entity.tip_link.empty()) {
-    const QString tip = QString::fromStdString(entity.tip_link);
-    append(nodes, row, {Kind::kTcp, QStringLiteral("TCP · ") + tip, tip, entity.id, -1, 0, {}, {}, {}});
-  }
   for (const auto& link : entity.robot->links) {
     if (link.visuals.empty() && link.collisions.empty()) continue;
     const QString name = QString::fromStdString(link.name);
@@ -50,30 +46,44 @@ void WorkcellTreeModel::appendRobot(std::vector<Node>& nodes, int row, const wor
 }
 
 void WorkcellTreeModel::appendEntity(std::vector<Node>& nodes, int parent, const workcell::Entity& entity,
-                                     const Children& children) {
+                                     const Children& children, const Motions& motions) const {
   const int row =
       append(nodes, parent, {Kind::kEntity, QString::fromStdString(entity.name), {}, entity.id, -1, 0, {}, {}, {}});
+  if (entity.robot && !entity.tip_link.empty()) {
+    const QString tip = QString::fromStdString(entity.tip_link);
+    append(nodes, row, {Kind::kTcp, QStringLiteral("TCP · ") + tip, tip, entity.id, -1, 0, {}, {}, {}});
+  }
+  const auto [first_motion, last_motion] = motions.equal_range(entity.name);
+  for (auto motion = first_motion; motion != last_motion; ++motion) appendMotion(nodes, row, *motion->second);
   if (entity.robot) appendRobot(nodes, row, entity);
   for (const workcell::Frame& frame : entity.frames) {
     const QString name = QString::fromStdString(frame.name);
     append(nodes, row, {Kind::kFrame, name, name, entity.id, -1, 0, {}, {}, {}});
   }
   const auto [first, last] = children.equal_range(entity.name);
-  for (auto child = first; child != last; ++child) appendEntity(nodes, row, *child->second, children);
+  for (auto child = first; child != last; ++child) appendEntity(nodes, row, *child->second, children, motions);
 }
 
-void WorkcellTreeModel::appendMotions(std::vector<Node>& nodes, int cell) const {
-  const auto& motions = document_.document().state().trajectories;
-  if (motions.empty()) return;
-  const int all = append(nodes, cell, {Kind::kTrajectories, tr("Trajectories"), {}, 0, -1, 0, {}, {}, {}});
-  for (const auto& motion : motions) {
-    const int row =
-        append(nodes, all, {Kind::kTrajectory, QString::fromStdString(motion.name), {}, 0, -1, 0, {}, {}, {}});
-    const auto frames = motion_frames_.find(motion.name);
-    if (frames == motion_frames_.end()) continue;
-    for (const MotionFrame& frame : frames->second)
-      append(nodes, row, {Kind::kMotionFrame, frame.name, {}, 0, -1, 0, {}, frame.mark, &frame});
+void WorkcellTreeModel::appendMotion(std::vector<Node>& nodes, int parent,
+                                     const workcell::TrajectoryReference& motion) const {
+  const int row =
+      append(nodes, parent, {Kind::kTrajectory, QString::fromStdString(motion.name), {}, 0, -1, 0, {}, {}, {}});
+  const auto rows = motion_frames_.find(motion.name);
+  if (rows == motion_frames_.end()) return;
+  for (const MotionFrame& frame : rows->second.frames)
+    append(nodes, row, {Kind::kMotionFrame, frame.name, {}, 0, -1, 0, {}, frame.mark, &frame});
+}
+
+/// Those of nothing that is in the cell, or that are still being read, are by the empty name.
+WorkcellTreeModel::Motions WorkcellTreeModel::motionsByEntity() const {
+  const workcell::DocumentState& state = document_.document().state();
+  Motions motions;
+  for (const auto& motion : state.trajectories) {
+    const auto rows = motion_frames_.find(motion.name);
+    const std::string entity = rows == motion_frames_.end() ? std::string() : rows->second.entity;
+    motions.emplace(state.findByName(entity) ? entity : std::string(), &motion);
   }
+  return motions;
 }
 
 std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build() const {
@@ -86,6 +96,7 @@ std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build() const {
     names.insert(entity->name);
     if (const std::string above = shownParent(state, *entity); !above.empty()) children.emplace(above, entity.get());
   }
+  const Motions motions = motionsByEntity();
   std::map<std::string, int> folders;
   for (const auto& entity : state.entities) {
     if (names.contains(shownParent(state, *entity))) continue;
@@ -97,14 +108,17 @@ std::vector<WorkcellTreeModel::Node> WorkcellTreeModel::build() const {
             append(nodes, cell, {Kind::kFolder, QString::fromStdString(entity->parent), {}, 0, -1, 0, {}, {}, {}});
       parent = place->second;
     }
-    appendEntity(nodes, parent, *entity, children);
+    appendEntity(nodes, parent, *entity, children, motions);
   }
   if (!state.pair_sets.empty()) {
     const int sets = append(nodes, cell, {Kind::kPairSets, tr("Pair sets"), {}, 0, -1, 0, {}, {}, {}});
     for (const auto& set : state.pair_sets)
       append(nodes, sets, {Kind::kPairSet, QString::fromStdString(set.name), {}, 0, -1, 0, {}, {}, {}});
   }
-  appendMotions(nodes, cell);
+  if (const auto [first, last] = motions.equal_range(std::string()); first != last) {
+    const int others = append(nodes, cell, {Kind::kTrajectories, tr("Trajectories"), {}, 0, -1, 0, {}, {}, {}});
+    for (auto motion = first; motion != last; ++motion) appendMotion(nodes, others, *motion->second);
+  }
   return nodes;
 }
 

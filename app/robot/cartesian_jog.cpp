@@ -7,6 +7,7 @@
 
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
+#include "app/panels/reference_choice.h"
 #include "app/robot/robot_context.h"
 #include "app/style/segmented.h"
 #include "app/style/value_field.h"
@@ -19,6 +20,8 @@ constexpr const char* kAxes[6]{"X", "Y", "Z", "A", "B", "C"};
 /// A turns about z, B about y, C about x, as the angles of a pose do.
 constexpr int kTurnAxis[3]{2, 1, 0};
 
+constexpr int kGivenFrame = 3;  // Of the choices.
+
 }  // namespace
 
 CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* parent)
@@ -26,16 +29,33 @@ CartesianJog::CartesianJog(RobotContext& context, JointMover& mover, QWidget* pa
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  frame_ = new Segmented({tr("Base"), tr("Tool"), tr("World")});
+  frame_ = new Segmented({tr("Base"), tr("Tool"), tr("World"), tr("Frame")});
   frame_->setObjectName("segmentsJogFrame");
   app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Axes of"), frame_);
   frame_->setCurrent(0);
+  given_ = new ReferenceChoice(context_.host(), {});
+  given_->setObjectName("comboJogFrame");
+  given_row_ = app::addRow(*static_cast<QVBoxLayout*>(layout()), tr("Frame"), given_);
   column->addSpacing(2);
   for (int axis = 0; axis < 6; ++axis) addRow(axis);
-  connect(frame_, &Segmented::chosen, this, [this] {
+  const auto chosen = [this] {
+    showFrames();
     showNow();
     emit frameChosen();
-  });
+  };
+  connect(frame_, &Segmented::chosen, this, chosen);
+  connect(given_, &ReferenceChoice::referenceChanged, this, chosen);
+  connect(given_, &ReferenceChoice::framesListed, this, chosen);
+  showFrames();
+}
+
+/// The row is there as long as the cell has frames, so that nothing moves when one is chosen.
+void CartesianJog::showFrames() {
+  const bool any = given_->hasFrames();
+  if (!any && frame_->current() == kGivenFrame) frame_->setCurrent(0);
+  frame_->setChoiceEnabled(kGivenFrame, any, tr("This cell has no frame yet: Insert, Frame makes one"));
+  given_row_->setVisible(any);
+  given_->setEnabled(frame_->current() == kGivenFrame);
 }
 
 void CartesianJog::addRow(int axis) {
@@ -77,8 +97,22 @@ void CartesianJog::addRow(int axis) {
 
 kinematics::JogFrame CartesianJog::frame() const {
   constexpr kinematics::JogFrame kFrames[]{kinematics::JogFrame::kBase, kinematics::JogFrame::kTool,
-                                           kinematics::JogFrame::kWorld};
+                                           kinematics::JogFrame::kWorld, kinematics::JogFrame::kGiven};
   return kFrames[std::max(0, frame_->current())];
+}
+
+Pose CartesianJog::frame_W() const {
+  switch (frame()) {
+    case kinematics::JogFrame::kTool:
+      return context_.tool_W();
+    case kinematics::JogFrame::kBase:
+      return context_.base_W();
+    case kinematics::JogFrame::kGiven:
+      return given_->frame_W().value_or(Pose::identity());
+    case kinematics::JogFrame::kWorld:
+      break;
+  }
+  return Pose::identity();
 }
 
 void CartesianJog::jog(int axis, double amount) {
@@ -87,6 +121,7 @@ void CartesianJog::jog(int axis, double amount) {
   if (!robot || !inverse) return;
   kinematics::JogStep step;
   step.frame = frame();
+  step.R_WF = frame_W().q;
   if (axis < 3)
     step.along[axis] = amount * 0.001;
   else
@@ -99,14 +134,8 @@ void CartesianJog::jog(int axis, double amount) {
 }
 
 std::array<double, 6> CartesianJog::numbersNow() const {
-  switch (frame()) {
-    case kinematics::JogFrame::kTool:
-      return {};
-    case kinematics::JogFrame::kWorld:
-      return poseNumbers(context_.tool_W());
-    default:
-      return poseNumbers(context_.base_W().inverse() * context_.tool_W());
-  }
+  if (frame() == kinematics::JogFrame::kTool) return {};
+  return poseNumbers(frame_W().inverse() * context_.tool_W());
 }
 
 void CartesianJog::typed(int axis, double value) {
@@ -116,10 +145,7 @@ void CartesianJog::typed(int axis, double value) {
   std::array<double, 6> numbers = numbersNow();
   numbers[static_cast<std::size_t>(axis)] = value;
   const Pose X_FT = poseFromNumbers(numbers);
-  const Pose X_WF = frame() == kinematics::JogFrame::kWorld  ? Pose::identity()
-                    : frame() == kinematics::JogFrame::kTool ? context_.tool_W()
-                                                             : context_.base_W();
-  const auto solution = inverse->solve(context_.base_W().inverse() * X_WF * X_FT, robot->joints);
+  const auto solution = inverse->solve(context_.base_W().inverse() * frame_W() * X_FT, robot->joints);
   if (solution.status == kinematics::InverseStatus::kSolved) {
     mover_.step(tr("Move the TCP of %1").arg(QString::fromStdString(robot->name)), solution.q);
     emit held({});

@@ -10,12 +10,13 @@
 
 namespace hapticell::app {
 
+class ReferenceChoice;
 class RobotContext;
 class Segmented;
 class ValueField;
 
-/// Jogs the tool centre point along and about the axes of the base, of the tool or of the world, straight and in the
-/// configuration that the robot stands in.
+/// Jogs the tool centre point along and about the axes of the base, of the tool, of the world or of a frame of the
+/// cell, straight and in the configuration that the robot stands in.
 class CartesianJog : public QWidget {
   Q_OBJECT
  public:
@@ -24,6 +25,8 @@ class CartesianJog : public QWidget {
   /// Takes the newest pose; called a few times a second.
   void showNow();
   kinematics::JogFrame frame() const;
+  /// Where the frame that is jogged in stands now.
+  Pose frame_W() const;
 
  signals:
   /// What held a step back; empty: nothing did.
@@ -32,6 +35,7 @@ class CartesianJog : public QWidget {
 
  private:
   void addRow(int axis);
+  void showFrames();
   /// One step along (0 .. 2) or about (3 .. 5) an axis by so many mm or degrees.
   void jog(int axis, double amount);
   void typed(int axis, double value);
@@ -39,6 +43,8 @@ class CartesianJog : public QWidget {
   RobotContext& context_;
   JointMover& mover_;
   Segmented* frame_;
+  ReferenceChoice* given_;  ///< Which frame, where one of the cell is meant.
+  QWidget* given_row_;
   std::array<ValueField*, 6> fields_{};
   std::array<std::array<HoldButton*, 2>, 6> buttons_{};
   JogStepSize step_;

@@ -77,7 +77,8 @@ RobotPanel::RobotPanel(RobotContext& context, MotionWorker& worker, JointMover& 
     showNow();
   });
   connect(cartesian_, &CartesianJog::held, this, &RobotPanel::showHeldBack);
-  connect(cartesian_, &CartesianJog::frameChosen, this, [this] { emit jogFrameChosen(cartesian_->frame()); });
+  connect(cartesian_, &CartesianJog::frameChosen, this,
+          [this] { emit jogFrameChosen(cartesian_->frame(), cartesian_->frame_W().q); });
   showRobot();
 }
 

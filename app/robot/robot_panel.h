@@ -42,7 +42,8 @@ class RobotPanel : public QWidget {
   void mechanismWanted();
   /// The Cartesian tab is seen, or not any more: the gizmo belongs to it.
   void cartesianShown(bool shown);
-  void jogFrameChosen(kinematics::JogFrame frame);
+  /// `R_WF`: its axes now.
+  void jogFrameChosen(kinematics::JogFrame frame, const hapticell::dquat& R_WF);
 
  private:
   void showEvent(QShowEvent* event) override;

@@ -35,8 +35,9 @@ void TcpGizmo::setOn(bool on) {
   showNow();
 }
 
-void TcpGizmo::setFrame(kinematics::JogFrame frame) {
+void TcpGizmo::setFrame(kinematics::JogFrame frame, const dquat& R_WF) {
   frame_ = frame;
+  R_WF_ = R_WF;
   showNow();
 }
 
@@ -45,6 +46,7 @@ Gizmo TcpGizmo::gizmoNow(const Camera& camera, const ViewSize& view) const {
   Gizmo gizmo;
   gizmo.X_WG.p = X_WT.p;
   if (frame_ == kinematics::JogFrame::kTool) gizmo.X_WG.q = X_WT.q;
+  if (frame_ == kinematics::JogFrame::kGiven) gizmo.X_WG.q = R_WF_;
   if (frame_ == kinematics::JogFrame::kBase) gizmo.X_WG.q = context_.base_W().q;
   gizmo.size = kPixels * camera.metresPerPixel(X_WT.p, view);
   return gizmo;

@@ -13,9 +13,9 @@ namespace hapticell::app {
 class JointMover;
 class RobotContext;
 
-/// Drags the robot's tool centre point with the mouse, along or about the axes of base, tool or world. The arm follows
-/// in its configuration, stops where something stands in the way, and says which limit holds it. One drag is one step
-/// of undo; Escape takes it back.
+/// Drags the robot's tool centre point with the mouse, along or about the axes of base, tool, world or a frame. The arm
+/// follows in its configuration, stops where something stands in the way, and says which limit holds it. One drag is
+/// one step of undo; Escape takes it back.
 class TcpGizmo final : public QObject, public PointerTool {
   Q_OBJECT
  public:
@@ -24,7 +24,8 @@ class TcpGizmo final : public QObject, public PointerTool {
 
   /// Seen and grabbable only while on.
   void setOn(bool on);
-  void setFrame(kinematics::JogFrame frame);
+  /// `R_WF`: the axes where they are a given frame's.
+  void setFrame(kinematics::JogFrame frame, const dquat& R_WF);
   /// Draws it where the tool stands now.
   void showNow();
   /// Takes a drag back; false where none is.
@@ -47,6 +48,7 @@ class TcpGizmo final : public QObject, public PointerTool {
   JointMover& mover_;
   bool on_ = false;
   kinematics::JogFrame frame_ = kinematics::JogFrame::kBase;
+  dquat R_WF_{1.0, 0.0, 0.0, 0.0};
   std::optional<Gizmo::Handle> over_;
   struct Drag {
     Gizmo gizmo;

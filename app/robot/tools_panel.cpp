@@ -11,6 +11,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/panels/entity_icon.h"
 #include "app/panels/form.h"
 #include "app/panels/pose_text.h"
 #include "app/robot/load_line.h"
@@ -201,12 +202,13 @@ void ToolsPanel::showCarried() {
   for (const auto& entity : context_.host().documentModel().document().state().entities) {
     const QString name = QString::fromStdString(entity->name);
     if (entity->attachment.to == robot->name) {
-      auto* item = new QListWidgetItem(
-          icon("cube"), tr("%1 on %2").arg(name, QString::fromStdString(entity->attachment.link)), carried_);
+      auto* item =
+          new QListWidgetItem(icon(entityIcon(*entity)),
+                              tr("%1 on %2").arg(name, QString::fromStdString(entity->attachment.link)), carried_);
       item->setData(Qt::UserRole, static_cast<qulonglong>(entity->id));
     } else if (entity->attachment.to.empty() && entity->id != robot->id && !entity->locked &&
-               (entity->mesh || entity->robot)) {
-      part_->addItem(icon(entity->robot ? "robot" : "cube"), name, static_cast<qulonglong>(entity->id));
+               (entity->mesh || entity->robot || entity->kind == workcell::EntityKind::kFrame)) {
+      part_->addItem(icon(entityIcon(*entity)), name, static_cast<qulonglong>(entity->id));
     }
   }
   for (const auto& other : robot->robot->links) carrier_link_->addItem(QString::fromStdString(other.name));

@@ -87,9 +87,23 @@ std::string MotionList::uniqueName(const std::string& wanted) const {
   }
 }
 
-bool MotionList::add(const QString& step, std::vector<std::pair<std::string, Trajectory>> motions) {
+/// The motion in a file that is not there yet.
+workcell::TrajectoryReference MotionList::fileFor(Trajectory motion) {
   const QDir folder(this->folder());
   static const QRegularExpression kOdd(QStringLiteral("[^\\w.-]+"));
+  const QString stem = QString::fromStdString(motion.name).replace(kOdd, QStringLiteral("-"));
+  QString file = folder.filePath(stem + QStringLiteral(".htraj"));
+  const auto isTaken = [&](const QString& name) {
+    return QFileInfo::exists(name) || read_.contains(name.toStdString());
+  };
+  for (int k = 2; isTaken(file); ++k) file = folder.filePath(QStringLiteral("%1-%2.htraj").arg(stem).arg(k));
+  workcell::TrajectoryReference reference{motion.name, file.toStdString(), {}};
+  reference.motion = std::make_shared<const Trajectory>(std::move(motion));
+  read_[reference.path] = reference.motion;
+  return reference;
+}
+
+bool MotionList::add(const QString& step, std::vector<std::pair<std::string, Trajectory>> motions) {
   std::vector<workcell::Command> commands;
   std::vector<workcell::TrajectoryReference> added;
   for (auto& [wanted, trajectory] : motions) {
@@ -97,15 +111,7 @@ bool MotionList::add(const QString& step, std::vector<std::pair<std::string, Tra
     for (int k = 2;
          std::any_of(added.begin(), added.end(), [&t = trajectory](const auto& a) { return a.name == t.name; }); ++k)
       trajectory.name = uniqueName(wanted + " " + std::to_string(k));
-    const QString stem = QString::fromStdString(trajectory.name).replace(kOdd, QStringLiteral("-"));
-    QString file = folder.filePath(stem + QStringLiteral(".htraj"));
-    const auto isTaken = [&](const QString& name) {
-      return QFileInfo::exists(name) || read_.contains(name.toStdString());
-    };
-    for (int k = 2; isTaken(file); ++k) file = folder.filePath(QStringLiteral("%1-%2.htraj").arg(stem).arg(k));
-    workcell::TrajectoryReference reference{trajectory.name, file.toStdString(), {}};
-    reference.motion = std::make_shared<const Trajectory>(std::move(trajectory));
-    read_[reference.path] = reference.motion;
+    workcell::TrajectoryReference reference = fileFor(std::move(trajectory));
     commands.push_back(workcell::AddTrajectory{reference});
     added.push_back(std::move(reference));
   }
@@ -114,6 +120,25 @@ bool MotionList::add(const QString& step, std::vector<std::pair<std::string, Tra
   for (Motion& motion : motions_)
     motion.played = std::any_of(added.begin(), added.end(), [&](const auto& a) { return a.name == motion.name; });
   current_ = added.back().name;
+  emit changed();
+  emit currentChanged();
+  return true;
+}
+
+bool MotionList::replace(const QString& step, std::string name, Trajectory motion, bool same_way) {
+  const Motion* known = find(name);
+  if (!known) return false;
+  const bool played = known->played;
+  auto check = same_way ? known->check : std::nullopt;
+  motion.name = name;
+  const workcell::TrajectoryReference reference = fileFor(std::move(motion));
+  if (!host_.documentModel().executeAll(step, {workcell::SetTrajectory{name, reference}})) return false;
+  write(reference.path, reference.motion);
+  for (Motion& now : motions_) {
+    if (now.name != name) continue;
+    now.played = played;
+    now.check = std::move(check);
+  }
   emit changed();
   emit currentChanged();
   return true;

@@ -11,6 +11,7 @@
 #include "app/import/background_work.h"
 #include "manipulation/motion_replay.h"
 #include "manipulation/path_check.h"
+#include "workcell/document_state.h"
 
 namespace hapticell::app {
 
@@ -29,7 +30,8 @@ struct Motion {
 };
 
 /// The trajectories of the document with their content: reads their files beside the window, writes those of new ones,
-/// makes replays of them. Recordings are never altered: what is made of one is a new motion. GUI thread.
+/// makes replays of them. Files of recordings are never altered: what is made of one is a new motion in a file of its
+/// own. GUI thread.
 class MotionList : public QObject {
   Q_OBJECT
  public:
@@ -46,6 +48,9 @@ class MotionList : public QObject {
   /// Adds motions as one step of undo, the last one current and all of them played in place of what was. Their files
   /// are written beside the window. False where the document refused.
   bool add(const QString& step, std::vector<std::pair<std::string, trajectory::Trajectory>> motions);
+  /// Puts an edited motion in the place of one, as one step of undo; it goes on being played as it was. `same_way`: it
+  /// moves as before (points were named), so what its check found still holds. False where the document refused.
+  bool replace(const QString& step, std::string name, trajectory::Trajectory motion, bool same_way);
   bool rename(const std::string& name, const QString& new_name);
   bool remove(const std::string& name);
   /// `wanted`, or with a number behind it.
@@ -62,6 +67,7 @@ class MotionList : public QObject {
 
  private:
   void takeDocument();
+  workcell::TrajectoryReference fileFor(trajectory::Trajectory motion);
   void read(const std::string& path);
   void makeReplay(Motion& motion);
   std::shared_ptr<const workcell::Entity> entityOf(const trajectory::Trajectory& trajectory) const;

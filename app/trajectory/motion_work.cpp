@@ -105,22 +105,27 @@ std::shared_ptr<const MotionWork::Cell> MotionWork::cell() const {
   return cell;
 }
 
-void MotionWork::run(const QString& word, Work work) {
+void MotionWork::run(const QString& word, Work work, bool in_place) {
   const Motion* motion = list_.current();
   if (!motion || !motion->trajectory) return tell(tr("Choose a motion first."), true);
   const std::string name = motion->name;
   const QString step = tr("%1: %2").arg(word, QString::fromStdString(name));
   list_.work().start(
       step,
-      [this, given = motion->trajectory, cell = cell(), prepared = prepared_, name, word, step,
+      [this, given = motion->trajectory, cell = cell(), prepared = prepared_, name, word, step, in_place,
        number = host_.documentModel().number(),
        work = std::move(work)](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto result = work(given, *cell, *prepared, monitor);
         if (!result) return makeError(result.error());
         auto done = std::make_shared<Result>(std::move(*result));
-        return BackgroundWork::Then([this, done, name, word, step, number] {
+        return BackgroundWork::Then([this, done, given, name, word, step, number, in_place] {
           if (number != host_.documentModel().number()) return;
-          if (!done->motions.empty()) {
+          if (in_place && done->motions.size() == 1) {
+            const Motion* now = list_.find(name);
+            if (!now || now->trajectory != given)
+              return tell(tr("%1 was changed meanwhile: nothing was done").arg(QString::fromStdString(name)), true);
+            if (!list_.replace(step, name, std::move(done->motions.front()), false)) return;
+          } else if (!done->motions.empty()) {
             std::vector<std::pair<std::string, Trajectory>> named;
             for (Trajectory& made : done->motions)
               named.emplace_back(name + ", " + word.toStdString(), std::move(made));
@@ -259,37 +264,53 @@ void MotionWork::check() {
 }
 
 void MotionWork::edit(const QString& word, Edit edit) {
-  run(word,
-      [edit = std::move(edit), word](const std::shared_ptr<const Trajectory>& given, const Cell& cell, Prepared&,
-                                     workcell::ImportMonitor&) -> Expected<Result> {
-        auto made = edit(*given);
-        if (!made) return makeError(made.error());
-        Result result;
-        result.motions = std::move(*made);
-        result.line = tr("Done as a copy: %1. The recording is as it was").arg(word);
-        // An edit of poses needs a robot's joints anew, from where it stood.
-        for (Trajectory& motion : result.motions) {
-          if (!given->hasJoints() || motion.hasJoints() || motion.empty()) continue;
-          std::vector<double> start;
-          if (const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
-                                               [&](const auto& e) { return e->name == given->entity; });
-              entity != cell.entities.end()) {
-            const auto columns = manipulation::jointColumns(**entity, *given);
-            start = (*entity)->joints;
-            for (std::size_t j = 0; columns && j < columns->size(); ++j) start[(*columns)[j]] = given->joints(0)[j];
-          }
-          auto replay = manipulation::MotionReplay::create(cell.entities, given->entity,
-                                                           std::make_shared<const Trajectory>(motion), start);
-          if (!replay) return makeError(replay.error());
-          motion = replay->withJoints();
-          const PoseDistance off = replay->offPose();
-          if (off.position > 1e-4 || off.angle > 1e-3) {
-            result.careful = true;
-            result.line += tr(". The robot cannot reach all of it: up to %1 away").arg(distanceText(off));
-          }
-        }
-        return result;
-      });
+  run(word, workOf(tr("Done as a copy: %1. The recording is as it was").arg(word), std::move(edit)));
+}
+
+void MotionWork::editPoints(const QString& word, Edit edit) {
+  const Motion* motion = list_.current();
+  if (!motion || !motion->trajectory || !motion->trajectory->isTaught()) return this->edit(word, std::move(edit));
+  const QString line = tr("Done: %1").arg(word);
+  // At once where no joints have to be found: the next edit counts the points as they are then.
+  auto made = edit(*motion->trajectory);
+  if (!made) return tell(QString::fromStdString(made.error().message()), true);
+  if (made->size() != 1 || made->front().hasJoints() != motion->trajectory->hasJoints())
+    return run(word, workOf(line, std::move(edit)), true);
+  const QString step = tr("%1: %2").arg(word, QString::fromStdString(motion->name));
+  if (list_.replace(step, motion->name, std::move(made->front()), false)) tell(line, false);
+}
+
+MotionWork::Work MotionWork::workOf(const QString& line, Edit edit) {
+  return [edit = std::move(edit), line](const std::shared_ptr<const Trajectory>& given, const Cell& cell, Prepared&,
+                                        workcell::ImportMonitor&) -> Expected<Result> {
+    auto made = edit(*given);
+    if (!made) return makeError(made.error());
+    Result result;
+    result.motions = std::move(*made);
+    result.line = line;
+    // An edit of poses needs a robot's joints anew, from where it stood.
+    for (Trajectory& motion : result.motions) {
+      if (!given->hasJoints() || motion.hasJoints() || motion.empty()) continue;
+      std::vector<double> start;
+      if (const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
+                                           [&](const auto& e) { return e->name == given->entity; });
+          entity != cell.entities.end()) {
+        const auto columns = manipulation::jointColumns(**entity, *given);
+        start = (*entity)->joints;
+        for (std::size_t j = 0; columns && j < columns->size(); ++j) start[(*columns)[j]] = given->joints(0)[j];
+      }
+      auto replay = manipulation::MotionReplay::create(cell.entities, given->entity,
+                                                       std::make_shared<const Trajectory>(motion), start);
+      if (!replay) return makeError(replay.error());
+      motion = replay->withJoints();
+      const PoseDistance off = replay->offPose();
+      if (off.position > 1e-4 || off.angle > 1e-3) {
+        result.careful = true;
+        result.line += tr(". The robot cannot reach all of it: up to %1 away").arg(distanceText(off));
+      }
+    }
+    return result;
+  };
 }
 
 void MotionWork::join(const std::vector<std::string>& names) {

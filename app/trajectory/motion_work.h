@@ -36,6 +36,8 @@ class MotionWork : public QObject {
   /// Any edit of the current motion. `word` names it ("reversed") in the new motion's name and in the undo step.
   using Edit = std::function<Expected<std::vector<trajectory::Trajectory>>(const trajectory::Trajectory&)>;
   void edit(const QString& word, Edit edit);
+  /// An edit of points: of a program, all of whose points were set by somebody, in its place; of a recording as a copy.
+  void editPoints(const QString& word, Edit edit);
   /// All motions of the current one's entity that are played or named, one after the other.
   void join(const std::vector<std::string>& names);
 
@@ -68,7 +70,8 @@ class MotionWork : public QObject {
   };
   using Work = std::function<Expected<Result>(const std::shared_ptr<const trajectory::Trajectory>&, const Cell&,
                                               Prepared&, workcell::ImportMonitor&)>;
-  void run(const QString& word, Work work);
+  void run(const QString& word, Work work, bool in_place = false);
+  static Work workOf(const QString& line, Edit edit);
   static void prepare(const Cell& cell, Prepared& prepared);
   static void takeKept(manipulation::KeptFree kept, Result& result);
   std::shared_ptr<const Cell> cell() const;

@@ -38,7 +38,7 @@ void addDots(const Motion& motion, std::size_t most, TrackRow& row) {
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const auto& frame = trajectory[i];
     const bool is_end = i + 1 == trajectory.size();
-    if (i % stride != 0 && !frame.by_hand && frame.dwell <= 0.0 && !is_end) continue;
+    if (i % stride != 0 && !frame.isSet() && !is_end) continue;
     row.dots.push_back({frame.t, i, frame.by_hand, markAt(motion, frame.t)});
   }
 }
@@ -56,12 +56,8 @@ std::vector<std::size_t> rowFrames(const Motion& motion, std::size_t most) {
                                           [](double t, const auto& frame) { return t < frame.t; });
       rows.push_back(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - frames.begin() - 1)));
     }
-  std::size_t by_hand = 0;
-  for (std::size_t i = 0; stride > 1 && i < frames.size() && by_hand < most; ++i)
-    if (frames[i].by_hand || frames[i].dwell > 0.0) {
-      rows.push_back(i);
-      ++by_hand;
-    }
+  for (std::size_t i = 0; stride > 1 && i < frames.size(); ++i)
+    if (frames[i].isSet()) rows.push_back(i);
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
@@ -187,13 +183,16 @@ std::vector<WorkcellTreeModel::MotionFrame> motionFrames(const Motion& motion, s
   std::vector<WorkcellTreeModel::MotionFrame> rows;
   if (!motion.trajectory || motion.trajectory->empty() || most == 0) return rows;
   const auto& trajectory = *motion.trajectory;
+  const bool taught = trajectory.isTaught();  // All of it is by hand: no word needed.
   const std::vector<std::size_t> frames = rowFrames(motion, most);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const auto& frame = trajectory[frames[i]];
     WorkcellTreeModel::MotionFrame row;
     row.frame = frames[i];
-    row.name = QObject::tr("Frame %1 · %2 s").arg(frames[i] + 1).arg(frame.t, 0, 'f', 2);
-    if (frame.by_hand) row.name += QObject::tr(", by hand");
+    row.own_name = QString::fromStdString(frame.nameText());
+    row.name = row.own_name.isEmpty() ? QObject::tr("Frame %1 · %2 s").arg(frames[i] + 1).arg(frame.t, 0, 'f', 2)
+                                      : QObject::tr("%1 · %2 s").arg(row.own_name).arg(frame.t, 0, 'f', 2);
+    if (frame.by_hand && !taught) row.name += QObject::tr(", by hand");
     row.checked = motion.check && !motion.check->cancelled;
     if (motion.check) addFinding(*motion.check, frame.t, trajectory[frames[std::min(i + 1, frames.size() - 1)]].t, row);
     rows.push_back(std::move(row));

@@ -49,9 +49,9 @@ QString checkLine(const manipulation::PathCheckResult& check);
 /// many.
 std::vector<TrackRow> trackRows(const MotionList& list, std::size_t most);
 
-/// The frames of a motion as rows of the tree: all where there are at most `most`, else those set by hand (as many at
-/// most), those where a finding begins, and every so many. What a check found between a row's frame and the next row's
-/// stands at the row, so that nothing that was found is left out.
+/// The frames of a motion as rows of the tree: all where there are at most `most`; else all that somebody set, by hand,
+/// with a wait or a name, and of what was sampled those where a finding begins, and every so many. What a check found
+/// between a row's frame and the next row's stands at the row, so that nothing that was found is left out.
 std::vector<WorkcellTreeModel::MotionFrame> motionFrames(const Motion& motion, std::size_t most);
 
 }  // namespace hapticell::app

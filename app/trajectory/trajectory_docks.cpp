@@ -31,10 +31,10 @@
 #include "app/trajectory/motion_list.h"
 #include "app/trajectory/motion_panel.h"
 #include "app/trajectory/motion_player.h"
+#include "app/trajectory/motion_tree.h"
 #include "app/trajectory/motion_work.h"
 #include "app/trajectory/play_video.h"
 #include "app/trajectory/trace_curves.h"
-#include "app/trajectory/track_rows.h"
 #include "app/trajectory/training_docks.h"
 #include "app/trajectory/training_panel.h"
 #include "app/trajectory/trajectory_panel.h"
@@ -45,7 +45,7 @@ namespace hapticell::app {
 namespace {
 
 constexpr int kDockWidth = 332, kHighDock = 460;
-constexpr std::size_t kTracePoints = 600, kFrameRows = 200;
+constexpr std::size_t kTracePoints = 600;
 
 /// Docks of one window and what they share; owned by the window.
 class TrajectoryDocks : public QObject {
@@ -147,69 +147,13 @@ class TrajectoryDocks : public QObject {
                    return std::vector<trajectory::Trajectory>{std::move(*made)};
                  });
     });
-    tree_ = host_.window().findChild<WorkcellPanel*>();
-    if (tree_) {
-      connect(&tree_->tree(), &QTreeView::clicked, this, &TrajectoryDocks::takeTreeRow);
-      connect(tree_, &WorkcellPanel::menuFilled, this, &TrajectoryDocks::fillMotionMenu);
-      connect(&tree_->model(), &WorkcellTreeModel::motionRenameWanted, this,
-              [this](const QString& name, const QString& fresh) { list_.rename(name.toStdString(), fresh); });
+    if (auto* tree = host_.window().findChild<WorkcellPanel*>()) {
+      auto* rows = new MotionTree({list_, player_, work_}, *tree, this);
+      connect(rows, &MotionTree::frameChosen, this, [this](std::size_t frame) { motion_->setFrame(frame); });
+      connect(rows, &MotionTree::editorWanted, this, [this] { openMotion({}); });
+      connect(rows, &MotionTree::told, panel_, &TrajectoryPanel::showLine);
     }
-    connect(&list_, &MotionList::changed, this, &TrajectoryDocks::showFrameRows);
-    showFrameRows();
     showTraces();
-  }
-
-  /// The row of a trajectory: it becomes the current one and is played; that of a frame: it is chosen and shown.
-  void takeTreeRow(const QModelIndex& index) {
-    const std::string name = index.data(WorkcellTreeModel::kMotionRole).toString().toStdString();
-    if (name.empty() || !list_.find(name)) return;
-    list_.setCurrent(name);
-    list_.setPlayed(name, true);
-    const QVariant frame = index.data(WorkcellTreeModel::kMotionFrameRole);
-    const Motion* motion = list_.current();
-    if (!frame.isValid() || !motion->trajectory || frame.toULongLong() >= motion->trajectory->size()) return;
-    motion_->setFrame(frame.toULongLong());
-    player_.seek((*motion->trajectory)[frame.toULongLong()].t);
-  }
-
-  /// What can be done with a trajectory, or with one of its frames; each gives a copy, as in the dock.
-  void fillMotionMenu(QMenu* menu, const QModelIndex& index) {
-    const std::string name = index.data(WorkcellTreeModel::kMotionRole).toString().toStdString();
-    const Motion* motion = name.empty() ? nullptr : list_.find(name);
-    if (!motion || !motion->trajectory) return;
-    takeTreeRow(index);
-    const QVariant row = index.data(WorkcellTreeModel::kMotionFrameRole);
-    if (!row.isValid()) {
-      menu->addAction(icon("check"), tr("Check the motion"), menu, [this] { work_.check(); });
-      menu->addAction(tr("Edit and export motions…"), menu, [this] { openMotion({}); });
-      menu->addAction(tr("Remove"), menu, [this, name] { list_.remove(name); });
-      return;
-    }
-    using Made = Expected<std::vector<trajectory::Trajectory>>;
-    const auto one = [](Expected<trajectory::Trajectory> made) -> Made {
-      if (!made) return makeError(made.error());
-      return std::vector<trajectory::Trajectory>{std::move(*made)};
-    };
-    const std::size_t frame = row.toULongLong();
-    QAction* insert = menu->addAction(tr("Insert a frame after this one"), menu, [this, frame, one] {
-      work_.edit(tr("with a frame"), [frame, one](const auto& given) {
-        const double t = 0.5 * (given[frame].t + given[frame + 1].t);
-        return one(trajectory::withFrame(given, t, given.poseAt(t)));
-      });
-    });
-    insert->setEnabled(frame + 1 < motion->trajectory->size());
-    QAction* remove = menu->addAction(tr("Delete this frame"), menu, [this, frame, one] {
-      work_.edit(tr("without a frame"),
-                 [frame, one](const auto& given) { return one(trajectory::withoutFrames(given, frame, frame)); });
-    });
-    remove->setEnabled(motion->trajectory->size() > 1);
-  }
-
-  void showFrameRows() {
-    if (!tree_) return;
-    WorkcellTreeModel::MotionFrames rows;
-    for (const Motion& motion : list_.motions()) rows[motion.name] = motionFrames(motion, kFrameRows);
-    tree_->model().setMotionFrames(std::move(rows));
   }
 
   void showGizmo() {
@@ -379,7 +323,6 @@ class TrajectoryDocks : public QObject {
   TrainingDocks training_;
   TrajectoryPanel* panel_;
   MotionPanel* motion_;
-  WorkcellPanel* tree_ = nullptr;
   QScrollArea* scroll_;
   QDockWidget *dock_, *motion_dock_;
   QAction *record_ = nullptr, *film_ = nullptr;

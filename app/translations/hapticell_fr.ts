@@ -239,6 +239,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 a des changements non enregistrés.</translation>
     </message>
     <message>
+        <source>%1 has more frames than rows here: simplify it, then reorder its points.</source>
+        <translation>%1 a plus d'images que de lignes ici : simplifiez-le, puis réordonnez ses points.</translation>
+    </message>
+    <message>
         <source>%1 has unsaved work from before a crash</source>
         <translation>%1 a du travail non enregistré d’avant un plantage</translation>
     </message>
@@ -527,6 +531,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 plus haut, %2 plus loin, %3 : </translation>
     </message>
     <message>
+        <source>%1 was changed meanwhile: nothing was done</source>
+        <translation>%1 a été modifié entre-temps : rien n'a été fait</translation>
+    </message>
+    <message>
         <source>%1 was not added</source>
         <translation>%1 n'a pas été ajouté</translation>
     </message>
@@ -565,6 +573,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 points</source>
@@ -1443,6 +1455,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Base</translation>
     </message>
     <message>
+        <source>Base in frame</source>
+        <translation>Base dans le repère</translation>
+    </message>
+    <message>
         <source>Base in world</source>
         <translation>Base dans le monde</translation>
     </message>
@@ -1879,6 +1895,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Cliquez où la base se posera</translation>
     </message>
     <message>
+        <source>Click where the frame shall be: a corner, an edge, a face or the floor; Esc: not now</source>
+        <translation>Cliquez où poser le repère : un coin, une arête, une face ou le sol ; Échap : pas maintenant</translation>
+    </message>
+    <message>
         <source>Click where the hand shall be</source>
         <translation>Cliquez là où la main doit être</translation>
     </message>
@@ -2229,6 +2249,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Done as a copy: %1. The recording is as it was</source>
         <translation>Fait en copie : %1. L'enregistrement est comme avant</translation>
+    </message>
+    <message>
+        <source>Done: %1</source>
+        <translation>Fait : %1</translation>
     </message>
     <message>
         <source>Drag the TCP of %1</source>
@@ -2647,6 +2671,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Fixe</translation>
     </message>
     <message>
+        <source>Fixed to</source>
+        <translation>Fixé à</translation>
+    </message>
+    <message>
         <source>Flags</source>
         <translation>Options</translation>
     </message>
@@ -2833,6 +2861,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Frame</source>
         <translation>Repère</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Repère %1</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
@@ -3381,6 +3413,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>It stays where it is</source>
         <translation>Il reste où il est</translation>
+    </message>
+    <message>
+        <source>Its pairs and sets</source>
+        <translation>Ses paires et ensembles</translation>
     </message>
     <message>
         <source>Its picture is made when it is saved or left here.</source>
@@ -3943,6 +3979,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Déplacer de cela</translation>
     </message>
     <message>
+        <source>Move down</source>
+        <translation>Descendre</translation>
+    </message>
+    <message>
         <source>Move joints of %1</source>
         <translation>Bouger les articulations de %1</translation>
     </message>
@@ -3965,6 +4005,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Move the workplace</source>
         <translation>Déplacer le poste de travail</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>Monter</translation>
     </message>
     <message>
         <source>Moved</source>
@@ -4041,6 +4085,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Name</source>
         <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Name a point of %1</source>
+        <translation>Nommer un point de %1</translation>
     </message>
     <message>
         <source>Name of the pose (home replaces home)</source>
@@ -4657,6 +4705,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Origin</source>
         <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Origin in frame</source>
+        <translation>Origine dans le repère</translation>
     </message>
     <message>
         <source>Origin in world</source>
@@ -5479,6 +5531,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Retirer l'ensemble de paires</translation>
     </message>
     <message>
+        <source>Remove this frame</source>
+        <translation>Retirer ce repère</translation>
+    </message>
+    <message>
         <source>Rename</source>
         <translation>Renommer</translation>
     </message>
@@ -5799,6 +5855,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Plan de coupe</translation>
     </message>
     <message>
+        <source>Seen from</source>
+        <translation>Vu depuis</translation>
+    </message>
+    <message>
         <source>Select</source>
         <translation>Choisir</translation>
     </message>
@@ -6087,6 +6147,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Debout</translation>
     </message>
     <message>
+        <source>Stands in frame</source>
+        <translation>Place dans le repère</translation>
+    </message>
+    <message>
         <source>Stands in world</source>
         <translation>Place dans le monde</translation>
     </message>
@@ -6237,6 +6301,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>TCP</source>
         <translation>TCP</translation>
+    </message>
+    <message>
+        <source>TCP in frame</source>
+        <translation>TCP dans le repère</translation>
     </message>
     <message>
         <source>TCP in world</source>
@@ -6505,6 +6573,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>The forces went off: the haptic server is gone</source>
         <translation>Les forces sont coupées : le serveur haptique a disparu</translation>
+    </message>
+    <message>
+        <source>The frame goes with it, and keeps its place now</source>
+        <translation>Le repère le suit, et garde sa place pour l'instant</translation>
     </message>
     <message>
         <source>The frame, or all between the brackets</source>
@@ -6889,6 +6961,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Thigh clearance</source>
         <translation>Épaisseur de la cuisse</translation>
+    </message>
+    <message>
+        <source>This cell has no frame yet: Insert, Frame makes one</source>
+        <translation>Cette cellule n'a pas encore de repère : Insérer, Repère en pose un</translation>
     </message>
     <message>
         <source>This device exerts no force.</source>
@@ -8049,6 +8125,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>points</source>
         <translation>points</translation>
+    </message>
+    <message>
+        <source>points reordered</source>
+        <translation>points réordonnés</translation>
     </message>
     <message>
         <source>re-timed</source>

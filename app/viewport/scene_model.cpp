@@ -107,6 +107,10 @@ void SceneModel::setHovered(workcell::EntityId entity) {
   ++revision_;
 }
 
+bool SceneModel::isSelected(workcell::EntityId entity) const {
+  return std::find(selected_.begin(), selected_.end(), entity) != selected_.end();
+}
+
 void SceneModel::setGhosts(const std::string& owner, std::vector<GhostPose> ghosts) {
   const auto known = ghosts_.find(owner);
   if (known == ghosts_.end() ? ghosts.empty() : known->second == ghosts) return;
@@ -353,8 +357,8 @@ void SceneModel::appendStylus(const StylusLook& look, const Pose& X_WS, std::vec
 
 geometry::Bounds SceneModel::bounds_W() const {
   geometry::Bounds bounds;
-  for (const workcell::Entity& entity : entities_)
-    if (entity.visible) bounds.add(boundsOf_W(entity.id));
+  for (const workcell::Entity& entity : entities_)  // A frame has nothing that is lit or cut.
+    if (entity.visible && entity.kind != workcell::EntityKind::kFrame) bounds.add(boundsOf_W(entity.id));
   return bounds;
 }
 
@@ -368,6 +372,8 @@ std::vector<dvec3> SceneModel::corners_W() const {
                                           (i & 4) ? box.max.z : box.min.z));
     }
   }
+  for (const workcell::Entity& entity : entities_)
+    if (entity.visible && entity.kind == workcell::EntityKind::kFrame) corners.push_back(placement_W(entity).p);
   return corners;
 }
 
@@ -375,6 +381,13 @@ geometry::Bounds SceneModel::boundsOf_W(workcell::EntityId id) const {
   geometry::Bounds bounds;
   const workcell::Entity* entity = find(id);
   if (!entity) return bounds;
+  if (entity->kind == workcell::EntityKind::kFrame) {  // What one sees of it when it is looked for.
+    constexpr dvec3 kAround{0.1};
+    const dvec3 p_W = placement_W(*entity).p;
+    bounds.add(p_W - kAround);
+    bounds.add(p_W + kAround);
+    return bounds;
+  }
   std::vector<RenderItem> items;
   appendItems(*entity, items);
   for (const RenderItem& item : items) bounds.add(geometry::transformed(item.X_WM, item.bounds_M));

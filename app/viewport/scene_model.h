@@ -35,6 +35,8 @@ class SceneModel {
   const std::vector<workcell::PairSet>& colouredSets() const { return coloured_sets_; }
   void setSelected(std::vector<workcell::EntityId> entities);
   void setHovered(workcell::EntityId entity);
+  bool isSelected(workcell::EntityId entity) const;
+  workcell::EntityId hovered() const { return hovered_; }  ///< 0: nothing.
   /// Ghosts of entities, drawn beside the entities themselves, kept by `owner` until it gives others (none: takes them
   /// away).
   void setGhosts(const std::string& owner, std::vector<GhostPose> ghosts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/frame_triads.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -52,7 +53,8 @@ std::vector<workcell::EntityId> ViewportWidget::entitiesIn(const QRectF& box, bo
     const auto id = entityAt(box.topLeft() + QPointF(right * box.width(), down * box.height()));
     if (id != 0 && !has(reached, id)) reached.push_back(id);
   }
-  std::vector<workcell::EntityId> result;
+  std::vector<workcell::EntityId> result =
+      framesIn(scene_, camera_, viewSize(), {box.left(), box.top()}, {box.right(), box.bottom()});
   for (const auto id : known)
     if (!has(left_out, id) || has(reached, id)) result.push_back(id);
   return result;

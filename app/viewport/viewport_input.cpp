@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/viewport/frame_triads.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
@@ -69,6 +70,7 @@ std::optional<PickedPoint> ViewportWidget::pickAt(const QPointF& position) {
 }
 
 workcell::EntityId ViewportWidget::entityAt(const QPointF& position) {
+  if (const auto frame = frameAt(scene_, camera_, viewSize(), vec(position))) return frame;
   const auto picked = pickAt(position);
   return picked ? picked->entity : 0;
 }
@@ -283,9 +285,11 @@ void ViewportWidget::hover(const QPointF& position) {
     pick_hover_ = spot || cell >= 0 ? std::nullopt : featureAt(position, pick_->filter);
     update();
   }
-  const auto seen = spot || cell >= 0 ? std::nullopt : pickAt(position);
-  const workcell::EntityId entity = seen ? seen->entity : 0;
-  const QString name = seen ? nameOf(scene_.find(entity), seen->link) : QString();
+  const bool beside = spot || cell >= 0;
+  const workcell::EntityId frame = beside || pick_ ? 0 : frameAt(scene_, camera_, viewSize(), vec(position));
+  const auto seen = beside || frame != 0 ? std::nullopt : pickAt(position);
+  const workcell::EntityId entity = seen ? seen->entity : frame;
+  const QString name = entity ? nameOf(scene_.find(entity), seen ? seen->link : -1) : QString();
   constexpr double kFar = 60.0;  // Pixels: a name that is left behind comes after.
   if (name != hover_name_ || (!name.isEmpty() && QLineF(position, hover_place_).length() > kFar)) {
     hover_name_ = name;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/viewport/curve_painter.h"
+#include "app/viewport/frame_triads.h"
 #include "app/viewport/pen_look.h"
 #include "app/viewport/pen_tags.h"
 #include "app/viewport/viewport_widget.h"
@@ -56,7 +57,7 @@ Strips ViewportWidget::strips() const {
 }
 
 std::vector<SceneCurve> ViewportWidget::allCurves() const {
-  std::vector<SceneCurve> all;
+  std::vector<SceneCurve> all = frameTriads(scene_, camera_, viewSize());
   for (const auto& [owner, curves] : curves_) all.insert(all.end(), curves.begin(), curves.end());
   if (section_) {
     const auto section = sectionCurves(*section_, scene_.bounds_W(), camera_, viewSize());

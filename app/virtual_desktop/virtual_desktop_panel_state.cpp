@@ -11,6 +11,7 @@
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
+#include "app/panels/entity_icon.h"
 #include "app/panels/form.h"
 #include "app/style/icon.h"
 #include "app/style/segmented.h"
@@ -80,10 +81,8 @@ void VirtualDesktopPanel::listEntities() {
   entity_->addItem(icon("hand"), tr("What the tip touches"), 0ULL);
   for (const auto& entity : host_.documentModel().document().state().entities) {
     if (entity->locked) continue;
-    entity_->addItem(icon(entity->figure  ? "mannequin"
-                          : entity->robot ? "robot"
-                                          : "cube"),
-                     QString::fromStdString(entity->name), static_cast<qulonglong>(entity->id));
+    entity_->addItem(icon(entityIcon(*entity)), QString::fromStdString(entity->name),
+                     static_cast<qulonglong>(entity->id));
     if (entity->id == chosen) entity_->setCurrentIndex(entity_->count() - 1);
   }
 }
@@ -112,10 +111,7 @@ void VirtualDesktopPanel::listFrames(const workcell::Entity* entity) {
   moved_frame_->setCurrentText(QString::fromStdString(settings.moved_frame));
   axes_frame_->clear();
   for (const auto& other : host_.documentModel().document().state().entities)
-    axes_frame_->addItem(icon(other->figure  ? "mannequin"
-                              : other->robot ? "robot"
-                                             : "cube"),
-                         QString::fromStdString(other->name));
+    axes_frame_->addItem(icon(entityIcon(*other)), QString::fromStdString(other->name));
   axes_frame_->setCurrentText(QString::fromStdString(settings.axes_frame));
 }
 

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QMenu>
+#include <QMimeData>
 
 #include "app/panels/workcell_panel.h"
 #include "tests/app/motion_page.h"
@@ -158,6 +159,103 @@ TEST(MotionFrames, AreInsertedDeletedAndTheirMotionRenamedInTheTree) {
   page.trigger("actionUndo");
   page.trigger("actionUndo");
   EXPECT_EQ(page.motions(), 1u);
+}
+
+/// Three points of the box, set by hand.
+void importProgram(FramesPage& page) {
+  trajectory::Trajectory program;
+  program.entity = "box";
+  for (int i = 0; i < 3; ++i) program.addFrame({1.0 * i, Pose::translation({0.1 * i, 0, 0.3}), true});
+  ASSERT_TRUE(page.importMotion(program, "program"));
+}
+
+TEST(Program, StandsBelowWhatItMovesAndIsEditedInItsPlace) {
+  FramesPage page;
+  importProgram(page);
+  const QModelIndex row = page.motionRow("program");
+  ASSERT_TRUE(row.isValid());
+  EXPECT_EQ(row.parent().data().toString(), "box") << "not in a list aside";
+  auto* panel = page.window().findChild<WorkcellPanel*>();
+  QAbstractItemModel& rows = *page.tree().model();
+  const auto point = [&](int k) { return rows.index(k, 0, page.motionRow("program")); };
+  const auto x = [&](std::size_t k) { return page.newest()[k].X_WT.p.x; };
+  // A name, typed in the row; it goes with the point.
+  ASSERT_TRUE(rows.setData(point(2), "drop", Qt::EditRole));
+  page.settle();
+  EXPECT_EQ(page.motions(), 1u) << "no copy";
+  EXPECT_EQ(point(2).data().toString(), "drop · 2.00 s");
+  EXPECT_EQ(point(2).data(Qt::EditRole).toString(), "drop");
+  // Up by the keys: Alt and an arrow, twice, on the row that stays the current one.
+  page.clickRow(point(2));
+  ASSERT_EQ(page.tree().currentIndex(), point(2));
+  for (int k = 0; k < 2; ++k) {
+    QTest::keyClick(&page.tree(), Qt::Key_Up, Qt::AltModifier);
+    page.settle();
+  }
+  EXPECT_EQ(page.newest()[0].nameText(), "drop");
+  EXPECT_NEAR(x(0), 0.2, 1e-12);
+  EXPECT_NEAR(x(1), 0.0, 1e-12);
+  EXPECT_EQ(page.tree().currentIndex(), point(0));
+  EXPECT_EQ(page.motions(), 1u);
+  // Down again by a drag onto the last row.
+  const std::unique_ptr<QMimeData> dragged(rows.mimeData({point(0)}));
+  ASSERT_TRUE(rows.canDropMimeData(dragged.get(), Qt::MoveAction, -1, -1, point(2)));
+  rows.dropMimeData(dragged.get(), Qt::MoveAction, -1, -1, point(2));
+  page.settle();
+  EXPECT_EQ(page.newest()[2].nameText(), "drop");
+  // Insert and delete in place as well.
+  QMenu menu;
+  panel->fillMenu(menu, point(0));
+  for (QAction* action : menu.actions())
+    if (action->text() == "Insert a frame after this one") action->trigger();
+  ASSERT_TRUE(MotionPage::until([&] { return page.newest().size() == 4 && page.isIdle(); }, MotionPage::kPatience));
+  EXPECT_NEAR(x(1), 0.05, 1e-12);
+  page.clickRow(point(1));
+  QTest::keyClick(&page.tree(), Qt::Key_Delete);
+  page.settle();
+  EXPECT_EQ(page.newest().size(), 3u);
+  EXPECT_EQ(page.motions(), 1u);
+  // Each was one step of undo.
+  for (int k = 0; k < 6; ++k) page.trigger("actionUndo");
+  ASSERT_EQ(page.motions(), 1u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(x(k), 0.1 * static_cast<double>(k), 1e-12);
+    EXPECT_EQ(page.newest()[k].nameText(), "");
+  }
+  // Delete on the motion itself takes it out.
+  page.clickRow(page.motionRow("program"));
+  QTest::keyClick(&page.tree(), Qt::Key_Delete);
+  page.settle();
+  EXPECT_EQ(page.motions(), 0u);
+  EXPECT_NE(page.document().find(page.box()), nullptr) << "what it moves stays";
+}
+
+TEST(Program, APointNamedTwiceIsRefusedInASentence) {
+  FramesPage page;
+  importProgram(page);
+  QAbstractItemModel& rows = *page.tree().model();
+  ASSERT_TRUE(rows.setData(rows.index(0, 0, page.motionRow("program")), "pick", Qt::EditRole));
+  page.settle();
+  rows.setData(rows.index(1, 0, page.motionRow("program")), "pick", Qt::EditRole);
+  page.settle();
+  EXPECT_EQ(page.newest()[1].nameText(), "");
+  EXPECT_TRUE(page.words("labelMotionLine").contains("pick")) << page.words("labelMotionLine").toStdString();
+}
+
+TEST(Program, ARecordingIsNamedInItsPlaceAndReorderedAsACopy) {
+  FramesPage page;
+  ASSERT_TRUE(page.import({{0, {0, 0, 0}}, {1, {0.2, 0, 0}}, {2, {0.2, 0.2, 0}}}, "three"));
+  QAbstractItemModel& rows = *page.tree().model();
+  ASSERT_TRUE(rows.setData(rows.index(1, 0, page.motionRow("three")), "corner", Qt::EditRole));
+  page.settle();
+  EXPECT_EQ(page.motions(), 1u);
+  EXPECT_EQ(page.newest()[1].nameText(), "corner");
+  EXPECT_FALSE(page.newest()[1].by_hand) << "its way is as it was recorded";
+  page.clickRow(rows.index(1, 0, page.motionRow("three")));
+  QTest::keyClick(&page.tree(), Qt::Key_Up, Qt::AltModifier);
+  ASSERT_TRUE(MotionPage::until([&] { return page.motions() == 2 && page.isIdle(); }, MotionPage::kPatience));
+  EXPECT_EQ(page.newest()[0].nameText(), "corner");
+  EXPECT_EQ(page.state().trajectories.front().motion->frames()[1].nameText(), "corner");
 }
 
 TEST(MotionShapes, SplitJoinMirrorReverseApproachAndRetract) {

@@ -36,9 +36,12 @@ class MotionPage : public CellPage {
   /// A motion of the box along x as a file, imported through the panel's own work.
   bool import(const std::vector<std::pair<double, dvec3>>& points, const QString& name) {
     trajectory::Trajectory motion;
-    motion.name = name.toStdString();
     motion.entity = "box";
     for (const auto& [t, p] : points) motion.addFrame({t, Pose::translation(p)});
+    return importMotion(std::move(motion), name);
+  }
+  bool importMotion(trajectory::Trajectory motion, const QString& name) {
+    motion.name = name.toStdString();
     const QString path = folder_.filePath(name + ".htraj");
     QFile file(path);
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));

@@ -109,6 +109,21 @@ TEST(SceneMenu, APartIsAttachedAndDetached) {
   EXPECT_TRUE(page.document().find(page.right)->attachment.to.empty());
 }
 
+TEST(SceneMenu, ThePairsAndSetsOfAPartAreOneEntryAway) {
+  MenuPage page;
+  page.prepareScene();
+  page.find<Segmented>("segmentsCollisions")->setCurrent(2);
+  page.rightClick(kOnRight);
+  page.choose("treePairs");
+  auto* dock = page.find<QDockWidget>("dockCollisions");
+  EXPECT_TRUE(dock->isVisible());
+  EXPECT_EQ(page.window().selection().current(), page.right);
+  EXPECT_EQ(page.find<Segmented>("segmentsCollisions")->current(), 0);
+  auto* pairs = page.find<QTableView>("tablePairs");
+  ASSERT_TRUE(MenuPage::until([&] { return pairs->model()->rowCount() == 1; }, 20000)) << "against the left one";
+  EXPECT_TRUE(pairs->isVisible());
+}
+
 TEST(SceneMenu, RenamingIsDoneInTheTree) {
   MenuPage page;
   page.find<QLineEdit>("fieldFilter")->setText("right");

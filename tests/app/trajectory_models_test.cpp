@@ -94,6 +94,28 @@ TEST(MotionFrames, LongMotionsGetFewRowsThatLeaveNothingOut) {
   EXPECT_TRUE(motionFrames(Motion{}, 10).empty()) << "still being read";
 }
 
+TEST(MotionFrames, AProgramShowsAllItsPointsByTheirNames) {
+  trajectory::Trajectory program;
+  for (int i = 0; i < 500; ++i) program.addFrame({0.1 * i, Pose::translation({0.01 * i, 0, 0}), true});
+  program = trajectory::withName(program, 7, "above the clamp").value();
+  Motion motion;
+  motion.trajectory = std::make_shared<const trajectory::Trajectory>(program);
+  const auto rows = motionFrames(motion, 200);
+  ASSERT_EQ(rows.size(), 500u) << "each was set by somebody";
+  EXPECT_EQ(rows[7].own_name, "above the clamp");
+  EXPECT_EQ(rows[7].name, "above the clamp · 0.70 s");
+  EXPECT_EQ(rows[8].name, "Frame 9 · 0.80 s") << "nothing else is said of what all of them are";
+  // Of a recording the points that were set, and samples.
+  trajectory::Trajectory mixed;
+  for (int i = 0; i < 5000; ++i) mixed.addFrame({0.01 * i, Pose::translation({0.001 * i, 0, 0}), i % 10 == 3});
+  motion.trajectory = std::make_shared<const trajectory::Trajectory>(mixed);
+  const auto few = motionFrames(motion, 200);
+  EXPECT_EQ(std::count_if(few.begin(), few.end(), [&](const auto& row) { return mixed[row.frame].by_hand; }), 500)
+      << "however many they are";
+  EXPECT_LE(few.size(), 702u);
+  EXPECT_TRUE(std::any_of(few.begin(), few.end(), [](const auto& row) { return row.name.contains("by hand"); }));
+}
+
 TEST(Trace, IsColouredWhereTheCheckFoundSomething) {
   const auto curves = traceCurves(checkedMotion(), 600, {}, 0.0);
   double contact = 0.0, all = 0.0;
