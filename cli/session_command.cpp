@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -111,6 +113,23 @@ Expected<void> saveRecording(const SessionWords& words, const SessionReport& ses
   return writeFileAtomically(words.record, is_csv ? toCsvText(session.recording) : toJsonText(session.recording));
 }
 
+/// What was assumed of the hand path, and what of it no stylus of this kind can follow.
+void tellOfHand(const SessionWords& words, const SessionOptions& options) {
+  constexpr double kStopsGive = 0.01;  // m
+  for (const std::string& sentence : options.hand.assumptions()) warn(words.hand + ": " + sentence + ".");
+  double outside = 0.0;
+  for (const haptic::HandSample& sample : options.hand.samples()) {
+    const dvec3 over = glm::abs(sample.X_DH.p) - 0.5 * options.device.workspace;
+    outside = std::max({outside, over.x, over.y, over.z});
+  }
+  if (outside < kStopsGive) return;
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(),
+                ": the path leaves the workspace of the %.60s by %.0f mm; its stops hold the stylus.",
+                options.device.name.c_str(), 1e3 * outside);
+  warn(words.hand + text.data());
+}
+
 Expected<SessionOptions> readOptions(const SessionWords& words) {
   SessionOptions options;
   const auto configuration = config::loadConfiguration(words.configuration);
@@ -140,6 +159,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   if (const auto done = readRecording(words, options); !done) return tl::unexpected(done.error());
   const std::string device = words.device.value_or(options.configuration.haptic.device);
   if (const auto done = readDevice(device, options); !done) return tl::unexpected(done.error());
+  tellOfHand(words, options);
   return options;
 }
 
@@ -219,6 +239,7 @@ ordered_json resultOf(const SessionReport& report, const SessionOptions& options
     axes.push_back({{"name", name}, {"pose", poseJson(at.X_WE)}, {"joints", at.joints}});
   }
   return {{"entity", options.entity},
+          {"assumptions", options.hand.assumptions()},
           {"duration_s", report.duration_s},
           {"rates",
            {{"haptic_hz", report.rate_haptic_hz},

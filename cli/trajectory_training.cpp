@@ -107,6 +107,7 @@ Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options,
   }
   auto hand = haptic::readHandPath(options.hand);
   if (!hand) return tl::unexpected(hand.error());
+  for (const std::string& sentence : hand->assumptions()) warn(options.hand + ": " + sentence + ".");
   session.hand = std::move(*hand);
   session.axes.mode = manipulation::AxesMode::kCell;
   session.scale = {manipulation::ScaleLevel::kNumber, options.scale};

@@ -59,7 +59,22 @@ Expected<std::unique_ptr<HeldEntity>> HeldEntity::take(std::shared_ptr<const Pre
   if (auto made = held->makeManipulator(held->form_, options, configuration); !made) return makeError(made.error());
   held->gatherPairs(held->form_, placements, options, configuration);
   held->startBoundaries();
+  held->noteTurned();
   return held;
+}
+
+/// What of it and of its obstacles was written inside out, in one sentence.
+void HeldEntity::noteTurned() {
+  std::vector<std::string> names;
+  const auto note = [&](const ScenePart& part) {
+    if (part.mesh.bodies_turned > 0) names.push_back(nameOf(part));
+  };
+  for (const MovedPart& part : moved_parts_) note(*part.part);
+  for (const ScenePart* part : obstacle_parts_) note(*part);
+  if (names.empty()) return;
+  std::string text = names.front();
+  if (names.size() > 1) text += " and " + std::to_string(names.size() - 1) + " more";
+  notes_.push_back(text + ": triangles face inward; they count as facing outward");
 }
 
 void HeldEntity::gatherMovedParts(const Placements& placements) {

@@ -178,6 +178,7 @@ class HeldEntity {
   std::vector<Pose> restPoses(const workcell::Entity& entity) const;
   haptic::Constraint contactOf(const MotionPair& pair, const collision::DistanceResult& found) const;
   void updateJointFriction();
+  void noteTurned();
   void startBoundaries();
   void raiseBoundaries();
   void findWaysOut();

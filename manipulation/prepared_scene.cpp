@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "collision/hollow_relief.h"
+#include "collision/mesh_facing.h"
 
 namespace hapticell::manipulation {
 
@@ -24,8 +25,9 @@ bool standsFor(const collision::SurfaceModel& surfaces, const geometry::Triangle
 }
 
 /// False when cancelled.
-bool makeReady(const geometry::TriangleMesh& mesh, PreparationProgress& progress, PreparedMesh& prepared) {
-  const std::size_t triangles = mesh.triangles.size();
+bool makeReady(const geometry::TriangleMesh& as_read, PreparationProgress& progress, PreparedMesh& prepared) {
+  const std::size_t triangles = as_read.triangles.size();
+  const geometry::TriangleMesh mesh = collision::feltMesh(as_read, &prepared.bodies_turned);
   collision::ColliderBuild how;
   how.progress = &progress.build;
   if (triangles >= kSurfacesWorthAFile) how.cache_folder = collision::userCacheFolder();

@@ -17,19 +17,21 @@
 
 namespace hapticell::manipulation {
 
-/// A mesh made ready for both kinds of query.
+/// A mesh made ready for both kinds of query, as it is felt (collision::feltMesh): material behind every triangle,
+/// whichever way they turn in the file; open sheets are thin plates, so that both of their sides are felt.
 struct PreparedMesh {
   /// Of the mesh with its hollows relieved (collision::relievedMesh).
   std::shared_ptr<const collision::MeshCollider> collider;
   std::shared_ptr<const collision::ConvexPieces> pieces;
   std::shared_ptr<const collision::SurfaceModel> surfaces;
+  std::size_t bodies_turned = 0;  ///< Connected surfaces that face inward in the file.
 };
 
 /// One rigid body of the scene: a solid, or a link of a robot with all its collision shapes. Its frame P is the
 /// entity's own or the link's.
 struct ScenePart {
   workcell::EntityId entity = 0;
-  int link = -1;     ///< Robots: index of the link; -1 for a solid.
+  int link = -1;       ///< Robots: index of the link; -1 for a solid.
   std::string name{};  ///< Robots: the link's name; empty for a solid.
   PreparedMesh mesh{};
   workcell::RigidBody body{};  ///< See workcell::rigidBodyOf().

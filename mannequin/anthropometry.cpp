@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "mannequin/girths.h"
+
 namespace hapticell::mannequin {
 
 namespace {
@@ -134,6 +136,15 @@ Regression regressionOf(Sex sex, Dimension dimension) {
   regression.a *= 0.001;
   regression.standard_error *= 0.001;
   return regression;
+}
+
+std::array<double, 2> measuredStatures(Sex sex) {
+  return kMeasured[indexOf(sex)];
+}
+
+double likelyMass(Sex sex, double stature) {
+  const Regression regression = regressionOf(sex, Dimension::kMass);
+  return regression.a + regression.b * stature;
 }
 
 Expected<double> statureOfPercentile(Sex sex, double percentile) {

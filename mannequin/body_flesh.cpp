@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mannequin/body_sections.h"
 #include "mannequin/body_shape.h"
+#include "mannequin/girths.h"
 #include "mannequin/head_flesh.h"
 #include "mannequin/rotations.h"
 
@@ -14,23 +16,23 @@ using S = Segment;
 
 constexpr std::array<float, 3> kShirt{0.32f, 0.45f, 0.60f}, kTrousers{0.23f, 0.25f, 0.30f}, kShoes{0.16f, 0.15f, 0.15f};
 
-const dvec3 kTall(1.0, 1.0, 1.45);  ///< Stretch of a roll across the trunk.
-constexpr double kOn = 0.010;       ///< m over which a limb goes on; more would swell it there.
-constexpr double kMuscle = 0.022;   ///< m over which a muscle lies on a limb.
+constexpr double kOn = 0.006;  ///< m over which a limb goes on; more would swell it there.
 
 /// Builds the flesh from ANSUR breadths and depths; lengths in shares of the stature's scale k, girths of limbs with
 /// the square root of mass per stature. Shapes are our own choice.
 class Sculptor {
  public:
-  explicit Sculptor(const Figure& figure) : figure_(figure), flesh_(kBodies) {
+  explicit Sculptor(const Figure& figure)
+      : figure_(figure), flesh_(kBodies), trunk_({0, 0, 0}, {0, 0, 1}, {0, -1, 0}, trunkSections(figure)) {
     const BodyDimensions& b = figure.body;
     k_ = b[Dimension::kStature] / 1.755;
     g_ = k_ * std::clamp(std::sqrt(b[Dimension::kMass] / b[Dimension::kStature] / (84.6 / 1.755)), 0.7, 1.6);
     female_ = figure.sex == Sex::kFemale;
     hip_ = 0.5 * b[Dimension::kHipBreadth];
-    chest_ = 0.5 * b[Dimension::kChestDepth];
-    belly_ = 0.5 * b[Dimension::kAbdominalDepth];
-    shoulder_ = figure.p_PS[indexOf(S::kLeftClavicle)].y + figure.p_PS[indexOf(S::kLeftUpperArm)].y;
+    for (std::size_t i = 0; i < kSegmentCount; ++i) {
+      const auto parent = segmentInfo(static_cast<Segment>(i)).parent;
+      origins_[i] = figure.p_PS[i] + (parent ? origins_[indexOf(*parent)] : dvec3(0.0));
+    }
   }
 
   std::vector<Flesh> make() {
@@ -51,6 +53,8 @@ class Sculptor {
  private:
   Flesh& of(Segment segment) { return flesh_[indexOf(segment)]; }
   dvec3 joint(Segment segment) const { return figure_.p_PS[indexOf(segment)]; }
+  /// Of a standing figure, over the floor.
+  dvec3 originOf(Segment segment) const { return origins_[indexOf(segment)]; }
   /// The same blob left and right.
   void pair(Segment segment, Blob blob) {
     of(segment).blobs.push_back(blob);
@@ -64,58 +68,55 @@ class Sculptor {
     of(segment).blobs.push_back({{x, -reach, z}, {x, reach, z}, radius, radius, stretch, 0.018 * k_});
   }
 
+  /// Rolls about the sections of the trunk that lie between two heights (m over the floor), in a body's frame.
+  void stack(Segment segment, double from, double to) {
+    const dvec3 origin = origins_[indexOf(segment)];
+    const double step = 0.030 * k_;
+    const int count = std::max(1, static_cast<int>(std::lround((to - from) / step)));
+    for (int i = 0; i <= count; ++i) {
+      const TubeSection section = trunk_.at(from + (to - from) * i / count);
+      const double depth = 0.5 * (section.front + section.back), x = section.v + 0.5 * (section.front - section.back);
+      // So tall that neighbours run into each other over little, or they would be a pile of rolls.
+      const double tall = 1.5 * (to - from) / count / depth;
+      // Rounded off like the section: a roll is broader at its corners than an ellipse.
+      const double breadth = section.half_breadth * (1.0 - 0.06 * std::clamp(2.8 - section.roundness, 0.0, 0.8));
+      across(segment, x - origin.x, section.t - origin.z, breadth, depth, {1.0, 1.0, std::max(tall, 0.42)});
+    }
+  }
+
   void pelvis() {
     of(S::kPelvis) = {{}, 0.05 * k_, -1e9, kTrousers};
-    const double depth = 0.62 * belly_ + 0.30 * chest_;
-    across(S::kPelvis, 0.004 * k_, 0.000, 0.97 * hip_, depth, {0.92, 1.0, 0.86});
-    across(S::kPelvis, 0.006 * k_, 0.070 * k_, 0.90 * hip_, 0.95 * depth, {0.96, 1.0, 1.05});
-    pair(S::kPelvis, {{-0.050 * k_, 0.42 * hip_, -0.022 * k_},
-                      {-0.048 * k_, 0.42 * hip_, 0.020 * k_},
-                      0.082 * g_,
+    const double crotch = trunk_.sections().front().t;
+    stack(S::kPelvis, crotch + 0.052 * k_, originOf(S::kLowerBack).z + 0.010 * k_);
+    // The seat, behind the tops of the legs.
+    pair(S::kPelvis, {{-0.046 * k_, 0.45 * hip_, -0.001 * k_},
+                      {-0.044 * k_, 0.45 * hip_, 0.030 * k_},
                       0.078 * g_,
+                      0.074 * g_,
                       dvec3(1.0)});
   }
 
   void back() {
-    const double waist = (female_ ? 0.74 : 0.85) * hip_;
     of(S::kLowerBack) = {{}, 0.06 * k_, -1e9, kShirt};
-    across(S::kLowerBack, 0.026 * k_, 0.020 * k_, 0.93 * hip_, 0.88 * belly_, kTall);
-    across(S::kLowerBack, 0.026 * k_, 0.095 * k_, waist, 0.88 * belly_, kTall);
+    stack(S::kLowerBack, originOf(S::kLowerBack).z - 0.010 * k_, originOf(S::kUpperBack).z + 0.010 * k_);
     of(S::kUpperBack) = {{}, 0.06 * k_, -1e9, kShirt};
-    const double rib = (female_ ? 0.76 : 0.80) * shoulder_ + 0.008 * k_;
-    across(S::kUpperBack, 0.018 * k_, -0.010 * k_, waist, 0.89 * belly_, kTall);
-    across(S::kUpperBack, 0.016 * k_, 0.085 * k_, rib, 0.89 * chest_, kTall);
+    stack(S::kUpperBack, originOf(S::kUpperBack).z - 0.010 * k_, originOf(S::kThorax).z + 0.010 * k_);
   }
 
   void thorax() {
     of(S::kThorax) = {{}, 0.06 * k_, -1e9, kShirt};
     const double neck = joint(S::kLowerNeck).z;
-    const double chest = (female_ ? 0.80 : 0.84) * shoulder_ + 0.008 * k_;
-    across(S::kThorax, 0.030 * k_, -0.045 * k_, chest, 0.92 * chest_, {1.0, 1.0, 1.3});
-    across(S::kThorax, 0.030 * k_, 0.030 * k_, chest, 0.89 * chest_, {1.0, 1.0, 1.1});
-    across(S::kThorax, 0.026 * k_, 0.50 * neck, 0.84 * shoulder_, 0.60 * chest_, {1.05, 1.0, 0.9});
+    stack(S::kThorax, originOf(S::kThorax).z - 0.010 * k_, trunk_.sections().back().t - 0.020 * k_);
     of(S::kThorax)
         .blobs.push_back(
-            {{0.012 * k_, 0, 0.56 * neck}, {0.022 * k_, 0, 0.90 * neck}, 0.066 * g_, 0.050 * g_, dvec3(1.0)});
-    // Trapezius, from the neck down to the shoulders.
-    pair(S::kThorax, {{0.004 * k_, 0.022 * k_, 0.88 * neck},
-                      {0.004 * k_, 0.66 * shoulder_, 0.60 * neck},
-                      0.036 * g_,
-                      0.036 * g_,
-                      dvec3(1.0)});
-    if (female_) {
-      pair(S::kThorax, {{0.068 * k_, 0.42 * shoulder_, -0.028 * k_},
-                        {0.090 * k_, 0.46 * shoulder_, -0.040 * k_},
-                        0.056 * g_,
-                        0.052 * g_,
-                        dvec3(1.0)});
-    } else {
-      pair(S::kThorax, {{0.088 * k_, 0.38 * shoulder_, 0.030 * k_},
-                        {0.080 * k_, 0.62 * shoulder_, 0.040 * k_},
-                        0.046 * g_,
-                        0.040 * g_,
-                        {0.8, 1.1, 1.0}});
-    }
+            {{0.012 * k_, 0, 0.56 * neck}, {0.026 * k_, 0, 0.92 * neck}, 0.066 * g_, 0.056 * g_, dvec3(1.0)});
+    if (!female_) return;
+    const double depth = figure_.body[Dimension::kChestDepth], z = girthOf(figure_.sex, figure_.body, Girth::kChestHeight);
+    const TubeSection chest = trunk_.at(z);
+    const dvec3 middle = dvec3(chest.v + chest.front + 0.140 * depth - 0.203 * depth, 0.43 * chest.half_breadth, z) -
+                         originOf(S::kThorax);
+    pair(S::kThorax, {middle + dvec3(-0.010 * k_, 0.0, 0.024 * k_), middle, 0.239 * depth, 0.260 * depth,
+                      {0.78, 1.0, 0.96}, 0.030 * k_});
   }
 
   void head() {
@@ -144,28 +145,36 @@ class Sculptor {
                            dvec3(1.0)});
   }
 
+  /// The pieces of a limb between two places along it, from its sections; in the frame of a segment that begins at
+  /// `origin` along it.
+  void limb(Segment segment, const SectionTube& tube, double from, double to, double origin) {
+    constexpr double kPiece = 0.055;  // m
+    const int count = std::max(1, static_cast<int>(std::lround((to - from) / (kPiece * k_))));
+    for (int i = 0; i < count; ++i) {
+      const TubeSection a = tube.at(from + (to - from) * i / count), b = tube.at(from + (to - from) * (i + 1) / count);
+      const double broad_a = a.half_breadth, deep_a = 0.5 * (a.front + a.back);
+      const double broad_b = b.half_breadth, deep_b = 0.5 * (b.front + b.back);
+      const double ra = std::sqrt(broad_a * deep_a), rb = std::sqrt(broad_b * deep_b);
+      const double flat = std::sqrt((broad_a + broad_b) / (deep_a + deep_b));
+      const dvec3 pa = tube.place(a.t - origin, a.u, a.v), pb = tube.place(b.t - origin, b.u, b.v);
+      // A tube's axis points down; its u is either ahead (arms) or to the left (legs).
+      const bool u_ahead = std::abs(tube.across().x) > 0.5;
+      of(segment).blobs.push_back(
+          {pa, pb, ra, rb, u_ahead ? dvec3(flat, 1.0 / flat, 1.0) : dvec3(1.0 / flat, flat, 1.0), kOn});
+    }
+  }
+
   void arm(Side side) {
-    const double out = outwardSign(side), upper = figure_.upperArmLength(), fore = figure_.forearmLength();
-    const double r = (female_ ? 0.92 : 1.0) * g_;
-    Flesh& top = of(armSegment(side, S::kLeftUpperArm));
-    top = {{}, 0.05 * k_, -1e9, kShirt};
-    top.blobs.push_back(
-        {{0, out * 0.008 * k_, 0.002 * k_}, {0, out * 0.010 * k_, -0.085 * k_}, 0.053 * r, 0.050 * r, dvec3(1.0)});
-    top.blobs.push_back({{0, 0, -0.07 * k_}, {0, 0, -upper}, 0.0490 * r, 0.0410 * r, dvec3(1.0), 0.020 * k_});
-    top.blobs.push_back(
-        {{0.014 * k_, 0, -0.42 * upper}, {0.008 * k_, 0, -0.72 * upper}, 0.040 * r, 0.036 * r, dvec3(1.0), kMuscle});
-    top.blobs.push_back(
-        {{-0.014 * k_, 0, -0.34 * upper}, {-0.010 * k_, 0, -0.72 * upper}, 0.040 * r, 0.036 * r, dvec3(1.0), kMuscle});
-    Flesh& forearm = of(armSegment(side, S::kLeftForearm));
-    forearm = {{}, 0.04 * k_, -1e9, kShirt};
-    forearm.blobs.push_back({{0, 0, 0}, {0, 0, -0.24 * fore}, 0.0410 * r, 0.0445 * r, dvec3(1.0)});
-    forearm.blobs.push_back({{0, 0, -0.24 * fore}, {0, 0, -0.62 * fore}, 0.0445 * r, 0.0365 * r, dvec3(1.0), kOn});
+    const double upper = figure_.upperArmLength(), fore = figure_.forearmLength();
+    const SectionTube tube({0, 0, 0}, {0, 0, -1}, {1, 0, 0}, armSections(figure_, -outwardSign(side)));
+    of(armSegment(side, S::kLeftUpperArm)) = {{}, 0.05 * k_, -1e9, kShirt};
+    limb(armSegment(side, S::kLeftUpperArm), tube, -0.010 * k_, upper, 0.0);
+    of(armSegment(side, S::kLeftForearm)) = {{}, 0.04 * k_, -1e9, kShirt};
+    limb(armSegment(side, S::kLeftForearm), tube, upper, upper + 0.62 * fore, upper);
     Flesh& wrist = of(armSegment(side, S::kLeftWrist));
-    wrist = {{{{0, 0, 0.08 * fore}, {0, 0, -0.30 * fore}, 0.0385 * r, 0.0295 * r, dvec3(1.0)},
-              {{0, 0, -0.30 * fore}, {0, 0, -0.50 * fore}, 0.0280 * r, 0.0225 * r, {1.20, 0.96, 1.0}, kOn}},
-             0.04 * k_,
-             -1e9,
-             kSkinColor};
+    wrist = {{}, 0.04 * k_, -1e9, kSkinColor};
+    const double half = figure_.p_PS[indexOf(armSegment(side, S::kLeftWrist))].z;  // Below the elbow, negative.
+    limb(armSegment(side, S::kLeftWrist), tube, upper + 0.42 * fore, upper + 0.98 * fore, upper - half);
   }
 
   void hand(Side side) {
@@ -204,31 +213,12 @@ class Sculptor {
   }
 
   void leg(Side side) {
-    const double out = outwardSign(side), thigh = figure_.thighLength(), shank = figure_.shankLength();
-    const double top = std::min(0.5 * figure_.body[Dimension::kThighClearance], 0.60 * hip_);
-    Flesh& upper = of(legSegment(side, S::kLeftThigh));
-    upper = {{}, 0.06 * k_, -1e9, kTrousers};
-    upper.blobs.push_back(
-        {{0, out * 0.004 * k_, -0.005 * k_}, {0.004 * k_, 0, -0.45 * thigh}, 0.98 * top, 0.84 * top, dvec3(1.0)});
-    upper.blobs.push_back(
-        {{0.004 * k_, 0, -0.45 * thigh}, {0.002 * k_, 0, -thigh}, 0.84 * top, 0.0580 * g_, dvec3(1.0), kOn});
-    upper.blobs.push_back({{0.018 * k_, out * 0.008 * k_, -0.24 * thigh},
-                           {0.016 * k_, 0, -0.70 * thigh},
-                           0.80 * top,
-                           0.064 * g_,
-                           dvec3(1.0),
-                           kMuscle});
-    Flesh& lower = of(legSegment(side, S::kLeftShank));
-    lower = {{}, 0.05 * k_, -1e9, kTrousers};
-    lower.blobs.push_back({{0.004 * k_, 0, 0}, {0.002 * k_, 0, -0.34 * shank}, 0.0570 * g_, 0.0540 * g_, dvec3(1.0)});
-    lower.blobs.push_back(
-        {{0.002 * k_, 0, -0.34 * shank}, {0, 0, -0.97 * shank}, 0.0540 * g_, 0.0390 * g_, dvec3(1.0), kOn});
-    lower.blobs.push_back({{-0.020 * k_, 0, -0.16 * shank},
-                           {-0.014 * k_, 0, -0.52 * shank},
-                           0.048 * g_,
-                           0.040 * g_,
-                           dvec3(1.0),
-                           kMuscle});
+    const double thigh = figure_.thighLength(), shank = figure_.shankLength();
+    const SectionTube tube({0, 0, 0}, {0, 0, -1}, {0, 1, 0}, legSections(figure_, outwardSign(side)));
+    of(legSegment(side, S::kLeftThigh)) = {{}, 0.06 * k_, -1e9, kTrousers};
+    limb(legSegment(side, S::kLeftThigh), tube, -0.010 * k_, thigh, 0.0);
+    of(legSegment(side, S::kLeftShank)) = {{}, 0.05 * k_, -1e9, kTrousers};
+    limb(legSegment(side, S::kLeftShank), tube, thigh, thigh + 0.97 * shank, thigh);
   }
 
   void foot(Side side) {
@@ -270,7 +260,9 @@ class Sculptor {
 
   const Figure& figure_;
   std::vector<Flesh> flesh_;
-  double k_ = 1.0, g_ = 1.0, hip_ = 0.0, chest_ = 0.0, belly_ = 0.0, shoulder_ = 0.0;
+  const SectionTube trunk_;
+  std::array<dvec3, kSegmentCount> origins_{};
+  double k_ = 1.0, g_ = 1.0, hip_ = 0.0;
   bool female_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mannequin/blob_distance.h"
 #include "mannequin/surface_nets.h"
 
 namespace hapticell::mannequin {
@@ -23,6 +24,11 @@ double distanceTo(const Blob& blob, const dvec3& p, dvec3& across) {
 }
 
 }  // namespace
+
+double distanceTo(const Blob& blob, const dvec3& p) {
+  dvec3 across;
+  return distanceTo(blob, p, across);
+}
 
 double blended(double a, double b, double k) {
   const double h = std::max(0.0, k - std::abs(a - b)) / k;

@@ -14,12 +14,12 @@ namespace {
 constexpr double kEyeRadius = 0.0122;                              // m, of a man of 1.755 m.
 constexpr double kIris = 0.50, kPupil = 0.20;                      // rad about the line of sight.
 constexpr double kOverWhite = 1.010, kOverIris = 1.016;            // Of the eye's radius.
-constexpr double kLid = 1.075, kLidEdge = 1.02;                    // Of the eye's radius.
-constexpr double kUpperLid = 0.34, kLowerLid = -0.27;              // rad, in the middle.
+constexpr double kLid = 1.085, kLidEdge = 1.02;                    // Of the eye's radius.
+constexpr double kUpperLid = 0.24, kLowerLid = -0.23;              // rad, in the middle.
 constexpr double kCorner = 1.10;                                   // rad to the side where both lids meet.
 constexpr double kLidFrom = -1.45, kLidTo = 1.45, kLidEnd = 1.35;  // rad
 constexpr std::array<float, 3> kWhite{0.90f, 0.89f, 0.87f}, kIrisColor{0.33f, 0.24f, 0.17f},
-    kBlack{0.05f, 0.05f, 0.06f}, kLips{0.62f, 0.42f, 0.38f};
+    kBlack{0.05f, 0.05f, 0.06f}, kLips{0.66f, 0.46f, 0.41f};
 
 dvec3 onSphere(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
@@ -124,8 +124,8 @@ geometry::TriangleMesh lips(const HeadMeasures& m, const Flesh& head) {
       return kUnder + full * most * ends * std::sqrt(std::sin(M_PI * up));
     };
   };
-  geometry::TriangleMesh mesh = strip(m, head, -kHalf, kHalf, fold, bow, bulge(0.0042));
-  geometry::append(mesh, strip(m, head, -kHalf, kHalf, bottom, fold, bulge(0.0048)), Pose::identity());
+  geometry::TriangleMesh mesh = strip(m, head, -kHalf, kHalf, fold, bow, bulge(0.0030));
+  geometry::append(mesh, strip(m, head, -kHalf, kHalf, bottom, fold, bulge(0.0036)), Pose::identity());
   return mesh;
 }
 

@@ -140,4 +140,25 @@ geometry::TriangleMesh surfaceOf(const GridField& field) {
   return Nets(field).make();
 }
 
+void smoothSkin(geometry::TriangleMesh& mesh) {
+  constexpr int kPasses = 6;
+  constexpr double kInward = 0.55, kOutward = -0.58;
+  std::vector<dvec3> sum(mesh.vertices.size());
+  std::vector<double> count(mesh.vertices.size());
+  for (int pass = 0; pass < 2 * kPasses; ++pass) {
+    std::fill(sum.begin(), sum.end(), dvec3(0.0));
+    std::fill(count.begin(), count.end(), 0.0);
+    for (const geometry::Triangle& t : mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum[t[i]] += mesh.vertices[t[(i + 1) % 3]] + mesh.vertices[t[(i + 2) % 3]];
+        count[t[i]] += 2.0;
+      }
+    }
+    const double share = pass % 2 == 0 ? kInward : kOutward;
+    for (std::size_t v = 0; v < sum.size(); ++v) {
+      if (count[v] > 0.0) mesh.vertices[v] += share * (sum[v] / count[v] - mesh.vertices[v]);
+    }
+  }
+}
+
 }  // namespace hapticell::mannequin

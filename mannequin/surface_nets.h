@@ -20,4 +20,8 @@ struct GridField {
 /// vertex per cell that the surface crosses, at the mean of its crossings.
 geometry::TriangleMesh surfaceOf(const GridField& field);
 
+/// Rounds off what is as fine as the cells without shrinking: G. Taubin, "A signal processing approach to fair surface
+/// design" (1995), its pair of steps a few times.
+void smoothSkin(geometry::TriangleMesh& mesh);
+
 }  // namespace hapticell::mannequin

@@ -151,11 +151,7 @@ Expected<void> render(const RenderCommand& command, Diagnostics& diagnostics) {
   scene.setEntities(document->snapshotEntities());
   for (const workcell::Entity& entity : scene.entities()) {
     if (!entity.figure || !entity.visible) continue;
-    std::vector<double> joints = entity.joints;
-    joints.resize(entity.robot->dof(), 0.0);
-    SceneModel::Skin skin = makeSkin(entity, joints);
-    skin.alone = true;
-    scene.setSkin(entity.id, std::move(skin));
+    scene.setSkin(entity, figureSkin(*entity.figure));
   }
   const auto camera = cameraFor(command, *document, scene);
   if (!camera) return makeError(camera.error());

@@ -8,6 +8,7 @@
 
 #include "app/viewport/buffer_offset.h"
 #include "app/viewport/instance_buffer.h"
+#include "app/viewport/posed_mesh.h"
 #include "geometry/shapes.h"
 
 namespace hapticell::app {
@@ -34,6 +35,22 @@ double creaseSpacingOf(const DisplayMesh& mesh) {
   length *= static_cast<double>(edge_stride);
   area *= static_cast<double>(stride);
   return length > 0.0 ? area / length : std::numeric_limits<double>::infinity();
+}
+
+/// What brings its normals and coarser triangles is drawn as it is.
+DisplayMesh displayOf(const PosedMesh& mesh) {
+  DisplayMesh display;
+  display.bounds = mesh.bounds();
+  display.center = display.bounds.center();
+  display.closed = false;
+  display.vertices.reserve(mesh.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    display.vertices.push_back({fvec3(mesh.vertices[v] - display.center), mesh.normals[v]});
+  for (const PosedMesh::Step& step : *mesh.steps) {
+    display.steps.push_back({display.indices.size(), step.indices.size(), step.error});
+    display.indices.insert(display.indices.end(), step.indices.begin(), step.indices.end());
+  }
+  return display;
 }
 
 }  // namespace
@@ -129,18 +146,19 @@ void GpuMesh::drawEdges(std::size_t first, std::size_t count) {
 
 GpuMesh* GpuMeshCache::of(const RenderItem& item) {
   const std::shared_ptr<const geometry::TriangleMesh>& mesh = item.mesh;
-  const double crease_angle = item.smooth ? kSkinCrease : kPartCrease;
   Entry& entry = entries_[mesh.get()];
   entry.used = true;
   // An address that was reused by another mesh must not show the old one.
   if (entry.source.lock() != mesh) {
     entry = {};
     entry.source = mesh;
-    if (mesh->triangles.size() <= kSmallMesh && hasTime()) {
-      entry.mesh = wholeMesh(makeDisplayMesh(*mesh, crease_angle));
-      if (mesh->triangles.size() > kTinyMesh) entry.prepared = worker_.prepareLasting(mesh, crease_angle);
+    if (item.smooth) {
+      entry.mesh = wholeMesh(displayOf(static_cast<const PosedMesh&>(*mesh)));
+    } else if (mesh->triangles.size() <= kSmallMesh && hasTime()) {
+      entry.mesh = wholeMesh(makeDisplayMesh(*mesh));
+      if (mesh->triangles.size() > kTinyMesh) entry.prepared = worker_.prepareLasting(mesh, kPartCrease);
     } else {
-      entry.prepared = worker_.prepare(mesh, crease_angle);
+      entry.prepared = worker_.prepare(mesh, kPartCrease);
     }
   }
   if (!entry.mesh && !bring(entry)) left_over_ = true;

@@ -54,7 +54,7 @@ struct RenderItem {
   bool casts_shadow = true;
   Ghost ghost = Ghost::kNone;  ///< Ghosts are neither picked nor marked and cast no shadow.
   std::uint8_t pattern = 0;    ///< Over the colour: 0 plain, 1 hatched, 2 cross-hatched (scores).
-  bool smooth = false;         ///< A skin: shaded as one smooth surface and drawn without lines.
+  bool smooth = false;         ///< A skin: its mesh is a PosedMesh (posed_mesh.h); drawn without lines.
   bool borderless = false;     ///< No line where it borders on the item before it, of the same entity: lips on a face.
   bool keeps_shape = false;    ///< Held, or near what is: in motion it has the detail of the picture at rest.
   bool unseen = false;         ///< Only got onto the card, to be drawn later.

@@ -7,6 +7,7 @@
 #include "app/viewport/part_colors.h"
 #include "app/viewport/pen_look.h"
 #include "kinematics/robot_model.h"
+#include "mannequin/figure_model.h"
 #include "workcell/pair_policy.h"
 
 namespace hapticell::app {
@@ -155,33 +156,22 @@ void SceneModel::setExtras(const std::string& owner, std::vector<RenderItem> ext
   ++revision_;
 }
 
-void SceneModel::setSkin(workcell::EntityId entity, Skin skin) {
-  for (RenderItem& part : skin.parts) {
-    part.bounds_M = part.mesh->bounds();
-    part.entity = entity;
-  }
-  skins_[entity] = std::move(skin);
+void SceneModel::setSkin(const workcell::Entity& entity, std::shared_ptr<const mannequin::FigureSkin> skin) {
   ++revision_;
-}
-
-void SceneModel::showSkinAlone(workcell::EntityId entity) {
-  const auto found = skins_.find(entity);
-  if (found == skins_.end() || found->second.alone) return;
-  found->second.alone = true;
-  ++revision_;
+  skins_.erase(entity.id);
+  if (!skin || !entity.robot || !entity.figure) return;
+  Skin& own = skins_[entity.id];
+  own.figure = entity.figure;
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i)
+    own.bodies.push_back(mannequin::bodyOfLink(*entity.robot, static_cast<int>(i)));
+  own.skin = std::make_shared<PosedSkin>(std::move(skin));
 }
 
 const SceneModel::Skin* SceneModel::skinOf(const workcell::Entity& entity) const {
   const auto found = skins_.find(entity.id);
-  if (found == skins_.end() || found->second.robot != entity.robot) return nullptr;
-  if (playedOf(entity.id)) return nullptr;
-  const auto looks = looks_.find(entity.id);
-  if (looks == looks_.end() ? !found->second.looks.empty() : looks->second != found->second.looks) return nullptr;
-  if (snapshot_ && snapshot_->held == entity.id) return nullptr;
-  const std::vector<double> now = joints(entity);
-  const auto same = [](double a, double b) { return std::abs(a - b) < kSeen; };
-  const bool fits = std::equal(now.begin(), now.end(), found->second.joints.begin(), found->second.joints.end(), same);
-  return fits ? &found->second : nullptr;
+  if (found == skins_.end() || !entity.robot || found->second.figure != entity.figure) return nullptr;
+  if (found->second.bodies.size() != entity.robot->links.size()) return nullptr;
+  return &found->second;
 }
 
 void SceneModel::forgetCell() {
@@ -278,15 +268,31 @@ void SceneModel::appendShapes(const workcell::Entity& entity, const Pose& X_WE, 
   }
 }
 
-void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
-  const std::size_t first = items.size();
-  const Skin* skin = skinOf(entity);
-  if (!skin || !skin->alone) appendShapes(entity, placement_W(entity), joints(entity), items);
-  for (std::size_t i = 0; skin && i < skin->parts.size(); ++i) {
-    items.push_back(skin->parts[i]);
-    items.back().X_WM = placement_W(entity);
-    items.back().unseen = !skin->alone;  // Drawn with the links it would show through them, and they through it.
+void SceneModel::appendSkin(const workcell::Entity& entity, const Skin& skin, std::vector<RenderItem>& items) const {
+  const auto looks = looks_.find(entity.id);
+  std::vector<PosedSkin::BodyLook> bodies(mannequin::kBodies);
+  for (std::size_t i = 0; i < entity.robot->links.size(); ++i) {
+    const int body = skin.bodies[i];
+    if (body < 0) continue;
+    PosedSkin::BodyLook& look = bodies[static_cast<std::size_t>(body)];
+    look.state = marks(entity, entity.robot->links[i].name);
+    if (looks == looks_.end()) continue;
+    if (const auto own = looks->second.find(static_cast<int>(i)); own != looks->second.end()) look.own = own->second;
   }
+  std::vector<double> now = joints(entity);
+  now.resize(entity.robot->dof(), 0.0);
+  const Pose X_WE = placement_W(entity);
+  for (const RenderItem& item : skin.skin->items(mannequin::toPosture(*entity.figure, {Pose::identity(), now}), bodies)) {
+    items.push_back(item);
+    items.back().X_WM = X_WE;
+    items.back().entity = entity.id;
+  }
+}
+
+void SceneModel::appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const {
+  if (const Skin* skin = skinOf(entity)) return appendSkin(entity, *skin, items);
+  const std::size_t first = items.size();
+  appendShapes(entity, placement_W(entity), joints(entity), items);
   for (std::size_t i = first; i < items.size(); ++i) {
     const int link = items[i].link;
     const auto looks = looks_.find(entity.id);

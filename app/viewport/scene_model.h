@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/viewport/posed_skin.h"
 #include "app/viewport/render_item.h"
 #include "app/viewport/stylus_mesh.h"
 #include "manipulation/scene_snapshot.h"
@@ -48,18 +49,11 @@ class SceneModel {
   void setExtras(const std::string& owner, std::vector<RenderItem> extras);
   /// Empty where all links have their own colour.
   std::map<int, LinkLook> linkLooks(workcell::EntityId entity) const;
-  /// One smooth skin in place of a jointed entity's links, as long as its joints and looks are those: parts in the
-  /// entity's frame, each of a colour. Not while it is held or played. Until `alone` the links are drawn and the
-  /// skin is only got onto the card, so that nothing flickers.
-  struct Skin {
-    std::shared_ptr<const kinematics::RobotModel> robot;  ///< Whose skin it is: another size needs another.
-    std::vector<double> joints;
-    std::vector<RenderItem> parts;  ///< Mesh, colour and pattern.
-    bool alone = false;
-    std::map<int, LinkLook> looks{};  ///< Of the links as they are in the parts' colours.
-  };
-  void setSkin(workcell::EntityId entity, Skin skin);
-  void showSkinAlone(workcell::EntityId entity);
+  /// One smooth skin in place of a figure's links, at rest, held and played; null takes it away. Whose figure has
+  /// another size by now has its links until it has a skin of its own.
+  void setSkin(const workcell::Entity& entity, std::shared_ptr<const mannequin::FigureSkin> skin);
+  /// Whether an entity's skin is drawn now.
+  bool hasSkin(const workcell::Entity& entity) const { return skinOf(entity) != nullptr; }
   /// Another document follows: ghosts, looks, extras, skins and what is played are dropped.
   void forgetCell();
   /// Entities that are shown elsewhere than they stand: a motion that is played. Empty ends it.
@@ -98,8 +92,14 @@ class SceneModel {
   std::uint32_t setColorOf(const manipulation::PairState& pair) const;
   geometry::Bounds boundsOf_M(const std::shared_ptr<const geometry::TriangleMesh>& mesh) const;
   void appendItems(const workcell::Entity& entity, std::vector<RenderItem>& items) const;
+  struct Skin {
+    std::shared_ptr<const mannequin::Figure> figure;
+    std::vector<int> bodies;          ///< Of each link of the model; -1: none.
+    std::shared_ptr<PosedSkin> skin;  ///< Keeps what was drawn last.
+  };
   /// The skin that is to be drawn now; null: the links.
   const Skin* skinOf(const workcell::Entity& entity) const;
+  void appendSkin(const workcell::Entity& entity, const Skin& skin, std::vector<RenderItem>& items) const;
   /// Shapes where they stand for this placement and these joints, without marks.
   void appendShapes(const workcell::Entity& entity, const Pose& X_WE, std::vector<double> joints,
                     std::vector<RenderItem>& items) const;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "geometry/assertion.h"
+#include "haptic/devices/hand_path_units.h"
 
 namespace hapticell::haptic {
 
@@ -61,7 +62,9 @@ class Parser {
       if (!done) return makeError(done.error());
     }
     if (samples_.empty()) return makeError({name_, "", "there is no row", "a header line and at least one row", ""});
-    return HandPath(std::move(samples_));
+    auto assumed = recogniseHandUnits(samples_, name_);
+    if (!assumed) return makeError(assumed.error());
+    return HandPath(std::move(samples_), std::move(*assumed));
   }
 
  private:
@@ -122,7 +125,8 @@ class Parser {
 
 }  // namespace
 
-HandPath::HandPath(std::vector<HandSample> samples) : samples_(std::move(samples)) {
+HandPath::HandPath(std::vector<HandSample> samples, std::vector<std::string> assumptions)
+    : samples_(std::move(samples)), assumptions_(std::move(assumptions)) {
   HAPTICELL_DEMAND(!samples_.empty());
   HAPTICELL_DEMAND(std::is_sorted(samples_.begin(), samples_.end(),
                                   [](const HandSample& a, const HandSample& b) { return a.t < b.t; }));

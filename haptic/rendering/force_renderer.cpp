@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "haptic/rendering/proxy_metric.h"
 
@@ -27,6 +28,8 @@ constexpr double kOldestAge = 1.0;                           // s that a moving 
 constexpr double kOrderLasts = 2.5;                          // s that a set's number shuts lower ones out.
 constexpr double kDamperFade = 0.01;                         // s.
 constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
+constexpr double kAtRest = 0.3e-3, kRested = 0.2;            // m that a hand at rest stays within, and for so many s.
+constexpr double kCreepPower = 0.25e-3;                      // W, what the ration gives.
 constexpr double kMostMade = 0.36e-3;                        // J within a second: then nothing unpaid up to kSoft.
 
 /// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
@@ -78,14 +81,14 @@ void ForceRenderer::noteApplied(const dvec3& force_D, const dvec3& torque_D) {
 }
 
 void ForceRenderer::reset(const Pose& X_DS) {
-  has_set_ = offered_ = contact_ = late_ = arriving_ = false;
+  has_set_ = offered_ = contact_ = late_ = arriving_ = jumped_ = false;
   damper_ = 0.0;
   load_.reset();
   load_D_ = dvec3(0.0);
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
   offset_D_ = stretch_D_ = trust_D_ = v_stylus_D_ = v_slow_D_ = v_proxy_D_ = {};
-  yield_ = 0.0;
+  yield_ = resting_ = 0.0;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
   last_ = {};
@@ -271,6 +274,33 @@ MetricVector ForceRenderer::borne(const MetricVector& stretch_D) {
   return (1.0 - yield_ / size) * stretch_D;
 }
 
+/// After a jump: the spring has not been stretched, it is made anew where the stylus is now. Its force goes on from
+/// what it was, and comes to the new one by the offset's decay. Returns the proxy's step.
+MetricVector ForceRenderer::beginAnew(const ProxyStep& solved, const MetricVector& stretch_D) {
+  trust_D_ = solved.trust_D;
+  stretch_D_ = stretch_D;
+  yield_ = 0.0;
+  const MetricVector new_D = borne(stretch_D);
+  offset_D_ = solved.contact ? (1.0 / stiffness_) * last_.spring - new_D : MetricVector{};
+  ration_.grant(0.5 * stiffness_ * dot(new_D, new_D));
+  return {};
+}
+
+/// A spring that has yielded is not what it should be for ever: under a hand that rests it comes back. It goes into the
+/// offset, no faster than that can come back by the ration.
+void ForceRenderer::creepBack(const ProxyStep& solved, const MetricVector& stretch_D, double dt) {
+  resting_ = length(mover_.way(stylus_, rest_)) < kAtRest ? resting_ + dt : 0.0;
+  if (resting_ == 0.0) rest_ = stylus_;
+  const double size = length(stretch_D);
+  if (yield_ <= 0.0 || !solved.contact || size <= 0.0 || resting_ < kRested) return;
+  const double least = std::max(0.0, size - forceLimit(stretch_D) / stiffness_);
+  const double pull = std::max(stiffness_ * (size - yield_), kPull);
+  const double most = std::min(kOffsetDecay * dt / kMillisecond, kCreepPower * dt / pull);
+  const double back = std::clamp(yield_ - least, 0.0, most);
+  yield_ -= back;
+  offset_D_ -= (back / size) * stretch_D;
+}
+
 void ForceRenderer::updateSpring(const ProxyStep& solved, const MetricVector& stretch_D,
                                  const MetricVector& relative_step, double dt) {
   const bool free = solved.active_rows == 0 && offset_D_ == MetricVector{};
@@ -287,7 +317,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   dt = std::isfinite(dt) ? std::clamp(dt, 1e-5, 0.1) : kMillisecond;
   if (!started_) reset(X_DS_measured);
   const Pose X_DS = X_DS_measured.isValid() ? X_DS_measured : stylus_;
-  const MetricVector stylus_step = mover_.way(X_DS, stylus_);
+  const bool jumped = std::exchange(jumped_, false);
+  const MetricVector stylus_step = jumped ? MetricVector{} : mover_.way(X_DS, stylus_);
   since_adoption_ += dt;
   sets_[current_].age = std::min(sets_[current_].age + dt, kOldestAge);
 
@@ -302,7 +333,8 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   const MetricVector stretch_D = stretchOf(solved, X_DS);
   const bool late = isLate(solved);
   if (late) solved.contact = false;
-  const MetricVector proxy_step = takeOutJump(solved, stretch_D, jump, stylus_step, dt);
+  const MetricVector proxy_step =
+      jumped ? beginAnew(solved, stretch_D) : takeOutJump(solved, stretch_D, jump, stylus_step, dt);
   // A proxy that needs several ticks to come goes by itself: what it drags along by the damper nobody has paid for.
   const bool catches_up = length(solved.lag_D) > 0.0;
   filterVelocities(stylus_step, catches_up ? stylus_step : proxy_step, dt);
@@ -314,6 +346,7 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   passivity_.step(solved.contact, dt);
   // A stiffer one trembles, and what that makes is its own.
   const double room = kMostMade - passivity_.recentLoss();
+  creepBack(solved, stretch_D, dt);
   ration_.limit(options_.stiffness > kSoft ? kMostMade : std::max(0.0, room));
   updateSpring(solved, stretch_D, relative_step, dt);
   proxy_ = solved.X_DP;

@@ -92,6 +92,11 @@ class ForceRenderer {
   /// Without this call the account takes the wanted force.
   void noteApplied(const dvec3& force_D, const dvec3& torque_D = dvec3(0.0));
 
+  /// The next tick's stylus has not gone there: it is found there (SampleGate::Verdict::kJumped). Nothing that the way
+  /// would have done is booked or remembered: the force goes on from what it was, and is the true one of the new place
+  /// within 0.1 s up to 5 N.
+  void noteJump() { jumped_ = true; }
+
   /// What the hand carries from the next tick on; it makes its force besides the contacts' and has no part in their
   /// energy account. reset() keeps it, but begins it anew.
   void setLoad(const LoadOptions& load) { load_.setOptions(load); }
@@ -126,6 +131,8 @@ class ForceRenderer {
   void decayOffset(const ProxyStep& solved, const MetricVector& stylus_step, double dt);
   void updateCoupling(const ProxyStep& solved, double dt);
   void updateDamper(bool catches_up, double dt);
+  MetricVector beginAnew(const ProxyStep& solved, const MetricVector& stretch_D);
+  void creepBack(const ProxyStep& solved, const MetricVector& stretch_D, double dt);
   void updateSpring(const ProxyStep& solved, const MetricVector& stretch_D, const MetricVector& relative_step,
                     double dt);
   dvec3 pullOf(const Pose& X_DS) const;
@@ -153,6 +160,8 @@ class ForceRenderer {
   MetricVector stretch_D_;  ///< Of the last tick, before it yields.
   MetricVector trust_D_;    ///< Of the last tick: see ProxyStep::trust_D.
   double yield_ = 0.0;      ///< By how much the spring has yielded, m.
+  Pose rest_;               ///< Where the stylus rests,
+  double resting_ = 0.0;    ///< and since when, s.
   double force_limit_ = kNoLimit;
   MetricVector v_stylus_D_, v_proxy_D_;
   MetricVector v_slow_D_;  ///< The stylus's for the passivity controller, more filtered.
@@ -163,7 +172,8 @@ class ForceRenderer {
   PassivityController passivity_;
   SpringRation ration_;
   bool contact_ = false;
-  bool late_ = false;  ///< The proxy comes out of free air after the stylus and has not arrived: nothing presses yet.
+  bool jumped_ = false;  ///< See noteJump().
+  bool late_ = false;    ///< The proxy comes out of free air after the stylus and has not arrived: nothing presses yet.
   bool arriving_ = false;  ///< The proxy has caught up from far off: its damping comes back by and by.
   double damper_ = 0.0;    ///< Share of the coupling's damping that acts.
 };

@@ -13,6 +13,7 @@ constexpr double kControllerStep = 0.1;   // N s/m per millisecond.
 constexpr double kControllerLimit = 5.0;  // N s/m.
 constexpr double kSlice = 0.05;           // s of the ring of highest balances.
 constexpr double kUnpaidPower = 2.5e-4;   // W that the spring may gain without the hand's work.
+constexpr double kGrantLasts = 0.15;      // s.
 constexpr double kUnpaidBudget = 1.5e-4;  // J, the same at once.
 
 }  // namespace
@@ -53,6 +54,12 @@ void PassivityController::step(bool contact, double dt) {
 
 void SpringRation::reset() {
   budget_ = kUnpaidBudget;
+  grant_ = grant_lasts_ = 0.0;
+}
+
+void SpringRation::grant(double energy) {
+  grant_ = energy;
+  grant_lasts_ = kGrantLasts;
 }
 
 MetricVector SpringRation::apply(const MetricVector& stretch, double stiffness, const HeldSpring& last,
@@ -65,12 +72,16 @@ MetricVector SpringRation::apply(const MetricVector& stretch, double stiffness, 
   const double paid = held - dot(last.applied, step) - std::min(0.0, damped);
   const double unpaid = storedEnergy(pull, stiffness, last.limit) - paid;
   budget_ = std::min(budget_, room_);
-  if (unpaid <= budget_) {
-    budget_ -= std::max(0.0, unpaid);
+  grant_lasts_ = std::max(0.0, grant_lasts_ - dt);
+  if (grant_lasts_ <= 0.0) grant_ = 0.0;
+  if (unpaid <= budget_ + grant_) {
+    const double granted = std::clamp(unpaid, 0.0, grant_);
+    grant_ -= granted;
+    budget_ -= std::max(0.0, unpaid - granted);
     return stretch;
   }
-  const double allowed = springThatStores(paid + budget_, stiffness, last.limit);
-  budget_ = 0.0;
+  const double allowed = springThatStores(paid + budget_ + grant_, stiffness, last.limit);
+  budget_ = grant_ = 0.0;
   return std::min(1.0, allowed / pull) * stretch;
 }
 

@@ -58,13 +58,17 @@ class SpringRation {
   void reset();
   /// From now on the spring gains at most this without the hand's work (J, 0 or more), until it is told anew.
   void limit(double room) { room_ = room; }
+  /// Besides, once and for 0.15 s, `energy` J: what a spring holds that was made anew and not stretched.
+  void grant(double energy);
   /// `stretch` (m) shortened as far as needed; the stylus has gone `step` since `last`.
   MetricVector apply(const MetricVector& stretch, double stiffness, const HeldSpring& last, const MetricVector& step,
                      double dt);
 
  private:
-  double budget_ = 0.0;  ///< J that the spring may still gain without the hand's work.
-  double room_ = 1.0;    ///< J, the most that budget_ may be; as good as none until limit() is called.
+  double budget_ = 0.0;       ///< J that the spring may still gain without the hand's work.
+  double grant_ = 0.0;        ///< J of grant() that are left,
+  double grant_lasts_ = 0.0;  ///< and for how long, s.
+  double room_ = 1.0;         ///< J, the most that budget_ may be; as good as none until limit() is called.
 };
 
 }  // namespace hapticell::haptic

@@ -77,8 +77,8 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
   step.X_DP = X_DP;
   ProxyRows rows;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    rows.gather(grouped, step.X_DP);
     const Vector6 wanted = metricDifference(X_DS, step.X_DP);
+    rows.gather(grouped, step.X_DP, asVector6(limited(metricVector(wanted), kLongestMove)));
     const SolverResult result = nearestUnentered(rows.all(), wanted);
     MetricVector d = metricVector(result.d);
     step.X_DG = displacedInMetric(step.X_DP, result.d);

@@ -69,14 +69,17 @@ Vector6 GroupedSet::seenFrom(std::size_t entry, const Vector6& xi) const {
   return {xi[0] - gone.x, xi[1] - gone.y, xi[2] - gone.z, xi[3], xi[4], xi[5]};
 }
 
-void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
+void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP, const Vector6& wish) {
   const Twist motion = difference(X_DP, grouped.set.X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
   count = grouped.groups;
-  for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
+  for (std::size_t i = 0; i < count; ++i) {
+    row[i] = {{}, -1e9, false};
+    freest_[i] = -1e9;
+  }
   for (std::size_t i = 0; i < grouped.set.count; ++i) {
     if (grouped.set.constraints[i].kind == ConstraintKind::kPull) continue;
-    offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi));
+    offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi), wish);
   }
   // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
   for (std::size_t i = 0; i < count; ++i) {
@@ -85,7 +88,16 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   addTrustRow(grouped.set, joined(motion.linear, kRotationLever * motion.angular));
 }
 
-void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi) {
+/// Freer than what the slot has; of two that are as free, freer ahead.
+bool ProxyRows::beats(const Offer& offer, std::size_t slot) const {
+  const double slack = offer.row.slack;
+  if (slack < freest_[slot] - kTie) return false;
+  if (row[slot].slack < slack - kTie) return true;
+  return offer.ahead != ahead_[slot] ? offer.ahead > ahead_[slot] : slack > row[slot].slack;
+}
+
+void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi,
+                      const Vector6& wish) {
   const dvec3 theta = angularPart(xi);
   Vector6 gradient{};
   double value = evaluateWithGradient(constraint, xi, gradient);
@@ -105,10 +117,16 @@ void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& con
       slack = trim / trim_length;
     }
   }
-  if (slack <= row[slot].slack) return;
-  row[slot].slack = slack;
-  row[slot].equality = equality;
-  for (std::size_t i = 0; i < 6; ++i) row[slot].normal[i] = gradient[i] / length;
+  Offer made{{{}, slack, equality}, slack};
+  for (std::size_t i = 0; i < 6; ++i) {
+    made.row.normal[i] = gradient[i] / length;
+    made.ahead += made.row.normal[i] * wish[i];
+  }
+  const bool better = beats(made, slot);
+  freest_[slot] = std::max(freest_[slot], slack);
+  if (!better) return;
+  row[slot] = made.row;
+  ahead_[slot] = made.ahead;
   entry[slot] = static_cast<std::uint8_t>(index);
 }
 

@@ -31,18 +31,31 @@ struct GroupedSet {
 inline constexpr double kTrustedShare = 0.995;
 
 /// The half-spaces of one set about one proxy pose: one row a group, from the group's entry that is freest, and the
-/// trust row last, which keeps the proxy inside the set's zone.
+/// trust row last, which keeps the proxy inside the set's zone. Of entries that are as free as the freest, up to kTie,
+/// the one counts that the wish goes against least: where two bodies lie flush, a proxy that slides from one to the
+/// other is as free by the top of the second as by its hidden side, and only the side would stop it.
 struct ProxyRows {
   std::array<SolverRow, kMaxRows> row;
   std::array<std::uint8_t, kMaxRows> entry{};  ///< The entry that each group's row comes from.
   std::size_t count = 0;
 
   std::span<const SolverRow> all() const { return {row.data(), count}; }
-  void gather(const GroupedSet& grouped, const Pose& X_DP);
+  /// `wish` in the proxy's metric, m: where it would go next, no farther than one move of it.
+  void gather(const GroupedSet& grouped, const Pose& X_DP, const Vector6& wish = {});
+  static constexpr double kTie = 1e-6;  ///< m: more than what a solved row is off, less than anything is thick.
 
  private:
-  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi);
+  /// An entry's row, and how free the wish would leave it.
+  struct Offer {
+    SolverRow row;
+    double ahead = 0.0;
+  };
+  bool beats(const Offer& offer, std::size_t slot) const;
+  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi, const Vector6& wish);
   void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
+
+  std::array<double, kMaxRows> ahead_{};   ///< Of the entry that each group's row comes from,
+  std::array<double, kMaxRows> freest_{};  ///< and the slack of its freest one.
 };
 
 }  // namespace hapticell::haptic

@@ -189,7 +189,10 @@ void SafetyChain::stepTemperature(double reported, double dt) noexcept {
     load = std::max(load, glm::dot(torque_.last, torque_.last) / (continuous * continuous));
   }
   temperature_ += (load - temperature_) * (1.0 - std::exp(-dt / options_.thermal_time));
-  if (reported > temperature_ && reported <= 2.0) temperature_ = reported;
+  const double plausible = reported >= 0.0 && reported <= 2.0 ? reported : 0.0;
+  // What one report alone says is not believed: it would hold the force down for a minute.
+  temperature_ = std::max(temperature_, std::min({plausible, reported_[0], reported_[1]}));
+  reported_ = {plausible, reported_[0]};
 }
 
 }  // namespace hapticell::haptic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "geometry/vector.h"
@@ -110,6 +111,7 @@ class SafetyChain {
   double ramp_ = 0.0;
   double fade_ = 1.0;
   double temperature_ = 0.0;
+  std::array<double, 2> reported_{};  ///< What the device said of it in the two ticks before.
   bool needs_new_enable_ = false;
 };
 

@@ -58,7 +58,7 @@ ForceLoop::ForceLoop(Device& device, const Clock& clock, const ForceLoopOptions&
       statistics_(options.rate_hz),
       log_(options.log_ticks) {
   HAPTICELL_DEMAND(options.rate_hz >= 1.0 && options.rate_hz <= 1e5);
-  readDevice();
+  readDevice(period_);
   renderer_.reset(reading_.X_DS);
 }
 
@@ -99,7 +99,7 @@ void ForceLoop::tick(const TickTiming& timing) noexcept {
   takeMessages(now);
   watchStalls(timing);
   if (simulated_ != nullptr) simulated_->advance(dt);
-  readDevice();
+  readDevice(dt);
   // A weight must not keep the gate shut that opens only on a small force.
   const bool pushes = safety_result_.gate == GateState::kRamping || safety_result_.gate == GateState::kOpen;
   renderer_.setLoad(pushes ? control_.load : LoadOptions{});
@@ -215,7 +215,7 @@ void ForceLoop::record(std::int64_t now, const TickTiming& timing) noexcept {
   faults_.add(sample);
 }
 
-void ForceLoop::readDevice() noexcept {
+void ForceLoop::readDevice(double dt) noexcept {
   DeviceReading reading;
   const bool fault = device_.read(reading) != DeviceStatus::kOk;
   const Pose last = reading_.X_DS;
@@ -224,6 +224,10 @@ void ForceLoop::readDevice() noexcept {
     reading_.X_DS = last;
     faults_.trigger(FaultKind::kInput);
   }
+  const SampleGate::Verdict verdict = gate_.judge(reading_.X_DS, dt);
+  reading_.X_DS = gate_.believed();
+  if (verdict == SampleGate::Verdict::kRefused) statistics_.addRefusedSample();
+  if (verdict == SampleGate::Verdict::kJumped) renderer_.noteJump();
   if (fault && !device_fault_) {
     safety_.trip();
     faults_.trigger(FaultKind::kDevice);

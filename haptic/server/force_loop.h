@@ -8,6 +8,7 @@
 #include "haptic/protocol/messages.h"
 #include "haptic/rendering/force_renderer.h"
 #include "haptic/rendering/safety_chain.h"
+#include "haptic/rendering/sample_gate.h"
 #include "haptic/rendering/triple_buffer.h"
 #include "haptic/server/clock.h"
 #include "haptic/server/fault_recorder.h"
@@ -116,7 +117,7 @@ class ForceLoop {
   void takeHandTarget() noexcept;
   void watchStalls(const TickTiming& timing) noexcept;
   void record(std::int64_t now, const TickTiming& timing) noexcept;
-  void readDevice() noexcept;
+  void readDevice(double dt) noexcept;
   void guardAndWrite(std::int64_t now, double dt) noexcept;
   void publish(std::int64_t now, const TickTiming& timing) noexcept;
   void publishFigures(std::int64_t now) noexcept;
@@ -139,6 +140,7 @@ class ForceLoop {
   // Force thread's own.
   ForceRenderer renderer_;
   SafetyChain safety_;
+  SampleGate gate_;
   LoopStatistics statistics_;
   TickLog log_;
   bool running_ = true;

@@ -50,7 +50,12 @@ std::string loopReport(const LoopFigures& figures) {
          print(
              "Sets of contacts: age in ms p50 %.1f, p99 %.1f, last seconds; %llu late, %llu refused since the start.\n",
              1e3 * figures.recent_set_age.percentile(0.5), 1e3 * figures.recent_set_age.percentile(0.99),
-             static_cast<unsigned long long>(figures.late_sets), static_cast<unsigned long long>(figures.refused_sets));
+             static_cast<unsigned long long>(figures.late_sets),
+             static_cast<unsigned long long>(figures.refused_sets)) +
+         (figures.refused_samples == 0
+              ? std::string()
+              : print("Samples of the stylus that no hand can have made, not answered: %llu (a cable or an encoder).\n",
+                      static_cast<unsigned long long>(figures.refused_samples)));
 }
 
 }  // namespace hapticell::haptic

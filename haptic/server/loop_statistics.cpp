@@ -59,6 +59,7 @@ void LoopStatistics::collect(std::int64_t now, LoopFigures& figures) noexcept {
   figures.missed = missed_;
   figures.late_sets = late_sets_;
   figures.refused_sets = refused_sets_;
+  figures.refused_samples = refused_samples_;
   figures.lateness = lateness_;
   figures.recent_lateness = recent_[0].lateness;
   figures.recent_lateness.merge(recent_[1].lateness);

@@ -20,6 +20,7 @@ struct LoopFigures {
   DurationHistogram recent_set_age;   ///< From a set's query to its adoption, last 5 to 10 s.
   std::uint64_t late_sets = 0;        ///< Adopted when older than kLateSetAge, since the start.
   std::uint64_t refused_sets = 0;     ///< Not adopted, since the start.
+  std::uint64_t refused_samples = 0;  ///< Of the stylus, that no hand can have made; since the start.
 };
 
 /// What the heart-beats of the controlling client tell, seconds.
@@ -42,6 +43,8 @@ class LoopStatistics {
   void addSetAge(std::int64_t age_ns) noexcept;
   /// A set was not adopted: the one before is held.
   void addRefusedSet() noexcept { ++refused_sets_; }
+  /// A sample of the stylus was not believed: see SampleGate.
+  void addRefusedSample() noexcept { ++refused_samples_; }
 
   /// True about ten times a second.
   bool due() const noexcept { return ticks_since_figures_ >= ticks_between_; }
@@ -60,7 +63,7 @@ class LoopStatistics {
   std::uint32_t ticks_between_;
   std::uint32_t ticks_since_figures_ = 0;
   std::uint64_t ticks_ = 0, missed_ = 0;
-  std::uint64_t late_sets_ = 0, refused_sets_ = 0;
+  std::uint64_t late_sets_ = 0, refused_sets_ = 0, refused_samples_ = 0;
   DurationHistogram lateness_;
   std::array<Window, 2> recent_{};  // Five seconds each; the older one is cleared when the newer is full.
   std::size_t newest_ = 0;

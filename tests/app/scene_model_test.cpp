@@ -5,6 +5,7 @@
 
 #include "app/viewport/pen_look.h"
 #include "geometry/shapes.h"
+#include "mannequin/figure_model.h"
 
 namespace hapticell::app {
 namespace {
@@ -121,53 +122,52 @@ TEST(SceneModel, MarksAreOnWhatIsTouchedAndWhatIsHeld) {
   EXPECT_EQ(items[2].state, kNearMiss);
 }
 
-TEST(SceneModel, ASkinStandsForTheLinksAsLongAsTheJointsAreItsOwn) {
+TEST(SceneModel, AFigureInItsSkinIsDrawnByLooksAndMarksWhereverItsJointsAre) {
   SceneModel scene;
-  const workcell::Entity robot = turntable(2);
-  scene.setEntities({robot});
-  RenderItem part;
-  part.mesh = box();
-  scene.setSkin(2, {robot.robot, {0.0}, {part, part}, false});
-  ASSERT_EQ(scene.items({}).size(), 3u);
-  EXPECT_FALSE(scene.items({})[0].unseen) << "the links are seen until it is ready";
-  EXPECT_TRUE(scene.items({})[1].unseen && scene.items({})[2].unseen) << "not both: each would show through the other";
-  scene.showSkinAlone(2);
-  ASSERT_EQ(scene.items({}).size(), 2u);
-  EXPECT_FALSE(scene.items({})[0].unseen || scene.items({})[1].unseen);
-  EXPECT_EQ(scene.items({})[0].entity, 2u);
-  scene.setLinkLooks(2, {{1, LinkLook{}}});
-  EXPECT_EQ(scene.items({}).size(), 1u) << "a link's own colour wants the link, or a skin in that colour";
-  EXPECT_EQ(scene.linkLooks(2).size(), 1u);
-  RenderItem hatched = part;
-  hatched.color = {1.0f, 0.0f, 0.0f};
-  hatched.pattern = 2;
-  scene.setSkin(2, {robot.robot, {0.0}, {hatched, part}, true, {{1, LinkLook{}}}});
-  ASSERT_EQ(scene.items({}).size(), 2u);
-  EXPECT_EQ(scene.items({})[0].pattern, 2) << "colour and pattern are the skin's, not quietened";
-  EXPECT_EQ(scene.items({})[0].color, hatched.color);
-  scene.setLinkLooks(2, {{1, LinkLook{{0.0f, 0.0f, 1.0f}, 1}}});
-  EXPECT_EQ(scene.items({}).size(), 1u) << "other colours want another skin";
+  workcell::Entity figure;
+  figure.id = 2;
+  figure.name = "operator";
+  figure.kind = workcell::EntityKind::kMannequin;
+  figure.figure = std::make_shared<const mannequin::Figure>(*mannequin::makeFigure({mannequin::Sex::kFemale, 1.62}));
+  figure.robot = mannequin::figureModel(*figure.figure);
+  figure.joints.assign(figure.robot->dof(), 0.0);
+  scene.setEntities({figure});
+  const std::size_t links = scene.items({}).size();
+  EXPECT_GT(links, 50u);
+  const auto skin = std::make_shared<const mannequin::FigureSkin>(*figure.figure);
+  scene.setSkin(figure, skin);
+  ASSERT_EQ(scene.items({}).size(), 12u);
+  EXPECT_TRUE(scene.hasSkin(figure));
+  for (const RenderItem& item : scene.items({})) EXPECT_TRUE(item.smooth && item.entity == 2 && item.link == -1);
+  EXPECT_EQ(scene.items({})[0].mesh, scene.items({})[0].mesh) << "made once while nothing changes";
+  const int hand = figure.robot->findLink("r_hand");
+  scene.setLinkLooks(2, {{hand, LinkLook{{1.0f, 0.0f, 0.0f}, 2}}});
+  const auto looked = scene.items({});
+  ASSERT_EQ(looked.size(), 13u);
+  EXPECT_EQ(std::count_if(looked.begin(), looked.end(), [](const RenderItem& item) { return item.pattern == 2; }), 1)
+      << "colour and pattern are the link's own";
   scene.setLinkLooks(2, {});
-  EXPECT_EQ(scene.items({}).size(), 1u) << "and no colours the plain one";
-  scene.setSkin(2, {robot.robot, {0.0}, {part, part}, true});
-  scene.setPlayed({{2, Pose::identity(), {0.0}}});
-  EXPECT_EQ(scene.items({}).size(), 1u);
-  scene.setPlayed({});
   manipulation::SceneSnapshot snapshot;
-  snapshot.entities.push_back({2, Pose::translation({0, 0, 1}), {0.0}, false, false});
-  scene.setSnapshot(snapshot);
-  ASSERT_EQ(scene.items({}).size(), 2u);
-  EXPECT_EQ(scene.items({})[1].X_WM.p, dvec3(0, 0, 1)) << "it goes along";
-  snapshot.entities[0].joints = {0.3};
-  scene.setSnapshot(snapshot);
-  EXPECT_EQ(scene.items({}).size(), 1u);
-  snapshot.entities[0].joints = {0.0};
+  std::vector<double> joints(figure.robot->dof(), 0.0);
+  joints[mannequin::indexOf(mannequin::Dof::kRightShoulderFlexion)] = 1.5;
+  snapshot.entities.push_back({2, Pose::translation({0, 0, 1}), joints, false, false});
+  manipulation::PairState touching;
+  touching.moved = 1;
+  touching.other = 2;
+  touching.other_part = "r_hand";
+  touching.contact = true;
+  snapshot.pairs = {touching};
   snapshot.held = 2;
   scene.setSnapshot(snapshot);
-  EXPECT_EQ(scene.items({}).size(), 1u);
-  scene.setSnapshot(std::nullopt);
-  scene.setEntities({turntable(2)});
-  EXPECT_EQ(scene.items({}).size(), 1u) << "of another size";
+  const auto held = scene.items({});
+  ASSERT_EQ(held.size(), 13u) << "held, it keeps its skin; what touches is marked";
+  EXPECT_EQ(std::count_if(held.begin(), held.end(), [](const RenderItem& item) { return item.state & kContact; }), 1);
+  EXPECT_EQ(held[0].X_WM.p, dvec3(0, 0, 1)) << "it goes along";
+  EXPECT_GT(scene.boundsOf_W(2).max.x, 0.5) << "the hand ahead";
+  workcell::Entity other = figure;
+  other.figure = std::make_shared<const mannequin::Figure>(*figure.figure);
+  scene.setEntities({other});
+  EXPECT_FALSE(scene.hasSkin(other)) << "another size wants another skin";
 }
 
 TEST(SceneModel, RevisionTellsWhetherAPictureWouldDiffer) {

@@ -361,6 +361,23 @@ def test_session_refuses_what_is_unknown_or_said_twice(case):
     assert "'scale' twice" in case.run(*words, "--set", "scale=1", "--set", "scale=2", expect=2)
 
 
+def test_a_hand_path_of_a_clock_in_millimetres_is_recognised(case):
+    plain = session_on_a_table(case, "--trace", "plain.csv")
+    assert plain["assumptions"] == [], plain["assumptions"]
+    rows = [line.split(",") for line in (case.folder / "hand.csv").read_text().splitlines()]
+    for row in rows[1:]:
+        row[0] = f"{1700000000 + float(row[0]):.3f}"
+        row[1:4] = [f"{1000 * float(value):.6f}" for value in row[1:4]]
+    (case.folder / "clock.csv").write_text("\n".join(",".join(row) for row in rows) + "\n")
+    told = case.run("session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "clock.csv", "--trace", "clock_trace.csv")
+    assert len(told["assumptions"]) == 2 and "millimetres" in told["assumptions"][1], told["assumptions"]
+    assert abs(told["duration_s"] - plain["duration_s"]) < 1e-3, told["duration_s"]
+    assert abs(told["force"]["max_n"] - plain["force"]["max_n"]) < 0.01, (told["force"], plain["force"])
+    message = hand(case.folder / "far.csv", [(0, 0, 0, 5000, 0), (1, 0, 0, 5000, 0)]) or case.run(
+        "session", "--workcell", "cell.hcell", "--entity", "brick", "--hand", "far.csv", expect=2)
+    assert "metres" in message and "5000" in message, message
+
+
 def test_a_session_that_passes_still_shows_its_collision(case):
     told = session_on_a_table(case, "--set", "on_contact=pass")
     assert told["force"]["max_n"] < 0.05, told["force"]

@@ -68,58 +68,6 @@ TEST(Body, TheSkinIsOnePieceInEveryPostureAndAsTallAsTheFigure) {
   }
 }
 
-double areaOf(const geometry::TriangleMesh& mesh) {
-  double area = 0.0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    area += 0.5 * glm::length(glm::cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0)));
-  return area;
-}
-
-TEST(Body, TheSkinIsCutIntoItsColoursWithoutAGap) {
-  const Figure figure = *makeFigure({Sex::kMale, 1.75});
-  const Posture posture = *libraryPosture(figure, "squatting");
-  const Skin whole = skinOf(figure, posture, 0.02);
-  const auto parts = skinParts(figure, posture, 0.02, SkinRegion::kWhole);
-  EXPECT_EQ(parts.size(), 5u) << "trousers, shirt, skin, shoes, soles";
-  double area = 0.0;
-  geometry::TriangleMesh sewn;
-  for (const SkinPart& part : parts) {
-    area += areaOf(part.mesh);
-    geometry::append(sewn, part.mesh, Pose::identity());
-  }
-  EXPECT_NEAR(area, areaOf(whole.mesh), 1e-9);
-  geometry::weld(sewn, 1e-9);
-  EXPECT_TRUE(geometry::isClosed(sewn));
-  double less = 0.0;
-  for (const SkinPart& part : skinParts(figure, posture, 0.02, SkinRegion::kBody)) less += areaOf(part.mesh);
-  EXPECT_LT(less, area - 0.02) << "two hands, coarse as they are";
-  const auto hands = skinParts(figure, posture, 0.006, SkinRegion::kHands);
-  ASSERT_EQ(hands.size(), 1u);
-  EXPECT_GT(areaOf(hands[0].mesh), 0.10) << "about 0.04 m^2 each, and half a forearm";
-  EXPECT_LT(areaOf(hands[0].mesh), 0.20);
-}
-
-TEST(Body, TheSkinTakesColoursOfSegmentsInPlaceOfItsClothing) {
-  const Figure figure = *makeFigure({Sex::kFemale, 1.62});
-  const Posture posture = *libraryPosture(figure, "overhead");
-  constexpr std::array<float, 3> kGood{0.5f, 0.7f, 0.8f}, kBad{0.9f, 0.3f, 0.1f};
-  std::vector<std::array<float, 3>> colors(kBodies, kGood);
-  colors[indexOf(Segment::kRightUpperArm)] = kBad;
-  const auto parts = skinParts(figure, posture, 0.02, SkinRegion::kWhole, colors);
-  ASSERT_EQ(parts.size(), 2u);
-  double area = 0.0;
-  for (const SkinPart& part : parts) area += areaOf(part.mesh);
-  EXPECT_NEAR(area, areaOf(skinOf(figure, posture, 0.02).mesh), 1e-9) << "the same skin, cut elsewhere";
-  const auto bad = std::find_if(parts.begin(), parts.end(), [&](const SkinPart& part) { return part.color == kBad; });
-  ASSERT_NE(bad, parts.end());
-  const auto pose = forwardKinematics(figure, posture);
-  const dvec3 shoulder = pose[Segment::kRightUpperArm].p_WS, elbow = pose[Segment::kRightForearm].p_WS;
-  for (const dvec3& vertex : bad->mesh.vertices) {
-    const double along = glm::dot(vertex - shoulder, elbow - shoulder) / glm::dot(elbow - shoulder, elbow - shoulder);
-    EXPECT_LT(glm::length(vertex - shoulder - std::clamp(along, 0.0, 1.0) * (elbow - shoulder)), 0.12);
-  }
-}
-
 TEST(Body, KneelingFiguresKneelOnTheFloor) {
   for (const Sex sex : {Sex::kMale, Sex::kFemale}) {
     const Figure figure = *makeFigure({sex, 1.7});
@@ -216,21 +164,6 @@ TEST(Face, EyesSitInTheirSocketsAndAreSeenFromAhead) {
       EXPECT_NEAR(between.z, figure.p_HeadEyes.z, 1e-9) << "at the height that is measured";
     }
   }
-}
-
-TEST(Face, IrisesAreSeenWhereTheGazeGoes) {
-  const Figure figure = *makeFigure({Sex::kMale, 1.755});
-  Posture posture = *libraryPosture(figure, "standing");
-  const auto irises = [&] {
-    const auto parts = faceParts(figure, posture);
-    EXPECT_EQ(parts.size(), 6u) << "hair, lids, lips, whites, irises, pupils";
-    return parts.back().mesh.bounds().center();
-  };
-  const dvec3 ahead = irises();
-  posture.gaze = {0.3, 0.2};
-  const dvec3 aside = irises();
-  EXPECT_GT(aside.y, ahead.y + 0.002) << "to the left";
-  EXPECT_LT(aside.z, ahead.z - 0.001) << "and down";
 }
 
 TEST(Hands, GraspsKeepTheLimitsAndCloseTheFingers) {

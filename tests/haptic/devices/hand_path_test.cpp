@@ -5,6 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
+#include <string>
+#include <utility>
 
 #include "tests/support/test_data.h"
 
@@ -72,6 +77,59 @@ TEST(HandPath, readsAFileAndSaysWhenItCannot) {
   ASSERT_TRUE(path.has_value());
   EXPECT_EQ(path->samples().size(), 1u);
   EXPECT_FALSE(readHandPath(folder.path() / "none.csv").has_value());
+}
+
+HandPath read(const std::string& text) {
+  auto path = parseHandPath(text, "hand.csv");
+  EXPECT_TRUE(path.has_value()) << path.error().message();
+  return path ? std::move(*path) : HandPath({HandSample{}});
+}
+
+TEST(HandPath, timesOfAClockCountFromTheFirstRow) {
+  for (const auto& [begin, step] : std::initializer_list<std::pair<const char*, double>>{{"1700000000.0", 0.5},
+                                                                                         {"1700000000000", 500.0},
+                                                                                         {"1700000000000000", 5e5},
+                                                                                         {"1700000000000000000", 5e8},
+                                                                                         {"412.0", 0.5},
+                                                                                         {"-3.0", 0.5}}) {
+    std::string text = "t,x,y,z\n";
+    for (int i = 0; i < 3; ++i) {
+      char row[80];
+      std::snprintf(row, sizeof row, "%.3f,%.2f,0,0\n", std::atof(begin) + i * step, 0.01 * i);
+      text += row;
+    }
+    const HandPath path = read(text);
+    EXPECT_NEAR(path.duration(), 1.0, 1e-6) << begin;
+    EXPECT_NEAR(path.at(0.5).X_DH.p.x, 0.01, 1e-6) << begin;
+    ASSERT_EQ(path.assumptions().size(), 1u) << begin;
+    EXPECT_THAT(path.assumptions()[0], HasSubstr("counted from the first row"));
+  }
+}
+
+TEST(HandPath, aPauseBeforeThePathIsKept) {
+  const HandPath path = read("t,x,y,z\n2,0,0,0\n5,0.01,0,0\n");
+  EXPECT_EQ(path.duration(), 5.0);
+  EXPECT_TRUE(path.assumptions().empty());
+}
+
+TEST(HandPath, aRecordingInMillisecondsIsRecognised) {
+  std::string text = "t,x,y,z\n";
+  for (int i = 0; i < 200; ++i) text += std::to_string(5 * i) + ",0,0,0.01\n";
+  const HandPath path = read(text);
+  EXPECT_NEAR(path.duration(), 0.995, 1e-12);
+  ASSERT_EQ(path.assumptions().size(), 1u);
+  EXPECT_THAT(path.assumptions()[0], HasSubstr("milliseconds"));
+  EXPECT_TRUE(read("t,x,y,z\n0,0,0,0\n5,0.01,0,0\n10,0,0,0\n").assumptions().empty()) << "a few rows of a slow hand";
+}
+
+TEST(HandPath, positionsInMillimetresAreRecognisedAndFartherOnesRefused) {
+  const HandPath path = read("t,x,y,z\n0,0,0,20\n1,-40,0.5,10\n");
+  EXPECT_NEAR(path.at(0.0).X_DH.p.z, 0.02, 1e-15);
+  EXPECT_NEAR(path.at(1.0).X_DH.p.x, -0.04, 1e-15);
+  ASSERT_EQ(path.assumptions().size(), 1u);
+  EXPECT_THAT(path.assumptions()[0], HasSubstr("taken as millimetres"));
+  EXPECT_TRUE(read("t,x,y,z\n0,0.4,0,0\n").assumptions().empty());
+  EXPECT_THAT(problem("t,x,y,z\n0,0,0,20000\n"), HasSubstr("a position 20000 from the middle"));
 }
 
 }  // namespace

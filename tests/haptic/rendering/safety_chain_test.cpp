@@ -148,6 +148,17 @@ TEST(SafetyChain, takesTheDevicesTemperatureWhenItIsHigher) {
   EXPECT_NEAR(run(chain, input, 20), 1.4, 1e-9);
 }
 
+TEST(SafetyChain, oneWrongReportOfTheTemperatureHoldsNothingDown) {
+  SafetyChain chain = openChain();
+  SafetyInput input = wanting(dvec3(0, 0, 3.0));
+  run(chain, input, 20);
+  input.reported_temperature = 2.0;
+  run(chain, input, 1);
+  input.reported_temperature = 0.0;
+  EXPECT_NEAR(run(chain, input, 1), 3.0, 1e-9);
+  EXPECT_NEAR(run(chain, input, 200), 3.0, 1e-9);
+}
+
 TEST(SafetyChain, isSilentWithinFiftyMillisecondsOfAClosedSocket) {
   SafetyChain chain = openChain();
   run(chain, wanting(dvec3(0, 0, 6.4)), 20);

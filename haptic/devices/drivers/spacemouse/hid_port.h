@@ -33,6 +33,8 @@ class HidBackend {
   virtual ~HidBackend() = default;
   virtual std::vector<HidInfo> list() = 0;
   virtual std::unique_ptr<HidPort> open(const std::string& path, Problem& problem) = 0;
+  /// The report descriptor of the device file; empty where the system does not show it.
+  virtual std::vector<std::uint8_t> descriptor(const std::string&) { return {}; }
 };
 
 /// Through hidapi's hidraw back end.

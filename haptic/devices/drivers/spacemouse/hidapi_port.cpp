@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <hidapi.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "haptic/devices/device_node.h"
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/spacemouse/hid_port.h"
@@ -52,6 +56,13 @@ class Hidapi final : public HidBackend {
     if (problem.status == Status::kOk)
       refuse(problem, Status::kFault, path + " cannot be opened: " + narrow(hid_error(nullptr)));
     return nullptr;
+  }
+
+  /// As Linux shows it to everybody; hidapi tells it from 0.14 on only.
+  std::vector<std::uint8_t> descriptor(const std::string& path) override {
+    const std::filesystem::path node(path);
+    std::ifstream file("/sys/class/hidraw" / node.filename() / "device" / "report_descriptor", std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 };
 

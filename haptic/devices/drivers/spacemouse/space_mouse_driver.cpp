@@ -20,12 +20,13 @@ std::string idOf(const HidInfo& info) {
 
 }  // namespace
 
-SpaceMouseDevice::SpaceMouseDevice(std::unique_ptr<HidPort> port, const char* name, std::uint32_t buttons)
-    : port_(std::move(port)) {
+SpaceMouseDevice::SpaceMouseDevice(std::unique_ptr<HidPort> port, const char* name, const SpaceMouseModel* model,
+                                   HidLayout layout)
+    : port_(std::move(port)), model_(model), layout_(std::move(layout)) {
   capabilities_.kind = Kind::kSpaceMouse;
   copyText(capabilities_.name, name);
   capabilities_.measured_axes = 6;
-  capabilities_.buttons = std::min(buttons, 32u);
+  capabilities_.buttons = std::min(model != nullptr ? model->buttons : 2u, 32u);
   capabilities_.rate_hz = 125.0;
   setLight(true);
 }
@@ -46,7 +47,8 @@ Status SpaceMouseDevice::read(State& state) noexcept {
     const int length = port_->read(report, i == 0 ? 1 : 0);
     if (length < 0) return refuse(problem_, Status::kVanished, "it was unplugged", "Plug it in again.");
     if (length == 0) break;
-    const Status taken = takeSpaceMouseReport(std::span(report).first(static_cast<std::size_t>(length)), state_);
+    const Status taken =
+        takeSpaceMouseReport(std::span(report).first(static_cast<std::size_t>(length)), state_, model_, &layout_);
     if (taken == Status::kGarbled) {
       status = refuse(problem_, Status::kGarbled, "a report of " + std::to_string(length) + " bytes is too short");
     } else if (taken == Status::kOk) {
@@ -84,8 +86,22 @@ std::vector<HidInfo> SpaceMouseDriver::mice() {
 }
 
 std::uint32_t SpaceMouseDriver::find(Found* found, std::uint32_t room, Problem&) noexcept {
+  const std::vector<HidInfo> seen = mice();
+  if (daemon_ != nullptr && daemon_->isRunning()) {
+    // What it has open is not offered a second time; one that only it can see, on a serial line, it tells itself.
+    const std::string own = seen.empty() ? daemon_->deviceName() : std::string();
+    if (seen.empty() && own.empty()) return 0;
+    if (room == 0) return 1;
+    const SpaceMouseModel* const model =
+        seen.empty() ? nullptr : findSpaceMouseModel(seen.front().vendor, seen.front().product);
+    found[0].kind = Kind::kSpaceMouse;
+    copyText(found[0].id, kSpacenavId);
+    copyText(found[0].name, model != nullptr ? model->name : seen.empty() ? own : seen.front().name);
+    copyText(found[0].place, daemon_->place());
+    return 1;
+  }
   std::uint32_t count = 0;
-  for (const HidInfo& info : mice()) {
+  for (const HidInfo& info : seen) {
     if (count < room) {
       Found& entry = found[count];
       const SpaceMouseModel* const model = findSpaceMouseModel(info.vendor, info.product);
@@ -100,8 +116,19 @@ std::uint32_t SpaceMouseDriver::find(Found* found, std::uint32_t room, Problem&)
   return count;
 }
 
+/// The daemon's, wherever it runs: what was chosen by its serial number before is among what it reads.
 Device* SpaceMouseDriver::open(const char* id, Problem& problem) noexcept {
-  std::string_view wanted(id);
+  if (daemon_ != nullptr && daemon_->isRunning()) {
+    if (auto port = daemon_->open(problem)) {
+      problem = {};
+      return new SpacenavDevice(std::move(port));
+    }
+    if (std::string_view(id) == kSpacenavId) return nullptr;
+  }
+  return openDirect(std::string_view(id) == kSpacenavId ? std::string_view() : std::string_view(id), problem);
+}
+
+Device* SpaceMouseDriver::openDirect(std::string_view wanted, Problem& problem) {
   const std::vector<HidInfo> all = mice();
   // One without a serial number is known by its file, which has another name when it was plugged in again.
   const bool is_there = std::any_of(all.begin(), all.end(),
@@ -116,8 +143,8 @@ Device* SpaceMouseDriver::open(const char* id, Problem& problem) noexcept {
     }
     problem = {};
     const SpaceMouseModel* const model = findSpaceMouseModel(info.vendor, info.product);
-    return new SpaceMouseDevice(std::move(port), model != nullptr ? model->name : info.name.c_str(),
-                                model != nullptr ? model->buttons : 2);
+    return new SpaceMouseDevice(std::move(port), model != nullptr ? model->name : info.name.c_str(), model,
+                                HidLayout::parse(hid_->descriptor(info.path)));
   }
   if (problem.status == Status::kOk) {
     refuse(problem, Status::kNotFound, "no 3-D mouse is plugged in", "Plug it in, or charge it and switch it on.");
@@ -126,7 +153,18 @@ Device* SpaceMouseDriver::open(const char* id, Problem& problem) noexcept {
 }
 
 void SpaceMouseDriver::close(Device* device) noexcept {
-  delete static_cast<SpaceMouseDevice*>(device);
+  delete static_cast<OwnedMouse*>(device);
+}
+
+std::uint64_t SpaceMouseDriver::presence() noexcept {
+  PresenceNumber number;
+  if (daemon_ != nullptr) number.add(daemon_->trace());
+  for (const HidInfo& info : mice()) {
+    number.add(idOf(info));
+    number.add(info.path);
+    number.add(static_cast<std::uint32_t>(nodeProblem(info.path).status));
+  }
+  return number.value();
 }
 
 }  // namespace hapticell::driver

@@ -2,20 +2,23 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "haptic/devices/driver_support.h"
 #include "haptic/devices/drivers/spacemouse/hid_port.h"
 #include "haptic/devices/drivers/spacemouse/space_mouse_reports.h"
+#include "haptic/devices/drivers/spacemouse/spacenav_device.h"
 
 namespace hapticell::driver {
 
 /// A 3-D mouse. Its light is on while it is open. A deflection that is not repeated for a quarter of a second counts
 /// as none: a wireless one's last report may be lost, and a held one repeats itself.
-class SpaceMouseDevice final : public Device {
+class SpaceMouseDevice final : public OwnedMouse {
  public:
-  SpaceMouseDevice(std::unique_ptr<HidPort> port, const char* name, std::uint32_t buttons);
-  ~SpaceMouseDevice();
+  /// `model` may be null; `layout` is what its report descriptor states, or nothing.
+  SpaceMouseDevice(std::unique_ptr<HidPort> port, const char* name, const SpaceMouseModel* model, HidLayout layout);
+  ~SpaceMouseDevice() override;
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
   Status read(State& state) noexcept override;
   Status write(const Command& command) noexcept override;
@@ -28,6 +31,8 @@ class SpaceMouseDevice final : public Device {
   bool setLight(bool on);
 
   std::unique_ptr<HidPort> port_;
+  const SpaceMouseModel* model_;
+  HidLayout layout_;
   Capabilities capabilities_;
   SpaceMouseState state_;
   Problem problem_;
@@ -35,23 +40,31 @@ class SpaceMouseDevice final : public Device {
   bool light_ = false;
 };
 
-/// 3Dconnexion's 3-D mice over hidraw.
+/// 3Dconnexion's 3-D mice. Where spacenavd runs they come from it, so that other programs can use them at the same time
+/// (and its settings count); else over hidraw.
 class SpaceMouseDriver final : public Driver {
  public:
-  explicit SpaceMouseDriver(std::unique_ptr<HidBackend> hid) : hid_(std::move(hid)) {}
+  /// `daemon` may be null: never asked.
+  explicit SpaceMouseDriver(std::unique_ptr<HidBackend> hid, std::unique_ptr<SpacenavBackend> daemon = nullptr)
+      : hid_(std::move(hid)), daemon_(std::move(daemon)) {}
   const Information& information() const noexcept override { return information_; }
   std::uint32_t find(Found* found, std::uint32_t room, Problem& problem) noexcept override;
-  /// `id` is the serial number where there is one, else the device file.
+  /// `id` is the serial number where there is one, else the device file; kSpacenavId for the one of spacenavd.
   Device* open(const char* id, Problem& problem) noexcept override;
   void close(Device* device) noexcept override;
-  std::uint64_t presence() noexcept override { return presenceByFind(*this); }
+  /// Does not ask the daemon: a client that comes and goes makes the mouse's light blink.
+  std::uint64_t presence() noexcept override;
+
+  static constexpr const char* kSpacenavId = "spacenavd";
 
  private:
   std::vector<HidInfo> mice();
+  Device* openDirect(std::string_view wanted, Problem& problem);
 
-  Information information_{"spacemouse", "3Dconnexion SpaceMouse", "1.0", "hidapi (hidraw)",
+  Information information_{"spacemouse", "3Dconnexion SpaceMouse", "1.1", "spacenavd, else hidapi (hidraw)",
                            "Tested with recorded layouts, not on a real device."};
   std::unique_ptr<HidBackend> hid_;
+  std::unique_ptr<SpacenavBackend> daemon_;
 };
 
 }  // namespace hapticell::driver

@@ -17,6 +17,7 @@ struct ScriptedHid {
   std::vector<Report> written;
   bool gone = false;
   Problem refuses;
+  Report descriptor;  ///< Of every device.
 };
 
 class ScriptedHidPort final : public HidPort {
@@ -49,6 +50,7 @@ class ScriptedHidBackend final : public HidBackend {
     if (problem.status != Status::kOk) return nullptr;
     return std::make_unique<ScriptedHidPort>(script_);
   }
+  std::vector<std::uint8_t> descriptor(const std::string&) override { return script_.descriptor; }
 
  private:
   ScriptedHid& script_;

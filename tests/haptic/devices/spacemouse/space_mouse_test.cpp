@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "haptic/devices/driver_session.h"
 #include "haptic/devices/drivers/spacemouse/space_mouse_driver.h"
 #include "tests/haptic/devices/spacemouse/scripted_hid.h"
+#include "tests/haptic/devices/spacemouse/space_mouse_descriptors.h"
 
 namespace hapticell::driver {
 namespace {
@@ -47,6 +51,114 @@ TEST(SpaceMouseReports, ShortOnesAndForeignOnesChangeNothing) {
   }
   EXPECT_EQ(takeSpaceMouseReport(Report{0x17, 9, 9, 9}, state), Status::kNothingNew);  // At the end of wireless bursts.
   EXPECT_DOUBLE_EQ(state.motion[0], 1.0);
+}
+
+TEST(HidLayout, ReadsWhatADescriptorStates) {
+  const HidLayout layout = HidLayout::parse(kEnterpriseDescriptor);
+  EXPECT_TRUE(layout.hasReportIds());
+  EXPECT_TRUE(layout.statesAxes());
+  ASSERT_EQ(layout.fields().size(), 6u + 31u + 6u);
+  EXPECT_EQ(layout.fields()[5].usage, 0x35);
+  EXPECT_EQ(layout.fields()[5].bit, 80u);
+  EXPECT_EQ(layout.fields()[5].low, -350);
+  EXPECT_EQ(layout.fields()[5].high, 350);
+  EXPECT_EQ(layout.fields()[36].usage, 31);
+  EXPECT_TRUE(layout.fields()[42].array);
+  EXPECT_EQ(layout.fields()[42].report, 0x1C);
+}
+
+TEST(HidLayout, BrokenDescriptorsStateNothing) {
+  EXPECT_FALSE(HidLayout::parse({}).statesAxes());
+  for (std::size_t length = 0; length < kEnterpriseDescriptor.size(); ++length) {
+    const Report cut(kEnterpriseDescriptor.begin(),
+                     kEnterpriseDescriptor.begin() + static_cast<std::ptrdiff_t>(length));
+    static_cast<void>(HidLayout::parse(cut));
+  }
+  EXPECT_TRUE(HidLayout::parse(Report{0xB4}).fields().empty()) << "a pop without a push";
+  EXPECT_TRUE(HidLayout::parse(Report{0x75, 0x01, 0x97, 0xFF, 0xFF, 0xFF, 0xFF, 0x81, 0x02}).fields().empty());
+}
+
+TEST(SpaceMouseReports, ADescriptorsOwnOrderCounts) {
+  const HidLayout layout = HidLayout::parse(kOtherOrderDescriptor);
+  ASSERT_TRUE(layout.statesAxes());
+  EXPECT_FALSE(layout.hasReportIds());
+  SpaceMouseState state;
+  // Button 3; z 127, y -127, x 64, rz 0, ry 0, rx -127.
+  EXPECT_EQ(takeSpaceMouseReport(Report{0x04, 127, 0x81, 64, 0, 0, 0x81}, state, nullptr, &layout), Status::kOk);
+  EXPECT_EQ(state.buttons, 4u);
+  EXPECT_NEAR(state.motion[0], 64.0 / 127.0, 1e-12);
+  EXPECT_DOUBLE_EQ(state.motion[1], 1.0);
+  EXPECT_DOUBLE_EQ(state.motion[2], -1.0);
+  EXPECT_DOUBLE_EQ(state.motion[3], -1.0);
+  EXPECT_TRUE(state.moved);
+  EXPECT_EQ(takeSpaceMouseReport(Report{0x04, 127, 0x81}, state, nullptr, &layout), Status::kGarbled);
+  EXPECT_DOUBLE_EQ(state.motion[1], 1.0) << "as it was";
+}
+
+/// spacenavd: these three have neither DF_SWAPYZ nor DF_INVYZ, all others both. Its own axes are right, up, away.
+TEST(SpaceMouseReports, PlusXtClassicAndNuLooqPointUpAndAway) {
+  for (const std::uint16_t product : {0xc603, 0xc606, 0xc640}) {
+    const SpaceMouseModel* model = findSpaceMouseModel(0x046d, product);
+    ASSERT_NE(model, nullptr);
+    SpaceMouseState state;
+    EXPECT_EQ(takeSpaceMouseReport(Report{1, 0x5E, 0x01, 0xAF, 0x00, 0x23, 0x00}, state, model), Status::kOk);
+    EXPECT_DOUBLE_EQ(state.motion[0], 1.0);
+    EXPECT_DOUBLE_EQ(state.motion[1], 0.1) << "z is away";
+    EXPECT_DOUBLE_EQ(state.motion[2], 0.5) << "y is up";
+    takeSpaceMouseReport(Report{2, 0, 0, 0x5E, 0x01, 0, 0}, state, model);
+    EXPECT_DOUBLE_EQ(state.motion[5], 1.0) << "about up";
+  }
+}
+
+struct Key {
+  int evdev;   ///< Code that Linux gives it: 255 + usage.
+  int number;  ///< spacenavd's.
+};
+std::uint32_t pressed(const SpaceMouseModel* model, const HidLayout* layout, int usage) {
+  SpaceMouseState state;
+  Report report{3, 0, 0, 0, 0};
+  if (usage <= 31) {
+    report[static_cast<std::size_t>(1 + (usage - 1) / 8)] = static_cast<std::uint8_t>(1 << (usage - 1) % 8);
+  } else {
+    report = {0x1C, static_cast<std::uint8_t>(usage), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  }
+  EXPECT_EQ(takeSpaceMouseReport(report, state, model, layout), Status::kOk);
+  const std::uint32_t down = state.buttons;
+  std::fill(report.begin() + 1, report.end(), std::uint8_t{0});
+  takeSpaceMouseReport(report, state, model, layout);
+  EXPECT_EQ(state.buttons, 0u) << "let go";
+  return down;
+}
+
+/// The numbers of spacenavd's bnhack_sment(); the usages of the first 22 are also PySpaceMouse's bytes and bits (BTN_1
+/// [3, 2, 4] is usage 13), of all the report descriptor's.
+TEST(SpaceMouseReports, KeysOfTheEnterprise) {
+  const SpaceMouseModel* model = findSpaceMouseModel(0x256f, 0xc633);
+  const HidLayout layout = HidLayout::parse(kEnterpriseDescriptor);
+  constexpr Key kKeys[] = {{256, 12}, {257, 13}, {258, 14}, {260, 15}, {261, 16}, {264, 17}, {266, 30}, {268, 0},
+                           {269, 1},  {270, 2},  {271, 3},  {272, 4},  {273, 5},  {274, 6},  {275, 7},  {276, 8},
+                           {277, 9},  {278, 18}, {279, 19}, {280, 20}, {281, 21}, {282, 22}, {291, 23}, {292, 24},
+                           {332, 10}, {333, 11}, {358, 27}, {359, 28}, {360, 29}, {430, 25}, {431, 26}};
+  ASSERT_EQ(std::size(kKeys), 31u);
+  for (const Key& key : kKeys) {
+    EXPECT_EQ(pressed(model, &layout, key.evdev - 255), 1u << key.number) << key.evdev;
+    EXPECT_EQ(pressed(model, nullptr, key.evdev - 255), 1u << key.number) << key.evdev << " without a descriptor";
+  }
+  SpaceMouseState state;
+  takeSpaceMouseReport(Report{0x1C, 103, 0, 36, 0, 0, 0, 0, 0, 0, 0, 0, 0}, state, model, &layout);
+  takeSpaceMouseReport(Report{3, 0, 0x10, 0, 0}, state, model, &layout);
+  EXPECT_EQ(state.buttons, 1u << 27 | 1u << 23 | 1u << 0) << "V1, enter and 1 at once";
+}
+
+/// spacenavd's bnhack_smpro(); PySpaceMouse has the same bits.
+TEST(SpaceMouseReports, KeysOfThePro) {
+  constexpr Key kKeys[] = {{256, 4}, {257, 5}, {258, 6},  {260, 7},  {261, 8},  {264, 9},  {268, 0}, {269, 1},
+                           {270, 2}, {271, 3}, {278, 11}, {279, 12}, {280, 13}, {281, 14}, {282, 10}};
+  for (const std::uint16_t product : {0xc631, 0xc632, 0xc638}) {
+    const SpaceMouseModel* model = findSpaceMouseModel(0x256f, product);
+    ASSERT_EQ(model->buttons, std::size(kKeys));
+    for (const Key& key : kKeys) EXPECT_EQ(pressed(model, nullptr, key.evdev - 255), 1u << key.number) << key.evdev;
+  }
 }
 
 TEST(SpaceMouseDriver, KnowsItsModelsAndNotTheMakersOtherThings) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "haptic/devices/hand_path_units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace hapticell::haptic {
+
+namespace {
+
+constexpr double kLongestWait = 1.0;  // s before a path that is meant so.
+constexpr std::size_t kRowsOfARecording = 100;
+constexpr double kSecondsStep = 1.0;
+constexpr double kMillimetre = 1e-3;
+
+struct ClockUnit {
+  double over;
+  double seconds;
+  const char* name;
+};
+// What the time since 1970 is in each, from 1973 on.
+constexpr ClockUnit kClockUnits[] = {
+    {1e17, 1e-9, "nanoseconds"}, {1e14, 1e-6, "microseconds"}, {1e11, 1e-3, "milliseconds"}};
+
+template <typename... Numbers>
+std::string sentence(const char* format, Numbers... numbers) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+void countFromFirst(std::vector<HandSample>& samples, double seconds) {
+  const double begin = samples.front().t;
+  for (HandSample& sample : samples) sample.t = (sample.t - begin) * seconds;
+}
+
+/// Whole numbers, a second or more apart: nobody writes a hundred rows of a hand so.
+bool isInMilliseconds(const std::vector<HandSample>& samples) {
+  if (samples.size() < kRowsOfARecording) return false;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (samples[i].t != std::floor(samples[i].t)) return false;
+    steps.push_back(samples[i].t - samples[i - 1].t);
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle >= kSecondsStep;
+}
+
+void recogniseTimes(std::vector<HandSample>& samples, std::vector<std::string>& assumed) {
+  const double begin = samples.front().t, length = samples.back().t - begin;
+  const auto unit = std::find_if(std::begin(kClockUnits), std::end(kClockUnits),
+                                 [&](const ClockUnit& one) { return begin > one.over; });
+  if (unit != std::end(kClockUnits)) {
+    countFromFirst(samples, unit->seconds);
+    assumed.push_back(
+        sentence("its times begin at %.0f: taken as a clock's %s and counted from the first row", begin, unit->name));
+    return;
+  }
+  const bool milliseconds = isInMilliseconds(samples);
+  if (begin < 0.0 || begin > std::max(kLongestWait, length)) {
+    countFromFirst(samples, milliseconds ? 1e-3 : 1.0);
+    assumed.push_back(sentence("its times begin at %.3f: counted from the first row", begin));
+  } else if (milliseconds) {
+    for (HandSample& sample : samples) sample.t *= 1e-3;
+  }
+  if (milliseconds)
+    assumed.push_back(sentence("its times are whole numbers up to %.0f: taken as milliseconds", begin + length));
+}
+
+double farthestOf(const std::vector<HandSample>& samples) {
+  double farthest = 0.0;
+  for (const HandSample& sample : samples) {
+    const dvec3 away = glm::abs(sample.X_DH.p);
+    farthest = std::max({farthest, away.x, away.y, away.z});
+  }
+  return farthest;
+}
+
+}  // namespace
+
+Expected<std::vector<std::string>> recogniseHandUnits(std::vector<HandSample>& samples, const std::string& name) {
+  std::vector<std::string> assumed;
+  recogniseTimes(samples, assumed);
+  const double farthest = farthestOf(samples);
+  if (farthest <= kFarthestStylus) return assumed;
+  if (farthest * kMillimetre > kFarthestStylus) {
+    return makeError({name, "columns x, y, z", sentence("a position %.6g from the middle of the workspace", farthest),
+                      sentence("metres in the device frame, within %.1f (or millimetres)", kFarthestStylus),
+                      "write the path in metres from the middle of the device's workspace"});
+  }
+  for (HandSample& sample : samples) sample.X_DH.p *= kMillimetre;
+  assumed.push_back(sentence("its positions reach %.6g: taken as millimetres", farthest));
+  return assumed;
+}
+
+}  // namespace hapticell::haptic
