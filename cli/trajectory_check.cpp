@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "cli/motion_file.h"
 #include "cli/result_writer.h"
 #include "manipulation/kept_free.h"
 #include "manipulation/motion_replay.h"
@@ -65,7 +66,7 @@ Expected<std::vector<std::shared_ptr<const trajectory::Trajectory>>> motionsToge
     const TrajectoryCheckOptions& options) {
   std::vector<std::shared_ptr<const trajectory::Trajectory>> motions;
   for (const std::string& file : options.together) {
-    auto motion = trajectory::readTrajectory(file);
+    auto motion = readMotionFile(file);
     if (!motion) return tl::unexpected(motion.error());
     motions.push_back(std::make_shared<const trajectory::Trajectory>(std::move(*motion)));
   }

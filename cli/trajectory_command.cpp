@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -7,6 +9,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/motion_file.h"
 #include "cli/trajectory_check.h"
 #include "cli/trajectory_edits.h"
 #include "cli/trajectory_robot.h"
@@ -37,6 +40,7 @@ struct TrajectoryOptions {
   std::string to;
   trajectory::ProgramOptions program;
   TrajectoryCheckOptions check;
+  std::vector<std::string> notes;  ///< Of reading the file.
 };
 
 ordered_json distanceJson(const trajectory::PoseDistance& distance) {
@@ -76,7 +80,7 @@ Expected<trajectory::PathTolerance> toleranceOf(const TrajectoryOptions& options
   return trajectory::PathTolerance{options.tolerance, options.angle_tolerance};
 }
 
-Expected<ordered_json> info(const Trajectory& given, const TrajectoryOptions&) {
+Expected<ordered_json> info(const Trajectory& given, const TrajectoryOptions& options) {
   ordered_json result = summary(given);
   result["name"] = given.name;
   result["entity"] = given.entity;
@@ -93,6 +97,7 @@ Expected<ordered_json> info(const Trajectory& given, const TrajectoryOptions&) {
   for (std::size_t i = 0; i < given.size(); ++i)
     if (given[i].name) result["points"].push_back({{"frame", i}, {"name", *given[i].name}});
   result["start"] = given.empty() ? ordered_json(nullptr) : ordered_json(given[0].t);
+  result["notes"] = options.notes;
   return result;
 }
 
@@ -180,12 +185,20 @@ Expected<ordered_json> retime(const Trajectory& given, const TrajectoryOptions& 
 
 const std::map<std::string, trajectory::ProgramFormat>& programFormats() {
   using trajectory::ProgramFormat;
-  static const std::map<std::string, ProgramFormat> kFormats{{"krl", ProgramFormat::kKrl},
-                                                             {"rapid", ProgramFormat::kRapid},
-                                                             {"fanuc", ProgramFormat::kFanuc},
-                                                             {"urscript", ProgramFormat::kUrScript},
-                                                             {"val3", ProgramFormat::kVal3}};
+  static const std::map<std::string, ProgramFormat> kFormats{
+      {"krl", ProgramFormat::kKrl},           {"rapid", ProgramFormat::kRapid}, {"fanuc", ProgramFormat::kFanuc},
+      {"urscript", ProgramFormat::kUrScript}, {"val3", ProgramFormat::kVal3},   {"inform", ProgramFormat::kInform}};
   return kFormats;
+}
+
+/// Controllers look for a program under its own name.
+void noteFileName(const std::string& name, const std::string& file, trajectory::ProgramFormat format,
+                  std::vector<std::string>& notes) {
+  using trajectory::ProgramFormat;
+  const bool is_found_by_name = format != ProgramFormat::kUrScript && format != ProgramFormat::kRapid;
+  const auto isSame = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  if (is_found_by_name && !std::equal(name.begin(), name.end(), file.begin(), file.end(), isSame))
+    notes.push_back("On the controller the file must be called '" + name + "', as its program.");
 }
 
 Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::ProgramFile>& files,
@@ -206,7 +219,8 @@ Expected<std::vector<std::string>> saveProgram(const std::vector<trajectory::Pro
 
 Expected<ordered_json> exportTo(const Trajectory& given, const TrajectoryOptions& options) {
   std::vector<std::string> names{options.output};
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = options.notes;
+  ordered_json promised = nullptr, measured = nullptr;
   if (options.to == "csv" || options.to == "json" || options.to == "ros") {
     Expected<std::string> text = options.to == "csv" ? toCsvText(given) : toJsonText(given);
     if (options.to == "ros") text = toRosText(given);
@@ -215,20 +229,32 @@ Expected<ordered_json> exportTo(const Trajectory& given, const TrajectoryOptions
   } else {
     const auto format = programFormats().find(options.to);
     if (format == programFormats().end()) {
-      return makeError({"", "--to", "'" + options.to + "'", "csv, json, ros, krl, rapid, fanuc, urscript or val3", ""});
+      return makeError(
+          {"", "--to", "'" + options.to + "'", "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform", ""});
     }
     trajectory::ProgramOptions program = options.program;
     if (program.name.empty()) program.name = fs::path(options.output).stem().string();
     if (auto found = addConfigurations(given, options.limits.robot, format->second, program, notes); !found) {
       return tl::unexpected(found.error());
     }
-    const auto files = exportProgram(given, format->second, program);
+    const auto files = exportProgram(given, format->second, program, &notes);
     if (!files) return tl::unexpected(files.error());
+    const auto off = measureProgram(*files, format->second, program, given);
+    if (!off) return tl::unexpected(off.error());
+    promised = {{"position", trajectory::kProgramPromise.position}, {"angle", trajectory::kProgramPromise.angle}};
+    if (*off) measured = distanceJson(**off);
+    const std::string stem = fs::path(options.output).stem().string();
+    noteFileName(fs::path(files->front().name).stem().string(), stem, format->second, notes);
     auto saved = saveProgram(*files, format->second, options.output);
     if (!saved) return tl::unexpected(saved.error());
     names = std::move(*saved);
   }
-  return ordered_json{{"format", options.to}, {"files", names}, {"frames", given.size()}, {"notes", notes}};
+  ordered_json result{{"format", options.to}, {"files", names}, {"frames", given.size()}, {"notes", notes}};
+  if (!promised.is_null()) {
+    result["promised"] = std::move(promised);
+    result["measured"] = std::move(measured);
+  }
+  return result;
 }
 
 Expected<ordered_json> check(const Trajectory& given, const TrajectoryOptions& options) {
@@ -257,16 +283,23 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   const auto options = std::make_shared<TrajectoryOptions>();
   const auto add = [&](const char* name, const char* description, Handler handler) {
     Subcommand sub = command.add(name, description);
-    sub.option("file", options->file, "A trajectory: .htraj, .csv, .json, .yaml (ROS)").required();
+    sub.option("file", options->file,
+               "A trajectory: .htraj, .csv, .json, .yaml (ROS), or a program: .src, .mod, .ls, .script, .jbi")
+        .required();
     sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) {
-        const auto given = trajectory::readTrajectory(options->file);
+        options->notes.clear();
+        const auto given = readMotionFile(options->file, options->limits.robot, &options->notes);
+        if (handler != info && handler != exportTo)
+          for (const std::string& note : options->notes) warn(note);
         return given ? finishTrajectory(writer, handler(*given, *options)) : failed(given.error());
       };
     });
     return sub;
   };
-  add("info", "What the motion is like", info);
+  Subcommand info_command = add("info", "What the motion is like", info);
+  info_command.option("--robot", options->limits.robot,
+                      "Robot for programs with targets by joints: a file or library:NAME");
   Subcommand simplify_command = add("simplify", "Fewer frames within a tolerance", simplify);
   Subcommand smooth_command = add("smooth", "Take a hand's tremor, keep the path", smooth);
   Subcommand retime_command = add("retime", "New times along the same path", retime);
@@ -292,16 +325,18 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
     sub.option("--entity", options->check.entity, "What moves (as the trajectory says)");
   }
 
-  export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript or val3").required();
+  export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform").required();
   export_command.option("-o,--output", options->output, "The file; a folder for val3").required();
   export_command.option("--name", options->program.name, "The program's name (of the file)");
-  export_command.option("--tool", options->program.tool, "The controller's tool");
-  export_command.option("--base", options->program.base, "The controller's base, work object or user frame");
+  export_command.option("--tool", options->program.tool,
+                        "The controller's tool: its name; a number for fanuc and inform");
+  export_command.option("--base", options->program.base, "The controller's base, work object or user frame, likewise");
   export_command.option("--speed", options->program.speed, "m/s along lines (0.25)");
   export_command.option("--acceleration", options->program.acceleration, "m/s2 along lines (1.2)");
   export_command.option("--joint-speed", options->program.joint_speed, "Share of the first move's speed (0.2)");
   export_command.option("--blend", options->program.blend, "m (0.002)");
-  export_command.option("--robot", options->limits.robot, "Robot for the configuration data: a file or library:NAME");
+  export_command.option("--robot", options->limits.robot,
+                        "Robot for the configuration data and joints: a file or library:NAME");
 }
 
 }  // namespace hapticell::cli

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "cli/motion_file.h"
 #include "manipulation/motion_replay.h"
 #include "trajectory/editing.h"
 #include "trajectory/simplification.h"
@@ -57,7 +58,7 @@ Made split(const Trajectory& given, const EditOptions& o) {
 Made join(const Trajectory& given, const EditOptions& o) {
   std::vector<Trajectory> parts{given};
   for (const std::string& file : o.with) {
-    auto part = trajectory::readTrajectory(file);
+    auto part = readMotionFile(file);
     if (!part) return tl::unexpected(part.error());
     parts.push_back(std::move(*part));
   }
@@ -140,7 +141,7 @@ Expected<void> findJoints(const Trajectory& given, const EditOptions& options, T
 }
 
 Expected<ordered_json> run(const EditOptions& options, Edit edit) {
-  const auto given = trajectory::readTrajectory(options.file);
+  const auto given = readMotionFile(options.file);
   if (!given) return tl::unexpected(given.error());
   auto made = edit(*given, options);
   if (!made) return tl::unexpected(made.error());

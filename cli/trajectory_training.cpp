@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "cli/motion_file.h"
 #include "cli/trajectory_edits.h"
 #include "config/configuration.h"
 #include "haptic/devices/hand_path.h"
@@ -60,7 +61,7 @@ std::string curvesText(const trajectory::MotionCurves& curves) {
 }
 
 Expected<ordered_json> curves(const TrainingOptions& options) {
-  const auto given = trajectory::readTrajectory(options.file);
+  const auto given = readMotionFile(options.file);
   if (!given) return tl::unexpected(given.error());
   const auto curves = trajectory::motionCurves(*given, options.samples);
   if (curves.samples == 0) return makeError({options.file, "frames", std::to_string(given->size()), "two or more", ""});
@@ -79,9 +80,9 @@ Expected<ordered_json> curves(const TrainingOptions& options) {
 }
 
 Expected<ordered_json> score(const TrainingOptions& options) {
-  const auto expert = trajectory::readTrajectory(options.file);
+  const auto expert = readMotionFile(options.file);
   if (!expert) return tl::unexpected(expert.error());
-  const auto run = trajectory::readTrajectory(options.run);
+  const auto run = readMotionFile(options.run);
   if (!run) return tl::unexpected(run.error());
   if (expert->empty()) return makeError({options.file, "frames", "none", "an expert's motion", ""});
   return toJson(trajectory::scoreRun(*expert, *run));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "trajectory/csv_table.h"
+#include "trajectory/program_names.h"
 #include "trajectory/program_writers.h"
 #include "trajectory/trajectory_io.h"
 
@@ -11,47 +13,88 @@ namespace hapticell::trajectory {
 
 namespace {
 
-/// The longest name that the controller takes.
-std::size_t longestName(ProgramFormat format) {
-  switch (format) {
-    case ProgramFormat::kKrl:
-      return 24;
-    case ProgramFormat::kRapid:
-      return 32;
-    case ProgramFormat::kFanuc:
-      return 30;
-    case ProgramFormat::kUrScript:
-      return 60;
-    case ProgramFormat::kVal3:
-      return 15;
-  }
-  return 15;
+constexpr std::size_t kMostInformPositions = 9990;  // A job has at most 9999 lines.
+
+bool isWholeNumber(const std::string& text, int least, int greatest) {
+  const auto number = parseNumber(text);
+  return number && text.find_first_not_of("0123456789") == std::string::npos && *number >= least && *number <= greatest;
 }
 
-std::string fitName(const std::string& wanted, ProgramFormat format) {
-  std::string name;
-  for (const char c : wanted) {
-    const bool is_fit = std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
-    name += is_fit ? c : '_';
+/// A word of the language, perhaps with an index or of a library: what cannot end the statement it is put into.
+bool isExpression(const std::string& text, ProgramFormat format) {
+  const bool has_structures = format == ProgramFormat::kKrl || format == ProgramFormat::kUrScript;
+  const std::string_view signs = has_structures ? "_$[]{}.,:+- ()" : "_[]:.";
+  const auto isFit = [signs](unsigned char c) {
+    return c < 128 && (std::isalnum(c) != 0 || signs.find(static_cast<char>(c)) != std::string_view::npos);
+  };
+  const auto first = static_cast<unsigned char>(text.front());
+  return (std::isalpha(first) != 0 || first == '$' || first == '{') && std::all_of(text.begin(), text.end(), isFit);
+}
+
+/// Tool and base as the language takes them.
+Expected<void> checkFrames(const ProgramOptions& options, ProgramFormat format) {
+  struct Word {
+    const char* name;
+    const std::string& text;
+    int least, greatest;
+  };
+  const bool is_fanuc = format == ProgramFormat::kFanuc;
+  for (const Word& word : {Word{"tool", options.tool, is_fanuc ? 1 : 0, is_fanuc ? 29 : 63},
+                           Word{"base", options.base, is_fanuc ? 0 : 1, is_fanuc ? 61 : 63}}) {
+    if (word.text.empty()) continue;
+    if (is_fanuc || format == ProgramFormat::kInform) {
+      if (isWholeNumber(word.text, word.least, word.greatest)) continue;
+      return makeError(
+          {"", word.name, "'" + word.text + "'",
+           "its number on the controller, " + std::to_string(word.least) + " to " + std::to_string(word.greatest), ""});
+    }
+    if (isExpression(word.text, format)) continue;
+    return makeError({"", word.name, "'" + word.text + "'", "the name of one on the controller", ""});
   }
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) name.insert(0, "p");
-  name.resize(std::min(name.size(), longestName(format)));
-  if (format == ProgramFormat::kFanuc) {
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  }
-  return name;
+  return {};
 }
 
 /// A blend must not reach into a neighbour's.
-std::vector<double> blendsOf(const Trajectory& trajectory, double wanted) {
+std::vector<double> blendsOf(const Trajectory& trajectory, double wanted, double least) {
   std::vector<double> blends(trajectory.size(), 0.0);
   for (std::size_t i = 1; i + 1 < trajectory.size(); ++i) {
     if (trajectory[i].dwell > 0.0) continue;
     const double before = glm::length(trajectory[i].X_WT.p - trajectory[i - 1].X_WT.p);
     const double after = glm::length(trajectory[i + 1].X_WT.p - trajectory[i].X_WT.p);
     blends[i] = std::min(wanted, 0.45 * std::min(before, after));
+    if (blends[i] < least) blends[i] = 0.0;
   }
   return blends;
+}
+
+/// What became of the name that was wanted; empty where nothing did.
+std::string nameNote(const std::string& wanted, const std::string& name, ProgramFormat format) {
+  const auto isSame = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  if (wanted.empty() || std::equal(wanted.begin(), wanted.end(), name.begin(), name.end(), isSame)) return {};
+  const std::string language = programNumbers(format).language;
+  const std::string why = isReservedName(wanted, format)
+                              ? "is a word of " + language + " itself"
+                              : "is no name in " + language + " (letters, digits and _, a letter first, at most " +
+                                    std::to_string(longestProgramName(format)) + " characters)";
+  return "The program is called '" + name + "': '" + wanted + "' " + why + ".";
+}
+
+std::vector<ProgramFile> writeProgram(const ProgramInput& input, ProgramFormat format) {
+  switch (format) {
+    case ProgramFormat::kKrl:
+      return writeKrl(input);
+    case ProgramFormat::kRapid:
+      return writeRapid(input);
+    case ProgramFormat::kFanuc:
+      return writeFanuc(input);
+    case ProgramFormat::kUrScript:
+      return writeUrScript(input);
+    case ProgramFormat::kVal3:
+      return writeVal3(input);
+    case ProgramFormat::kInform:
+      return writeInform(input);
+  }
+  return {};
 }
 
 }  // namespace
@@ -79,7 +122,7 @@ std::string jointList(std::span<const double> joints, int decimals, double unit,
 }
 
 Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, ProgramFormat format,
-                                                 const ProgramOptions& options) {
+                                                 const ProgramOptions& options, std::vector<std::string>* notes) {
   if (trajectory.empty()) return makeError({"", "frames", "none", "at least one frame", ""});
   if (trajectory.hasJoints() && trajectory.joint_names.size() != 6) {
     return makeError({"", "joints", std::to_string(trajectory.joint_names.size()) + " joints", "six, or none",
@@ -91,21 +134,40 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
     return makeError({"", "speed, acceleration, blend", "a value outside its range",
                       "positive speeds, a joint speed up to 1, a blend from 0", ""});
   }
-  const std::string name = fitName(options.name.empty() ? trajectory.name : options.name, format);
-  const ProgramInput input{trajectory, options, name, blendsOf(trajectory, options.blend)};
-  switch (format) {
-    case ProgramFormat::kKrl:
-      return writeKrl(input);
-    case ProgramFormat::kRapid:
-      return writeRapid(input);
-    case ProgramFormat::kFanuc:
-      return writeFanuc(input);
-    case ProgramFormat::kUrScript:
-      return writeUrScript(input);
-    case ProgramFormat::kVal3:
-      return writeVal3(input);
+  if (auto frames = checkFrames(options, format); !frames) return tl::unexpected(frames.error());
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (!trajectory[i].X_WT.isValid()) {
+      return makeError(
+          {"", "frame " + std::to_string(i), "an invalid pose", "finite numbers and a unit quaternion", ""});
+    }
   }
-  return std::vector<ProgramFile>{};
+  if (format == ProgramFormat::kInform && trajectory.size() > kMostInformPositions) {
+    return makeError({"", "frames", std::to_string(trajectory.size()),
+                      "at most " + std::to_string(kMostInformPositions) + ", as a job of INFORM can hold",
+                      "Simplify the motion first, or split it."});
+  }
+  const std::string wanted_name = options.name.empty() ? trajectory.name : options.name;
+  const std::string name = programName(wanted_name, format);
+  const ProgramNumbers& rules = programNumbers(format);
+  NumberWriter numbers(rules);
+  if (options.blend > 0.0 && rules.blend.greatest > 0.0) numbers.text(rules.blend, options.blend, "blend");
+  const double least_blend = rules.blend.least / rules.blend.scale;
+  const ProgramInput input{trajectory, options, name, blendsOf(trajectory, options.blend, least_blend), rules, numbers};
+  auto files = writeProgram(input, format);
+  if (numbers.error()) return makeError(*numbers.error());
+  const auto measured = measureProgram(files, format, options, trajectory);
+  if (!measured) return tl::unexpected(measured.error());
+  if (*measured && kProgramPromise.shareOf(**measured) > 1.0) {
+    return makeError(
+        {"", "read back", shortestText((*measured)->position) + " m, " + shortestText((*measured)->angle) + " rad off",
+         "at most " + shortestText(kProgramPromise.position) + " m, " + shortestText(kProgramPromise.angle) + " rad",
+         "Nothing was written. Bring the motion nearer to the robot's base."});
+  }
+  if (notes) {
+    if (auto changed = nameNote(wanted_name, name, format); !changed.empty()) notes->push_back(std::move(changed));
+    notes->insert(notes->end(), numbers.notes().begin(), numbers.notes().end());
+  }
+  return files;
 }
 
 std::vector<ProgramFile> placedProgram(const std::vector<ProgramFile>& files, ProgramFormat format,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trajectory/program_export.h"
+#include "trajectory/program_numbers.h"
 
 namespace hapticell::trajectory {
 
@@ -14,10 +15,21 @@ struct ProgramInput {
   const Trajectory& trajectory;
   const ProgramOptions& options;
   std::string name;            ///< Fit for the controller.
-  std::vector<double> blends;  ///< One a frame, m; 0 at the ends and at dwells.
+  std::vector<double> blends;  ///< One a frame, m; 0 at the ends, at dwells and where the language cannot hold it.
+  const ProgramNumbers& rules;
+  NumberWriter& numbers;
 
   bool hasJoints() const { return trajectory.hasJoints(); }
   std::string configurationAt(std::size_t i) const;
+  /// Numbers of the options and of frame `i` in the language's unit.
+  std::string speed() const { return numbers.text(rules.speed, options.speed, "speed"); }
+  std::string acceleration() const { return numbers.text(rules.acceleration, options.acceleration, "acceleration"); }
+  std::string jointSpeed() const { return numbers.text(rules.joint_speed, options.joint_speed, "joint speed"); }
+  std::string blend(std::size_t i) const { return numbers.text(rules.blend, blends[i], "blend", placeOf(i)); }
+  std::string dwell(std::size_t i) const { return numbers.text(rules.dwell, trajectory[i].dwell, "dwell", placeOf(i)); }
+
+ private:
+  static std::string placeOf(std::size_t i) { return "frame " + std::to_string(i); }
 };
 
 std::vector<ProgramFile> writeKrl(const ProgramInput& input);
@@ -25,6 +37,7 @@ std::vector<ProgramFile> writeRapid(const ProgramInput& input);
 std::vector<ProgramFile> writeFanuc(const ProgramInput& input);
 std::vector<ProgramFile> writeUrScript(const ProgramInput& input);
 std::vector<ProgramFile> writeVal3(const ProgramInput& input);
+std::vector<ProgramFile> writeInform(const ProgramInput& input);
 
 /// "a, b, c" of numbers times `unit`, with `decimals` digits.
 std::string numberList(std::initializer_list<double> values, int decimals, std::string_view separator = ",");

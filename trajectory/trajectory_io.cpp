@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "trajectory/csv_table.h"
+#include "trajectory/program_reader.h"
 #include "trajectory/ros_trajectory.h"
 
 namespace hapticell::trajectory {
@@ -258,7 +259,7 @@ void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i)
 
 }  // namespace
 
-Expected<Trajectory> readTrajectory(const fs::path& file) {
+Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::string>* notes) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return makeError({file.string(), "", "a folder", "a trajectory file", ""});
   if (!fs::exists(file, ignored)) return makeError({file.string(), "", "there is no such file", "a trajectory", ""});
@@ -268,7 +269,14 @@ Expected<Trajectory> readTrajectory(const fs::path& file) {
   if (extension == ".csv") return readCsv(file);
   if (extension == ".yaml" || extension == ".yml") return readRosTrajectory(file);
   if (extension == ".htraj" || extension == ".json") return readJson(file);
-  return makeError({file.string(), "", "the extension '" + extension + "'", ".htraj, .csv, .json or .yaml", ""});
+  if (isProgramFile(file)) {
+    auto program = readProgram(file);
+    if (!program) return tl::unexpected(program.error());
+    if (notes) notes->insert(notes->end(), program->notes.begin(), program->notes.end());
+    return std::move(program->trajectory);
+  }
+  return makeError({file.string(), "", "the extension '" + extension + "'",
+                    ".htraj, .csv, .json, .yaml, or a robot's program: .src, .mod, .ls, .script, .jbi", ""});
 }
 
 std::string toJsonText(const Trajectory& trajectory) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "geometry/error.h"
 #include "trajectory/trajectory.h"
@@ -12,7 +13,8 @@ namespace hapticell::trajectory {
 /// Reads `*.htraj` (JSON, docs/formats.md), `*.csv` (`t,x,y,z,qw,qx,qy,qz` and one column a joint) or `*.yaml` (a ROS 2
 /// JointTrajectory: joints only, the poses stay at identity). Errors name the file and the frame or line; newer
 /// versions of the format are refused. Numbers come back bit for bit as they were written.
-Expected<Trajectory> readTrajectory(const std::filesystem::path& file);
+/// Programs of robots are read with program_reader.h; `notes` gets what was assumed or left out there.
+Expected<Trajectory> readTrajectory(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 
 /// The text of either twin; every number with as many digits as bring it back exactly.
 std::string toJsonText(const Trajectory& trajectory);

@@ -32,9 +32,11 @@ std::string header(const ProgramInput& input) {
   text += "BAS (#INITMOV,0)\n";
   if (!input.options.tool.empty()) text += "$TOOL = " + input.options.tool + "\n";
   if (!input.options.base.empty()) text += "$BASE = " + input.options.base + "\n";
-  text += "$VEL.CP = " + fixedText(input.options.speed, 4) + "\n";
-  text += "$ACC.CP = " + fixedText(input.options.acceleration, 4) + "\n";
-  text += "$VEL_AXIS[1] = " + fixedText(100.0 * input.options.joint_speed, 0) + "\n";
+  text += "$VEL.CP = " + input.speed() + "\n";
+  text += "$ACC.CP = " + input.acceleration() + "\n";
+  for (int axis = 1; axis <= 6; ++axis) {
+    text += "$VEL_AXIS[" + std::to_string(axis) + "] = " + input.jointSpeed() + "\n";
+  }
   return text;
 }
 
@@ -55,15 +57,17 @@ std::vector<ProgramFile> writeKrl(const ProgramInput& input) {
     data += "DECL E6POS " + target(i) + "={" + position(frame.X_WT) +
             (configuration.empty() ? "" : "," + configuration) + ",E1 0.0,E2 0.0,E3 0.0,E4 0.0,E5 0.0,E6 0.0}\n";
     if (i == 0) {
-      source += input.hasJoints() ? "PTP {" + axes(input.trajectory.joints(0)) + "}\n" : "PTP " + target(0) + "\n";
+      // The comment gives readers the pose that belongs to the axes.
+      source += "PTP " + (input.hasJoints() ? '{' + axes(input.trajectory.joints(0)) + "} ; HaptiCell pose " : std::string()) +
+                target(0) + "\n";
     } else {
       if (input.blends[i] > 0.0 && input.blends[i] != blend) {
         blend = input.blends[i];
-        source += "$APO.CDIS = " + fixedText(kMillimetres * blend, 3) + "\n";
+        source += "$APO.CDIS = " + input.blend(i) + "\n";
       }
       source += "LIN " + target(i) + (input.blends[i] > 0.0 ? " C_DIS" : "") + "\n";
     }
-    if (frame.dwell > 0.0) source += "WAIT SEC " + fixedText(frame.dwell, 3) + "\n";
+    if (frame.dwell > 0.0) source += "WAIT SEC " + input.dwell(i) + "\n";
   }
   return {{input.name + ".src", source + "END\n"}, {input.name + ".dat", data + "ENDDAT\n"}};
 }

@@ -19,10 +19,10 @@ std::string robtarget(const ProgramInput& input, std::size_t i) {
          "," + kNoExternalAxes + "]";
 }
 
-std::string zone(double blend) {
-  if (blend <= 0.0) return "fine";
+std::string zone(const ProgramInput& input, std::size_t i) {
+  if (input.blends[i] <= 0.0) return "fine";
   // As zonedata: path, orientation (mm) and the defaults of the finer named zones.
-  const double mm = kMillimetres * blend;
+  const double mm = kMillimetres * input.blends[i];
   return "[FALSE," + numberList({mm, 1.5 * mm, 1.5 * mm, 0.15 * mm, 1.5 * mm, 0.15 * mm}, 3) + "]";
 }
 
@@ -31,14 +31,13 @@ std::string zone(double blend) {
 std::vector<ProgramFile> writeRapid(const ProgramInput& input) {
   const std::string tool = input.options.tool.empty() ? "tool0" : input.options.tool;
   const std::string frame = input.options.base.empty() ? "" : "\\WObj:=" + input.options.base;
-  const double mm_per_s = kMillimetres * input.options.speed;
   const std::string ending = "," + tool + frame + ";\n";
   std::string text = "MODULE " + input.name + "\n";
   text +=
       "  ! Made by HaptiCell. mm, degrees for joints.\n"
       "  ! Tool, work object (base) and safety (limits, zones) are your own: check them and the start, run slowly.\n";
   text += "  ! The user's own: " + tool + (frame.empty() ? ", wobj0" : ", " + input.options.base) + "\n";
-  text += "  CONST speeddata vLine:=[" + numberList({mm_per_s, 500.0, 5000.0, 1000.0}, 3) + "];\n";
+  text += "  CONST speeddata vLine:=[" + input.speed() + ",500.000,5000.000,1000.000];\n";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
     text += "  CONST robtarget p" + std::to_string(i + 1) + ":=" + robtarget(input, i) + ";\n";
   }
@@ -48,12 +47,12 @@ std::vector<ProgramFile> writeRapid(const ProgramInput& input) {
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
     if (i == 0 && input.hasJoints()) {
       text += "    MoveAbsJ [[" + jointList(input.trajectory.joints(0), 6, kDegreesPerRadian) + "]," + kNoExternalAxes +
-              "],vLine,fine," + tool + ";\n";
+              "],vLine,fine," + tool + ";  ! HaptiCell pose p1\n";
     } else {
       text += std::string(i == 0 ? "    MoveJ" : "    MoveL") + " p" + std::to_string(i + 1) + ",vLine," +
-              zone(input.blends[i]) + ending;
+              zone(input, i) + ending;
     }
-    if (input.trajectory[i].dwell > 0.0) text += "    WaitTime " + fixedText(input.trajectory[i].dwell, 3) + ";\n";
+    if (input.trajectory[i].dwell > 0.0) text += "    WaitTime " + input.dwell(i) + ";\n";
   }
   text += "  ENDPROC\nENDMODULE\n";
   return {{input.name + ".mod", std::move(text)}};

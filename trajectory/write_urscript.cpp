@@ -5,12 +5,14 @@
 namespace hapticell::trajectory {
 
 std::vector<ProgramFile> writeUrScript(const ProgramInput& input) {
-  const auto poseText = [](const Pose& X) {
+  const std::string& base = input.options.base;
+  const auto poseText = [&base](const Pose& X) {
     const dvec3 r = rotationVector(X.q);
-    return "p[" + numberList({X.p.x, X.p.y, X.p.z}, 7) + "," + numberList({r.x, r.y, r.z}, 8) + "]";
+    const std::string pose = "p[" + numberList({X.p.x, X.p.y, X.p.z}, 7) + "," + numberList({r.x, r.y, r.z}, 8) + "]";
+    return base.empty() ? pose : "pose_trans(" + base + "," + pose + ")";
   };
-  const std::string acceleration = fixedText(input.options.acceleration, 4);
-  const std::string speed = fixedText(input.options.speed, 4);
+  const std::string acceleration = input.acceleration();
+  const std::string speed = input.speed();
   std::string text =
       "# Made by HaptiCell. m and rad.\n"
       "# Tool (TCP, payload), base and safety (limits, planes) are your own: check them and the start, run slowly.\n";
@@ -22,12 +24,14 @@ std::vector<ProgramFile> writeUrScript(const ProgramInput& input) {
       // Joint acceleration and speed of the first move, rad/s2 and rad/s: a share of what the arms reach.
       text += "  movej(";
       text += input.hasJoints() ? '[' + jointList(input.trajectory.joints(0), 8, 1.0) + ']' : poseText(frame.X_WT);
-      text += ",a=1.4,v=" + fixedText(3.14 * input.options.joint_speed, 3) + ")\n";
+      text += ",a=1.4,v=" + input.jointSpeed() + ")";
+      // The comment gives readers the pose that belongs to the joints.
+      text += (input.hasJoints() ? "  # HaptiCell pose " + poseText(frame.X_WT) : std::string()) + "\n";
     } else {
       text += "  movel(" + poseText(frame.X_WT) + ",a=" + acceleration + ",v=" + speed;
-      text += (input.blends[i] > 0.0 ? ",r=" + fixedText(input.blends[i], 6) : std::string()) + ")\n";
+      text += (input.blends[i] > 0.0 ? ",r=" + input.blend(i) : std::string()) + ")\n";
     }
-    if (frame.dwell > 0.0) text += "  sleep(" + fixedText(frame.dwell, 3) + ")\n";
+    if (frame.dwell > 0.0) text += "  sleep(" + input.dwell(i) + ")\n";
   }
   text += "end\n" + input.name + "()\n";
   return {{input.name + ".script", std::move(text)}};

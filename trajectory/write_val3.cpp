@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <map>
 
 #include "trajectory/program_writers.h"
@@ -35,19 +34,30 @@ std::string jointValue(std::span<const double> joints) {
   return text + " />\n";
 }
 
-std::string pointValue(const Pose& X, std::size_t key) {
+std::string pointValue(const Pose& X, std::size_t key, const std::string& father) {
   const dvec3 p = kMillimetres * X.p;
   const dvec3 r = staubliAngles(X.q);
   return "      <Value key=\"" + std::to_string(key) + "\" x=\"" + fixedText(p.x, 4) + "\" y=\"" + fixedText(p.y, 4) +
          "\" z=\"" + fixedText(p.z, 4) + "\" rx=\"" + fixedText(r.x, 5) + "\" ry=\"" + fixedText(r.y, 5) + "\" rz=\"" +
-         fixedText(r.z, 5) + "\" fatherId=\"" + "world[0]\" />\n";
+         fixedText(r.z, 5) + "\" fatherId=\"" + father + "[0]\" />\n";
 }
 
-std::string motionValue(double blend, double speed, std::size_t key) {
-  const std::string mm = fixedText(kMillimetres * blend, 3);
-  return "      <Value key=\"" + std::to_string(key) + "\" accel=\"100\" vel=\"100\" decel=\"100\" tmax=\"" +
-         fixedText(kMillimetres * speed, 3) + "\" rmax=\"180\" blend=\"" + (blend > 0.0 ? "joint" : "off") +
-         "\" leave=\"" + mm + "\" reach=\"" + mm + "\" />\n";
+/// Motion data: `share` of the joints' greatest speed, and the TCP's.
+std::string motionValue(const std::string& share, const std::string& speed, const std::string& blend, std::size_t key) {
+  return "      <Value key=\"" + std::to_string(key) + "\" accel=\"100\" vel=\"" + share + "\" decel=\"100\" tmax=\"" +
+         speed + "\" rmax=\"180\" blend=\"" + (blend.empty() ? "off" : "joint") + "\" leave=\"" +
+         (blend.empty() ? "0.000" : blend) + "\" reach=\"" + (blend.empty() ? "0.000" : blend) + "\" />\n";
+}
+
+/// A tool or frame at its father's place, for the user to teach.
+std::string frameValue(const std::string& father) {
+  return "      <Value key=\"0\" x=\"0\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" fatherId=\"" + father +
+         "[0]\" />\n";
+}
+
+/// Data of a library ("lib:tGrip") or of an array's element are not declared here.
+bool isDeclaredHere(const std::string& name) {
+  return name.find_first_of(":[") == std::string::npos;
 }
 
 std::string array(const std::string& name, const std::string& type, std::size_t size, const std::string& values) {
@@ -60,42 +70,36 @@ std::string array(const std::string& name, const std::string& type, std::size_t 
 /// An application: project, data, and the programs start and stop, in a folder of its name.
 std::vector<ProgramFile> writeVal3(const ProgramInput& input) {
   const std::string tool = input.options.tool.empty() ? "tTool" : input.options.tool;
-  std::map<double, std::size_t> motions;  // by blend
-  for (const double blend : input.blends) motions.emplace(blend, 0);
-  std::string motion_values;
-  std::size_t key = 0;
-  for (auto& [blend, index] : motions) {
-    index = key;
-    motion_values += motionValue(blend, input.options.speed, key++);
-  }
-  std::string points;
+  const std::string father = input.options.base.empty() ? "world" : input.options.base;
+  std::map<std::string, std::size_t> motions;  // by blend
+  std::string motion_values, points;
   std::string code =
       "  // Made by HaptiCell. mm and degrees.\n"
       "  // Tool, frame (base) and safety (limits, zones) are your own: check them and the start, run slowly.\n"
       "  // The user's own: " +
-      tool + ", world\n";
+      tool + ", " + father + "\n";
   for (std::size_t i = 0; i < input.trajectory.size(); ++i) {
-    const auto& frame = input.trajectory[i];
-    points += pointValue(frame.X_WT, i);
-    const std::string motion = "," + tool + ",mMotion[" + std::to_string(motions[input.blends[i]]) + "])\n";
+    points += pointValue(input.trajectory[i].X_WT, i, father);
     if (i == 0) {
-      code += (input.hasJoints() ? "  movej(jStart[0]" : std::string("  movej(pPoint[0]")) + motion;
+      code += (input.hasJoints() ? "  movej(jStart[0]," : std::string("  movej(pPoint[0],")) + tool + ",mStart[0])\n";
     } else {
-      code += "  movel(pPoint[" + std::to_string(i) + "]" + motion;
+      const std::string blend = input.blends[i] > 0.0 ? input.blend(i) : std::string();
+      const auto [motion, is_new] = motions.emplace(blend, motions.size());
+      if (is_new) motion_values += motionValue("100", input.speed(), blend, motion->second);
+      code +=
+          "  movel(pPoint[" + std::to_string(i) + "]," + tool + ",mMotion[" + std::to_string(motion->second) + "])\n";
     }
-    if (frame.dwell > 0.0) code += "  waitEndMove()\n  delay(" + fixedText(frame.dwell, 3) + ")\n";
+    if (input.trajectory[i].dwell > 0.0) code += "  waitEndMove()\n  delay(" + input.dwell(i) + ")\n";
   }
   code += "  waitEndMove()\n";
   std::string data = std::string(kMark) + kDeclaration + "<Database xmlns=\"" + kNamespace +
                      "Data/2\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\">\n  <Datas>\n";
+  if (father != "world" && isDeclaredHere(father)) data += array(father, "frame", 1, frameValue("world"));
   if (input.hasJoints()) data += array("jStart", "jointRx", 1, jointValue(input.trajectory.joints(0)));
   data += array("pPoint", "pointRx", input.trajectory.size(), points);
-  data += array("mMotion", "mdesc", motions.size(), motion_values);
-  if (input.options.tool.empty()) {
-    data +=
-        array("tTool", "tool", 1,
-              "      <Value key=\"0\" x=\"0\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" fatherId=\"flange[0]\" />\n");
-  }
+  data += array("mStart", "mdesc", 1, motionValue(input.jointSpeed(), input.speed(), "", 0));
+  if (!motions.empty()) data += array("mMotion", "mdesc", motions.size(), motion_values);
+  if (isDeclaredHere(tool)) data += array(tool, "tool", 1, frameValue("flange"));
   data += "  </Datas>\n</Database>\n";
   const std::string folder = input.name + "/";
   return {{folder + input.name + ".pjx", project(input)},

@@ -34,11 +34,12 @@ ProgramFormat programFormat(const QString& word) {
   if (word == "krl") return ProgramFormat::kKrl;
   if (word == "rapid") return ProgramFormat::kRapid;
   if (word == "fanuc") return ProgramFormat::kFanuc;
-  return word == "urscript" ? ProgramFormat::kUrScript : ProgramFormat::kVal3;
+  if (word == "urscript") return ProgramFormat::kUrScript;
+  return word == "inform" ? ProgramFormat::kInform : ProgramFormat::kVal3;
 }
 
 Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QString& format, const QString& path,
-                                           const trajectory::ProgramOptions& options) {
+                                           const trajectory::ProgramOptions& options, std::vector<std::string>& notes) {
   const std::string wanted = path.toStdString();
   if (format == "csv") return std::vector<ProgramFile>{{wanted, trajectory::toCsvText(given)}};
   if (format == "json") return std::vector<ProgramFile>{{wanted, trajectory::toJsonText(given)}};
@@ -47,7 +48,7 @@ Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QStrin
     if (!text) return makeError(text.error());
     return std::vector<ProgramFile>{{wanted, std::move(*text)}};
   }
-  auto files = trajectory::exportProgram(given, programFormat(format), options);
+  auto files = trajectory::exportProgram(given, programFormat(format), options, &notes);
   if (!files) return makeError(files.error());
   return trajectory::placedProgram(*files, programFormat(format), wanted);
 }
@@ -61,6 +62,7 @@ const std::vector<MotionFormat>& motionFormats() {
       {"fanuc", QObject::tr("FANUC (.ls)"), ".ls", true},
       {"urscript", QObject::tr("Universal Robots script (.script)"), ".script", true},
       {"val3", QObject::tr("Stäubli VAL3 (folder)"), "", true},
+      {"inform", QObject::tr("Yaskawa Motoman INFORM (.jbi)"), ".jbi", true},
       {"ros", QObject::tr("ROS 2 JointTrajectory (.yaml)"), ".yaml", false},
       {"csv", QObject::tr("Table (.csv)"), ".csv", false},
       {"json", QObject::tr("HaptiCell trajectory (.htraj)"), ".htraj", false}};
@@ -118,7 +120,8 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
       [this, trajectory = motion->trajectory, format, path, options,
        simplify](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
         const Trajectory written = simplify ? trajectory::simplified(*trajectory, *simplify) : *trajectory;
-        auto files = filesOf(written, format, path, options);
+        std::vector<std::string> notes;
+        auto files = filesOf(written, format, path, options, notes);
         if (!files) return makeError(files.error());
         QStringList names;
         for (const ProgramFile& file : *files) {
@@ -127,7 +130,9 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
           if (auto kept = workcell::writeFileAtomically(file.name, file.content); !kept) return makeError(kept.error());
           names << place.fileName();
         }
-        return BackgroundWork::Then([this, names, path, frames = written.size()] {
+        return BackgroundWork::Then([this, names, path, notes, frames = written.size()] {
+          for (const std::string& note : notes)
+            host_.messages().tell(Severity::kInformation, tr("Exported program"), QString::fromStdString(note));
           const QString line =
               tr("Written: %1; frames: %2. Tool, base and safety are the controller's own: check them there")
                   .arg(names.join(QStringLiteral(", ")))
@@ -146,8 +151,10 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
 }
 
 void MotionExport::askImport() {
-  const QStringList paths = askToOpenSeveral(&host_.window(), tr("Import motions"), {},
-                                             tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml)"));
+  const QStringList paths =
+      askToOpenSeveral(&host_.window(), tr("Import motions"), {},
+                       tr("Trajectories (*.htraj *.json *.csv *.yaml *.yml);;Robot programs: KRL, RAPID, FANUC, "
+                          "URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)"));
   if (paths.isEmpty()) return;
   const auto* entity = host_.documentModel().document().find(host_.selection().current());
   importFrom(paths, entity ? entity->name : std::string());
@@ -159,17 +166,23 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
       [this, paths, entity,
        number = host_.documentModel().number()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto motions = std::make_shared<std::vector<std::pair<std::string, Trajectory>>>();
+        auto remarks = std::make_shared<QStringList>();
         for (const QString& path : paths) {
-          auto read = trajectory::readTrajectory(path.toStdString());
+          std::vector<std::string> notes;
+          auto read = trajectory::readTrajectory(path.toStdString(), &notes);
           if (!read) return makeError(read.error());
           if (read->entity.empty()) read->entity = entity;
           const QString name =
               read->name.empty() ? QFileInfo(path).completeBaseName() : QString::fromStdString(read->name);
           motions->emplace_back(name.toStdString(), std::move(*read));
+          for (const std::string& note : notes)
+            *remarks << QFileInfo(path).fileName() + ": " + QString::fromStdString(note);
           monitor.report(path.toStdString(), static_cast<double>(motions->size()) / static_cast<double>(paths.size()));
         }
-        return BackgroundWork::Then([this, motions, paths, number] {
+        return BackgroundWork::Then([this, motions, remarks, paths, number] {
           if (number != host_.documentModel().number()) return;
+          for (const QString& note : *remarks)
+            host_.messages().tell(Severity::kInformation, tr("Imported program"), note);
           const auto count = static_cast<int>(motions->size());
           const bool done = list_.add(tr("Import motions"), std::move(*motions));
           if (done) emit told(tr("Motions imported: %1").arg(count), false);

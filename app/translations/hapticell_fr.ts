@@ -2511,6 +2511,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Exporter la sélection…</translation>
     </message>
     <message>
+        <source>Exported program</source>
+        <translation>Programme exporté</translation>
+    </message>
+    <message>
         <source>Exporting %1</source>
         <translation>Exportation de %1</translation>
     </message>
@@ -3313,6 +3317,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Import — %1</source>
         <translation>Importer — %1</translation>
+    </message>
+    <message>
+        <source>Imported program</source>
+        <translation>Programme importé</translation>
     </message>
     <message>
         <source>Import…</source>
@@ -7139,8 +7147,8 @@ Voulez-vous le remplacer ?</translation>
         <translation>Trajectoires</translation>
     </message>
     <message>
-        <source>Trajectories (*.htraj *.json *.csv *.yaml *.yml)</source>
-        <translation>Trajectoires (*.htraj *.json *.csv *.yaml *.yml)</translation>
+        <source>Trajectories (*.htraj *.json *.csv *.yaml *.yml);;Robot programs: KRL, RAPID, FANUC, URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)</source>
+        <translation>Trajectoires (*.htraj *.json *.csv *.yaml *.yml);;Programmes de robots : KRL, RAPID, FANUC, URScript, INFORM (*.src *.mod *.modx *.prg *.ls *.script *.urscript *.jbi)</translation>
     </message>
     <message>
         <source>Trajectory</source>
@@ -7633,6 +7641,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Y, depth</source>
         <translation>Y, profondeur</translation>
+    </message>
+    <message>
+        <source>Yaskawa Motoman INFORM (.jbi)</source>
+        <translation>Yaskawa Motoman INFORM (.jbi)</translation>
     </message>
     <message>
         <source>Yes</source>

@@ -71,7 +71,7 @@ TEST(TrajectoryDock, AProgramOfManyMovesIsOfferedSimplified) {
   EXPECT_EQ(page.newest().size(), 601u) << "the motion itself is as it was";
 }
 
-/// A robot's motion through the panel's own dialog into each of the eight formats.
+/// A robot's motion through the panel's own dialog into each of the nine formats.
 TEST(TrajectoryDock, TheExportDialogWritesEveryFormat) {
   MotionPage page;
   const auto file = config::findShippedFile("robots/hc6/robot.urdf");
@@ -99,9 +99,10 @@ TEST(TrajectoryDock, TheExportDialogWritesEveryFormat) {
   std::optional<bool> done;
   QObject::connect(files, &MotionExport::finished, &page.window(), [&](const QString&, bool ok) { done = ok; });
   auto* formats = page.find<QComboBox>("comboMotionFormat");
-  ASSERT_EQ(formats->count(), 8);
+  ASSERT_EQ(formats->count(), 9);
   const std::map<QString, QString> written{{"krl", "out.src"},         {"rapid", "out.mod"},      {"fanuc", "out.ls"},
                                            {"urscript", "out.script"}, {"val3", "val/start.pgx"}, {"ros", "out.yaml"},
+                                           {"inform", "out.jbi"},
                                            {"csv", "out.csv"},         {"json", "out.htraj"}};
   for (int i = 0; i < formats->count(); ++i) {
     formats->setCurrentIndex(i);
@@ -125,6 +126,14 @@ TEST(TrajectoryDock, TheExportDialogWritesEveryFormat) {
   const auto again = trajectory::readTrajectory(page.folder().filePath("out.htraj").toStdString());
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->size(), 11u);
+  // Programs are imported by the same action as other motions.
+  for (const char* program : {"out.src", "out.mod", "out.ls", "out.script"}) {
+    const std::size_t before = page.motions();
+    files->importFrom({page.folder().filePath(program)}, robot.name);
+    ASSERT_TRUE(MotionPage::until([&] { return page.motions() == before + 1 && page.isIdle(); }, MotionPage::kPatience))
+        << program;
+    EXPECT_EQ(page.newest().size(), 11u) << program;
+  }
 }
 
 TEST(TrajectoryDock, AVideoOfThePlayIsWritten) {

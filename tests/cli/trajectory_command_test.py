@@ -65,9 +65,61 @@ def test_export_to_every_format(case):
         assert all((case.folder / file).stat().st_size > 100 for file in files)
     folder = case.run("trajectory", "export", "few.htraj", "--to", "val3", "-o", "weld")
     assert len(folder["files"]) == 4 and (case.folder / "weld" / "start.pgx").exists(), folder
+    case.run("trajectory", "export", "few.htraj", "--to", "inform", "-o", "p.jbi")
+    assert (case.folder / "p.jbi").read_text().startswith("/JOB\n//NAME P\n"), (case.folder / "p.jbi").read_text()[:80]
     message = case.run("trajectory", "export", "few.htraj", "--to", "ros", "-o", "p.yaml", expect=2)
     assert "joints" in message and not (case.folder / "p.yaml").exists()
     assert "krl" in case.run("trajectory", "export", "few.htraj", "--to", "basic", "-o", "p.x", expect=2)
+
+
+def test_programs_know_their_language(case):
+    """Names, all axes' speeds, and numbers that a language cannot hold: refused, nothing written."""
+    write_motion(case.folder / "a.csv", seconds=0.5, rate=10)
+    export = lambda *words, **more: case.run("trajectory", "export", "a.csv", *words, **more)
+    export("--to", "krl", "-o", "p.src")
+    axes = dict(re.findall(r"\$VEL_AXIS\[(\d)\] = (\d+)", (case.folder / "p.src").read_text()))
+    assert axes == {str(i): "20" for i in range(1, 7)}, axes
+    for word in ("loop", "circ", "return", "default", "ptp"):
+        done = export("--to", "krl", "--name", word, "-o", "p.src")
+        name = re.search(r"DEF (\w+)\(", (case.folder / "p.src").read_text()).group(1)
+        assert name == "p_" + word and any(name in note for note in done["notes"]), done
+    for given, name in (("test", "p_test"), ("Étape 2", "Etape_2")):
+        export("--to", "rapid", "--name", given, "-o", "p.mod")
+        assert (case.folder / "p.mod").read_text().startswith("MODULE %s\n" % name)
+    refused = [("fanuc", "--speed", "5"), ("fanuc", "--speed", "0.0004"), ("krl", "--speed", "0.00004"), ("krl", "--joint-speed", "0.004"),
+               ("inform", "--speed", "2"), ("urscript", "--speed", "1e-7"), ("val3", "--blend", "1e-7"), ("rapid", "--speed", "nan"),
+               ("fanuc", "--tool", "tGrip")]
+    for words in refused:
+        message = export("--to", *words, "-o", "none.x", expect=2)
+        assert words[1].strip("-").replace("-", " ") in message, message
+        assert not list(case.folder.glob("none*")), words
+    rows = (case.folder / "a.csv").read_text().splitlines()
+    (case.folder / "d.csv").write_text("\n".join([rows[0] + ",dwell"] + [r + (",0.004" if i == 2 else ",0") for i, r in enumerate(rows[1:])]))
+    assert "dwell" in case.run("trajectory", "export", "d.csv", "--to", "fanuc", "-o", "none.ls", expect=2)
+    assert not (case.folder / "none.ls").exists()
+
+
+def test_programs_are_opened_again(case):
+    """Each language that is read gives the same poses back; a stranger's program too."""
+    write_motion(case.folder / "a.csv", seconds=2.0, rate=20)
+    given = [[float(n) for n in row.split(",")] for row in (case.folder / "a.csv").read_text().splitlines()[1:]]
+    for name, file in (("krl", "p.src"), ("rapid", "p.mod"), ("fanuc", "p.ls"), ("urscript", "p.script")):
+        done = case.run("trajectory", "export", "a.csv", "--to", name, "-o", file)
+        assert done["measured"]["position"] <= done["promised"]["position"] == 1e-6, done
+        info = case.run("trajectory", "info", file)
+        assert info["frames"] == len(given) and info["moved"] == "tcp" and info["notes"], info
+        case.run("trajectory", "export", file, "--to", "csv", "-o", "again.csv")
+        again = [[float(n) for n in row.split(",")] for row in (case.folder / "again.csv").read_text().splitlines()[1:]]
+        for one, other in zip(again, given):
+            assert math.dist(one[1:4], other[1:4]) < 1e-6, (name, one, other)
+            assert readers.angle_between(readers.of_quaternion(*one[4:8]), readers.of_quaternion(*other[4:8])) < 1e-4, name
+    (case.folder / "joints.script").write_text("def home():\n  movej([0, -1.5, 1.5, 0, 1.0, 0], a=1.4, v=1.05)\nend\n")
+    message = case.run("trajectory", "info", "joints.script", expect=2)
+    assert "--robot" in message and "line 2" in message, message
+    info = case.run("trajectory", "info", "joints.script", "--robot", "library:hc6")
+    (case.folder / "q.csv").write_text(",".join(info["joints"]) + "\n0,-1.5,1.5,0,1.0,0\n")
+    pose = case.run("fk", "--robot", "library:hc6", "--joints", "q.csv")["poses"][0]
+    assert math.dist(info["bounds"]["min"], [pose[axis] for axis in "xyz"]) < 1e-12, (info, pose)
 
 
 def test_check_against_a_wall(case):
