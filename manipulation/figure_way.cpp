@@ -21,7 +21,7 @@ constexpr int kIdleSteps = 6;          // one after the other are the last.
 constexpr double kWorthARound = 5e-3;  // m that must be missing for a way round to be looked for,
 constexpr double kBeforeTheBody = 0.28;  // m before it for a station of it;
 constexpr std::size_t kGoalsTried = 3;   // of postures at its end,
-constexpr int kMostRounds = 3;           // and of ways round to one place.
+constexpr int kMostRounds = 2;           // and of ways round to one place.
 constexpr double kPictureTurn = 1.5;     // rad of all joints from one picture of it
 constexpr int kRoundShown = 1;           // to the next.
 constexpr int kWalkingSteps = 400;       // Idle ones of a figure whose joints turn by more than so many rad in one:
@@ -55,7 +55,7 @@ Expected<std::unique_ptr<FigureWay>> FigureWay::take(std::shared_ptr<const Prepa
 void FigureWay::aim(const Pose& X_WM) {
   X_WTarget_ = X_WM;
   rounds_left_ = kMostRounds;
-  nearest_yet_ = least_missing_ = 1e9;
+  nearest_yet_ = 1e9;
   idle_steps_ = 0;
 }
 
@@ -74,7 +74,6 @@ FigureWay::Reach FigureWay::follow() {
   }
   shown_ = held_->accepted();
   if (ended && missing() > kWorthARound && rounds_left_-- > 0 && goRound()) return showRound();
-  if (ended && goBack()) return showRound();
   Reach reach = reachNow();
   reach.arrived = ended;
   if (ended && (blocked || missing() > kWorthARound)) reach.obstacle = nearest();
@@ -97,45 +96,22 @@ FigureWay::Reach FigureWay::reachNow() const {
 }
 
 /// Goes to a posture found anew on which the target is met, straight or by way of one before the body; true where that
-/// was free. Where no such way is, only to a place before the body: from there the target is drawn to once more. The
-/// hands of a standing figure only, and not past what another entity holds up.
+/// was free. The hands of a standing figure only, and not past what another entity holds up.
 bool FigureWay::goRound() {
   const auto* hands = dynamic_cast<const MannequinManipulator*>(&held_->manipulator());
   if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;
   const EntityConfiguration start = held_->accepted();
-  if (missing() < least_missing_) best_ = start, least_missing_ = missing();
   const dvec3 before = kBeforeTheBody * hands->facing_W(start);
   const dvec3 p_WM = held_->movedFrame().p;
-  using Anew = MannequinManipulator::Anew;
-  std::vector<EntityConfiguration> near, far;
-  bool is_in_reach = false;
-  for (const Anew anew : {Anew::kAsItStands, Anew::kUpright}) {
-    const auto goals = hands->solvedAnew(start, X_WTarget_.p, anew);
-    if (goals.empty()) continue;
-    is_in_reach = true;
-    near = hands->solvedAnew(start, p_WM + before, anew);
-    far = hands->solvedAnew(start, X_WTarget_.p + before, anew);
-    for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried); ++i) {
-      if (goBy({goals[i]})) return true;
-      if (!far.empty() && goBy({far.front(), goals[i]})) return true;
-      if (!near.empty() && !far.empty() && goBy({near.front(), far.front(), goals[i]})) return true;
-    }
+  const auto goals = hands->solvedAnew(start, X_WTarget_.p);
+  if (goals.empty()) return false;
+  const auto near = hands->solvedAnew(start, p_WM + before), far = hands->solvedAnew(start, X_WTarget_.p + before);
+  for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried); ++i) {
+    if (goBy({goals[i]})) return true;
+    if (!far.empty() && goBy({far.front(), goals[i]})) return true;
+    if (!near.empty() && !far.empty() && goBy({near.front(), far.front(), goals[i]})) return true;
   }
-  // Who steps comes nearer: then only the height has to be one that a hand gets to.
-  const dvec3 as_high(p_WM.x + before.x, p_WM.y + before.y, X_WTarget_.p.z);
-  if (may_step_ && !is_in_reach) is_in_reach = !hands->solvedAnew(start, as_high, Anew::kUpright).empty();
-  if (rounds_left_ == 0 || !is_in_reach) return false;
-  if (near.empty() && far.empty()) near = hands->solvedAnew(start, p_WM + before, Anew::kUpright);
-  if (!far.empty() && goBy({far.front()})) return true;
-  return !near.empty() && goBy({near.front()});
-}
-
-/// Where rounds led farther off than it has been, back to there.
-bool FigureWay::goBack() {
-  if (missing() <= least_missing_ + kThere) return false;
-  const EntityConfiguration best = best_;
-  least_missing_ = 1e9;
-  return goBy({best});
+  return false;
 }
 
 /// Goes from one station to the next; where something is in the way, back to where it stood.

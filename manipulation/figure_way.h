@@ -48,7 +48,6 @@ class FigureWay {
   Reach reachNow() const;
   Reach showRound();
   bool goRound();
-  bool goBack();
   bool goBy(const std::vector<EntityConfiguration>& stations);
   bool isHeldUpByOthers();
   std::string nearest();
@@ -66,8 +65,6 @@ class FigureWay {
   double nearest_yet_ = 1e9;  ///< m that was missing at the best,
   int idle_steps_ = 0;        ///< and since when it was not bettered.
   int rounds_left_ = 0;
-  double least_missing_ = 1e9;  ///< m that was missing where a way round began, at the least,
-  EntityConfiguration best_;    ///< and how it stood there.
   EntityConfiguration shown_;
   std::vector<EntityConfiguration> round_;  ///< What is to be shown yet of a way round, the last first.
 };

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "geometry/shapes.h"
 #include "mannequin/figure_model.h"
 #include "workcell/entity_source.h"
@@ -90,46 +88,6 @@ TEST(FigureWay, ATallManReachesFromHangingWhereAPersonDoes) {
 
 TEST(FigureWay, WithFeetThatStepItReachesAsFar) {
   expectAllReached("mannequin:male:50", true);
-}
-
-/// Where a person's hands get to standing: in the box before the body from the knees to over the head, and at the most
-/// an arm's length and what a trunk adds from the shoulder, by measures alone (no solver is asked).
-std::vector<dvec3> reachablePlaces(const mannequin::Figure& figure, std::size_t count, std::uint64_t seed) {
-  constexpr double kTrunkAdds = 0.05;  // Statures.
-  const double stature = figure.body[mannequin::Dimension::kStature];
-  const double arm = figure.upperArmLength() + figure.forearmLength();
-  const double shoulder = figure.body[mannequin::Dimension::kAcromialHeight] - 0.04;
-  std::mt19937_64 random(seed);
-  const auto unit = [&] { return std::uniform_real_distribution<double>(0.0, 1.0)(random); };
-  std::vector<dvec3> places;
-  while (places.size() < count) {
-    const dvec3 p = stature * dvec3(0.12 + 0.24 * unit(), 0.2 * (2.0 * unit() - 1.0), 0.3 + 0.8 * unit());
-    const bool low = p.z < shoulder - arm;  // There the whole body goes down.
-    if (low || glm::length(p - dvec3(0.0, 0.0, shoulder)) < arm + kTrunkAdds * stature) places.push_back(p);
-  }
-  return places;
-}
-
-/// Draws one figure from place to place, as it stands after each.
-void expectAllOfASweep(const char* body, const HoldOptions& hold, const char* name, std::uint64_t seed) {
-  const workcell::Entity entity = hangingFigure(body);
-  const auto scene = PreparedScene::prepare({entity}, {}, {});
-  auto way = FigureWay::take(scene, entity.id, hold, FigureWay::Turn::kWithTheForearm, {});
-  ASSERT_TRUE(way) << way.error().message();
-  for (const dvec3& p : reachablePlaces(*entity.figure, 5, seed)) {
-    const FigureWay::Reach reach = drawn(**way, p - (*way)->follow().X_WM.p);
-    EXPECT_LT(reach.short_m, 0.01) << body << ", " << name << ", to " << p.x << " " << p.y << " " << p.z << " "
-                                   << reach.obstacle;
-  }
-}
-
-TEST(FigureWay, ASweepFromPlaceToPlaceLeavesNoneShort) {
-  std::uint64_t seed = 1;
-  for (const char* body : {"mannequin:female:5", "mannequin:male:50"}) {
-    expectAllOfASweep(body, holding(Kind::kBothHands), "both as one", seed++);
-    expectAllOfASweep(body, holding(Kind::kBothHands, true), "both apart", seed++);
-    expectAllOfASweep(body, holding(Kind::kRightHand), "right hand", seed++);
-  }
 }
 
 TEST(FigureWay, WhatAnotherPartHoldsUpIsNotGoneRound) {
