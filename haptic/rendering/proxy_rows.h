@@ -31,7 +31,7 @@ struct GroupedSet {
 inline constexpr double kTrustedShare = 0.995;
 
 /// The half-spaces of one set about one proxy pose: one row a group, from the group's entry that is freest, and the
-/// trust row last, which keeps the proxy inside the set's zone. Of entries that are as free as the freest, up to kTie,
+/// trust row last, which keeps the proxy inside the set's zone. Of entries that are as free as the freest, within kTie,
 /// the one counts that the wish goes against least: where two bodies lie flush, a proxy that slides from one to the
 /// other is as free by the top of the second as by its hidden side, and only the side would stop it.
 struct ProxyRows {
@@ -42,7 +42,8 @@ struct ProxyRows {
   std::span<const SolverRow> all() const { return {row.data(), count}; }
   /// `wish` in the proxy's metric, m: where it would go next, no farther than one move of it.
   void gather(const GroupedSet& grouped, const Pose& X_DP, const Vector6& wish = {});
-  static constexpr double kTie = 1e-6;  ///< m: more than what a solved row is off, less than anything is thick.
+  static constexpr double kTie =
+      0.0;  ///< m: equal to the last bit only. (With 1e-6 seams are smooth, but a rack is entered.)
 
  private:
   /// An entry's row, and how free the wish would leave it.
