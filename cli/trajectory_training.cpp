@@ -170,13 +170,13 @@ Expected<ordered_json> exercises(const TrainingOptions& options) {
   return ordered_json{{"exercises", std::move(list)}};
 }
 
-using Handler = Expected<ordered_json> (*)(const TrainingOptions&);
+using TrainingHandler = Expected<ordered_json> (*)(const TrainingOptions&);
 
 }  // namespace
 
 void addTrajectoryTraining(Subcommand command, Action& chosen) {
   const auto options = std::make_shared<TrainingOptions>();
-  const auto add = [&](const char* name, const char* description, Handler handler) {
+  const auto add = [&](const char* name, const char* description, TrainingHandler handler) {
     Subcommand sub = command.add(name, description);
     sub.onChosen([options, &chosen, handler] {
       chosen = [options, handler](ResultWriter& writer) { return finishTrajectory(writer, handler(*options)); };

@@ -137,7 +137,7 @@ std::vector<ReadTarget> readVal3(const std::vector<ProgramFile>& files) {
   return targets;
 }
 
-Trajectory program() {
+Trajectory writtenProgram() {
   Trajectory trajectory;
   trajectory.name = "weld seam 1";
   for (int i = 0; i < 60; ++i) trajectory.addFrame({0.1 * i, test::gestureAt(0.5 * i), false, i == 20 ? 0.5 : 0.0});
@@ -152,7 +152,7 @@ TEST(ProgramExport, EveryFormatReadsBackToAMicrometreAndAFractionOfASecondOfArc)
                                                       {ProgramFormat::kFanuc, readFanuc},
                                                       {ProgramFormat::kUrScript, readUrScript},
                                                       {ProgramFormat::kVal3, readVal3}};
-  const Trajectory trajectory = program();
+  const Trajectory trajectory = writtenProgram();
   for (const auto& [format, read] : formats) {
     const auto files = exportProgram(trajectory, format, {});
     ASSERT_TRUE(files.has_value());
@@ -237,7 +237,7 @@ TEST(ProgramExport, BlendsNeverReachIntoANeighbours) {
 TEST(ProgramExport, TheHeaderSaysWhatIsTheUsersOwn) {
   for (const auto format : {ProgramFormat::kKrl, ProgramFormat::kRapid, ProgramFormat::kFanuc, ProgramFormat::kUrScript,
                             ProgramFormat::kVal3}) {
-    const auto files = exportProgram(program(), format, {});
+    const auto files = exportProgram(writtenProgram(), format, {});
     ASSERT_TRUE(files.has_value());
     std::string text;
     for (const auto& file : *files) text += file.content;
