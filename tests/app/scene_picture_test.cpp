@@ -12,6 +12,7 @@
 #include "app/style/theme.h"
 #include "app/viewport/frame_colors.h"
 #include "app/viewport/item_batches.h"
+#include "app/viewport/posed_mesh.h"
 #include "app/viewport/scene_renderer.h"
 #include "geometry/shapes.h"
 #include "tests/app/picture_compare.h"
@@ -149,7 +150,14 @@ TEST_F(ScenePicture, OcclusionLeavesNoLinesOverASmoothSurface) {
   frame_.width = 1600;
   frame_.height = 900;
   frame_.edges = false;
-  add(shared(geometry::makeSphere(1.0, 120)), {0.0, 0.0, 1.0});
+  const auto sphere = std::make_shared<PosedMesh>();
+  static_cast<geometry::TriangleMesh&>(*sphere) = geometry::makeSphere(1.0, 120);
+  for (const auto& vertex : sphere->vertices) sphere->normals.emplace_back(glm::normalize(dvec3(vertex)));
+  PosedMesh::Step whole;
+  for (const auto& triangle : sphere->triangles)
+    whole.indices.insert(whole.indices.end(), {triangle[0], triangle[1], triangle[2]});
+  sphere->steps = std::make_shared<const std::vector<PosedMesh::Step>>(1, whole);
+  add(sphere, {0.0, 0.0, 1.0});
   frame_.items.front().smooth = true;
   frame_.items.front().casts_shadow = false;
   frame_.camera = frame_.camera.fitted(frame_.bounds_W, {1600, 900});

@@ -2,6 +2,8 @@
 // What the trajectory panels compute, without a display.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/trajectory/motion_export.h"
 #include "app/trajectory/motion_work.h"
 #include "app/trajectory/time_axis.h"
@@ -139,8 +141,13 @@ TEST(Limits, ASolidHasAssumedOnesAndARobotItsOwn) {
   EXPECT_EQ(limitsOf({}, solid).acceleration[0], 2.0);
 }
 
-TEST(Formats, AreEight) {
-  EXPECT_EQ(motionFormats().size(), 8u);
+TEST(Formats, EachHasAWordAndANameOfItsOwn) {
+  std::set<QString> words, names;
+  for (const MotionFormat& format : motionFormats()) {
+    EXPECT_TRUE(words.insert(format.word).second) << format.word.toStdString();
+    EXPECT_TRUE(names.insert(format.name).second) << format.name.toStdString();
+  }
+  for (const char* program : {"krl", "rapid", "fanuc", "urscript", "val3", "inform"}) EXPECT_EQ(words.count(program), 1u) << program;
 }
 
 }  // namespace
