@@ -60,8 +60,10 @@ TEST(FileDialog, ShowsThePictureOfACellInTheWindowsTheme) {
     words = dialog.findChild<QLabel*>("filePreviewWords")->text();
     emit dialog.currentChanged(folder.path());
     EXPECT_FALSE(dialog.findChild<QLabel*>("filePreviewWords")->text().contains("cell.hcell")) << "a folder is chosen";
-    dialog.selectFile(path);
-    QTest::keyClick(dialog.findChild<QLineEdit*>("fileNameEdit"), Qt::Key_Return);
+    // Not selectFile(): where the field has the focus already, that leaves it as it is.
+    auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
+    name->setText(path);
+    QTest::keyClick(name, Qt::Key_Return);
   });
   EXPECT_EQ(askToOpen(&page.window(), "Open", folder.path(), "Workcells (*.hcell)"), path);
   EXPECT_GT(middle.red(), 240);
