@@ -85,6 +85,8 @@ class ErgonomicsDocks : public QObject {
     auto* onto = area == Qt::BottomDockWidgetArea ? host_.window().findChild<QDockWidget*>("dockCollisions") : nullptr;
     host_.addDock(dock, area, onto);
     dock->hide();
+    // Never the words for an empty cell until the timer comes round.
+    connect(dock, &QDockWidget::visibilityChanged, this, [this] { look(); }, Qt::QueuedConnection);
     return dock;
   }
 
