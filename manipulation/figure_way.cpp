@@ -21,7 +21,8 @@ constexpr int kIdleSteps = 6;          // one after the other are the last.
 constexpr double kWorthARound = 5e-3;  // m that must be missing for a way round to be looked for,
 constexpr double kBeforeTheBody = 0.28;  // m before it for a station of it;
 constexpr std::size_t kGoalsTried = 3;   // of postures at its end,
-constexpr int kMostRounds = 2;           // and of ways round to one place.
+constexpr int kMostRounds = 4;           // and of ways round to one place.
+constexpr double kFarOff = 0.1;  // m that are missing of who may step: the body rises and walks there from upright.
 constexpr double kPictureTurn = 1.5;     // rad of all joints from one picture of it
 constexpr int kRoundShown = 1;           // to the next.
 constexpr int kWalkingSteps = 400;       // Idle ones of a figure whose joints turn by more than so many rad in one:
@@ -55,13 +56,14 @@ Expected<std::unique_ptr<FigureWay>> FigureWay::take(std::shared_ptr<const Prepa
 void FigureWay::aim(const Pose& X_WM) {
   X_WTarget_ = X_WM;
   rounds_left_ = kMostRounds;
-  nearest_yet_ = 1e9;
+  nearest_yet_ = least_missing_ = 1e9;
   idle_steps_ = 0;
+  is_at_best_ = false;
 }
 
 FigureWay::Reach FigureWay::follow() {
   if (!round_.empty()) return showRound();
-  bool blocked = false, ended = false;
+  bool blocked = false, ended = is_at_best_ || missing() < kThere;
   for (int step = 0; step < kMostWaySteps && !ended; ++step) {
     const EntityConfiguration before = held_->accepted();
     blocked = held_->follow(stride(), mapping_, nullptr).blocked;
@@ -71,13 +73,33 @@ FigureWay::Reach FigureWay::follow() {
     // Who walks leaves the hand behind meanwhile.
     const bool walks = may_step_ && held_->manipulator().turnBound(before, held_->accepted()) > kStillWalks;
     ended = left < kThere || idle_steps_ >= (walks ? kWalkingSteps : kIdleSteps);
+    keepBest();
   }
   shown_ = held_->accepted();
-  if (ended && missing() > kWorthARound && rounds_left_-- > 0 && goRound()) return showRound();
+  if (ended && !is_at_best_ && least_missing_ > kWorthARound && rounds_left_ > 0) {
+    --rounds_left_;
+    if (!isInterrupted() && goRound()) return showRound();
+    if (isInterrupted()) {
+      ++rounds_left_;
+      ended = false;
+    }
+  }
+  if (ended && goBack()) return showRound();
   Reach reach = reachNow();
   reach.arrived = ended;
   if (ended && (blocked || missing() > kWorthARound)) reach.obstacle = nearest();
   return reach;
+}
+
+bool FigureWay::isInterrupted() const {
+  return interrupted_ && interrupted_();
+}
+
+void FigureWay::keepBest() {
+  const double left = missing();
+  if (left >= least_missing_ - kNoNearer) return;
+  best_ = held_->accepted();
+  least_missing_ = left;
 }
 
 FigureWay::Reach FigureWay::showRound() {
@@ -96,22 +118,71 @@ FigureWay::Reach FigureWay::reachNow() const {
 }
 
 /// Goes to a posture found anew on which the target is met, straight or by way of one before the body; true where that
-/// was free. The hands of a standing figure only, and not past what another entity holds up.
+/// was free. Where no such way is: who may step and is far off walks there upright; else only to a place before the body,
+/// from where the target is drawn to once more. The hands of a standing figure only, and not past what another entity
+/// holds up.
 bool FigureWay::goRound() {
   const auto* hands = dynamic_cast<const MannequinManipulator*>(&held_->manipulator());
   if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;
   const EntityConfiguration start = held_->accepted();
   const dvec3 before = kBeforeTheBody * hands->facing_W(start);
   const dvec3 p_WM = held_->movedFrame().p;
-  const auto goals = hands->solvedAnew(start, X_WTarget_.p);
-  if (goals.empty()) return false;
-  const auto near = hands->solvedAnew(start, p_WM + before), far = hands->solvedAnew(start, X_WTarget_.p + before);
-  for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried); ++i) {
-    if (goBy({goals[i]})) return true;
-    if (!far.empty() && goBy({far.front(), goals[i]})) return true;
-    if (!near.empty() && !far.empty() && goBy({near.front(), far.front(), goals[i]})) return true;
+  using Anew = MannequinManipulator::Anew;
+  const auto solved = [&](const dvec3& p, Anew anew) { return hands->solvedAnew(start, p, anew, interrupted_); };
+  std::vector<EntityConfiguration> near, far;
+  bool is_in_reach = false;
+  for (const Anew anew : {Anew::kAsItStands, Anew::kUpright}) {
+    const auto goals = solved(X_WTarget_.p, anew);
+    if (goals.empty()) continue;
+    is_in_reach = true;
+    near = solved(p_WM + before, anew);
+    far = solved(X_WTarget_.p + before, anew);
+    for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried) && !isInterrupted(); ++i) {
+      if (goBy({goals[i]})) return true;
+      if (!far.empty() && goBy({far.front(), goals[i]})) return true;
+      if (!near.empty() && !far.empty() && goBy({near.front(), far.front(), goals[i]})) return true;
+    }
   }
-  return false;
+  if (rounds_left_ == 0 || isInterrupted()) return false;
+  if (may_step_ && missing() > kFarOff && walkThere(*hands)) return true;
+  // Who steps comes nearer: then only the height has to be one that a hand gets to.
+  const dvec3 as_high(p_WM.x + before.x, p_WM.y + before.y, X_WTarget_.p.z);
+  if (may_step_ && !is_in_reach) is_in_reach = !solved(as_high, Anew::kUpright).empty();
+  if (!is_in_reach) return false;
+  if (near.empty() && far.empty()) near = solved(p_WM + before, Anew::kUpright);
+  if (!far.empty() && goBy({far.front()})) return true;
+  return !near.empty() && goBy({near.front()});
+}
+
+/// To where the target is before the body, upright if that is free, and the hands to it; else only there.
+bool FigureWay::walkThere(const MannequinManipulator& hands) {
+  using Anew = MannequinManipulator::Anew;
+  const EntityConfiguration start = held_->accepted();
+  const auto ups = hands.upright(start);
+  const dvec3 before = kBeforeTheBody * hands.facing_W(start);
+  const auto near = hands.solvedAnew(start, held_->movedFrame().p + before, Anew::kAsItStands, interrupted_);
+  const auto places = hands.uprightBefore(ups.front(), X_WTarget_.p);
+  for (const EntityConfiguration& there : places) {
+    const auto goals = hands.solvedAnew(there, X_WTarget_.p, Anew::kAsItStands, interrupted_);
+    for (std::size_t i = 0; i < std::min(goals.size(), kGoalsTried) && !isInterrupted(); ++i) {
+      for (const EntityConfiguration& up : ups)
+        if (goBy({up, there, goals[i]}) || goBy({up, goals[i]})) return true;
+      if (goBy({goals[i]})) return true;
+      if (!near.empty() && (goBy({near.front(), ups.front(), goals[i]}) || goBy({near.front(), goals[i]}))) return true;
+    }
+  }
+  if (isInterrupted()) return false;
+  for (const EntityConfiguration& there : places)
+    if (goBy({ups.front(), there}) || goBy({there})) return true;
+  return goBy({ups.front()}) || goBy({ups.back()}) || (!near.empty() && goBy({near.front()}));
+}
+
+/// Where rounds or strides led farther off than it has been, back to there.
+bool FigureWay::goBack() {
+  if (is_at_best_ || missing() <= least_missing_ + kWorthARound) return false;
+  const EntityConfiguration best = best_;
+  is_at_best_ = true;
+  return goBy({best});
 }
 
 /// Goes from one station to the next; where something is in the way, back to where it stood.
@@ -135,6 +206,7 @@ bool FigureWay::goBy(const std::vector<EntityConfiguration>& stations) {
   }
   idle_steps_ = 0;
   nearest_yet_ = 1e9;
+  keepBest();
   return true;
 }
 

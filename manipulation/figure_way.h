@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "manipulation/held_entity.h"
 
 namespace hapticell::manipulation {
+
+class MannequinManipulator;
 
 /// Draws a mannequin by a hand, both hands or the head to where a mouse wants it, in short steps of the same held
 /// entity that the stylus moves: nothing is entered, and limits, feet and balance hold. One thread at a time.
@@ -26,6 +29,9 @@ class FigureWay {
 
   /// Where the moved frame shall be, in the cell; the newest counts.
   void aim(const Pose& X_WM);
+  /// What is asked while a way round is looked for, a second or two of work: true gives it up, as there is something
+  /// newer to do. On the thread of follow().
+  void setInterrupted(std::function<bool()> interrupted) { interrupted_ = std::move(interrupted); }
 
   /// How the way went.
   struct Reach {
@@ -36,7 +42,7 @@ class FigureWay {
   };
   /// A few steps straight towards the target. The way is the same however many places of the mouse were left out
   /// meanwhile. Where arms get stuck on it (at a limit, at the own body) they go round by a posture found anew; what
-  /// another entity holds up stays held up.
+  /// another entity holds up stays held up. It ends where it came nearest.
   Reach follow();
   /// How the figure is to be shown now.
   const EntityConfiguration& stands() const { return shown_; }
@@ -48,6 +54,10 @@ class FigureWay {
   Reach reachNow() const;
   Reach showRound();
   bool goRound();
+  bool walkThere(const MannequinManipulator& hands);
+  bool goBack();
+  void keepBest();
+  bool isInterrupted() const;
   bool goBy(const std::vector<EntityConfiguration>& stations);
   bool isHeldUpByOthers();
   std::string nearest();
@@ -65,6 +75,10 @@ class FigureWay {
   double nearest_yet_ = 1e9;  ///< m that was missing at the best,
   int idle_steps_ = 0;        ///< and since when it was not bettered.
   int rounds_left_ = 0;
+  double least_missing_ = 1e9;  ///< m that was missing of this target at the least,
+  EntityConfiguration best_;    ///< and how it stood there.
+  bool is_at_best_ = false;     ///< It went back to that, and is done.
+  std::function<bool()> interrupted_;
   EntityConfiguration shown_;
   std::vector<EntityConfiguration> round_;  ///< What is to be shown yet of a way round, the last first.
 };

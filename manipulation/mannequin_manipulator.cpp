@@ -24,7 +24,10 @@ constexpr double kProgress = 0.05;      ///< Of a probe's step: less is none.
 constexpr double kLeastProbe = 5e-4;    ///< m: where no step so small goes on, the reach ends.
 constexpr double kHandsArrived = 2e-5;  ///< m
 constexpr int kTurnsTried = 5;          ///< To either side, 30 deg each.
-constexpr double kReached = 1e-3;       ///< m short of what is looked for that counts as all of it.
+constexpr double kStandOff = 0.38, kHandAside = 0.18;  ///< m from between the feet to a hand that works with ease.
+constexpr double kYawTried = 0.9;       ///< rad
+constexpr double kTrunkAdds = 0.35, kBodyGoesDown = 0.8;  ///< m
+constexpr double kReached = 1e-3;                         ///< m short of what is looked for that counts as all of it.
 
 double errorOf(const mannequin::PostureResult& result) {
   return std::max({result.hand_position_error[0], result.hand_position_error[1], 0.1 * result.hand_orientation_error[0],
@@ -125,22 +128,76 @@ dvec3 MannequinManipulator::facing_W(const EntityConfiguration& configuration) c
   return length > 1e-6 ? dvec3(way.x, way.y, 0.0) / length : dvec3(1.0, 0.0, 0.0);
 }
 
-std::vector<EntityConfiguration> MannequinManipulator::solvedAnew(const EntityConfiguration& from,
-                                                                  const dvec3& p_WM) const {
-  const Posture start = postureOf(from);
-  const Feet feet = feetOf(start);
+Posture MannequinManipulator::uprightOn(const Feet& feet, const char* posture) const {
+  Posture upright = *mannequin::libraryPosture(figure(), posture);
+  const Feet own = feetOf(upright);
+  const dvec3 way = feet[0].rotate({1.0, 0.0, 0.0}) + feet[1].rotate({1.0, 0.0, 0.0});
+  const dquat turn = turnedLeft(std::atan2(way.y, way.x));
+  const dvec3 middle = 0.5 * (own[0].p + own[1].p);
+  upright.X_WR = {0.5 * (feet[0].p + feet[1].p) + turn * (upright.X_WR.p - middle),
+                  glm::normalize(turn * upright.X_WR.q)};
+  return upright;
+}
+
+std::vector<EntityConfiguration> MannequinManipulator::upright(const EntityConfiguration& from) const {
+  const Feet feet = feetOf(postureOf(from));
+  return {configurationOf(uprightOn(feet, "standing")), configurationOf(uprightOn(feet, "both_hands_forward"))};
+}
+
+std::vector<EntityConfiguration> MannequinManipulator::uprightBefore(const EntityConfiguration& from,
+                                                                     const dvec3& p_WM) const {
+  const Posture upright = postureOf(from);
+  const Feet feet = feetOf(upright);
+  const dvec3 middle = 0.5 * (feet[0].p + feet[1].p), facing = facing_W(from);
+  const dvec3 way(p_WM.x - middle.x, p_WM.y - middle.y, 0.0);
+  const double length = glm::length(way);
+  const double to_the_side = isBoth() ? 0.0 : (driven() == Side::kLeft ? -kHandAside : kHandAside);
+  std::vector<EntityConfiguration> places;
+  for (const dvec3& ahead : {length > kStandOff ? way / length : facing, facing}) {
+    const dvec3 left = glm::cross(dvec3(0.0, 0.0, 1.0), ahead);
+    const dquat turn = turnedLeft(std::atan2(ahead.y, ahead.x) - std::atan2(facing.y, facing.x));
+    const dvec3 p_WS = middle + way - kStandOff * ahead + to_the_side * left;
+    Posture there = upright;
+    there.X_WR = {p_WS + turn * (upright.X_WR.p - middle), glm::normalize(turn * upright.X_WR.q)};
+    places.push_back(configurationOf(there));
+  }
+  return places;
+}
+
+/// By distances alone, so that nothing is looked for long far outside: an arm's length from the shoulder and what the
+/// trunk adds, and down as far as the body goes.
+bool MannequinManipulator::mayReach(const Posture& upright, const dvec3& p_WM) const {
+  const mannequin::FigurePose pose = mannequin::forwardKinematics(figure(), upright);
+  dvec3 way = p_WM - pose[mannequin::armSegment(driven(), Segment::kLeftUpperArm)].p_WS;
+  way.z += std::clamp(-way.z, 0.0, kBodyGoesDown);
+  const std::size_t i = static_cast<std::size_t>(driven());
+  const double arm = figure().upperArmLength() + figure().forearmLength() + glm::length(figure().p_HandGrip[i]);
+  return glm::length(way) < arm + kTrunkAdds;
+}
+
+std::vector<EntityConfiguration> MannequinManipulator::solvedAnew(const EntityConfiguration& from, const dvec3& p_WM,
+                                                                  Anew anew,
+                                                                  const std::function<bool()>& interrupted) const {
+  const Posture stands = postureOf(from);
+  const Feet feet = feetOf(stands);
+  const Posture start = anew == Anew::kUpright ? uprightOn(feet, "standing") : stands;
+  if (anew == Anew::kUpright && !mayReach(start, p_WM)) return {};
   const dvec3 forward = facing_W(from), lateral = glm::cross(dvec3(0.0, 0.0, 1.0), forward);
-  const dquat q_WM = movedFrame(from).q;
+  const dquat q_WM = movedFrame(configurationOf(start)).q;
+  const std::vector<double> yaws =
+      anew == Anew::kUpright ? std::vector<double>{0.0, kYawTried, -kYawTried} : std::vector<double>{0.0};
   std::vector<std::pair<double, EntityConfiguration>> found;
-  for (int i = -kTurnsTried; i <= kTurnsTried; ++i) {
-    const dquat pitch = glm::angleAxis(i * M_PI / (kTurnsTried + 1), lateral);
-    const Pose X_WM{p_WM, glm::normalize(pitch * q_WM)};
-    const mannequin::PostureResult result = solver_.solve(taskFor(X_WM, feet), start);
-    if (result.status != mannequin::PostureStatus::kSolved) continue;
-    const auto turns = mannequin::turnsBetween(start, result.posture);
-    double cost = 0.0;
-    for (const double turn : turns) cost += turn * turn;
-    found.emplace_back(cost, configurationOf(result.posture));
+  for (const double yaw : yaws) {
+    for (int i = -kTurnsTried; i <= kTurnsTried; ++i) {
+      if (interrupted && interrupted()) return {};
+      const dquat pitch = glm::angleAxis(i * M_PI / (kTurnsTried + 1), lateral);
+      const Pose X_WM{p_WM, glm::normalize(turnedLeft(yaw) * pitch * q_WM)};
+      const mannequin::PostureResult result = solver_.solve(taskFor(X_WM, feet), start);
+      if (result.status != mannequin::PostureStatus::kSolved) continue;
+      double cost = 0.0;
+      for (const double turn : mannequin::turnsBetween(stands, result.posture)) cost += turn * turn;
+      found.emplace_back(cost, configurationOf(result.posture));
+    }
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<EntityConfiguration> postures;

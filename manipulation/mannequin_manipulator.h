@@ -41,15 +41,25 @@ class MannequinManipulator final : public MannequinBody {
   std::vector<PartDifferential> differentiate(const EntityConfiguration& configuration) const override;
   std::vector<MotionLimit> limits(const EntityConfiguration& configuration, double zone, double lever) const override;
 
+  /// Where a search for a posture begins: how the figure stands, or upright on the same feet with hanging arms.
+  enum class Anew { kAsItStands, kUpright };
   /// Postures with the moved frame at `p_WM` (within a millimetre), found anew and not by following, the nearest to
-  /// `from` first: how the hands turn is left open, so that arms may come from another side. Feet stand where they are.
-  std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM) const;
+  /// `from` first: how the hands turn is left open, so that arms may come from another side; from upright, to either
+  /// side as well. Feet stand where they are. None where `interrupted` (may be empty) says so on the way.
+  std::vector<EntityConfiguration> solvedAnew(const EntityConfiguration& from, const dvec3& p_WM, Anew anew,
+                                              const std::function<bool()>& interrupted) const;
+  /// Upright on the same feet: the arms hanging, and before the body.
+  std::vector<EntityConfiguration> upright(const EntityConfiguration& from) const;
+  /// The same, moved and turned on the floor to where a hand works at `p_WM` with ease: facing it from there, facing on.
+  std::vector<EntityConfiguration> uprightBefore(const EntityConfiguration& from, const dvec3& p_WM) const;
   /// Unit, level: where the feet head.
   dvec3 facing_W(const EntityConfiguration& configuration) const;
 
  private:
   using Feet = std::array<Pose, 2>;
   Feet feetOf(const mannequin::Posture& posture) const;
+  mannequin::Posture uprightOn(const Feet& feet, const char* posture) const;
+  bool mayReach(const mannequin::Posture& upright, const dvec3& p_WM) const;
   mannequin::PostureTask taskFor(const Pose& X_WM, const Feet& X_WF) const;
   mannequin::Posture follow(const mannequin::PostureTask& task, mannequin::Posture posture, dvec3* missing) const;
   /// How far (m, at most `ahead`) the figure follows along `outward` from `posture`; nothing where it goes all the way,

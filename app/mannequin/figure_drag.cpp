@@ -2,6 +2,7 @@
 #include "app/mannequin/figure_drag.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -18,8 +19,9 @@ constexpr double kSamePlace = 2e-5;  // m
 
 }  // namespace
 
-/// Of the worker's thread alone.
+/// Of the worker's thread alone, but for what is newer.
 struct FigureDrag::Work {
+  std::atomic<bool> has_newer{false};  ///< The mouse is elsewhere, or let go: no way round is looked for any longer.
   config::Configuration configuration;
   std::shared_ptr<const manipulation::PreparedScene> prepared;
   std::unique_ptr<manipulation::FigureWay> way;
@@ -62,6 +64,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
     QString problem;
     if (way) {
       work->way = std::move(*way);
+      work->way->setInterrupted([newer = &work->has_newer] { return newer->load(); });
     } else {
       work->way.reset();
       problem = QString::fromStdString(way.error().message());
@@ -80,6 +83,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
 void FigureDrag::moveTo(const Pose& X_WM) {
   if (!open_ || ending_) return;
   wanted_ = X_WM;
+  work_->has_newer = true;
   pump();
 }
 
@@ -87,7 +91,10 @@ void FigureDrag::end(bool keep) {
   if (!open_) return;
   ending_ = true;
   keep_ = keep;
-  if (!keep) wanted_.reset();
+  if (!keep) {
+    wanted_.reset();
+    work_->has_newer = true;
+  }
   pump();
 }
 
@@ -98,6 +105,7 @@ void FigureDrag::pump() {
     return;
   }
   busy_ = under_way_ = true;
+  work_->has_newer = false;
   pool_.start([this, work = work_, aim = wanted_] {
     if (aim) work->way->aim(*aim);
     const Reach reach = work->way->follow();
@@ -149,6 +157,7 @@ void FigureDrag::forgetReach() {
 
 void FigureDrag::forgetCell() {
   open_ = ending_ = under_way_ = false;
+  work_->has_newer = true;
   auto fresh = std::make_shared<Work>();
   fresh->configuration = work_->configuration;
   work_ = std::move(fresh);
