@@ -5,6 +5,7 @@
 #include <QDebug>
 #include <QElapsedTimer>
 #include <QSurfaceFormat>
+#include <QThreadPool>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
@@ -153,6 +154,21 @@ void whenRead(MainWindow& window, int delay_ms, const std::function<void()>& act
   }
 }
 
+/// Acts once no work beside the window is under way (skins of figures, advice, checks at rest) and what it gave is
+/// drawn, or half a minute has passed.
+void whenDone(MainWindow& window, const std::function<void()>& act) {
+  constexpr int kLook = 100, kAtMost = 30000, kDrawn = 600;
+  auto* look = new QTimer(&window);
+  QObject::connect(look, &QTimer::timeout, &window, [look, act, waited = 0, rested = 0]() mutable {
+    rested = QThreadPool::globalInstance()->activeThreadCount() > 0 ? 0 : rested + kLook;
+    if (rested < kDrawn && (waited += kLook) < kAtMost) return;
+    look->deleteLater();
+    look->stop();
+    act();
+  });
+  look->start(kLook);
+}
+
 void printFrameTimes(MainWindow& window) {
   const char* const names[]{"full", "no occlusion", "plain", "no edges", "half size", "coarse"};
   const std::vector<double> medians = window.viewport().measureFrames(9);
@@ -273,13 +289,14 @@ int main(int argc, char** argv) {
                    [&window] { hapticell::app::tellOutOfMemory(window); });
   int status = 0;
   if (!options.screenshot.isEmpty()) {
-    whenRead(window, options.delay_ms, [&] {
+    const auto save = [&] {
       if (!window.picture().save(options.screenshot)) {
         qCritical().noquote() << options.screenshot << "was not written. Look whether its folder exists.";
         status = 2;
       }
       if (options.exit) QApplication::exit(status);
-    });
+    };
+    whenRead(window, options.delay_ms, [&window, save] { whenDone(window, save); });
   }
   if (options.measure) {
     whenRead(window, options.delay_ms, [&window] {

@@ -14,7 +14,9 @@
 #include "app/host/selection.h"
 #include "app/mannequin/marker_panel.h"
 #include "geometry/shapes.h"
+#include "mannequin/figure_model.h"
 #include "tests/app/mannequin_page.h"
+#include "workcell/entity_source.h"
 
 namespace hapticell::app {
 namespace {
@@ -105,6 +107,31 @@ TEST(Gallery, Body) {
   page.keep("face-side", false);
   page.look(-30, 10, Gallery::about({0.0, -0.25, 0.80}, 0.16));
   page.keep("hand", false);
+}
+
+/// The picture of docs/mannequin.md.
+TEST(Gallery, Figures) {
+  WANTED();
+  Gallery page;
+  const std::pair<const char*, const char*> figures[]{{"mannequin:female:5", "standing"},
+                                                      {"mannequin:male:95", "standing"},
+                                                      {"mannequin:female:50", "seated"},
+                                                      {"mannequin:male:50", "overhead"},
+                                                      {"mannequin:male:50", "kneeling_one"}};
+  double y = -1.5;
+  for (const auto& [body, posture] : figures) {
+    Diagnostics diagnostics;
+    workcell::Entity entity = *workcell::EntityLoader(".").load(body, 1.0, diagnostics);
+    entity.name = std::string(body) + posture;
+    const auto stands = mannequin::toModel(*entity.figure, *mannequin::libraryPosture(*entity.figure, posture));
+    entity.X_WE = Pose::translation({0.0, y, 0.0}) * stands.X_WE;
+    entity.joints = stands.joints;
+    page.add(entity);
+    y += 0.75;
+  }
+  page.window().selection().set(0);
+  page.look(50, 8, page.window().viewport().scene().bounds_W());
+  page.keep("figures", false);
 }
 
 TEST(Gallery, ExtremePostures) {
