@@ -32,8 +32,8 @@ void addHanging(const workcell::DocumentState& state, const std::shared_ptr<cons
 QString loadText(const workcell::CarriedLoad& load, double payload) {
   const QString allowed = payload > 0.0 ? kilogramText(payload) : QString();
   if (load.parts.empty())
-    return allowed.isEmpty() ? QObject::tr("Load: none. The payload is not known")
-                             : QObject::tr("Load: none of %1 allowed").arg(allowed);
+    return allowed.isEmpty() ? QObject::tr("Load: none, payload not known")
+                             : QObject::tr("Load: none, payload %1").arg(allowed);
   const auto verdict = workcell::verdictOn(load, payload);
   QString text = verdict == workcell::LoadVerdict::kTooHeavy ? QObject::tr("Too heavy: %1 of %2 allowed")
                  : allowed.isEmpty()                         ? QObject::tr("Load %1; the payload is not known")

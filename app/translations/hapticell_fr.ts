@@ -3735,11 +3735,11 @@ Voulez-vous le remplacer ?</translation>
         <translation>Charge à droite</translation>
     </message>
     <message>
-        <source>Load: none of %1 allowed</source>
-        <translation>Charge : aucune, %1 admis</translation>
+        <source>Load: none, payload %1</source>
+        <translation>Charge : aucune, charge admise %1</translation>
     </message>
     <message>
-        <source>Load: none. The payload is not known</source>
+        <source>Load: none, payload not known</source>
         <translation>Charge : aucune. La charge admise n'est pas connue</translation>
     </message>
     <message>
