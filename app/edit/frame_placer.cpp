@@ -7,6 +7,7 @@
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/host/selection.h"
+#include "app/viewport/floor_point.h"
 #include "app/viewport/frame_triads.h"
 #include "app/viewport/viewport_widget.h"
 #include "workcell/entity_source.h"
@@ -15,9 +16,6 @@ namespace hapticell::app {
 namespace {
 
 constexpr const char* kPlacedFrame = "placed frame";
-constexpr double kFloorReach = 200.0;       // m along the ray: beyond, the pointer is near the horizon.
-constexpr double kFrameClickPixels = 4.0;   // As the viewport tells a click from a drag.
-constexpr QSizeF kFrameViewCube{130, 130};  // Pixels at the right top, where a click turns the view.
 
 }  // namespace
 
@@ -55,15 +53,10 @@ void FramePlacer::insert(const Pose& X_WF) {
 
 std::optional<Pose> FramePlacer::poseAt(const QPointF& position) const {
   ViewportWidget& viewport = host_.viewport();
-  const QRectF cube(QPointF(viewport.width() - kFrameViewCube.width(), 0.0), kFrameViewCube);
-  if (viewport.viewStrip().cellAt(position) >= 0 || cube.contains(position)) return std::nullopt;
+  if (isOverViewControls(viewport, position)) return std::nullopt;
   if (const auto snapped = snapAt(viewport, position, {})) return snapped->X_WS;
-  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  const Ray ray_W = viewport.camera().rayThrough({position.x(), position.y()}, size);
-  const double along = -ray_W.origin_W.z / ray_W.direction_W.z;
-  if (!(along > 0.0 && along < kFloorReach)) return std::nullopt;
-  const dvec3 p_W = ray_W.origin_W + along * ray_W.direction_W;
-  return Pose::translation({p_W.x, p_W.y, 0.0});
+  const auto p_W = floorPoint(viewport, position);
+  return p_W ? std::optional(Pose::translation(*p_W)) : std::nullopt;
 }
 
 void FramePlacer::showAt(const std::optional<Pose>& X_WF) {
@@ -86,10 +79,8 @@ bool FramePlacer::eventFilter(QObject* watched, QEvent* event) {
     pressed_ = mouse->position();
     if (mouse->button() == Qt::LeftButton) showAt(poseAt(pressed_));
   }
-  const bool click = mouse && event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton &&
-                     (mouse->position() - pressed_).manhattanLength() <= kFrameClickPixels;
   // A part that is clicked answers the pick itself; what is left is the floor and frames.
-  if (click && X_WF_)
+  if (mouse && endsClick(*mouse, pressed_) && X_WF_)
     QMetaObject::invokeMethod(
         this,
         [this, X_WF = *X_WF_] {

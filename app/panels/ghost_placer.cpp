@@ -5,16 +5,14 @@
 
 #include "app/host/host.h"
 #include "app/panels/place_fields.h"
+#include "app/viewport/floor_point.h"
 #include "app/viewport/viewport_widget.h"
 
 namespace hapticell::app {
 namespace {
 
 const std::string kGhostOwner = "placed";
-constexpr double kLooksUp = 0.7;           // Cosine to the vertical: a thing would slide from steeper faces.
-constexpr double kFarthestFloor = 200.0;   // m along the ray: beyond, the pointer is near the horizon.
-constexpr double kGhostClickPixels = 4.0;  // As the viewport tells a click from a drag.
-constexpr QSizeF kViewCubeRoom{130, 130};  // Pixels at the right top, where a click turns the view.
+constexpr double kLooksUp = 0.7;  // Cosine to the vertical: a thing would slide from steeper faces.
 
 /// Below what was hit: that point itself on a face that looks up, else the floor beside the wall.
 dvec3 standingPoint(const PickedFeature& feature) {
@@ -64,16 +62,10 @@ void GhostPlacer::take(const dvec3& p_W) {
 
 std::optional<dvec3> GhostPlacer::pointAt(const QPointF& position) const {
   ViewportWidget& viewport = host_.viewport();
-  const QRectF cube(QPointF(viewport.width() - kViewCubeRoom.width(), 0.0), kViewCubeRoom);
-  if (viewport.viewStrip().cellAt(position) >= 0 || cube.contains(position)) return std::nullopt;
+  if (isOverViewControls(viewport, position)) return std::nullopt;
   if (const auto feature = viewport.featureAt(position, {.faces = true, .edges = false, .vertices = false}))
     return standingPoint(*feature);
-  const ViewSize size{static_cast<double>(viewport.width()), static_cast<double>(viewport.height())};
-  const Ray ray_W = viewport.camera().rayThrough({position.x(), position.y()}, size);
-  const double along = -ray_W.origin_W.z / ray_W.direction_W.z;
-  if (!(along > 0.0 && along < kFarthestFloor)) return std::nullopt;
-  const dvec3 p_W = ray_W.origin_W + along * ray_W.direction_W;
-  return dvec3(p_W.x, p_W.y, 0.0);
+  return floorPoint(viewport, position);
 }
 
 void GhostPlacer::showAt(const std::optional<dvec3>& p_W) {
@@ -95,8 +87,7 @@ bool GhostPlacer::eventFilter(QObject* watched, QEvent* event) {
   if (mouse && event->type() == QEvent::MouseMove && mouse->buttons() == Qt::NoButton)
     showAt(pointAt(mouse->position()));
   if (mouse && event->type() == QEvent::MouseButtonPress) pressed_ = mouse->position();
-  if (mouse && event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton &&
-      (mouse->position() - pressed_).manhattanLength() <= kGhostClickPixels) {
+  if (mouse && endsClick(*mouse, pressed_)) {
     // A face that is clicked answers the pick itself; what is left is the floor.
     if (const auto p_W = pointAt(mouse->position()))
       QMetaObject::invokeMethod(
