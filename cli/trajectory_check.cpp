@@ -119,6 +119,11 @@ Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajector
   if (const workcell::Entity* entity = cell->document.findByName(cell->entity)) {
     auto consistent = manipulation::jointsFromPoses(*entity, processed);
     if (!consistent) return tl::unexpected(consistent.error());
+    if (!recording.has_poses) {
+      auto posed = manipulation::posesFromJoints(*entity, recording);
+      if (!posed) return tl::unexpected(posed.error());
+      recording = std::move(*posed);
+    }
     processed = std::move(*consistent);
   }
   auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});

@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <limits>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -14,6 +15,7 @@
 #include "app/start/file_dialog.h"
 #include "app/style/units.h"
 #include "app/trajectory/motion_list.h"
+#include "manipulation/motion_replay.h"
 #include "manipulation/program_configuration.h"
 #include "manipulation/take_recorder.h"
 #include "trajectory/ros_trajectory.h"
@@ -119,7 +121,10 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
       tr("Exporting %1").arg(QFileInfo(path).fileName()),
       [this, trajectory = motion->trajectory, format, path, options,
        simplify](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
-        const Trajectory written = simplify ? trajectory::simplified(*trajectory, *simplify) : *trajectory;
+        // A program's moves are lines of the tool, so what joints do between them is the controller's.
+        trajectory::PathTolerance lines = simplify.value_or(trajectory::PathTolerance{});
+        lines.joint = std::numeric_limits<double>::infinity();
+        const Trajectory written = simplify ? trajectory::simplified(*trajectory, lines) : *trajectory;
         std::vector<std::string> notes;
         auto files = filesOf(written, format, path, options, notes);
         if (!files) return makeError(files.error());
@@ -163,7 +168,7 @@ void MotionExport::askImport() {
 void MotionExport::importFrom(const QStringList& paths, const std::string& entity) {
   list_.work().start(
       tr("Reading motions"),
-      [this, paths, entity,
+      [this, paths, entity, entities = host_.documentModel().document().state().entities,
        number = host_.documentModel().number()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto motions = std::make_shared<std::vector<std::pair<std::string, Trajectory>>>();
         auto remarks = std::make_shared<QStringList>();
@@ -172,6 +177,18 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
           auto read = trajectory::readTrajectory(path.toStdString(), &notes);
           if (!read) return makeError(read.error());
           if (read->entity.empty()) read->entity = entity;
+          if (!read->has_poses) {
+            const auto moved = std::find_if(entities.begin(), entities.end(),
+                                            [&](const auto& one) { return one->name == read->entity; });
+            if (moved == entities.end() || !(*moved)->robot) {
+              return makeError({path.toStdString(), "", "joints alone, without poses",
+                                "the robot whose joints they are",
+                                "Choose the robot in the cell, then import the motion again."});
+            }
+            auto posed = manipulation::posesFromJoints(**moved, *read);
+            if (!posed) return makeError(posed.error());
+            read = std::move(*posed);
+          }
           const QString name =
               read->name.empty() ? QFileInfo(path).completeBaseName() : QString::fromStdString(read->name);
           motions->emplace_back(name.toStdString(), std::move(*read));
