@@ -196,7 +196,8 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
                                          [&](const auto& e) { return e->name == given->entity; });
         // The joints of a robot that is moved by its tool are found for the smoothed poses.
         trajectory::PathTolerance asked = tolerance;
-        const bool by_tool = entity != cell.entities.end() && (*entity)->kind == workcell::EntityKind::kRobot &&
+        const bool by_tool = entity != cell.entities.end() && (*entity)->robot &&
+                             (*entity)->kind != workcell::EntityKind::kMannequin &&
                              (given->moved.empty() || given->moved == "tcp");
         if (by_tool) asked.joint = std::numeric_limits<double>::infinity();
         auto smooth = trajectory::smoothed(*given, {asked});
