@@ -227,7 +227,7 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
   }
   const bool cared = options.hull || options.simplify > 0.0;
   const geometry::TriangleMesh given = options.simplify > 0.0 ? wholeOf(*scene) : geometry::TriangleMesh{};
-  nlohmann::ordered_json kept;
+  nlohmann::ordered_json kept = nlohmann::ordered_json::object();
   auto deviation = options.hull ? careFor(*scene, options, 0.0) : Expected<double>(0.0);
   if (options.simplify > 0.0) deviation = simplifyKept(given, *scene, options, writing, kept);
   if (!deviation) return tl::unexpected(deviation.error());

@@ -17,7 +17,7 @@ constexpr double kBulge = 0.08;         ///< Of the way between two frames, that
 constexpr double kMostBulge = 0.001;    ///< m
 constexpr double kMostTurned = 0.0044;  ///< rad, of the orientation or a joint.
 constexpr int kMostSplits = 60;
-constexpr std::size_t kMostSpans = 2'000'000;
+constexpr std::size_t kMostSpans = 200'000;
 constexpr double kCornerScale = 40.0;  ///< Tolerances that the legs of a corner are long.
 
 PathTolerance times(const PathTolerance& tolerance, double factor) {

@@ -141,12 +141,16 @@ class Retimer {
       double step = options_.sample_s;
       for (int halving = 0; halving <= kMostHalvings; ++halving, step *= 0.5) {
         if (auto sampled = sample(step); !sampled) return tl::unexpected(sampled.error());
+        const std::size_t before = missed.size();
         missed = missedFrames();
-        if (missed.empty()) break;
+        if (missed.empty() || (halving > 0 && 10 * missed.size() > 9 * before)) break;
       }
       if (missed.empty() || round == kMostRestRounds) break;
       const std::size_t before = rests.size();
       rests.insert(missed.begin(), missed.end());
+      // Where that is most of them, it is soon all of them.
+      if (2 * rests.size() > moving_.size())
+        for (std::size_t i = 1; i + 1 < moving_.size(); ++i) rests.insert(i);
       if (rests.size() == before) break;
     }
     report(rests);
