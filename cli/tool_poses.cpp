@@ -10,7 +10,7 @@ namespace {
 using trajectory::PoseDistance;
 using trajectory::Trajectory;
 
-constexpr double kSame = 1e-5;           ///< m, rad: of poses as files give them.
+constexpr double kSameAsFile = 1e-5;     ///< m, rad: of poses as files give them.
 constexpr double kNear = 0.02;           ///< Of poses that were smoothed apart from the joints (their ends are met).
 constexpr std::size_t kMostLooks = 200;  ///< Frames that are looked at to find base or tool.
 
@@ -48,7 +48,7 @@ bool ToolPoses::agrees(const Trajectory& given) const {
   const std::size_t step = std::max<std::size_t>(1, given.size() / kMostLooks);
   for (std::size_t i = 0; i < given.size(); i += step) {
     const PoseDistance off = trajectory::distanceBetween(at(given.joints(i)), given[i].X_WT);
-    const double same = given[i].is_pose_apart ? kNear : kSame;
+    const double same = given[i].is_pose_apart ? kNear : kSameAsFile;
     if (off.position > same || off.angle > same) return false;
   }
   return true;
