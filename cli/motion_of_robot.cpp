@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cli/trajectory_report.h"
 #include "trajectory/trajectory_io.h"
 
 namespace hapticell::cli {
@@ -39,6 +40,10 @@ Expected<MotionOfRobot> withRobot(const Trajectory& given, const TrajectoryOptio
         "The file's poses are not those of its joints by this robot, whatever base or tool it stands on; poses between "
         "given frames are marked (pose_apart).");
     return result;
+  } else if (const std::size_t apart = posesApart(given); apart > 0) {
+    result.motion = tool->posesOf(given);
+    assumptions.push_back("In " + std::to_string(apart) +
+                          " given frames poses and joints were made each by itself (pose_apart); the joints count.");
   }
   result.tool = std::move(*tool);
   return result;

@@ -43,10 +43,13 @@ ordered_json distanceJson(const trajectory::PoseDistance& distance) {
   return {{"position", distance.position}, {"angle", distance.angle}};
 }
 
+std::size_t posesApart(const Trajectory& trajectory) {
+  return static_cast<std::size_t>(std::count_if(trajectory.frames().begin(), trajectory.frames().end(),
+                                                [](const auto& frame) { return frame.is_pose_apart; }));
+}
+
 void noteApart(const Trajectory& trajectory, ordered_json& notes) {
-  const auto apart = std::count_if(trajectory.frames().begin(), trajectory.frames().end(),
-                                   [](const auto& frame) { return frame.is_pose_apart; });
-  if (apart > 0) {
+  if (const std::size_t apart = posesApart(trajectory); apart > 0) {
     notes.push_back("Poses and joints were made each by itself in " + std::to_string(apart) +
                     " frames, which are marked (pose_apart); --robot makes them agree.");
   }
@@ -59,8 +62,7 @@ Expected<ordered_json> trajectoryInfo(const Trajectory& given, const TrajectoryO
   result["moved"] = given.moved;
   result["joints"] = given.joint_names;
   result["has_poses"] = given.has_poses;
-  result["poses_apart"] = std::count_if(given.frames().begin(), given.frames().end(),
-                                        [](const auto& frame) { return frame.is_pose_apart; });
+  result["poses_apart"] = posesApart(given);
   if (!options.limits.robot.empty() && given.hasJoints() && given.has_poses) {
     const auto tool = ToolPoses::create(options.limits.robot, given);
     if (!tool) return tl::unexpected(tool.error());

@@ -12,6 +12,9 @@ namespace hapticell::cli {
 /// `{position, angle}`, m and rad.
 nlohmann::ordered_json distanceJson(const trajectory::PoseDistance& distance);
 
+/// Frames that say that their pose and joints were made each by itself.
+std::size_t posesApart(const trajectory::Trajectory& trajectory);
+
 /// Says in `notes`, a list of texts, where poses and joints of one frame need not agree.
 void noteApart(const trajectory::Trajectory& trajectory, nlohmann::ordered_json& notes);
 

@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using trajectory::Trajectory;
 
-/// With the robot the poses are those of the joints, and joints are passed as closely as the tool needs.
-Expected<trajectory::Retimed> retimeWith(const Trajectory& given, trajectory::RetimingOptions retiming,
+/// With the robot the poses are those of the joints, and joints are passed as closely as the tool needs: `retiming` has
+/// their tolerance then.
+Expected<trajectory::Retimed> retimeWith(const Trajectory& given, trajectory::RetimingOptions& retiming,
                                          const std::optional<ToolPoses>& tool) {
   constexpr int kTries = 4;
   const trajectory::PathTolerance asked = retiming.tolerance;
@@ -78,16 +79,15 @@ Expected<ordered_json> retimeTrajectory(const Trajectory& file, const Trajectory
   const auto with = withRobot(file, options, assumptions);
   if (!with) return tl::unexpected(with.error());
   const Trajectory& given = with->motion;
-  const auto retiming = retimingOf(given, options, assumptions);
-  if (!retiming) return tl::unexpected(retiming.error());
+  const auto asked = retimingOf(given, options, assumptions);
+  if (!asked) return tl::unexpected(asked.error());
+  trajectory::RetimingOptions retiming = *asked;
   ordered_json kept = nullptr;
-  trajectory::Retimed made;
-  if (options.check.workcell.empty()) {
-    auto result = retimeWith(given, *retiming, with->tool);
-    if (!result) return tl::unexpected(result.error());
-    made = std::move(*result);
-  } else {
-    auto free = retimeFree(given, *retiming, options.check, made.report);
+  auto result = retimeWith(given, retiming, with->tool);
+  if (!result) return tl::unexpected(result.error());
+  trajectory::Retimed made = std::move(*result);
+  if (!options.check.workcell.empty()) {
+    auto free = retimeFree(given, retiming, options.check, made.report);
     if (!free) return tl::unexpected(free.error());
     made.trajectory = std::move(free->trajectory);
     kept = std::move(free->report);
@@ -100,12 +100,12 @@ Expected<ordered_json> retimeTrajectory(const Trajectory& file, const Trajectory
   if (made.report.sample_s < 0.9 * options.sample)
     assumptions.push_back("Frames are closer together than --sample, so that the ways between them stay by the path.");
   ordered_json json = retimingJson(made);
-  noteApart(made.trajectory, assumptions);
   json["assumptions"] = assumptions;
+  noteApart(made.trajectory, json["assumptions"]);
   if (!kept.is_null()) json["kept_free"] = std::move(kept);
-  const auto tool = kept.is_null() ? with->tool : std::optional<ToolPoses>();
+  const auto& tool = with->tool;
   const auto measure = [&](const fs::path& written) {
-    return withPosesByJoints(trajectory_checks::retimePromises(given, *retiming, {!drawn, tool.has_value()}, written),
+    return withPosesByJoints(trajectory_checks::retimePromises(given, *asked, {!drawn, tool.has_value()}, written),
                              tool, written);
   };
   if (auto saved = saveKept(made.trajectory, options, measure, json); !saved) return tl::unexpected(saved.error());

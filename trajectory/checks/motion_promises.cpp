@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trajectory/checks/motion_measures.h"
 #include "trajectory/trajectory_io.h"
@@ -78,7 +79,10 @@ Expected<Promises> retimePromises(const Trajectory& given, const trajectory::Ret
   if (asked.passes) {
     const bool poses =
         !motion->hasJoints() || asked.poses_by_joints || options.mode == trajectory::TimingMode::kConstantSpeed;
-    const auto off = passing(given, *motion, {near.position, near.angle, near.joint});
+    // Poses that were made apart from the joints have no say in where a frame is passed.
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+    const auto off =
+        passing(given, *motion, {poses ? near.position : kAnywhere, poses ? near.angle : kAnywhere, near.joint});
     addDistances(promises, off, near, given, poses);
   }
   if (options.mode == trajectory::TimingMode::kTimeOptimal) {
