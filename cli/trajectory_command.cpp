@@ -82,7 +82,8 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   }
   addAllowMiss(export_command, options->allow_miss);
   for (Subcommand sub : {info_command, smooth_command}) {
-    sub.option("--robot", options->limits.robot, "Robot whose joints they are, for poses by its forward kinematics: a file or library:NAME");
+    sub.option("--robot", options->limits.robot,
+               "Robot whose joints they are, for poses by its forward kinematics: a file or library:NAME");
   }
   retime_command.option("--tolerance", options->passing, "How near each given frame is passed, m (0.00005)");
   retime_command.option("--angle-tolerance", options->angle_passing, "Likewise its turn, or each joint, rad (0.0002)");
@@ -102,15 +103,16 @@ void addTrajectoryCommand(Subcommand app, Action& chosen) {
   export_command.option("--to", options->to, "csv, json, ros, krl, rapid, fanuc, urscript, val3 or inform").required();
   export_command.option("-o,--output", options->output, "The file; a folder for val3").required();
   export_command.option("--name", options->program.name, "The program's name (of the file)");
-  export_command.option("--tool", options->program.tool, 
+  export_command.option("--tool", options->program.tool,
                         "The controller's tool: its name; a number for fanuc and inform");
   export_command.option("--base", options->program.base, "The controller's base, work object or user frame, likewise");
   export_command.option("--speed", options->program.speed, "m/s along lines (0.25)");
   export_command.option("--acceleration", options->program.acceleration, "m/s2 along lines (1.2)");
   export_command.option("--joint-speed", options->program.joint_speed, "Share of the first move's speed (0.2)");
   export_command.option("--blend", options->program.blend, "m (0.002)");
-  export_command.option("--robot", options->limits.robot,
-                        "Robot for configuration data, joints, and poses where the file has none: a file or library:NAME");
+  export_command.option(
+      "--robot", options->limits.robot,
+      "Robot for configuration data, joints, and poses where the file has none: a file or library:NAME");
 }
 
 }  // namespace hapticell::cli

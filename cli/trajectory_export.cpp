@@ -52,8 +52,8 @@ Expected<std::vector<trajectory::ProgramFile>> readBack(const std::vector<trajec
   fs::create_directories(beside, problem);
   std::string folder = (beside / ".program-XXXXXX").string();
   if (problem || ::mkdtemp(folder.data()) == nullptr) {
-    return makeError({beside.string(), "", "no folder can be made here", problem ? problem.message() : "a place to write",
-                      "Write it somewhere else."});
+    return makeError({beside.string(), "", "no folder can be made here",
+                      problem ? problem.message() : "a place to write", "Write it somewhere else."});
   }
   std::vector<trajectory::ProgramFile> read;
   std::optional<Error> failure;
@@ -138,10 +138,10 @@ Expected<ordered_json> exportTrajectory(const Trajectory& file, const Trajectory
   const auto with = withRobot(file, options, notes);
   if (!with) return tl::unexpected(with.error());
   const Trajectory& given = with->motion;
-  ordered_json result{{"format", options.to}, {"files", {options.output}}, {"frames", given.size()}, {"notes", nullptr}};
+  ordered_json result{
+      {"format", options.to}, {"files", {options.output}}, {"frames", given.size()}, {"notes", nullptr}};
   const bool is_text = options.to == "csv" || options.to == "json" || options.to == "ros";
-  const auto written =
-      is_text ? exportText(given, options, result) : exportAsProgram(given, options, notes, result);
+  const auto written = is_text ? exportText(given, options, result) : exportAsProgram(given, options, notes, result);
   if (!written) return tl::unexpected(written.error());
   result["notes"] = notes;
   return result;

@@ -9,7 +9,8 @@
 
 namespace hapticell::cli {
 
-/// `trajectory simplify`: fewer frames within the tolerances. Errors: tolerances that are not positive, a promise missed.
+/// `trajectory simplify`: fewer frames within the tolerances. Errors: tolerances that are not positive, a promise
+/// missed.
 Expected<nlohmann::ordered_json> simplifyTrajectory(const trajectory::Trajectory& given,
                                                     const TrajectoryOptions& options);
 

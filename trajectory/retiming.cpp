@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "trajectory/frame_use.h"
 #include "trajectory/simplification.h"
@@ -133,7 +135,7 @@ class Retimer {
     if (auto checked = check(); !checked) return tl::unexpected(checked.error());
     std::set<std::size_t> rests = restsOf();
     for (int round = 0;; ++round) {
-      pieces_.clear();
+      keepKnown();
       for (const Piece& piece : piecesOf(moving_, rests)) {
         if (auto added = addPiece(piece, rests); !added) return tl::unexpected(added.error());
       }
@@ -249,7 +251,21 @@ class Retimer {
     return part;
   }
 
+  /// What was laid and timed in the round before is so still where no further rest lies within.
+  void keepKnown() {
+    known_.clear();
+    for (Part& part : pieces_) {
+      const std::size_t first = part.first, last = first + part.frames.size() - 1;
+      known_.emplace(std::pair(first, last), std::move(part));
+    }
+    pieces_.clear();
+  }
+
   Expected<void> addPiece(const Piece& piece, std::set<std::size_t>& rests) {
+    if (const auto known = known_.find({piece.first, piece.last}); known != known_.end()) {
+      pieces_.push_back(std::move(known->second));
+      return {};
+    }
     auto part = partOf(piece);
     if (!part) return tl::unexpected(part.error());
     if (part->path->isRounded() && !options_.limits.jerk.empty()) {
@@ -338,7 +354,8 @@ class Retimer {
       const double dwell = i == count ? part.frames[part.frames.size() - 1].dwell : 0.0;
       const bool apart = moving_.hasJoints() && moving_.has_poses;
       part.samples.addFrame({t, part.path->pose(u), false, dwell, nullptr, apart}, part.path->joints(u));
-      part.given.addFrame({t, part.frames.poseAt(t_given), false, dwell, nullptr, apart}, part.frames.jointsAt(t_given));
+      part.given.addFrame({t, part.frames.poseAt(t_given), false, dwell, nullptr, apart},
+                          part.frames.jointsAt(t_given));
       part.places.push_back(u);
     }
     // Rests are met to the last digit.
@@ -400,6 +417,7 @@ class Retimer {
   const Trajectory moving_;
   const LimitedBy by_;
   std::vector<Part> pieces_;
+  std::map<std::pair<std::size_t, std::size_t>, Part> known_;  ///< By their first and last frame in moving_.
   Deviation worst_;
   double step_ = 0.0;
   Retimed result_;

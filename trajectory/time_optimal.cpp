@@ -67,6 +67,24 @@ class Grid {
     }
   }
 
+  /// The same places of the path under other limits.
+  Grid(const Grid& other, const MotionLimits& limits)
+      : limits_(limits), dimensions_(other.dimensions_), s_(other.s_), first_(other.first_), second_(other.second_) {}
+
+  /// At any s, from the places known: see useBetween().
+  void derivatives(double s, std::span<double> first, std::span<double> second) const {
+    const auto after = std::upper_bound(s_.begin() + 1, s_.end() - 1, s);
+    const auto i = static_cast<std::size_t>(after - s_.begin()) - 1;
+    const double f = std::clamp((s - s_[i]) / step(i), 0.0, 1.0);
+    const double w0 = (1.0 - f) * (1.0 - 2.0 * f), w1 = 4.0 * f * (1.0 - f), w2 = f * (2.0 * f - 1.0);
+    const double *a = first_.data() + 2 * i * dimensions_, *b = second_.data() + 2 * i * dimensions_;
+    for (std::size_t j = 0; j < dimensions_; ++j) {
+      first[j] = w0 * a[j] + w1 * a[dimensions_ + j] + w2 * a[2 * dimensions_ + j];
+      second[j] = (1.0 - f) * b[j] + f * b[2 * dimensions_ + j];
+    }
+  }
+
+  std::size_t dimensions() const { return dimensions_; }
   std::size_t size() const { return s_.size(); }
   double step(std::size_t i) const { return s_[i + 1] - s_[i]; }
   const std::vector<double>& s() const { return s_; }
@@ -218,18 +236,19 @@ std::optional<std::vector<double>> reach(const Grid& grid, const TimingOptions& 
 }
 
 /// The largest use of the limits over some thousand steps of the motion's own time, whatever its scale, the
-/// acceleration's growth taken over a step, wherever steps begin.
-LimitUse worstUse(const LimitedPath& path, const PathTiming& timing, const MotionLimits& limits) {
-  constexpr std::size_t kSteps = 3000, kPhases = 3;
+/// acceleration's growth taken over a step; steps begin at so many places within a step. `path`: a Grid or a path.
+template <class Path>
+LimitUse worstUse(const Path& path, const PathTiming& timing, const MotionLimits& limits, std::size_t phases) {
+  constexpr std::size_t kSteps = 3000;
   const std::size_t d = path.dimensions();
   const double dt = timing.duration() / static_cast<double>(kSteps);
-  std::vector<double> first(d), second(d), accelerations(kPhases * d, 0.0);
+  std::vector<double> first(d), second(d), accelerations(phases * d, 0.0);
   LimitUse use;
-  for (std::size_t i = 0; i <= kPhases * (kSteps + 1); ++i) {
-    const PathTiming::State state = timing.at(dt / static_cast<double>(kPhases) * static_cast<double>(i));
+  for (std::size_t i = 0; i <= phases * (kSteps + 1); ++i) {
+    const PathTiming::State state = timing.at(dt / static_cast<double>(phases) * static_cast<double>(i));
     path.derivatives(state.s, first, second);
     for (std::size_t j = 0; j < d; ++j) {
-      double& before = accelerations[(i % kPhases) * d + j];  // One step ago.
+      double& before = accelerations[(i % phases) * d + j];  // One step ago.
       const double acceleration = first[j] * state.acceleration + second[j] * state.speed * state.speed;
       use.velocity = std::max(use.velocity, std::abs(first[j] * state.speed) / limits.velocity[j]);
       use.acceleration = std::max(use.acceleration, std::abs(acceleration) / limits.acceleration[j]);
@@ -243,11 +262,30 @@ LimitUse worstUse(const LimitedPath& path, const PathTiming& timing, const Motio
 /// Stretched until its limits hold. All uses fall with a power of the stretch, so this ends in a few steps.
 PathTiming held(const LimitedPath& path, PathTiming timing, const MotionLimits& limits) {
   for (int round = 0; round < 8; ++round) {
-    const double factor = stretchFor(worstUse(path, timing, limits));
+    const double factor = stretchFor(worstUse(path, timing, limits, 3));
     if (factor <= 1.0 + 1e-6) break;
     timing = timing.stretched(factor * (1.0 + 1e-7));
   }
   return timing;
+}
+
+Expected<void> checkPath(const LimitedPath& path, const MotionLimits& limits) {
+  if (auto checked = checkLimits(path.dimensions(), limits); !checked) return checked;
+  if (path.breaks().back() > path.breaks().front()) return {};
+  return makeError({"", "path", "a path of no length", "frames that move", ""});
+}
+
+Expected<PathTiming> fastestOn(const Grid& grid, const TimingOptions& options) {
+  auto speeds = reach(grid, options);
+  if (!speeds) {
+    return makeError(
+        {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
+  }
+  const LimitUse use = grid.useBetween(*speeds);
+  PathTiming timing(grid.s(), std::move(*speeds));
+  if (options.start_speed > 0.0 || options.end_speed > 0.0) return timing;
+  // Between the places looked at a limit may still be passed by parts in a thousand.
+  return timing.stretched(stretchFor(use));
 }
 
 }  // namespace
@@ -354,39 +392,31 @@ Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits) {
 }
 
 Expected<PathTiming> timeOptimal(const LimitedPath& path, const MotionLimits& limits, const TimingOptions& options) {
-  if (auto checked = checkLimits(path.dimensions(), limits); !checked) return tl::unexpected(checked.error());
-  if (!(path.breaks().back() > path.breaks().front())) {
-    return makeError({"", "path", "a path of no length", "frames that move", ""});
-  }
-  const Grid grid(path, limits, std::max<std::size_t>(options.grid_points, 3));
-  auto speeds = reach(grid, options);
-  if (!speeds) {
-    return makeError(
-        {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
-  }
-  const LimitUse use = grid.useBetween(*speeds);
-  PathTiming timing(grid.s(), std::move(*speeds));
-  if (options.start_speed > 0.0 || options.end_speed > 0.0) return timing;
-  // Between the places looked at a limit may still be passed by parts in a thousand.
-  return timing.stretched(stretchFor(use));
+  if (auto checked = checkPath(path, limits); !checked) return tl::unexpected(checked.error());
+  return fastestOn(Grid(path, limits, std::max<std::size_t>(options.grid_points, 3)), options);
 }
 
 Expected<PathTiming> jerkLimited(const LimitedPath& path, const MotionLimits& limits, const TimingOptions& options) {
-  auto fastest = timeOptimal(path, limits, options);
+  if (auto checked = checkPath(path, limits); !checked) return tl::unexpected(checked.error());
+  const Grid grid(path, limits, std::max<std::size_t>(options.grid_points, 3));
+  auto fastest = fastestOn(grid, options);
   if (!fastest || limits.jerk.empty()) return fastest;
-  std::optional<PathTiming> best;
+  // Many are compared, so the path is looked at by its grid; the best alone is held to the path itself.
+  PathTiming best;
   const auto tryWindow = [&](const PathTiming& base, double share) {
-    PathTiming timing = held(path, base.averaged(share * base.duration()), limits);
+    const PathTiming averaged = base.averaged(share * base.duration());
+    // All uses fall with a power of the stretch.
+    PathTiming timing = averaged.stretched(stretchFor(worstUse(grid, averaged, limits, 1)));
     const double duration = timing.duration();
-    if (!best || duration < best->duration()) best = std::move(timing);
+    if (best.duration() == 0.0 || duration < best.duration()) best = std::move(timing);
     return duration;
   };
+  const double peak = worstUse(grid, *fastest, limits, 1).velocity;
   // With a lower speed there is a time between gaining and losing it, which small jerk limits leave none of.
   for (const double slower : {1.0, 0.8, 0.65, 0.5}) {
     MotionLimits lower = limits;
-    const double peak = slower == 1.0 ? 0.0 : slower * worstUse(path, *fastest, limits).velocity;
-    for (double& velocity : lower.velocity) velocity *= slower == 1.0 ? 1.0 : std::max(peak, 1e-9);
-    const auto base = slower == 1.0 ? fastest : timeOptimal(path, lower, options);
+    for (double& velocity : lower.velocity) velocity *= slower == 1.0 ? 1.0 : std::max(slower * peak, 1e-9);
+    const auto base = slower == 1.0 ? fastest : fastestOn(Grid(grid, lower), options);
     if (!base) continue;
     double before = kInfinity;
     for (double share = 0.01; share < 0.6; share *= 1.4) {
@@ -395,7 +425,7 @@ Expected<PathTiming> jerkLimited(const LimitedPath& path, const MotionLimits& li
       before = std::min(before, duration);
     }
   }
-  return *best;
+  return held(path, std::move(best), limits);
 }
 
 Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <algorithm>
 #include <limits>
 
@@ -18,6 +19,7 @@
 #include "manipulation/motion_replay.h"
 #include "manipulation/program_configuration.h"
 #include "manipulation/take_recorder.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/ros_trajectory.h"
 #include "trajectory/simplification.h"
 #include "trajectory/trajectory_io.h"
@@ -53,6 +55,41 @@ Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QStrin
   auto files = trajectory::exportProgram(given, programFormat(format), options, &notes);
   if (!files) return makeError(files.error());
   return trajectory::placedProgram(*files, programFormat(format), wanted);
+}
+
+/// Reads a written file back before it takes its place: a table is measured as a motion; a program was measured as text
+/// (exportProgram), so the file must hold that text.
+workcell::FileCheck readBackCheck(const Trajectory& motion, const QString& format, const ProgramFile& file) {
+  const bool is_ros = format == "ros";
+  if (is_ros || format == "csv" || format == "json") {
+    return [&motion, &file, is_ros](const std::filesystem::path& written) -> Expected<void> {
+      const auto promises = trajectory_checks::copyPromises(motion, !is_ros, is_ros ? 1e-9 : 0.0, written);
+      if (!promises) return makeError(promises.error());
+      if (!promises->areKept()) return makeError(promises->missed(file.name));
+      return {};
+    };
+  }
+  return [&file](const std::filesystem::path& written) -> Expected<void> {
+    const auto content = workcell::readFileContent(written);
+    if (!content) return makeError(content.error());
+    if (*content == file.content) return {};
+    return makeError({file.name, "", "other bytes than were written", "the program", "Write it to another disk."});
+  };
+}
+
+/// Readers know tables by their extensions: under another name a copy with the right one is read first.
+Expected<void> writeChecked(const Trajectory& motion, const QString& format, const ProgramFile& file) {
+  const workcell::FileCheck check = readBackCheck(motion, format, file);
+  const QString extension = format == "csv" ? ".csv" : format == "json" ? ".htraj" : format == "ros" ? ".yaml" : "";
+  const QString name = QString::fromStdString(file.name);
+  const bool is_known = extension.isEmpty() || name.endsWith(extension, Qt::CaseInsensitive) ||
+                        (format == "json" && name.endsWith(".json", Qt::CaseInsensitive)) ||
+                        (format == "ros" && name.endsWith(".yml", Qt::CaseInsensitive));
+  if (is_known) return workcell::writeFileChecked(file.name, file.content, check);
+  const QTemporaryDir folder;
+  const std::string trial = folder.filePath("motion" + extension).toStdString();
+  if (auto kept = workcell::writeFileChecked(trial, file.content, check); !kept) return kept;
+  return workcell::writeFileAtomically(file.name, file.content);
 }
 
 }  // namespace
@@ -132,7 +169,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         for (const ProgramFile& file : *files) {
           const QFileInfo place(QString::fromStdString(file.name));
           QDir().mkpath(place.path());
-          if (auto kept = workcell::writeFileAtomically(file.name, file.content); !kept) return makeError(kept.error());
+          if (auto kept = writeChecked(written, format, file); !kept) return makeError(kept.error());
           names << place.fileName();
         }
         return BackgroundWork::Then([this, names, path, notes, frames = written.size()] {
