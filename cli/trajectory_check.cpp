@@ -95,8 +95,7 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   auto axes = motionsTogether(trajectory, *document, options);
   if (!axes) return tl::unexpected(axes.error());
   path->axes = std::move(*axes);
-  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(),
-                                                    {document->state().pair_sets, document->state().pair_rules}, {});
+  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(), document->state().pairPolicy(), {});
   return Cell{std::move(*document), std::move(scene), std::move(*path), name};
 }
 

@@ -94,7 +94,7 @@ std::shared_ptr<const MotionWork::Cell> MotionWork::cell() const {
   auto cell = std::make_shared<Cell>();
   cell->entities = document.state().entities;
   cell->values = document.snapshotEntities();
-  cell->pairs = {document.state().pair_sets, document.state().pair_rules};
+  cell->pairs = document.state().pairPolicy();
   cell->configuration = host_.configuration();
   cell->defaults = {cell->configuration.manipulation.safety_distance, cell->configuration.manipulation.near_miss};
   cell->revision = document.revision();
