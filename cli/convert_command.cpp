@@ -225,6 +225,9 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
     const double likely = takeLikelyUnit(*scene, notes);
     if (options.output_unit.empty()) writing.metres_per_unit = likely;
   }
+  workcell::FacingNote facing;
+  for (const geometry::TriangleMesh& mesh : scene->meshes) facing.look(mesh);
+  facing.tell(notes);
   const bool cared = options.hull || options.simplify > 0.0;
   const geometry::TriangleMesh given = options.simplify > 0.0 ? wholeOf(*scene) : geometry::TriangleMesh{};
   nlohmann::ordered_json kept = nlohmann::ordered_json::object();
