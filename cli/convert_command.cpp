@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <stdlib.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -7,7 +9,10 @@
 
 #include "cli/commands.h"
 #include "cli/import_arguments.h"
+#include "cli/kept_result.h"
 #include "cli/progress_line.h"
+#include "geometry/promise.h"
+#include "geometry/surface_distance.h"
 #include "workcell/document_io.h"
 #include "workcell/entity_source.h"
 #include "workcell/length_unit.h"
@@ -27,6 +32,7 @@ struct ConvertOptions {
   workcell::Tessellation tessellation;
   double simplify = 0.0;  ///< Metres; 0: not.
   bool hull = false;
+  bool allow_miss = false;
 };
 
 std::string extensionOf(const std::string& file) {
@@ -54,11 +60,11 @@ Expected<nlohmann::ordered_json> convertToUrdf(const ConvertOptions& options, Di
 }
 
 /// Replaces meshes by ones with fewer triangles or by their hulls. Gives the largest deviation, metres.
-Expected<double> careFor(workcell::ImportedScene& scene, const ConvertOptions& options) {
+Expected<double> careFor(workcell::ImportedScene& scene, const ConvertOptions& options, double allowed) {
   double most = 0.0;
   for (geometry::TriangleMesh& mesh : scene.meshes) {
     geometry::weld(mesh, geometry::weldTolerance(mesh));
-    auto made = options.hull ? workcell::convexMesh(mesh) : workcell::simplify(mesh, options.simplify);
+    auto made = options.hull ? workcell::convexMesh(mesh) : workcell::simplify(mesh, allowed);
     if (!made) {
       Error error = made.error();
       error.file = options.file;
@@ -119,6 +125,89 @@ bool namesNoUnit(const workcell::ImportedScene& scene) {
   return mesh && !scene.unit_is_stated;
 }
 
+/// All of a scene in one mesh, in the file's frame.
+geometry::TriangleMesh wholeOf(const workcell::ImportedScene& scene) {
+  geometry::TriangleMesh whole;
+  const std::vector<Pose> X_W = workcell::nodePoses(scene);
+  for (std::size_t k = 0; k < X_W.size(); ++k) {
+    if (scene.nodes[k].mesh < 0) continue;
+    const geometry::TriangleMesh& mesh = scene.meshes[static_cast<std::size_t>(scene.nodes[k].mesh)];
+    const auto first = static_cast<std::uint32_t>(whole.vertices.size());
+    for (const dvec3& vertex : mesh.vertices) whole.vertices.push_back(X_W[k] * vertex);
+    for (const auto& triangle : mesh.triangles)
+      whole.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
+  }
+  return whole;
+}
+
+/// A folder that goes with its content.
+class TrialFolder {
+ public:
+  TrialFolder() {
+    std::error_code ignored;
+    std::string name = (std::filesystem::temp_directory_path(ignored) / "hapticell-trial-XXXXXX").string();
+    if (::mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  TrialFolder(const TrialFolder&) = delete;
+  TrialFolder& operator=(const TrialFolder&) = delete;
+  ~TrialFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// How far the surfaces of a simplified scene's file are from those that were read: written into a folder that does not
+/// stay, read back as any file is, and measured.
+Expected<Promises> simplifyPromises(const geometry::TriangleMesh& given, const workcell::ImportedScene& scene,
+                                    const ConvertOptions& options, const workcell::ExportOptions& writing) {
+  constexpr double kFloats = 1e-6;  // Of the size: files of meshes have numbers of seven digits.
+  const TrialFolder folder;
+  const std::filesystem::path file = folder.path() / std::filesystem::path(options.output).filename();
+  Diagnostics unheard;
+  if (auto written = workcell::exportScene(scene, file, writing, unheard); !written)
+    return tl::unexpected(written.error());
+  workcell::ImportOptions reading;
+  reading.weld = false;
+  reading.warn_about_unit = false;
+  reading.metres_per_unit = writing.metres_per_unit;
+  auto again = workcell::sceneOfFile(file, reading, unheard);
+  if (!again) return tl::unexpected(again.error());
+  const auto most = geometry::surfaceDistance(given, wholeOf(*again));
+  geometry::Bounds bounds = given.bounds();
+  const std::string place =
+      "at x " + std::to_string(most.p.x) + ", y " + std::to_string(most.p.y) + ", z " + std::to_string(most.p.z) + " m";
+  Promises promises;
+  promises.help = "Take a larger --simplify.";
+  promises.list.push_back({"surface", options.simplify, most.distance, "m", place, false,
+                           kFloats * (glm::length(bounds.max - bounds.min) + glm::length(bounds.center()))});
+  return promises;
+}
+
+/// Simplifies the scene so that its file keeps the promise; where what was left is too far off between the places that
+/// simplifying looks at, with a smaller tolerance.
+Expected<double> simplifyKept(const geometry::TriangleMesh& given, workcell::ImportedScene& scene,
+                              const ConvertOptions& options, const workcell::ExportOptions& writing,
+                              nlohmann::ordered_json& kept) {
+  constexpr int kTries = 5;
+  double allowed = options.simplify;
+  for (int round = 0;; ++round, allowed *= 0.7) {
+    workcell::ImportedScene trial = scene;
+    const auto deviation = careFor(trial, options, allowed);
+    if (!deviation) return deviation;
+    const auto promises = simplifyPromises(given, trial, options, writing);
+    if (!promises) return tl::unexpected(promises.error());
+    if (!promises->areKept() && round < kTries) continue;
+    if (auto told = tellPromises(*promises, options.output, options.allow_miss, kept); !told)
+      return tl::unexpected(told.error());
+    scene = std::move(trial);
+    return deviation;
+  }
+}
+
 Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnostics& notes) {
   if (extensionOf(options.output) == ".urdf") return convertToUrdf(options, notes);
   const auto reading = importOptions(options);
@@ -136,8 +225,14 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
     const double likely = takeLikelyUnit(*scene, notes);
     if (options.output_unit.empty()) writing.metres_per_unit = likely;
   }
+  workcell::FacingNote facing;
+  for (const geometry::TriangleMesh& mesh : scene->meshes) facing.look(mesh);
+  facing.tell(notes);
   const bool cared = options.hull || options.simplify > 0.0;
-  const auto deviation = cared ? careFor(*scene, options) : Expected<double>(0.0);
+  const geometry::TriangleMesh given = options.simplify > 0.0 ? wholeOf(*scene) : geometry::TriangleMesh{};
+  nlohmann::ordered_json kept = nlohmann::ordered_json::object();
+  auto deviation = options.hull ? careFor(*scene, options, 0.0) : Expected<double>(0.0);
+  if (options.simplify > 0.0) deviation = simplifyKept(given, *scene, options, writing, kept);
   if (!deviation) return tl::unexpected(deviation.error());
   const auto written = workcell::exportScene(*scene, options.output, writing, notes);
   if (!written) return tl::unexpected(written.error());
@@ -149,6 +244,7 @@ Expected<nlohmann::ordered_json> convert(const ConvertOptions& options, Diagnost
   }
   nlohmann::ordered_json result{{"output", options.output}, {"parts", parts}, {"triangles", triangles}};
   if (cared) result["deviation"] = *deviation;
+  result.update(kept);
   result["warnings"] = notes.warnings;
   return result;
 }
@@ -178,6 +274,7 @@ void addConvertCommand(Subcommand app, Action& chosen) {
   const Option simplify =
       command.option("--simplify", options->simplify, "Fewer triangles, off the surface by at most so many metres")
           .within(1e-9, 1e3);
+  addAllowMiss(command, options->allow_miss);
   command.flag("--hull", options->hull, "The convex hull of each part").excludes(simplify);
   command.option("--up", options->up, "The axis of the read file that points up: x, y or z");
   addTessellationOptions(command, options->tessellation);

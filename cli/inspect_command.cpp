@@ -18,6 +18,7 @@
 #include "workcell/entity_source.h"
 #include "workcell/import_scene.h"
 #include "workcell/length_unit.h"
+#include "workcell/mesh_care.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/robot_library.h"
 #include "workcell/robot_reader.h"
@@ -51,6 +52,7 @@ bool looksLikeDocument(const fs::path& file) {
 void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostics& notes) {
   std::size_t degenerate = 0, duplicate = 0, rejected = 0, holes = 0;
   bool open = false, inward = false;
+  workcell::FacingNote facing;
   for (const workcell::MeshPart& part : parts) {
     geometry::TriangleMesh welded = part.mesh;
     const geometry::WeldReport dropped = geometry::weld(welded, geometry::weldTolerance(welded));
@@ -61,6 +63,7 @@ void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostic
     holes += topology.holes;
     open = open || !geometry::isClosed(welded);
     inward = inward || geometry::massProperties(part.mesh).volume < 0.0;
+    facing.look(part.mesh);
   }
   const auto say = [&](std::size_t count, const char* what) {
     if (count > 0) notes.warn(what + (": " + std::to_string(count)));
@@ -70,7 +73,11 @@ void warnAboutTriangles(const std::vector<workcell::MeshPart>& parts, Diagnostic
   say(rejected, "triangles at an edge of more than two faces, or turned over");
   say(holes, "holes in the surface");
   if (open) notes.warn("the surface is not closed, so the volume means little");
-  if (inward) notes.warn("the triangles face inward, so the volume is negative");
+  if (inward) {
+    notes.warn("the triangles face inward, so the volume is negative");
+  } else {
+    facing.tell(notes);
+  }
 }
 
 /// What one unit of the file means: as --unit says, else the file, else its size.

@@ -142,7 +142,7 @@ Expected<SessionOptions> readOptions(const SessionWords& words) {
   if (!document) return tl::unexpected(document.error());
   const workcell::Document held(workcell::withAssemblyAsSolid(document->state(), words.entity));
   options.entities = held.snapshotEntities();
-  options.pairs = {held.state().pair_sets, held.state().pair_rules};
+  options.pairs = held.state().pairPolicy();
   options.guides = held.state().guides;
   options.entity = words.entity;
 

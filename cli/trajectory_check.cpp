@@ -95,8 +95,7 @@ Expected<Cell> cellFor(const trajectory::Trajectory& trajectory, const Trajector
   auto axes = motionsTogether(trajectory, *document, options);
   if (!axes) return tl::unexpected(axes.error());
   path->axes = std::move(*axes);
-  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(),
-                                                    {document->state().pair_sets, document->state().pair_rules}, {});
+  auto scene = manipulation::PreparedScene::prepare(document->snapshotEntities(), document->state().pairPolicy(), {});
   return Cell{std::move(*document), std::move(scene), std::move(*path), name};
 }
 
@@ -119,6 +118,11 @@ Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajector
   if (const workcell::Entity* entity = cell->document.findByName(cell->entity)) {
     auto consistent = manipulation::jointsFromPoses(*entity, processed);
     if (!consistent) return tl::unexpected(consistent.error());
+    if (!recording.has_poses) {
+      auto posed = manipulation::posesFromJoints(*entity, recording);
+      if (!posed) return tl::unexpected(posed.error());
+      recording = std::move(*posed);
+    }
     processed = std::move(*consistent);
   }
   auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/trajectory_edits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
+#include "cli/kept_result.h"
 #include "cli/motion_file.h"
+#include "cli/tool_poses.h"
 #include "manipulation/motion_replay.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/editing.h"
 #include "trajectory/simplification.h"
 #include "trajectory/trajectory_io.h"
@@ -28,6 +32,8 @@ struct EditOptions {
          step = 0.01;
   std::size_t frame = 0, place = 0, first = 0, last = 0;
   std::vector<double> pose, direction{0.0, 0.0, -1.0};
+  std::string robot;
+  bool allow_miss = false, is_resampled = false;
 };
 
 using Made = Expected<std::vector<Trajectory>>;
@@ -140,6 +146,38 @@ Expected<void> findJoints(const Trajectory& given, const EditOptions& options, T
   return {};
 }
 
+/// Frames between given ones have poses that are not quite those of their joints: with the robot they are.
+Expected<void> poseByJoints(const Trajectory& given, const EditOptions& options, Trajectory& made,
+                            ordered_json& result) {
+  const auto apart =
+      std::count_if(made.frames().begin(), made.frames().end(), [](const auto& frame) { return frame.is_pose_apart; });
+  if (apart == 0 || !made.hasJoints() || !made.has_poses) return {};
+  if (!options.robot.empty()) {
+    const auto tool = ToolPoses::create(options.robot, given);
+    if (!tool) return tl::unexpected(tool.error());
+    if (tool->match()) {
+      made = tool->posesOf(made);
+      return {};
+    }
+  }
+  result["notes"].push_back("Poses and joints were made each by itself in " + std::to_string(apart) +
+                            " frames, which are marked (pose_apart); resample --robot makes them agree.");
+  return {};
+}
+
+/// A resampled motion lies on the given one: read back and measured before it is kept.
+Expected<void> save(const Trajectory& given, const Trajectory& made, const EditOptions& options,
+                    const std::string& path, ordered_json& result) {
+  if (!options.is_resampled || !options.robot.empty()) return saveTrajectory(made, path);
+  const std::string extension = fs::path(path).extension().string();
+  if (!path.empty() && extension != ".csv" && extension != ".htraj" && extension != ".json")
+    return saveTrajectory(made, path);
+  const std::string text = extension == ".csv" ? toCsvText(made) : toJsonText(made);
+  return writeKept(
+      path, text, path.empty() ? ".htraj" : extension, options.allow_miss,
+      [&](const fs::path& written) { return trajectory_checks::resamplePromises(given, written); }, result);
+}
+
 Expected<ordered_json> run(const EditOptions& options, Edit edit) {
   const auto given = readMotionFile(options.file);
   if (!given) return tl::unexpected(given.error());
@@ -148,9 +186,14 @@ Expected<ordered_json> run(const EditOptions& options, Edit edit) {
   ordered_json result{{"frames_before", given->size()}, {"duration_before", given->duration()}};
   for (std::size_t i = 0; i < made->size(); ++i) {
     Trajectory& motion = (*made)[i];
+    if (!given->has_poses && !motion.hasJoints()) {
+      return makeError({options.file, "poses", "joints alone", "poses, for an edit of them",
+                        "Export it with its poses first: trajectory export --to csv --robot."});
+    }
     if (auto found = findJoints(*given, options, motion, result); !found) return tl::unexpected(found.error());
     const std::string& path = i == 0 ? options.output : options.rest;
-    if (auto saved = saveTrajectory(motion, path); !saved) return tl::unexpected(saved.error());
+    if (auto posed = poseByJoints(*given, options, motion, result); !posed) return tl::unexpected(posed.error());
+    if (auto saved = save(*given, motion, options, path, result); !saved) return tl::unexpected(saved.error());
     result["motions"].push_back({{"file", path},
                                  {"frames", motion.size()},
                                  {"duration", motion.duration()},
@@ -188,6 +231,7 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
     sub.option("-o,--output", options->output, "The copy: .htraj, .json or .csv");
     sub.option("--workcell", options->workcell, "The cell in which a robot's joints are found again");
     sub.onChosen([options, &chosen, edit] {
+      options->is_resampled = edit == static_cast<Edit>(resample);
       chosen = [options, edit](ResultWriter& writer) { return finishTrajectory(writer, run(*options, edit)); };
     });
     return sub;
@@ -233,6 +277,8 @@ void addTrajectoryEdits(Subcommand command, Action& chosen) {
   }
   sub = add("resample", "Frames in even steps, times as recorded", resample);
   sub.option("--step", options->step, "s (0.01)");
+  sub.option("--robot", options->robot, "Robot whose joints they are: poses by its forward kinematics");
+  addAllowMiss(sub, options->allow_miss);
 }
 
 }  // namespace hapticell::cli

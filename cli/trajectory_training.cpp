@@ -98,7 +98,7 @@ Expected<manipulation::SessionOptions> sessionOf(const TrainingOptions& options,
   const auto document = workcell::loadDocument(exercise.workcell, notes);
   if (!document) return tl::unexpected(document.error());
   session.entities = document->snapshotEntities();
-  session.pairs = {document->state().pair_sets, document->state().pair_rules};
+  session.pairs = document->state().pairPolicy();
   session.guides = document->state().guides;
   session.entity = expert.entity;
   if (!expert.moved.empty()) {

@@ -116,11 +116,14 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
   return kept;
 }
 
-Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const Trajectory& given,
+Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const Trajectory& motion,
                                   trajectory::RetimingOptions retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration) {
-  const workcell::Entity* entity = scene->find(given.entity);
-  if (entity == nullptr) return makeError({"", "entity", "'" + given.entity + "'", "an entity of the cell", ""});
+  const workcell::Entity* entity = scene->find(motion.entity);
+  if (entity == nullptr) return makeError({"", "entity", "'" + motion.entity + "'", "an entity of the cell", ""});
+  auto with_poses = motion.has_poses ? Expected<Trajectory>(motion) : posesFromJoints(*entity, motion);
+  if (!with_poses) return makeError(with_poses.error());
+  const Trajectory given = std::move(*with_poses);
   for (int finer = 0;; ++finer, retiming.sample_s *= kFiner) {
     auto timed = trajectory::retimed(given, retiming);
     if (!timed) return makeError(timed.error());

@@ -75,7 +75,9 @@ bool isByTool(const Entity& entity, const Trajectory& trajectory) {
   return robot && trajectory.hasJoints() && (trajectory.moved.empty() || trajectory.moved == "tcp");
 }
 
-/// Each frame with its configuration changed by `change`.
+constexpr double kSamePose = 1e-6;  ///< m, rad
+
+/// Each frame with its configuration changed by `change`; marked where its joints do not bring the tool to its pose.
 template <class Change>
 Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajectory, Change change) {
   if (!isByTool(entity, trajectory)) return trajectory;
@@ -84,6 +86,7 @@ Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajecto
   const auto arm = armOf(entity);
   if (!arm) return makeError(arm.error());
   Trajectory result = trajectory.emptyCopy();
+  result.has_poses = true;
   result.reserve(trajectory.size());
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     EntityConfiguration at{entity.X_WE, entity.joints};
@@ -92,6 +95,8 @@ Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajecto
     // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): one `change` sets it.
     Trajectory::Frame frame = trajectory[i];
     change(**arm, at, frame);
+    const auto off = trajectory::distanceBetween((*arm)->movedFrame(at), frame.X_WT);
+    frame.is_pose_apart = off.position > kSamePose || off.angle > kSamePose;
     std::vector<double> changed;
     for (const std::size_t column : *columns) changed.push_back(at.joints[column]);
     result.addFrame(frame, changed);
@@ -102,6 +107,7 @@ Expected<Trajectory> reconciled(const Entity& entity, const Trajectory& trajecto
 }  // namespace
 
 Expected<Trajectory> jointsFromPoses(const Entity& entity, const Trajectory& trajectory) {
+  if (!trajectory.has_poses) return posesFromJoints(entity, trajectory);
   return reconciled(entity, trajectory,
                     [](const RobotManipulator& arm, EntityConfiguration& at, const Trajectory::Frame& frame) {
                       at = arm.propose(at, frame.X_WT, kinematics::kUnboundedDuration);

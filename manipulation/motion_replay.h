@@ -58,8 +58,9 @@ class MotionReplay {
 };
 
 /// Joints that bring the moved frame to the poses of a robot's trajectory: for each frame the solution nearest to the
-/// joints that it has. What an edit of the poses needs; other trajectories come back as they are. Errors: joints that
-/// the entity does not have, no inverse model.
+/// joints that it has. What an edit of the poses needs; other trajectories come back as they are. Frames that it cannot
+/// bring within 1e-6 (m, rad) are marked (is_pose_apart). Errors: joints that the entity does not have, no inverse
+/// model. A motion of joints alone is given its poses instead.
 Expected<trajectory::Trajectory> jointsFromPoses(const workcell::Entity& entity,
                                                  const trajectory::Trajectory& trajectory);
 

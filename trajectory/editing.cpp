@@ -38,7 +38,7 @@ void append(Trajectory& to, const Trajectory& from, std::size_t i, double shift)
 /// Adds the place at `t`, `shift` seconds later, unless a frame stands there.
 void appendPlace(Trajectory& to, const Trajectory& from, double t, double shift) {
   const auto joints = from.jointsAt(t);
-  to.addFrame({t + shift, from.poseAt(t)}, joints);
+  to.addFrame({t + shift, from.poseAt(t), false, 0.0, nullptr, from.hasJoints() && from.has_poses}, joints);
 }
 
 Expected<void> checkFrame(const Trajectory& trajectory, std::size_t i) {
@@ -139,7 +139,9 @@ Expected<Trajectory> resampled(const Trajectory& trajectory, double step) {
     for (; next < trajectory.size() && trajectory[next].t <= t; ++next) {
       if (keep(next)) append(result, trajectory, next, -begin);
     }
-    result.addFrame({t - begin, trajectory.poseAt(t)}, trajectory.jointsAt(t));
+    const bool given = next > 0 && trajectory[next - 1].t == t;
+    const bool apart = given ? trajectory[next - 1].is_pose_apart : trajectory.hasJoints() && trajectory.has_poses;
+    result.addFrame({t - begin, trajectory.poseAt(t), false, 0.0, nullptr, apart}, trajectory.jointsAt(t));
   }
   for (; next < trajectory.size(); ++next) {
     if (keep(next)) append(result, trajectory, next, -begin);

@@ -169,4 +169,11 @@ MotionSpline fitMotion(const Trajectory& trajectory, std::span<const double> u, 
   return Fitter(trajectory, u, demand).fit();
 }
 
+MotionSpline splineThrough(const Trajectory& trajectory, std::span<const double> u) {
+  HAPTICELL_DEMAND(trajectory.size() == u.size() && u.size() >= 2);
+  const std::vector<double> values = flattened(trajectory);
+  return MotionSpline(
+      fitSpline({u, values, {}, 7 + trajectory.joint_names.size()}, std::vector<double>(u.begin(), u.end())));
+}
+
 }  // namespace hapticell::trajectory

@@ -42,4 +42,8 @@ struct FitDemand {
 /// tolerance), frames set by hand closely. @pre trajectory.size() == u.size() >= 2, u increasing.
 MotionSpline fitMotion(const Trajectory& trajectory, std::span<const double> u, const FitDemand& demand);
 
+/// The spline with a span from frame to frame, which passes every frame (to rounding) and bends as little as it may.
+/// @pre as fitMotion()
+MotionSpline splineThrough(const Trajectory& trajectory, std::span<const double> u);
+
 }  // namespace hapticell::trajectory

@@ -124,6 +124,10 @@ std::string jointList(std::span<const double> joints, int decimals, double unit,
 Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, ProgramFormat format,
                                                  const ProgramOptions& options, std::vector<std::string>* notes) {
   if (trajectory.empty()) return makeError({"", "frames", "none", "at least one frame", ""});
+  if (!trajectory.has_poses) {
+    return makeError({"", "poses", "joints alone, which give a program no targets", "poses",
+                      "Name the robot whose joints they are (--robot): its forward kinematics give the poses."});
+  }
   if (trajectory.hasJoints() && trajectory.joint_names.size() != 6) {
     return makeError({"", "joints", std::to_string(trajectory.joint_names.size()) + " joints", "six, or none",
                       "Export it as csv, json or ros."});
@@ -157,9 +161,10 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
   if (numbers.error()) return makeError(*numbers.error());
   const auto measured = measureProgram(files, format, options, trajectory);
   if (!measured) return tl::unexpected(measured.error());
-  if (*measured && kProgramPromise.shareOf(**measured) > 1.0) {
+  const PoseDistance& off = measured->largest;
+  if (options.must_read_back && kProgramPromise.shareOf(off) > 1.0) {
     return makeError(
-        {"", "read back", shortestText((*measured)->position) + " m, " + shortestText((*measured)->angle) + " rad off",
+        {"", "read back", shortestText(off.position) + " m, " + shortestText(off.angle) + " rad off",
          "at most " + shortestText(kProgramPromise.position) + " m, " + shortestText(kProgramPromise.angle) + " rad",
          "Nothing was written. Bring the motion nearer to the robot's base."});
   }

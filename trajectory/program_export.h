@@ -30,6 +30,8 @@ struct ProgramOptions {
   double blend = 0.002;       ///< m; kept below half of the way to either neighbour.
   /// The robot's configuration at joints: KUKA "S 2, T 35", ABB "[0,-1,0,1]", FANUC "N U T, 0, 0, 0"; empty where none.
   std::function<std::string(std::span<const double>)> configuration{};
+  /// False: a program whose targets read back further than kProgramPromise from their frames is given all the same.
+  bool must_read_back = true;
 };
 
 /// One file of a program: its name and bytes. `name` may hold a folder (VAL3).
@@ -51,11 +53,16 @@ Expected<std::vector<ProgramFile>> exportProgram(const Trajectory& trajectory, P
 /// What a written program is promised to hold: every target within this of its frame.
 inline constexpr PathTolerance kProgramPromise{1e-6, 2e-6};
 
+/// How far targets are from their frames at most, and where.
+struct ProgramMeasure {
+  PoseDistance largest;
+  std::size_t frame_of_position = 0, frame_of_angle = 0;
+};
+
 /// Reads the program back by the language's reader, which shares nothing with its writer, and measures it against the
-/// trajectory: the largest distance of a target from its frame. Nothing where the base is a frame by numbers. Errors: what
-/// cannot be read back, or has other targets.
-Expected<std::optional<PoseDistance>> measureProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
-                                                     const ProgramOptions& options, const Trajectory& trajectory);
+/// trajectory, in the program's own base. Errors: what cannot be read back, or has other targets.
+Expected<ProgramMeasure> measureProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
+                                        const ProgramOptions& options, const Trajectory& trajectory);
 
 /// The files with whole paths as names: one under the name asked for (with the format's extension where it has none),
 /// several beside it with the same stem, VAL3's in a folder of that name.

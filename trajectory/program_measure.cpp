@@ -25,7 +25,8 @@ Expected<ReadProgram> readFiles(const std::vector<ProgramFile>& files, ProgramFo
   if (format == ProgramFormat::kFanuc) return readFanuc(files.front().content, options);
   if (format == ProgramFormat::kUrScript) {
     // The targets are in the base, so it may be anything.
-    const std::string known = base.empty() ? "" : base + " = p[0,0,0,0,0,0]\n";
+    const bool is_name = !base.empty() && base.find_first_of("[(") == std::string::npos;
+    const std::string known = is_name ? base + " = p[0,0,0,0,0,0]\n" : "";
     return readUrScript(known + files.front().content, options);
   }
   ProgramText text;
@@ -34,26 +35,43 @@ Expected<ReadProgram> readFiles(const std::vector<ProgramFile>& files, ProgramFo
   return readKrl(text, options);
 }
 
+/// A base by numbers is the user's own text: in the program's own base targets are those of the frames.
+std::vector<ProgramFile> inOwnBase(std::vector<ProgramFile> files, ProgramFormat format, const std::string& base) {
+  const char* numbers = format == ProgramFormat::kKrl ? "{" : format == ProgramFormat::kUrScript ? "[(" : "";
+  if (base.find_first_of(numbers) == std::string::npos) return files;
+  const std::string own = format == ProgramFormat::kKrl ? "{X 0,Y 0,Z 0,A 0,B 0,C 0}" : "p[0,0,0,0,0,0]";
+  for (ProgramFile& file : files) {
+    for (std::size_t at = file.content.find(base); at != std::string::npos; at = file.content.find(base, at)) {
+      file.content.replace(at, base.size(), own);
+      at += own.size();
+    }
+  }
+  return files;
+}
+
 }  // namespace
 
-Expected<std::optional<PoseDistance>> measureProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
-                                                     const ProgramOptions& options, const Trajectory& trajectory) {
-  const char* numbers = format == ProgramFormat::kKrl ? "{" : format == ProgramFormat::kUrScript ? "[(" : "";
-  const bool is_named = options.base.find_first_of(numbers) == std::string::npos;
-  if (!is_named) return std::nullopt;
-  const auto read = readFiles(files, format, options.base);
+Expected<ProgramMeasure> measureProgram(const std::vector<ProgramFile>& files, ProgramFormat format,
+                                        const ProgramOptions& options, const Trajectory& trajectory) {
+  const auto read = readFiles(inOwnBase(files, format, options.base), format, options.base);
   if (!read) return tl::unexpected(read.error());
   if (read->trajectory.size() != trajectory.size()) {
     return makeError({"", "read back", std::to_string(read->trajectory.size()) + " targets",
                       std::to_string(trajectory.size()), "Nothing was written."});
   }
-  PoseDistance largest;
+  ProgramMeasure most;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const PoseDistance off = distanceBetween(read->trajectory[i].X_WT, trajectory[i].X_WT);
-    largest.position = std::max(largest.position, off.position);
-    largest.angle = std::max(largest.angle, off.angle);
+    if (off.position > most.largest.position) {
+      most.largest.position = off.position;
+      most.frame_of_position = i;
+    }
+    if (off.angle > most.largest.angle) {
+      most.largest.angle = off.angle;
+      most.frame_of_angle = i;
+    }
   }
-  return std::optional<PoseDistance>(largest);
+  return most;
 }
 
 }  // namespace hapticell::trajectory

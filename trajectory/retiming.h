@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/error.h"
+#include "trajectory/motion_path.h"
 #include "trajectory/time_optimal.h"
 #include "trajectory/trajectory.h"
 
@@ -22,15 +23,20 @@ struct RetimingOptions {
   /// One entry a joint, or, for a trajectory without joints, six: x, y, z, then the rotation about them.
   MotionLimits limits{};
   std::size_t grid_points = 1000;
-  double sample_s = 0.01;  ///< Between the frames of the result.
+  double sample_s = 0.01;  ///< Between the frames of the result; shorter where the tolerance needs it.
+  /// How near the result passes each given frame, straight ways between its own frames counted.
+  PathTolerance tolerance{5e-5, 2e-4, 2e-4};
 };
 
 struct RetimingReport {
   double duration_before = 0.0, duration_after = 0.0;
-  PoseDistance max_deviation{};      ///< Of the result's path from the given frames.
+  /// Of the given frames from the straight ways between the result's frames.
+  PoseDistance max_deviation{};
   double max_joint_deviation = 0.0;  ///< rad (m)
-  LimitUse use{};                    ///< Of the limits, kTimeOptimal only.
+  LimitUse use{};                    ///< Of the limits by the result's frames, kTimeOptimal only.
   std::size_t still_frames = 0;      ///< Dropped because nothing moved.
+  std::size_t corners = 0;           ///< At which the motion rests to pass them.
+  double sample_s = 0.0;             ///< That was taken.
 };
 
 struct Retimed {
@@ -41,8 +47,15 @@ struct Retimed {
 };
 
 /// A copy that runs through the same places with new times, sampled evenly. Still frames are dropped first; frames with
-/// a dwell are waited at (the motion comes to rest there). Errors: fewer than two different frames, limits that are
-/// missing or not positive.
+/// a dwell are waited at (the motion comes to rest there). Every given frame is passed within the tolerance: corners
+/// that no smooth path passes so are rested at. The limits hold for the differences of the result's frames (a mean over
+/// them is all that a controller sees), from rest to rest.
+///
+/// A robot's poses are those that go with its joints only at given frames: the others are marked (is_pose_apart) until
+/// manipulation's posesFromJoints() makes them.
+///
+/// Errors: fewer than two different frames, limits that are missing or not positive, joints that stand while the pose
+/// moves (time-optimal), a pose that stands while joints move or no poses at all (constant speed).
 Expected<Retimed> retimed(const Trajectory& trajectory, const RetimingOptions& options);
 
 }  // namespace hapticell::trajectory

@@ -76,6 +76,30 @@ void measure(const Trajectory& before, const Trajectory& after, SmoothingReport&
   report.rms_deviation = std::sqrt(sum / static_cast<double>(before.size()));
 }
 
+/// Where no spline of so few frames comes near enough, the frame is drawn towards where it was, to the tolerance's
+/// edge.
+bool bringWithin(const Trajectory& trajectory, std::size_t i, const PathTolerance& tolerance, Pose& X,
+                 std::vector<double>& joints) {
+  constexpr double kEdge = 0.999;
+  const PoseDistance off = distanceBetween(trajectory[i].X_WT, X);
+  bool is_out = false;
+  if (off.position > kEdge * tolerance.position) {
+    X.p = trajectory[i].X_WT.p + (X.p - trajectory[i].X_WT.p) * (kEdge * tolerance.position / off.position);
+    is_out = true;
+  }
+  if (off.angle > kEdge * tolerance.angle) {
+    X.q = interpolate(trajectory[i].X_WT, X, kEdge * tolerance.angle / off.angle).q;
+    is_out = true;
+  }
+  const auto given = trajectory.joints(i);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const double edge = kEdge * tolerance.joint;
+    is_out = is_out || std::abs(joints[j] - given[j]) > edge;
+    joints[j] = std::clamp(joints[j], given[j] - edge, given[j] + edge);
+  }
+  return is_out;
+}
+
 }  // namespace
 
 Tremor estimateTremor(const Trajectory& trajectory) {
@@ -128,15 +152,21 @@ Smoothed smoothed(const Trajectory& trajectory, const SmoothingOptions& options)
   demand.mean_position = std::max(0.15 * options.tolerance.position, 0.5 * tremor.position);
   demand.mean_angle = std::max(0.15 * options.tolerance.angle, 0.5 * tremor.angle);
   demand.mean_window = kTremorWindow;
+  demand.joint_tolerance = options.tolerance.joint;
   const MotionSpline motion = fitMotion(trajectory, timesOf(trajectory), demand);
 
   Trajectory smooth = trajectory.emptyCopy();
   smooth.reserve(trajectory.size());
-  for (const auto& frame : trajectory.frames()) {
-    smooth.addFrame({frame.t, motion.pose(frame.t), frame.by_hand, frame.dwell, frame.name}, motion.joints(frame.t));
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    const auto& frame = trajectory[i];
+    Pose X = motion.pose(frame.t);
+    std::vector<double> joints = motion.joints(frame.t);
+    if (bringWithin(trajectory, i, options.tolerance, X, joints)) ++result.report.frames_drawn_back;
+    smooth.addFrame(
+        {frame.t, X, frame.by_hand, frame.dwell, frame.name, trajectory.hasJoints() && trajectory.has_poses}, joints);
   }
   measure(trajectory, smooth, result.report);
-  result.report.rms_jerk_after = rmsJerkOf(motion);
+  result.report.rms_jerk_after = result.report.frames_drawn_back > 0 ? rmsJerk(smooth) : rmsJerkOf(motion);
   result.report.spans = motion.spline().breaks().size() - 1;
   result.trajectory = std::move(smooth);
   return result;

@@ -25,11 +25,13 @@ struct SmoothingReport {
   double rms_jerk_before = 0.0;           ///< m/s3, by third differences of the recording.
   double rms_jerk_after = 0.0;            ///< m/s3, of the spline.
   std::size_t spans = 0;
+  std::size_t frames_drawn_back = 0;  ///< That no spline brought within the tolerance: they are at its edge.
 };
 
 /// A copy with the same times on a cubic spline through position, orientation and joints, with as few spans as keep
-/// every frame within the tolerance and the running mean unbiased (so that tremor goes and the path stays). A
-/// trajectory of fewer than four frames comes back as it is.
+/// every frame within the tolerance and the running mean unbiased (so that tremor goes and the path stays). Frames that
+/// no spline brings within it (few of them, sharp corners) are drawn back to its edge. Poses and joints are smoothed
+/// each by itself and marked so. A trajectory of fewer than four frames comes back as it is.
 struct Smoothed {
   Trajectory trajectory;
   SmoothingReport report;

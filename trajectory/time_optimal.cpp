@@ -54,7 +54,7 @@ struct Interval {
 
 class Grid {
  public:
-  Grid(const CubicSpline& path, const MotionLimits& limits, std::size_t points) : limits_(limits) {
+  Grid(const LimitedPath& path, const MotionLimits& limits, std::size_t points) : limits_(limits) {
     const std::size_t d = path.dimensions();
     layGrid(path, points);
     const std::size_t halves = 2 * s_.size() - 1;
@@ -63,11 +63,28 @@ class Grid {
     dimensions_ = d;
     for (std::size_t i = 0; i < halves; ++i) {
       const double s = i % 2 == 0 ? s_[i / 2] : 0.5 * (s_[i / 2] + s_[i / 2 + 1]);
-      path.evaluate(s, 1, std::span(first_).subspan(i * d, d));
-      path.evaluate(s, 2, std::span(second_).subspan(i * d, d));
+      path.derivatives(s, std::span(first_).subspan(i * d, d), std::span(second_).subspan(i * d, d));
     }
   }
 
+  /// The same places of the path under other limits.
+  Grid(const Grid& other, const MotionLimits& limits)
+      : limits_(limits), dimensions_(other.dimensions_), s_(other.s_), first_(other.first_), second_(other.second_) {}
+
+  /// At any s, from the places known: see useBetween().
+  void derivatives(double s, std::span<double> first, std::span<double> second) const {
+    const auto after = std::upper_bound(s_.begin() + 1, s_.end() - 1, s);
+    const auto i = static_cast<std::size_t>(after - s_.begin()) - 1;
+    const double f = std::clamp((s - s_[i]) / step(i), 0.0, 1.0);
+    const double w0 = (1.0 - f) * (1.0 - 2.0 * f), w1 = 4.0 * f * (1.0 - f), w2 = f * (2.0 * f - 1.0);
+    const double *a = first_.data() + 2 * i * dimensions_, *b = second_.data() + 2 * i * dimensions_;
+    for (std::size_t j = 0; j < dimensions_; ++j) {
+      first[j] = w0 * a[j] + w1 * a[dimensions_ + j] + w2 * a[2 * dimensions_ + j];
+      second[j] = (1.0 - f) * b[j] + f * b[2 * dimensions_ + j];
+    }
+  }
+
+  std::size_t dimensions() const { return dimensions_; }
   std::size_t size() const { return s_.size(); }
   double step(std::size_t i) const { return s_[i + 1] - s_[i]; }
   const std::vector<double>& s() const { return s_; }
@@ -100,8 +117,8 @@ class Grid {
   }
 
   /// Largest share of the limits on velocity and acceleration between the grid points, where these speeds are had at
-  /// them. Within a step the path is a cubic: its first derivative is the parabola through the three places known, its
-  /// second a line, so nothing is evaluated again.
+  /// them. Within a step the path is a cubic, or nearly one: its first derivative is the parabola through the three
+  /// places known, its second a line, so nothing is evaluated again.
   LimitUse useBetween(const std::vector<double>& speeds) const {
     LimitUse use;
     for (std::size_t i = 0; i + 1 < size(); ++i) {
@@ -124,7 +141,7 @@ class Grid {
 
  private:
   /// Even steps, and the path's own breaks, where its bend kinks; a break takes the place of a step's end nearby.
-  void layGrid(const CubicSpline& path, std::size_t points) {
+  void layGrid(const LimitedPath& path, std::size_t points) {
     const std::vector<double>& breaks = path.breaks();
     const double step = (breaks.back() - breaks.front()) / static_cast<double>(points - 1);
     s_ = breaks;
@@ -191,22 +208,6 @@ void addNextSet(Stage& stage, const Interval& next, double step) {
   stage.lower.push_back({next.least / (2.0 * step), -1.0 / (2.0 * step)});
 }
 
-Expected<void> checkLimits(const CubicSpline& path, const MotionLimits& limits) {
-  const std::size_t d = path.dimensions();
-  const auto bad = [](const std::vector<double>& values) {
-    return std::any_of(values.begin(), values.end(), [](double v) { return !(v > 0.0) || !std::isfinite(v); });
-  };
-  if (limits.velocity.size() != d || limits.acceleration.size() != d || bad(limits.velocity) ||
-      bad(limits.acceleration) || (!limits.jerk.empty() && (limits.jerk.size() != d || bad(limits.jerk)))) {
-    return makeError({"", "limits", "limits that are missing or not positive",
-                      "a positive velocity and acceleration for each of " + std::to_string(d) + " axes", ""});
-  }
-  if (!(path.breaks().back() > path.breaks().front())) {
-    return makeError({"", "path", "a path of no length", "frames that move", ""});
-  }
-  return {};
-}
-
 /// Speeds at the grid points, or none where the start or the end speed cannot be had.
 std::optional<std::vector<double>> reach(const Grid& grid, const TimingOptions& options) {
   const std::size_t n = grid.size();
@@ -234,48 +235,20 @@ std::optional<std::vector<double>> reach(const Grid& grid, const TimingOptions& 
   return speeds;
 }
 
-/// The same way with speeds averaged over `window` seconds, which takes that much longer and bounds the jerk. Laid in
-/// even steps of time: near a rest the way hardly grows.
-PathTiming averaged(const PathTiming& timing, double window) {
-  constexpr std::size_t kSteps = 4000;
-  const double dt = (timing.duration() + window) / static_cast<double>(kSteps);
-  std::vector<double> s{timing.grid().front()}, speeds{0.0};
-  for (std::size_t i = 1; i <= kSteps; ++i) {
-    const double t = dt * static_cast<double>(i);
-    // The mean speed over a time is the way over it; before the start and after the end all stands still.
-    const double speed = (timing.at(t).s - timing.at(t - window).s) / window;
-    const double way = 0.5 * dt * (speeds.back() + speed);
-    if (way <= 0.0) continue;
-    s.push_back(s.back() + way);
-    speeds.push_back(speed);
-  }
-  const double scale = (timing.grid().back() - s.front()) / (s.back() - s.front());
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    s[i] = s.front() + scale * (s[i] - s.front());
-    speeds[i] *= scale;
-  }
-  speeds.back() = 0.0;
-  return {std::move(s), std::move(speeds)};
-}
-
-/// How much slower everything must go so that all limits hold.
-double stretchFor(const LimitUse& use) {
-  return std::max({1.0, use.velocity, std::sqrt(use.acceleration), std::cbrt(use.jerk)});
-}
-
-/// The worst of limitUse() wherever its steps of `dt` begin: a controller's clock begins where it likes.
-LimitUse worstUse(const CubicSpline& path, const PathTiming& timing, const MotionLimits& limits, double dt) {
-  constexpr std::size_t kPhases = 4;
+/// The largest use of the limits over some thousand steps of the motion's own time, whatever its scale, the
+/// acceleration's growth taken over a step; steps begin at so many places within a step. `path`: a Grid or a path.
+template <class Path>
+LimitUse worstUse(const Path& path, const PathTiming& timing, const MotionLimits& limits, std::size_t phases) {
+  constexpr std::size_t kSteps = 3000;
   const std::size_t d = path.dimensions();
-  const auto steps = static_cast<std::size_t>(std::ceil(kPhases * timing.duration() / dt)) + kPhases;
-  std::vector<double> first(d), second(d), accelerations(kPhases * d, 0.0);
+  const double dt = timing.duration() / static_cast<double>(kSteps);
+  std::vector<double> first(d), second(d), accelerations(phases * d, 0.0);
   LimitUse use;
-  for (std::size_t i = 0; i <= steps; ++i) {
-    const PathTiming::State state = timing.at(dt / kPhases * static_cast<double>(i));
-    path.evaluate(state.s, 1, first);
-    path.evaluate(state.s, 2, second);
+  for (std::size_t i = 0; i <= phases * (kSteps + 1); ++i) {
+    const PathTiming::State state = timing.at(dt / static_cast<double>(phases) * static_cast<double>(i));
+    path.derivatives(state.s, first, second);
     for (std::size_t j = 0; j < d; ++j) {
-      double& before = accelerations[(i % kPhases) * d + j];  // One step of `dt` ago.
+      double& before = accelerations[(i % phases) * d + j];  // One step ago.
       const double acceleration = first[j] * state.acceleration + second[j] * state.speed * state.speed;
       use.velocity = std::max(use.velocity, std::abs(first[j] * state.speed) / limits.velocity[j]);
       use.acceleration = std::max(use.acceleration, std::abs(acceleration) / limits.acceleration[j]);
@@ -286,10 +259,33 @@ LimitUse worstUse(const CubicSpline& path, const PathTiming& timing, const Motio
   return use;
 }
 
-PathTiming stretched(const PathTiming& timing, double factor) {
-  std::vector<double> speeds = timing.speeds();
-  for (double& speed : speeds) speed /= factor;
-  return {timing.grid(), std::move(speeds)};
+/// Stretched until its limits hold. All uses fall with a power of the stretch, so this ends in a few steps.
+PathTiming held(const LimitedPath& path, PathTiming timing, const MotionLimits& limits) {
+  for (int round = 0; round < 8; ++round) {
+    const double factor = stretchFor(worstUse(path, timing, limits, 3));
+    if (factor <= 1.0 + 1e-6) break;
+    timing = timing.stretched(factor * (1.0 + 1e-7));
+  }
+  return timing;
+}
+
+Expected<void> checkPath(const LimitedPath& path, const MotionLimits& limits) {
+  if (auto checked = checkLimits(path.dimensions(), limits); !checked) return checked;
+  if (path.breaks().back() > path.breaks().front()) return {};
+  return makeError({"", "path", "a path of no length", "frames that move", ""});
+}
+
+Expected<PathTiming> fastestOn(const Grid& grid, const TimingOptions& options) {
+  auto speeds = reach(grid, options);
+  if (!speeds) {
+    return makeError(
+        {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
+  }
+  const LimitUse use = grid.useBetween(*speeds);
+  PathTiming timing(grid.s(), std::move(*speeds));
+  if (options.start_speed > 0.0 || options.end_speed > 0.0) return timing;
+  // Between the places looked at a limit may still be passed by parts in a thousand.
+  return timing.stretched(stretchFor(use));
 }
 
 }  // namespace
@@ -298,13 +294,30 @@ PathTiming::PathTiming(std::vector<double> s, std::vector<double> speed) : s_(st
   HAPTICELL_DEMAND(s_.size() == speed_.size() && s_.size() >= 2);
   t_.reserve(s_.size());
   t_.push_back(0.0);
+  integral_.push_back(0.0);
   for (std::size_t i = 1; i < s_.size(); ++i) {
     const double sum = std::max(speed_[i] + speed_[i - 1], 1e-9);
-    t_.push_back(t_.back() + 2.0 * (s_[i] - s_[i - 1]) / sum);
+    const double dt = 2.0 * (s_[i] - s_[i - 1]) / sum;
+    t_.push_back(t_.back() + dt);
+    const double growth = (speed_[i] - speed_[i - 1]) / 6.0;  // acceleration * dt / 6
+    integral_.push_back(integral_.back() +
+                        static_cast<long double>(dt) * (s_[i - 1] + dt * (0.5 * speed_[i - 1] + growth)));
   }
 }
 
-PathTiming::State PathTiming::at(double t) const {
+PathTiming PathTiming::averaged(double window) const {
+  PathTiming timing = *this;
+  timing.window_ = window / stretch_;
+  return timing;
+}
+
+PathTiming PathTiming::stretched(double factor) const {
+  PathTiming timing = *this;
+  timing.stretch_ *= factor;
+  return timing;
+}
+
+PathTiming::State PathTiming::plainAt(double t) const {
   if (t <= 0.0) return {s_.front(), speed_.front(), 0.0};
   if (t >= t_.back()) return {s_.back(), speed_.back(), 0.0};
   const auto after = std::upper_bound(t_.begin(), t_.end(), t);
@@ -314,6 +327,34 @@ PathTiming::State PathTiming::at(double t) const {
   const double tau = t - t_[i];
   return {std::min(s_[i + 1], s_[i] + (speed_[i] + 0.5 * acceleration * tau) * tau), speed_[i] + acceleration * tau,
           acceleration};
+}
+
+long double PathTiming::integralTo(double t) const {
+  if (t <= 0.0) return static_cast<long double>(t) * s_.front();
+  if (t >= t_.back()) return integral_.back() + static_cast<long double>(t - t_.back()) * s_.back();
+  const auto after = std::upper_bound(t_.begin(), t_.end(), t);
+  const auto i = static_cast<std::size_t>(after - t_.begin()) - 1;
+  const double acceleration = (speed_[i + 1] - speed_[i]) / (t_[i + 1] - t_[i]);
+  const long double tau = static_cast<long double>(t) - t_[i];
+  return integral_[i] + tau * (s_[i] + tau * (0.5 * speed_[i] + tau * acceleration / 6.0));
+}
+
+PathTiming::State PathTiming::at(double t) const {
+  t /= stretch_;
+  State state = plainAt(t);
+  if (window_ > 0.0) {
+    const State before = plainAt(t - window_);
+    const auto mean = static_cast<double>((integralTo(t) - integralTo(t - window_)) / window_);
+    state = {std::clamp(mean, s_.front(), s_.back()), (state.s - before.s) / window_,
+             (state.speed - before.speed) / window_};
+    if (t <= 0.0) state.s = s_.front();
+    if (t >= t_.back() + window_) state.s = s_.back();
+  }
+  return {state.s, state.speed / stretch_, state.acceleration / (stretch_ * stretch_)};
+}
+
+double stretchFor(const LimitUse& use) {
+  return std::max({1.0, use.velocity, std::sqrt(use.acceleration), std::cbrt(use.jerk)});
 }
 
 LimitUse limitUse(const CubicSpline& path, const PathTiming& timing, const MotionLimits& limits, double dt) {
@@ -338,38 +379,61 @@ LimitUse limitUse(const CubicSpline& path, const PathTiming& timing, const Motio
   return use;
 }
 
-Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {
-  if (auto checked = checkLimits(path, limits); !checked) return tl::unexpected(checked.error());
-  const Grid grid(path, limits, std::max<std::size_t>(options.grid_points, 3));
-  auto speeds = reach(grid, options);
-  if (!speeds) {
-    return makeError(
-        {"", "path", "a start or end speed that no motion within the limits has", "rest at both ends", ""});
+Expected<void> checkLimits(std::size_t dimensions, const MotionLimits& limits) {
+  const auto bad = [](const std::vector<double>& values) {
+    return std::any_of(values.begin(), values.end(), [](double v) { return !(v > 0.0) || !std::isfinite(v); });
+  };
+  if (limits.velocity.size() != dimensions || limits.acceleration.size() != dimensions || bad(limits.velocity) ||
+      bad(limits.acceleration) || (!limits.jerk.empty() && (limits.jerk.size() != dimensions || bad(limits.jerk)))) {
+    return makeError({"", "limits", "limits that are missing or not positive",
+                      "a positive velocity and acceleration for each of " + std::to_string(dimensions) + " axes", ""});
   }
-  const LimitUse use = grid.useBetween(*speeds);
-  PathTiming timing(grid.s(), std::move(*speeds));
-  if (options.start_speed > 0.0 || options.end_speed > 0.0) return timing;
-  // Between the places looked at a limit may still be passed by parts in a thousand.
-  return stretched(timing, stretchFor(use));
+  return {};
+}
+
+Expected<PathTiming> timeOptimal(const LimitedPath& path, const MotionLimits& limits, const TimingOptions& options) {
+  if (auto checked = checkPath(path, limits); !checked) return tl::unexpected(checked.error());
+  return fastestOn(Grid(path, limits, std::max<std::size_t>(options.grid_points, 3)), options);
+}
+
+Expected<PathTiming> jerkLimited(const LimitedPath& path, const MotionLimits& limits, const TimingOptions& options) {
+  if (auto checked = checkPath(path, limits); !checked) return tl::unexpected(checked.error());
+  const Grid grid(path, limits, std::max<std::size_t>(options.grid_points, 3));
+  auto fastest = fastestOn(grid, options);
+  if (!fastest || limits.jerk.empty()) return fastest;
+  // Many are compared, so the path is looked at by its grid; the best alone is held to the path itself.
+  PathTiming best;
+  const auto tryWindow = [&](const PathTiming& base, double share) {
+    const PathTiming averaged = base.averaged(share * base.duration());
+    // All uses fall with a power of the stretch.
+    PathTiming timing = averaged.stretched(stretchFor(worstUse(grid, averaged, limits, 1)));
+    const double duration = timing.duration();
+    if (best.duration() == 0.0 || duration < best.duration()) best = std::move(timing);
+    return duration;
+  };
+  const double peak = worstUse(grid, *fastest, limits, 1).velocity;
+  // With a lower speed there is a time between gaining and losing it, which small jerk limits leave none of.
+  for (const double slower : {1.0, 0.8, 0.65, 0.5}) {
+    MotionLimits lower = limits;
+    for (double& velocity : lower.velocity) velocity *= slower == 1.0 ? 1.0 : std::max(slower * peak, 1e-9);
+    const auto base = slower == 1.0 ? fastest : fastestOn(Grid(grid, lower), options);
+    if (!base) continue;
+    double before = kInfinity;
+    for (double share = 0.01; share < 0.6; share *= 1.4) {
+      const double duration = tryWindow(*base, share);
+      if (duration > 1.1 * before) break;  // Past the best one.
+      before = std::min(before, duration);
+    }
+  }
+  return held(path, std::move(best), limits);
+}
+
+Expected<PathTiming> timeOptimal(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {
+  return timeOptimal(LimitedSpline(path), limits, options);
 }
 
 Expected<PathTiming> jerkLimited(const CubicSpline& path, const MotionLimits& limits, const TimingOptions& options) {
-  auto fastest = timeOptimal(path, limits, options);
-  if (!fastest || limits.jerk.empty()) return fastest;
-  std::optional<PathTiming> best;
-  for (double share = 0.01; share < 0.5; share *= 1.5) {
-    const double window = share * fastest->duration();
-    PathTiming smooth = averaged(*fastest, window);
-    // Jerk is looked at over steps that a controller would see.
-    for (int round = 0; round < 6; ++round) {
-      const double dt = std::max(1e-3, smooth.duration() / 10000.0);
-      const double factor = stretchFor(worstUse(path, smooth, limits, dt));
-      if (factor <= 1.0 + 1e-5) break;
-      smooth = stretched(smooth, factor * (1.0 + 1e-5));
-    }
-    if (!best || smooth.duration() < best->duration()) best = std::move(smooth);
-  }
-  return *best;
+  return jerkLimited(LimitedSpline(path), limits, options);
 }
 
 }  // namespace hapticell::trajectory

@@ -42,6 +42,13 @@ bool Trajectory::isTaught() const {
   return !empty() && std::all_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.by_hand; });
 }
 
+void Trajectory::replaceFrame(std::size_t i, const Pose& X_WT, bool is_pose_apart, std::span<const double> joints) {
+  HAPTICELL_DEMAND(i < size() && joints.size() == joint_names.size());
+  frames_[i].X_WT = X_WT;
+  frames_[i].is_pose_apart = is_pose_apart;
+  std::copy(joints.begin(), joints.end(), joints_.begin() + static_cast<std::ptrdiff_t>(i * joint_names.size()));
+}
+
 void Trajectory::reserve(std::size_t frames) {
   frames_.reserve(frames);
   joints_.reserve(frames * joint_names.size());
@@ -55,6 +62,7 @@ Trajectory Trajectory::emptyCopy() const {
   copy.moved = moved;
   copy.take = take;
   copy.joint_names = joint_names;
+  copy.has_poses = has_poses;
   return copy;
 }
 

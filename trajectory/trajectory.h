@@ -25,6 +25,9 @@ class Trajectory {
   /// What was recorded together with it, on the same clock, has the same take; empty: by itself.
   std::string take;
   std::vector<std::string> joint_names;  ///< Empty for a solid. Fixed before the first frame.
+  /// False: only the joints are known (a JointTrajectory of ROS). All poses are identity then and mean nothing, until a
+  /// robot's forward kinematics gives them (manipulation/robot_poses.h).
+  bool has_poses = true;
   /// Further numbers of each frame, of isChannel()'s names: forces, contacts, the configuration. Fixed before the first
   /// frame. They belong to a recording; copies whose frames are others have none.
   std::vector<std::string> channel_names;
@@ -45,6 +48,9 @@ class Trajectory {
     double dwell = 0.0;  ///< Seconds that a program waits here.
     /// What users call the point, "above the clamp"; null: nothing. Shared, so that hours of frames stay small.
     std::shared_ptr<const std::string> name = nullptr;
+    /// Pose and joints were made each by itself (between frames, without the robot): the joints need not bring the tool
+    /// to the pose. Forward or inverse kinematics clears it.
+    bool is_pose_apart = false;
 
     /// A point that somebody set, not a sample: by hand, with a wait or with a name. Edits that choose frames keep it.
     bool isSet() const { return by_hand || dwell > 0.0 || name; }
@@ -68,6 +74,8 @@ class Trajectory {
   /// Adds a frame at the end. Returns false, and adds nothing, when its time is not after the last one's.
   /// @pre joints.size() == joint_names.size(); channels likewise, none at all mean zeros.
   bool addFrame(const Frame& frame, std::span<const double> joints = {}, std::span<const double> channels = {});
+  /// Another pose and other joints at the same time. @pre as addFrame()
+  void replaceFrame(std::size_t i, const Pose& X_WT, bool is_pose_apart, std::span<const double> joints);
   void reserve(std::size_t frames);
 
   /// A trajectory of the same entity, take and joints without frames, channels and touches.
@@ -107,6 +115,9 @@ PoseDistance distanceBetween(const Pose& a, const Pose& b);
 struct PathTolerance {
   double position = 0.001;              ///< m
   double angle = 0.017453292519943295;  ///< rad
+  /// Of each joint, rad (m for slides): a milliradian moves a tool a metre away by a millimetre. Infinite: joints do
+  /// not count.
+  double joint = 0.001;
   /// The larger of both shares; over 1 is out of tolerance.
   double shareOf(const PoseDistance& distance) const;
 };

@@ -2,6 +2,7 @@
 #include "trajectory/trajectory_io.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -10,7 +11,7 @@
 
 #include "trajectory/csv_table.h"
 #include "trajectory/program_reader.h"
-#include "trajectory/ros_trajectory.h"
+#include "trajectory/ros_yaml_reader.h"
 
 namespace hapticell::trajectory {
 
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 constexpr int kVersion = 1;
 constexpr const char* kFormat = "hapticell-trajectory";
 constexpr double kUnitTolerance = 1e-3;
+constexpr std::array<double, 7> kNoPose{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};  ///< Of a motion of joints alone.
 
 const std::vector<std::string>& poseColumns() {
   static const std::vector<std::string> kColumns{"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
@@ -40,12 +42,12 @@ Expected<Pose> poseOf(const double* v) {
 
 /// A frame as both formats give it: t, pose, joints.
 Expected<void> append(Trajectory& trajectory, const std::vector<double>& numbers, bool by_hand, double dwell,
-                      std::shared_ptr<const std::string> name = nullptr) {
+                      bool is_pose_apart, std::shared_ptr<const std::string> name = nullptr) {
   const auto pose = poseOf(numbers.data() + 1);
   if (!pose) return tl::unexpected(pose.error());
   const std::span<const double> joints = std::span(numbers).subspan(8, trajectory.joint_names.size());
   const std::span<const double> channels = std::span(numbers).subspan(8 + joints.size());
-  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell, std::move(name)}, joints, channels)) {
+  if (!trajectory.addFrame({numbers[0], *pose, by_hand, dwell, std::move(name), is_pose_apart}, joints, channels)) {
     return makeError({"", "t", shortestText(numbers[0]) + " s",
                       "a time after the one before, " + shortestText(trajectory.frames().back().t) + " s", ""});
   }
@@ -58,16 +60,21 @@ Error placed(Error error, const fs::path& file, const std::string& place) {
   return error;
 }
 
-/// The joint columns of a CSV file: all that are not known names.
-Expected<std::vector<std::string>> jointColumns(const fs::path& file) {
+/// The columns of a CSV file beside the known names, and whether it has any of the pose's.
+struct CsvColumns {
+  std::vector<std::string> joints;
+  bool has_pose = false;
+};
+
+CsvColumns csvColumns(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string line;
   do {
-    if (!std::getline(stream, line)) return std::vector<std::string>{};
+    if (!std::getline(stream, line)) return {{}, true};
     if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
   } while (line.empty() || line.front() == '#' || line == "\r");
   const char separator = line.find(';') != std::string::npos ? ';' : ',';
-  std::vector<std::string> names;
+  CsvColumns columns;
   std::string name;
   for (const char c : line + separator) {
     if (c != separator) {
@@ -75,37 +82,38 @@ Expected<std::vector<std::string>> jointColumns(const fs::path& file) {
       continue;
     }
     while (!name.empty() && name.back() == ' ') name.pop_back();
-    static const std::vector<std::string> kOther{"button", "by_hand", "dwell", ""};
+    static const std::vector<std::string> kOther{"button", "by_hand", "dwell", "pose_apart", ""};
     const auto& known = poseColumns();
-    if (std::find(known.begin(), known.end(), name) == known.end() &&
-        std::find(kOther.begin(), kOther.end(), name) == kOther.end()) {
-      names.push_back(name);
-    }
+    const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+    columns.has_pose = columns.has_pose || (is_known && name != "t");
+    if (!is_known && std::find(kOther.begin(), kOther.end(), name) == kOther.end()) columns.joints.push_back(name);
     name.clear();
   }
-  return names;
+  return columns;
 }
 
 Expected<Trajectory> readCsv(const fs::path& file) {
-  auto joints = jointColumns(file);
-  if (!joints) return tl::unexpected(joints.error());
+  CsvColumns columns = csvColumns(file);
   // Channels stand behind the joints in a row, whatever the order in the file.
-  std::stable_partition(joints->begin(), joints->end(), [](const std::string& name) { return !isChannel(name); });
-  std::vector<std::string> wanted = poseColumns();
-  wanted.insert(wanted.end(), joints->begin(), joints->end());
-  const auto table = readCsvTable(file, wanted, {"by_hand", "dwell"});
-  if (!table) return tl::unexpected(table.error());
+  std::stable_partition(columns.joints.begin(), columns.joints.end(),
+                        [](const std::string& name) { return !isChannel(name); });
   Trajectory trajectory;
   trajectory.name = file.stem().string();
-  for (const std::string& name : *joints)
+  for (const std::string& name : columns.joints)
     (isChannel(name) ? trajectory.channel_names : trajectory.joint_names).push_back(name);
+  // Times and joints alone are a motion too; a file that has neither lacks its pose.
+  trajectory.has_poses = columns.has_pose || !trajectory.hasJoints();
+  std::vector<std::string> wanted = trajectory.has_poses ? poseColumns() : std::vector<std::string>{"t"};
+  wanted.insert(wanted.end(), columns.joints.begin(), columns.joints.end());
+  const auto table = readCsvTable(file, wanted, {"by_hand", "dwell", "pose_apart"});
+  if (!table) return tl::unexpected(table.error());
   trajectory.reserve(table->rows.size());
   for (std::size_t i = 0; i < table->rows.size(); ++i) {
     std::vector<double> row = table->rows[i];
-    const double dwell = row.back();
-    const bool by_hand = row[row.size() - 2] != 0.0;
+    const double by_hand = row[wanted.size()], dwell = row[wanted.size() + 1], apart = row[wanted.size() + 2];
     row.resize(wanted.size());
-    if (auto added = append(trajectory, row, by_hand, dwell); !added) {
+    if (!trajectory.has_poses) row.insert(row.begin() + 1, kNoPose.begin(), kNoPose.end());
+    if (auto added = append(trajectory, row, by_hand != 0.0, dwell, apart != 0.0); !added) {
       return tl::unexpected(placed(added.error(), file, "line " + std::to_string(table->lines[i])));
     }
   }
@@ -151,16 +159,16 @@ Expected<void> readText(const json& document, const char* field, std::string& te
   return {};
 }
 
-/// Frames that a list of indices marks ("by_hand"), or that carry a number ("dwells": [[index, seconds], ...]) or a
-/// name ("names": [[index, name], ...]).
+/// Frames that a list of indices marks ("by_hand"), that carry a number ("dwells": [[index, seconds], ...]) or a name
+/// ("names": [[index, name], ...]), or lie in a run ("pose_apart": [[first, last], ...]).
 struct Marks {
-  std::vector<bool> by_hand;
+  std::vector<bool> by_hand, pose_apart;
   std::vector<double> dwell;
   std::map<std::size_t, std::string> names;
 };
 
 Expected<Marks> readMarks(const json& document, std::size_t count) {
-  Marks marks{std::vector<bool>(count, false), std::vector<double>(count, 0.0), {}};
+  Marks marks{std::vector<bool>(count, false), std::vector<bool>(count, false), std::vector<double>(count, 0.0), {}};
   const auto isIndex = [count](const json& i) { return i.is_number_unsigned() && i.get<std::size_t>() < count; };
   for (const json& index : document.value("by_hand", json::array())) {
     if (!isIndex(index)) return makeError({"", "field 'by_hand'", index.dump(), "the number of a frame, from 0", ""});
@@ -177,6 +185,12 @@ Expected<Marks> readMarks(const json& document, std::size_t count) {
       return makeError({"", "field 'names'", name.dump(), "[frame, \"name\"]", ""});
     }
     marks.names[name[0].get<std::size_t>()] = name[1].get<std::string>();
+  }
+  for (const json& run : document.value("pose_apart", json::array())) {
+    if (!run.is_array() || run.size() != 2 || !isIndex(run[0]) || !isIndex(run[1])) {
+      return makeError({"", "field 'pose_apart'", run.dump(), "[first frame, last frame]", ""});
+    }
+    for (auto i = run[0].get<std::size_t>(); i <= run[1].get<std::size_t>(); ++i) marks.pose_apart[i] = true;
   }
   return marks;
 }
@@ -212,6 +226,11 @@ Expected<Trajectory> fromJson(const json& document) {
     trajectory.joint_names.push_back(joint.get<std::string>());
   }
   if (auto read = readRecorded(document, trajectory); !read) return tl::unexpected(read.error());
+  const json has_poses = document.value("has_poses", json(true));
+  if (!has_poses.is_boolean() || (!has_poses.get<bool>() && !trajectory.hasJoints())) {
+    return makeError({"", "field 'has_poses'", has_poses.dump(), "true, or false for a motion of joints", ""});
+  }
+  trajectory.has_poses = has_poses.get<bool>();
   const json frames = document.value("frames", json());
   if (!frames.is_array()) return makeError({"", "field 'frames'", "none", "a list of frames", ""});
   const auto marks = readMarks(document, frames.size());
@@ -219,11 +238,14 @@ Expected<Trajectory> fromJson(const json& document) {
   trajectory.reserve(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const std::string place = "frame " + std::to_string(i);
-    const auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size() + trajectory.channel_names.size());
+    auto numbers = numbersOf(frames[i], 8 + trajectory.joint_names.size() + trajectory.channel_names.size());
     if (!numbers) return tl::unexpected(placed(numbers.error(), {}, place));
     const auto named = marks->names.find(i);
     auto name = named == marks->names.end() ? nullptr : std::make_shared<const std::string>(named->second);
-    if (auto added = append(trajectory, *numbers, marks->by_hand[i], marks->dwell[i], std::move(name)); !added) {
+    if (!trajectory.has_poses) std::copy(kNoPose.begin(), kNoPose.end(), numbers->begin() + 1);
+    if (auto added =
+            append(trajectory, *numbers, marks->by_hand[i], marks->dwell[i], marks->pose_apart[i], std::move(name));
+        !added) {
       return tl::unexpected(placed(added.error(), {}, place));
     }
   }
@@ -241,10 +263,12 @@ Expected<Trajectory> readJson(const fs::path& file) {
   return trajectory;
 }
 
-void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i) {
+void appendFrame(std::string& text, const Trajectory& trajectory, std::size_t i, bool with_pose) {
   const auto& frame = trajectory[i];
   const Pose& X = frame.X_WT;
-  for (const double value : {frame.t, X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z}) {
+  text += shortestText(frame.t) + ',';
+  for (const double value : {X.p.x, X.p.y, X.p.z, X.q.w, X.q.x, X.q.y, X.q.z}) {
+    if (!with_pose) break;
     text += shortestText(value);
     text += ',';
   }
@@ -267,7 +291,7 @@ Expected<Trajectory> readTrajectory(const fs::path& file, std::vector<std::strin
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   if (extension == ".csv") return readCsv(file);
-  if (extension == ".yaml" || extension == ".yml") return readRosTrajectory(file);
+  if (extension == ".yaml" || extension == ".yml") return readRosYaml(file);
   if (extension == ".htraj" || extension == ".json") return readJson(file);
   if (isProgramFile(file)) {
     auto program = readProgram(file);
@@ -298,12 +322,19 @@ std::string toJsonText(const Trajectory& trajectory) {
   head["by_hand"] = by_hand;
   head["dwells"] = std::move(dwells);
   if (!names.empty()) head["names"] = std::move(names);
+  if (!trajectory.has_poses) head["has_poses"] = false;
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (!trajectory[i].is_pose_apart) continue;
+    const std::size_t first = i;
+    while (i + 1 < trajectory.size() && trajectory[i + 1].is_pose_apart) ++i;
+    head["pose_apart"].push_back({first, i});
+  }
   std::string text = head.dump(1);
   text.erase(text.size() - 2);  // the closing brace, so that frames stand one a line
   text += ",\n \"frames\": [";
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     text += i == 0 ? "\n  [" : ",\n  [";
-    appendFrame(text, trajectory, i);
+    appendFrame(text, trajectory, i, true);
     text += ']';
   }
   text += "\n ]\n}\n";
@@ -311,19 +342,22 @@ std::string toJsonText(const Trajectory& trajectory) {
 }
 
 std::string toCsvText(const Trajectory& trajectory) {
-  std::string text = "t,x,y,z,qw,qx,qy,qz";
+  std::string text = trajectory.has_poses ? "t,x,y,z,qw,qx,qy,qz" : "t";
   for (const std::string& joint : trajectory.joint_names) text += "," + joint;
   for (const std::string& channel : trajectory.channel_names) text += "," + channel;
   const auto any = [&](auto what) { return std::any_of(trajectory.frames().begin(), trajectory.frames().end(), what); };
   const bool by_hand = any([](const auto& frame) { return frame.by_hand; });
   const bool dwells = any([](const auto& frame) { return frame.dwell > 0.0; });
+  const bool apart = any([](const auto& frame) { return frame.is_pose_apart; });
   if (by_hand) text += ",by_hand";
   if (dwells) text += ",dwell";
+  if (apart) text += ",pose_apart";
   text += '\n';
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    appendFrame(text, trajectory, i);
+    appendFrame(text, trajectory, i, trajectory.has_poses);
     if (by_hand) text += trajectory[i].by_hand ? ",1" : ",0";
     if (dwells) text += "," + shortestText(trajectory[i].dwell);
+    if (apart) text += trajectory[i].is_pose_apart ? ",1" : ",0";
     text += '\n';
   }
   return text;

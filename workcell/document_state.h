@@ -42,6 +42,9 @@ struct DocumentState {
   std::optional<SavedView> view;
   std::vector<TrajectoryReference> trajectories;
 
+  /// What is checked against what, whole: for whoever prepares a scene of it.
+  PairPolicy pairPolicy() const { return {pair_sets, pair_rules}; }
+
   /// Null when there is none.
   const Entity* find(EntityId id) const;
   const Entity* findByName(std::string_view name) const;

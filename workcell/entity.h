@@ -141,10 +141,11 @@ struct PairRule {
   bool operator==(const PairRule&) const = default;
 };
 
-/// What is checked against what: sets, and rules for single pairs.
+/// What is checked against what: sets, and rules for single pairs. Of a document: DocumentState::pairPolicy().
 struct PairPolicy {
   PairPolicy() = default;
-  PairPolicy(std::vector<PairSet> pair_sets, std::vector<PairRule> pair_rules = {})
+  /// Both, always: sets without their rules would check what the user has left out.
+  PairPolicy(std::vector<PairSet> pair_sets, std::vector<PairRule> pair_rules)
       : sets(std::move(pair_sets)), rules(std::move(pair_rules)) {}
   std::vector<PairSet> sets;
   std::vector<PairRule> rules;

@@ -69,12 +69,28 @@ Expected<fs::path> placeOfFile(const fs::path& path) {
 }
 
 Expected<void> writeFileAtomically(const fs::path& path, std::string_view content) {
+  return writeFileChecked(path, content, {});
+}
+
+Expected<void> writeFileChecked(const fs::path& path, std::string_view content, const FileCheck& check) {
   std::error_code ignored;
   const auto place = placeOfFile(path);
-  if (!place) return fs::is_directory(path, ignored) ? makeError(place.error()) : writeInto(path, content);
+  if (!place) {
+    if (fs::is_directory(path, ignored)) return makeError(place.error());
+    // Nothing can be taken back from a pipe: a file of the same content is looked at before.
+    const fs::path trial =
+        fs::temp_directory_path(ignored) / ("hapticell-" + std::to_string(::getpid()) + path.extension().string());
+    if (check) {
+      if (auto kept = writeFileChecked(trial, content, check); !kept) return kept;
+      fs::remove(trial, ignored);
+    }
+    return writeInto(path, content);
+  }
   const fs::path& target = *place;
-  std::string aside = target.string() + ".XXXXXX";
-  const int file = ::mkstemp(aside.data());
+  // Hidden, and of the same extension, by which readers know what it is.
+  const std::string extension = target.extension().string();
+  std::string aside = (target.parent_path() / ("." + target.stem().string() + ".XXXXXX" + extension)).string();
+  const int file = ::mkstemps(aside.data(), static_cast<int>(extension.size()));
   if (file < 0) {
     return makeError({path.string(), "", std::strerror(errno), "a folder that exists and may be written", ""});
   }
@@ -84,6 +100,12 @@ Expected<void> writeFileAtomically(const fs::path& path, std::string_view conten
   ::fchmod(file, ::stat(target.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask);
   int fault = writeAll(file, content);
   if (::close(file) != 0 && fault == 0) fault = errno;
+  if (fault == 0 && check) {
+    if (auto kept = check(aside); !kept) {
+      ::unlink(aside.c_str());
+      return kept;
+    }
+  }
   if (fault == 0 && ::rename(aside.c_str(), target.c_str()) != 0) fault = errno;
   if (fault != 0) {
     ::unlink(aside.c_str());

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "workcell/mesh_care.h"
 #include "workcell/mesh_reader.h"
 #include "workcell/scene_batch.h"
 
@@ -73,6 +74,7 @@ class SceneConverter {
       shareMeshes();
       addTree();
     }
+    facing_.tell(diagnostics_);
     if (result_.report.parts == 0) {
       return makeError({source_.path, "", "no shape with an area", "at least one solid or surface", ""});
     }
@@ -86,6 +88,7 @@ class SceneConverter {
     result_.report.merged_vertices += weld.merged_vertices;
     result_.report.degenerate_triangles += weld.degenerate_triangles;
     result_.report.duplicate_triangles += weld.duplicate_triangles;
+    facing_.look(mesh);
   }
 
   void shareMeshes() {
@@ -183,6 +186,7 @@ class SceneConverter {
   Diagnostics& diagnostics_;
   std::vector<MeshPointer> meshes_;
   ImportResult result_;
+  FacingNote facing_;
 };
 
 }  // namespace
@@ -191,7 +195,10 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
                                                Diagnostics& diagnostics, const SceneBatch* batch) {
   if (!holdsScene(file)) {
     const MeshReadOptions reading{options.metres_per_unit, options.weld, options.warn_about_unit};
-    return readMesh(file, reading, diagnostics);
+    Diagnostics notes;
+    auto mesh = readMesh(file, reading, notes);
+    for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
+    return mesh;
   }
   Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, options, nullptr);
   if (!scene) return makeError(scene.error());
@@ -202,7 +209,13 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
     const int mesh = scene->nodes[k].mesh;
     if (mesh >= 0) geometry::append(whole, scene->meshes[static_cast<std::size_t>(mesh)], X_F[k]);
   }
-  if (options.weld) geometry::weld(whole, geometry::weldTolerance(whole));
+  if (!options.weld) return whole;
+  geometry::weld(whole, geometry::weldTolerance(whole));
+  Diagnostics notes;
+  FacingNote facing;
+  facing.look(whole);
+  facing.tell(notes);
+  for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
   return whole;
 }
 

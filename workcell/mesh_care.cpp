@@ -8,10 +8,12 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
+#include <string>
 #include <unordered_map>
 
 #include "collision/convex_hull.h"
 #include "collision/mesh_collider.h"
+#include "collision/mesh_facing.h"
 #include "collision/mesh_search.h"
 
 namespace hapticell::workcell {
@@ -241,6 +243,16 @@ MeshHealth healthOf(const TriangleMesh& mesh) {
 
 std::size_t orient(TriangleMesh& mesh) {
   return Orienter(mesh).run();
+}
+
+void FacingNote::look(const geometry::TriangleMesh& mesh) {
+  inward_ += collision::facingOf(mesh).bodies_turned;
+}
+
+void FacingNote::tell(Diagnostics& diagnostics) const {
+  if (inward_ == 0) return;
+  const std::string whose = inward_ == 1 ? "" : " of " + std::to_string(inward_) + " bodies";
+  diagnostics.warn("the triangles" + whose + " face inward; they are checked and felt as facing outward");
 }
 
 }  // namespace hapticell::workcell

@@ -44,4 +44,17 @@ MeshHealth healthOf(const geometry::TriangleMesh& mesh);
 /// how many were turned. Pieces with non-manifold edges are cut there; open ones follow their majority.
 std::size_t orient(geometry::TriangleMesh& mesh);
 
+/// Counts the bodies of meshes that come in whose triangles face inward (collision::facingOf()), and says so. The
+/// triangles are left as they are: what is checked and felt is turned by who prepares it, and a file that is written
+/// holds what was read. A mesh of any kind is taken. Any thread; about a second a million triangles.
+class FacingNote {
+ public:
+  void look(const geometry::TriangleMesh& mesh);
+  /// One sentence, or nothing where all is well.
+  void tell(Diagnostics& diagnostics) const;
+
+ private:
+  std::size_t inward_ = 0;
+};
+
 }  // namespace hapticell::workcell

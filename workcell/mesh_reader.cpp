@@ -6,11 +6,14 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "geometry/assertion.h"
 #include "workcell/file_content.h"
 #include "workcell/length_unit.h"
+#include "workcell/mesh_care.h"
 #include "workcell/mesh_formats.h"
 #include "workcell/obj_materials.h"
 #include "workcell/text_cursor.h"
@@ -148,6 +151,15 @@ void finish(geometry::TriangleMesh& mesh, double metres_per_unit, const MeshRead
   sum.duplicate_triangles += weld.duplicate_triangles;
 }
 
+/// What is read to be counted only (unwelded) is judged by who counts.
+void warnAboutFacing(std::span<const geometry::TriangleMesh* const> meshes, const MeshReadOptions& options,
+                     Diagnostics& diagnostics) {
+  if (!options.weld) return;
+  FacingNote note;
+  for (const geometry::TriangleMesh* mesh : meshes) note.look(*mesh);
+  note.tell(diagnostics);
+}
+
 Error nothingLeft(const std::filesystem::path& name, std::uint64_t triangles_in_file) {
   const char* found = triangles_in_file == 0 ? "no triangles" : "only triangles without area";
   return {name.string(), "", found, "a mesh with at least one triangle", ""};
@@ -204,6 +216,7 @@ Expected<MeshFile> parseMeshFile(std::string_view content, const std::filesystem
   finish(file.mesh, file.metres_per_unit, options, file.weld);
   if (file.mesh.triangles.empty()) return makeError(nothingLeft(name, file.triangles_in_file));
   warnAboutWelding(file.weld, diagnostics);
+  warnAboutFacing(std::array<const geometry::TriangleMesh*, 1>{&file.mesh}, options, diagnostics);
   if (guessIsDue(file, options)) warnAboutUnit(file.mesh.bounds(), !options.scale, diagnostics);
   return file;
 }
@@ -230,6 +243,9 @@ Expected<MeshFileParts> readMeshParts(const std::filesystem::path& path, const M
   if (file.parts.empty()) return makeError(nothingLeft(path, file.triangles_in_file));
   if (gone > 0) diagnostics.warn(std::to_string(gone) + " solids of triangles without area were left out");
   warnAboutWelding(file.weld, diagnostics);
+  std::vector<const geometry::TriangleMesh*> meshes;
+  for (const MeshPart& part : file.parts) meshes.push_back(&part.mesh);
+  warnAboutFacing(meshes, options, diagnostics);
   if (guessIsDue(file, options)) warnAboutUnit(bounds, !options.scale, diagnostics);
   return file;
 }

@@ -94,10 +94,16 @@ class SdfModelReader {
       }
       if (!path)
         return makeError(refusal("link '" + link + "'", "its mesh " + file_mesh->Uri() + " is not there", "a file"));
-      auto read = readMesh(*path, {.scale = 1.0, .warn_about_unit = false}, diagnostics_);
+      Diagnostics notes;
+      auto read = readMesh(*path, {.scale = 1.0, .warn_about_unit = false}, notes);
       if (!read) return makeError(read.error());
+      for (const std::string& note : notes.warnings) diagnostics_.warn(path->filename().string() + ": " + note);
       const auto scale = file_mesh->Scale();
       for (dvec3& v : read->vertices) v *= dvec3(scale.X(), scale.Y(), scale.Z());
+      const bool is_mirrored = scale.X() * scale.Y() * scale.Z() < 0.0;
+      for (geometry::Triangle& t : read->triangles) {
+        if (is_mirrored) std::swap(t[1], t[2]);
+      }
       mesh = std::move(*read);
     } else {
       diagnostics_.warn(file_.string() + ": link '" + link + "' has a shape of a kind that is left out");

@@ -58,7 +58,7 @@ void FigureDrag::begin(const QString& text, const manipulation::MovedBy& moved_b
                                         configuration.manipulation.near_miss};
   manipulation::HoldOptions options{moved_by, entity->on_contact, entity->force_class};
   pool_.start([this, work = work_, id = entity_, options, defaults, turn, entities = document.snapshotEntities(),
-               policy = workcell::PairPolicy{document.state().pair_sets, document.state().pair_rules}] {
+               policy = document.state().pairPolicy()] {
     work->prepared = manipulation::PreparedScene::prepare(entities, policy, defaults, work->prepared.get());
     auto way = manipulation::FigureWay::take(work->prepared, id, options, turn, work->configuration);
     QString problem;

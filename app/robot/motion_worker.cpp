@@ -11,7 +11,7 @@ namespace hapticell::app {
 struct MotionWorker::Snapshot {
   std::uint64_t revision = 0;
   std::vector<workcell::Entity> entities;
-  std::vector<workcell::PairSet> pair_sets;
+  workcell::PairPolicy pairs;
 };
 
 /// Of the worker's thread alone.
@@ -23,7 +23,7 @@ struct MotionWorker::Scene {
 
   std::shared_ptr<const manipulation::PreparedScene> of(const Snapshot& snapshot) {
     if (!prepared || revision != snapshot.revision) {
-      prepared = manipulation::PreparedScene::prepare(snapshot.entities, snapshot.pair_sets, defaults, prepared.get());
+      prepared = manipulation::PreparedScene::prepare(snapshot.entities, snapshot.pairs, defaults, prepared.get());
       revision = snapshot.revision;
     }
     return prepared;
@@ -52,7 +52,7 @@ std::shared_ptr<MotionWorker::Snapshot> MotionWorker::snapshot() {
   const workcell::Document& document = host_.documentModel().document();
   if (!last_snapshot_ || last_snapshot_->revision != document.revision())
     last_snapshot_ = std::make_shared<Snapshot>(
-        Snapshot{document.revision(), document.snapshotEntities(), document.state().pair_sets});
+        Snapshot{document.revision(), document.snapshotEntities(), document.state().pairPolicy()});
   return last_snapshot_;
 }
 

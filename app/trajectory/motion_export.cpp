@@ -5,7 +5,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <algorithm>
+#include <limits>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
@@ -14,8 +16,10 @@
 #include "app/start/file_dialog.h"
 #include "app/style/units.h"
 #include "app/trajectory/motion_list.h"
+#include "manipulation/motion_replay.h"
 #include "manipulation/program_configuration.h"
 #include "manipulation/take_recorder.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/ros_trajectory.h"
 #include "trajectory/simplification.h"
 #include "trajectory/trajectory_io.h"
@@ -51,6 +55,41 @@ Expected<std::vector<ProgramFile>> filesOf(const Trajectory& given, const QStrin
   auto files = trajectory::exportProgram(given, programFormat(format), options, &notes);
   if (!files) return makeError(files.error());
   return trajectory::placedProgram(*files, programFormat(format), wanted);
+}
+
+/// Reads a written file back before it takes its place: a table is measured as a motion; a program was measured as text
+/// (exportProgram), so the file must hold that text.
+workcell::FileCheck readBackCheck(const Trajectory& motion, const QString& format, const ProgramFile& file) {
+  const bool is_ros = format == "ros";
+  if (is_ros || format == "csv" || format == "json") {
+    return [&motion, &file, is_ros](const std::filesystem::path& written) -> Expected<void> {
+      const auto promises = trajectory_checks::copyPromises(motion, !is_ros, is_ros ? 1e-9 : 0.0, written);
+      if (!promises) return makeError(promises.error());
+      if (!promises->areKept()) return makeError(promises->missed(file.name));
+      return {};
+    };
+  }
+  return [&file](const std::filesystem::path& written) -> Expected<void> {
+    const auto content = workcell::readFileContent(written);
+    if (!content) return makeError(content.error());
+    if (*content == file.content) return {};
+    return makeError({file.name, "", "other bytes than were written", "the program", "Write it to another disk."});
+  };
+}
+
+/// Readers know tables by their extensions: under another name a copy with the right one is read first.
+Expected<void> writeChecked(const Trajectory& motion, const QString& format, const ProgramFile& file) {
+  const workcell::FileCheck check = readBackCheck(motion, format, file);
+  const QString extension = format == "csv" ? ".csv" : format == "json" ? ".htraj" : format == "ros" ? ".yaml" : "";
+  const QString name = QString::fromStdString(file.name);
+  const bool is_known = extension.isEmpty() || name.endsWith(extension, Qt::CaseInsensitive) ||
+                        (format == "json" && name.endsWith(".json", Qt::CaseInsensitive)) ||
+                        (format == "ros" && name.endsWith(".yml", Qt::CaseInsensitive));
+  if (is_known) return workcell::writeFileChecked(file.name, file.content, check);
+  const QTemporaryDir folder;
+  const std::string trial = folder.filePath("motion" + extension).toStdString();
+  if (auto kept = workcell::writeFileChecked(trial, file.content, check); !kept) return kept;
+  return workcell::writeFileAtomically(file.name, file.content);
 }
 
 }  // namespace
@@ -119,7 +158,10 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
       tr("Exporting %1").arg(QFileInfo(path).fileName()),
       [this, trajectory = motion->trajectory, format, path, options,
        simplify](workcell::ImportMonitor&) -> Expected<BackgroundWork::Then> {
-        const Trajectory written = simplify ? trajectory::simplified(*trajectory, *simplify) : *trajectory;
+        // A program's moves are lines of the tool, so what joints do between them is the controller's.
+        trajectory::PathTolerance lines = simplify.value_or(trajectory::PathTolerance{});
+        lines.joint = std::numeric_limits<double>::infinity();
+        const Trajectory written = simplify ? trajectory::simplified(*trajectory, lines) : *trajectory;
         std::vector<std::string> notes;
         auto files = filesOf(written, format, path, options, notes);
         if (!files) return makeError(files.error());
@@ -127,7 +169,7 @@ void MotionExport::exportTo(const QString& path, const QString& format, const tr
         for (const ProgramFile& file : *files) {
           const QFileInfo place(QString::fromStdString(file.name));
           QDir().mkpath(place.path());
-          if (auto kept = workcell::writeFileAtomically(file.name, file.content); !kept) return makeError(kept.error());
+          if (auto kept = writeChecked(written, format, file); !kept) return makeError(kept.error());
           names << place.fileName();
         }
         return BackgroundWork::Then([this, names, path, notes, frames = written.size()] {
@@ -163,7 +205,7 @@ void MotionExport::askImport() {
 void MotionExport::importFrom(const QStringList& paths, const std::string& entity) {
   list_.work().start(
       tr("Reading motions"),
-      [this, paths, entity,
+      [this, paths, entity, entities = host_.documentModel().document().state().entities,
        number = host_.documentModel().number()](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
         auto motions = std::make_shared<std::vector<std::pair<std::string, Trajectory>>>();
         auto remarks = std::make_shared<QStringList>();
@@ -172,6 +214,18 @@ void MotionExport::importFrom(const QStringList& paths, const std::string& entit
           auto read = trajectory::readTrajectory(path.toStdString(), &notes);
           if (!read) return makeError(read.error());
           if (read->entity.empty()) read->entity = entity;
+          if (!read->has_poses) {
+            const auto moved = std::find_if(entities.begin(), entities.end(),
+                                            [&](const auto& one) { return one->name == read->entity; });
+            if (moved == entities.end() || !(*moved)->robot) {
+              return makeError({path.toStdString(), "", "joints alone, without poses",
+                                "the robot whose joints they are",
+                                "Choose the robot in the cell, then import the motion again."});
+            }
+            auto posed = manipulation::posesFromJoints(**moved, *read);
+            if (!posed) return makeError(posed.error());
+            read = std::move(*posed);
+          }
           const QString name =
               read->name.empty() ? QFileInfo(path).completeBaseName() : QString::fromStdString(read->name);
           motions->emplace_back(name.toStdString(), std::move(*read));

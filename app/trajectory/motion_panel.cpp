@@ -157,7 +157,8 @@ void MotionPanel::addClean(QVBoxLayout& column) {
 }
 
 trajectory::PathTolerance MotionPanel::tolerance() const {
-  return {1e-3 * tolerance_->value(), turn_tolerance_->value() * 0.017453292519943295};
+  // A joint moves a tool a metre away by as much.
+  return {1e-3 * tolerance_->value(), turn_tolerance_->value() * 0.017453292519943295, 1e-3 * tolerance_->value()};
 }
 
 void MotionPanel::addTiming(QVBoxLayout& column) {

@@ -43,6 +43,7 @@ class MotionPanel : public QWidget {
   /// As the user chose it.
   manipulation::command::StartRecording recordingWanted() const;
   void showLine(const QString& line, bool careful);
+  void markMissed();  ///< The line that is shown misses what was asked: red, until the next one.
   void setFrame(std::optional<std::size_t> frame);
   std::optional<std::size_t> frame() const { return frame_; }
   /// Seconds about a moved frame that go along with it.

@@ -53,6 +53,13 @@ double MotionPanel::reach() const {
 void MotionPanel::showLine(const QString& line, bool careful) {
   line_->setText(line);
   line_->setForegroundRole(careful ? QPalette::WindowText : kQuietText);
+  line_->setPalette({});
+}
+
+void MotionPanel::markMissed() {
+  QPalette red = line_->palette();
+  red.setColor(QPalette::WindowText, themeOf(palette()).contact);
+  line_->setPalette(red);
 }
 
 void MotionPanel::setFrame(std::optional<std::size_t> frame) {

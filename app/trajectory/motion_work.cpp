@@ -4,11 +4,13 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/host/document_model.h"
 #include "app/host/host.h"
 #include "app/style/units.h"
 #include "app/trajectory/track_rows.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/simplification.h"
 #include "trajectory/smoothing.h"
 
@@ -92,7 +94,7 @@ std::shared_ptr<const MotionWork::Cell> MotionWork::cell() const {
   auto cell = std::make_shared<Cell>();
   cell->entities = document.state().entities;
   cell->values = document.snapshotEntities();
-  cell->pairs = {document.state().pair_sets, document.state().pair_rules};
+  cell->pairs = document.state().pairPolicy();
   cell->configuration = host_.configuration();
   cell->defaults = {cell->configuration.manipulation.safety_distance, cell->configuration.manipulation.near_miss};
   cell->revision = document.revision();
@@ -127,14 +129,16 @@ void MotionWork::run(const QString& word, Work work, bool in_place) {
             if (!list_.replace(step, name, std::move(done->motions.front()), false)) return;
           } else if (!done->motions.empty()) {
             std::vector<std::pair<std::string, Trajectory>> named;
+            const QString marked = done->missed ? tr("%1, off what was asked").arg(word) : word;
             for (Trajectory& made : done->motions)
-              named.emplace_back(name + ", " + word.toStdString(), std::move(made));
+              named.emplace_back(name + ", " + marked.toStdString(), std::move(made));
             if (!list_.add(step, std::move(named))) return;
             if (done->check && list_.current()) list_.setCheck(list_.current()->name, done->check);
           } else if (done->check) {
             list_.setCheck(name, done->check);
           }
           tell(done->line, done->careful);
+          if (done->missed) emit missed();
         });
       },
       [this, number = host_.documentModel().number()](const Error& error) {
@@ -146,6 +150,18 @@ void MotionWork::prepare(const Cell& cell, Prepared& prepared) {
   if (prepared.revision == cell.revision) return;
   prepared.scene = manipulation::PreparedScene::prepare(cell.values, cell.pairs, cell.defaults, prepared.scene.get());
   prepared.revision = cell.revision;
+}
+
+void MotionWork::measure(Result& result, const MeasureMotion& measure) {
+  const auto missed = missedPromise(result.motions.back(), measure);
+  if (!missed) return;
+  result.missed = result.careful = true;
+  result.line = tr("Missed: %1 is %2, asked %3 (%4). %5")
+                    .arg(QString::fromStdString(missed->name))
+                    .arg(missed->measured, 0, 'g', 4)
+                    .arg(missed->asked, 0, 'g', 4)
+                    .arg(QString::fromStdString(missed->unit.empty() ? "share of the limit" : missed->unit))
+                    .arg(result.line);
 }
 
 void MotionWork::takeKept(manipulation::KeptFree kept, Result& result) {
@@ -161,12 +177,13 @@ void MotionWork::simplify(const trajectory::PathTolerance& tolerance) {
     Result result;
     result.motions.push_back(trajectory::simplified(*given, tolerance));
     const Trajectory& few = result.motions.front();
-    const PoseDistance deviation = trajectory::largestDeviation(*given, few);
-    result.careful = tolerance.shareOf(deviation) > 1.001;
+    const trajectory::Deviation deviation = trajectory::largestDeviation(*given, few);
+    result.careful = deviation.shareOf(tolerance) > 1.001;
     result.line = tr("%1 of %2 frames; at most %3 from the recording")
                       .arg(few.size())
                       .arg(given->size())
-                      .arg(distanceText(deviation));
+                      .arg(distanceText(deviation.pose));
+    measure(result, [&](const auto& file) { return trajectory_checks::simplifyPromises(*given, tolerance, file); });
     return result;
   });
 }
@@ -175,7 +192,15 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
   run(tr("smoothed"),
       [tolerance, keep_free](const auto& given, const Cell& cell, Prepared& prepared,
                              workcell::ImportMonitor& monitor) -> Expected<Result> {
-        auto smooth = trajectory::smoothed(*given, {tolerance});
+        const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
+                                         [&](const auto& e) { return e->name == given->entity; });
+        // The joints of a robot that is moved by its tool are found for the smoothed poses.
+        trajectory::PathTolerance asked = tolerance;
+        const bool by_tool = entity != cell.entities.end() && (*entity)->robot &&
+                             (*entity)->kind != workcell::EntityKind::kMannequin &&
+                             (given->moved.empty() || given->moved == "tcp");
+        if (by_tool) asked.joint = std::numeric_limits<double>::infinity();
+        auto smooth = trajectory::smoothed(*given, {asked});
         const auto& report = smooth.report;
         Result result;
         result.line = tr("At most %1 from the recording; jerk %2 → %3 m/s³")
@@ -187,8 +212,6 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
           result.line += tr(". The hand's tremor (%1) is larger than the tolerance: much of it is kept")
                              .arg(lengthText(report.tremor.position, 2));
         }
-        const auto entity = std::find_if(cell.entities.begin(), cell.entities.end(),
-                                         [&](const auto& e) { return e->name == given->entity; });
         if (entity != cell.entities.end()) {
           auto consistent = manipulation::jointsFromPoses(**entity, smooth.trajectory);
           if (!consistent) return makeError(consistent.error());
@@ -202,9 +225,10 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
           if (!kept) return makeError(kept.error());
           if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
           takeKept(std::move(*kept), result);
-          return result;
+        } else {
+          result.motions.push_back(std::move(smooth.trajectory));
         }
-        result.motions.push_back(std::move(smooth.trajectory));
+        measure(result, [&](const auto& file) { return trajectory_checks::smoothPromises(*given, asked, file); });
         return result;
       });
 }
@@ -230,7 +254,11 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
           if (!free) return makeError(free.error());
           if (monitor.isCancelled()) return makeError({"", "", "cancelled", "", ""});
           result.line = retimingLine(free->report, options.mode);
+          const bool passes = free->kept.nearer.empty();
           takeKept(std::move(free->kept), result);
+          measure(result, [&](const auto& file) {
+            return trajectory_checks::retimePromises(*given, options, {passes, false}, file);
+          });
           return result;
         }
         auto timed = trajectory::retimed(*given, options);
@@ -242,6 +270,9 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
           timed->trajectory = std::move(*consistent);
         }
         result.motions.push_back(std::move(timed->trajectory));
+        measure(result, [&](const auto& file) {
+          return trajectory_checks::retimePromises(*given, options, {true, false}, file);
+        });
         return result;
       });
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/trajectory/kept_motion.h"
 #include "app/trajectory/motion_list.h"
 #include "manipulation/kept_free.h"
 #include "manipulation/prepared_scene.h"
@@ -45,6 +46,7 @@ class MotionWork : public QObject {
 
  signals:
   void told(const QString& line, bool careful);  ///< What an edit did; `careful`: a warning or a refusal.
+  void missed();                                 ///< What was told last misses what was asked of it: it is to be red.
 
  private:
   /// The document as the worker needs it.
@@ -66,6 +68,7 @@ class MotionWork : public QObject {
     std::vector<trajectory::Trajectory> motions;
     QString line;
     bool careful = false;
+    bool missed = false;  ///< Something that was asked; the line says what.
     std::optional<manipulation::PathCheckResult> check;
   };
   using Work = std::function<Expected<Result>(const std::shared_ptr<const trajectory::Trajectory>&, const Cell&,
@@ -73,6 +76,8 @@ class MotionWork : public QObject {
   void run(const QString& word, Work work, bool in_place = false);
   static Work workOf(const QString& line, Edit edit);
   static void prepare(const Cell& cell, Prepared& prepared);
+  /// Measures the newest motion as its file would be read back, and says what it misses.
+  static void measure(Result& result, const MeasureMotion& measure);
   static void takeKept(manipulation::KeptFree kept, Result& result);
   std::shared_ptr<const Cell> cell() const;
   void tell(const QString& line, bool careful);

@@ -113,6 +113,10 @@ class TrajectoryDocks : public QObject {
       motion_->showLine(line, careful);
     };
     connect(&work_, &MotionWork::told, this, tell);
+    connect(&work_, &MotionWork::missed, this, [this] {
+      panel_->markMissed();
+      motion_->markMissed();
+    });
     connect(&files_, &MotionExport::told, this, tell);
     connect(&training_.panel(), &TrainingPanel::told, this, tell);
     connect(&training_.panel(), &TrainingPanel::sceneWanted, this, [this] { player_.setShown(false); });

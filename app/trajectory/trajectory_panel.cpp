@@ -264,6 +264,13 @@ void TrajectoryPanel::showLine(const QString& line, bool careful) {
   info_->setText(line);
   info_->setToolTip(line);
   info_->setForegroundRole(careful ? QPalette::WindowText : kQuietText);
+  info_->setPalette({});
+}
+
+void TrajectoryPanel::markMissed() {
+  QPalette red = info_->palette();
+  red.setColor(QPalette::WindowText, themeOf(palette()).contact);
+  info_->setPalette(red);
 }
 
 void TrajectoryPanel::setFrame(std::optional<std::size_t> frame) {

@@ -35,6 +35,7 @@ class TrajectoryPanel : public QWidget {
   void showRecording(const std::optional<Recording>& recording);
   /// What an edit did, until the next.
   void showLine(const QString& line, bool careful);
+  void markMissed();  ///< The line that is shown misses what was asked: red, until the next one.
   /// The frame of the current motion that is worked on.
   void setFrame(std::optional<std::size_t> frame);
 

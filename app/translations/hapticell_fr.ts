@@ -647,6 +647,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1, pas étalonné pour vous</translation>
     </message>
     <message>
+        <source>%1, off what was asked</source>
+        <translation>%1, hors de ce qui était demandé</translation>
+    </message>
+    <message>
         <source>%1, right</source>
         <translation>%1, droite</translation>
     </message>
@@ -3929,6 +3933,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Mirrored on the plane</source>
         <translation>Symétrique par rapport au plan</translation>
+    </message>
+    <message>
+        <source>Missed: %1 is %2, asked %3 (%4). %5</source>
+        <translation>Manqué : %1 vaut %2, demandé %3 (%4). %5</translation>
     </message>
     <message>
         <source>Moment of the recording</source>

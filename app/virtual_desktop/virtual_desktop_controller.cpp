@@ -217,10 +217,10 @@ double VirtualDesktopController::guiRate() const {
 void VirtualDesktopController::postDocument() {
   if (!loop_) return;
   const workcell::Document& document = host_.documentModel().document();
-  std::vector<workcell::PairSet> sets = document.state().pair_sets;
+  workcell::PairPolicy pairs = document.state().pairPolicy();
   if (document.state().findPairSet(settings_.against))
-    for (workcell::PairSet& set : sets) set.enabled = set.name == settings_.against;
-  loop_->post(command::SetDocument{document.snapshotEntities(), {std::move(sets), document.state().pair_rules}});
+    for (workcell::PairSet& set : pairs.sets) set.enabled = set.name == settings_.against;
+  loop_->post(command::SetDocument{document.snapshotEntities(), std::move(pairs)});
   postGuides();
 }
 

@@ -91,7 +91,7 @@ SessionOptions Day::drawOptions(Cell& cell, double hand_seconds) {
   options.configuration = configuration_;
   options.device = device_;
   options.entities = cell.document.snapshotEntities();
-  options.pairs = {cell.document.state().pair_sets, cell.document.state().pair_rules};
+  options.pairs = cell.document.state().pairPolicy();
   options.guides = cell.document.state().guides;
   options.entity = cell.movable[draw(cell.movable.size())];
   options.hand = randomHand(random_, hand_seconds);

@@ -36,6 +36,9 @@ class EnergyAccount {
   /// Forgets what the hand has put in and not got back: from now on only losses count.
   void forgetGains();
 
+  /// `energy` J of what is held now the hand has put in before, and it was forgotten.
+  void credit(double energy) { work_ += energy; }
+
   double balance() const { return work_ - held_; }  ///< J.
   double held() const { return held_; }             ///< J.
   const MetricVector& acting() const { return acting_; }

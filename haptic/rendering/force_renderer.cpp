@@ -28,9 +28,11 @@ constexpr double kOldestAge = 1.0;                           // s that a moving 
 constexpr double kOrderLasts = 2.5;                          // s that a set's number shuts lower ones out.
 constexpr double kDamperFade = 0.01;                         // s.
 constexpr double kStiffnessTime = 0.1;                       // s for a whole change of stiffness in contact.
-constexpr double kAtRest = 0.3e-3, kRested = 0.2;            // m that a hand at rest stays within, and for so many s.
-constexpr double kCreepPower = 0.25e-3;                      // W, what the ration gives.
-constexpr double kMostMade = 0.36e-3;                        // J within a second: then nothing unpaid up to kSoft.
+constexpr double kAtRest = 0.3e-3, kRested = 0.2;            // m that a hand at rest stays within, and for so many s,
+constexpr double kRestDrifts = 5e-3;     // m/s: a hand that gives way to what comes back rests, too.
+constexpr double kCreepPower = 0.25e-3;  // W, what the ration gives.
+constexpr double kComesBack = 1.5;       // s for all that the motors bear, where the hand has paid.
+constexpr double kMostMade = 0.36e-3;    // J within a second: then nothing unpaid up to kSoft.
 
 /// Damping makes noise of the encoders' steps, a late velocity makes a stiff coupling unstable: the stiffer, the
 /// quicker.
@@ -88,7 +90,7 @@ void ForceRenderer::reset(const Pose& X_DS) {
   started_ = X_DS.isValid();
   if (started_) proxy_ = stylus_ = X_DS;
   offset_D_ = stretch_D_ = trust_D_ = v_stylus_D_ = v_slow_D_ = v_proxy_D_ = {};
-  yield_ = resting_ = 0.0;
+  yield_ = yielded_ = resting_ = 0.0;
   stiffness_ = options_.stiffness;
   damping_ = options_.damping;
   last_ = {};
@@ -286,17 +288,38 @@ MetricVector ForceRenderer::beginAnew(const ProxyStep& solved, const MetricVecto
   return {};
 }
 
-/// A spring that has yielded is not what it should be for ever: under a hand that rests it comes back. It goes into the
-/// offset, no faster than that can come back by the ration.
+/// The place that the stylus rests about follows it slowly, so that a hand that gives way to what comes back still
+/// rests.
+bool ForceRenderer::restsFor(double seconds, double dt) {
+  const MetricVector away = mover_.way(stylus_, rest_);
+  if (length(away) < kAtRest) {
+    resting_ += dt;
+    rest_ = displacedInMetric(rest_, asVector6(limited(away, kRestDrifts * dt)));
+  } else {
+    resting_ = 0.0;
+    rest_ = stylus_;
+  }
+  return resting_ >= seconds;
+}
+
+/// A spring that has yielded is not what it should be for ever: under a hand that rests it comes back, by way of the
+/// offset. What the hand itself has put into the yielding pays for that: all that the motors bear is there in
+/// kComesBack. What yielded otherwise comes no faster than the ration allows.
 void ForceRenderer::creepBack(const ProxyStep& solved, const MetricVector& stretch_D, double dt) {
-  resting_ = length(mover_.way(stylus_, rest_)) < kAtRest ? resting_ + dt : 0.0;
-  if (resting_ == 0.0) rest_ = stylus_;
+  const bool rests = restsFor(kRested, dt);
   const double size = length(stretch_D);
-  if (yield_ <= 0.0 || !solved.contact || size <= 0.0 || resting_ < kRested) return;
-  const double least = std::max(0.0, size - forceLimit(stretch_D) / stiffness_);
+  if (yield_ <= 0.0 || !solved.contact || size <= 0.0) yielded_ = 0.0;
+  if (yield_ <= 0.0 || !solved.contact || size <= 0.0 || !rests) return;
+  const double limit = forceLimit(stretch_D);
+  const double least = std::max(0.0, size - limit / stiffness_);
   const double pull = std::max(stiffness_ * (size - yield_), kPull);
-  const double most = std::min(kOffsetDecay * dt / kMillisecond, kCreepPower * dt / pull);
-  const double back = std::clamp(yield_ - least, 0.0, most);
+  const double rationed = std::min(kOffsetDecay * dt / kMillisecond, kCreepPower * dt / pull);
+  const double paid = std::min(limit / stiffness_ * dt / kComesBack, yielded_ / pull);
+  const double back = std::clamp(yield_ - least, 0.0, std::max(rationed, paid));
+  const double energy = std::min(yielded_, (pull + 0.5 * stiffness_ * back) * back);
+  yielded_ -= energy;
+  ration_.grant(energy);
+  passivity_.prepay(energy);
   yield_ -= back;
   offset_D_ -= (back / size) * stretch_D;
 }
@@ -346,9 +369,11 @@ RenderResult ForceRenderer::tick(const Pose& X_DS_measured, double dt) {
   passivity_.step(solved.contact, dt);
   // A stiffer one trembles, and what that makes is its own.
   const double room = kMostMade - passivity_.recentLoss();
+  const double yield_before = yield_;
   creepBack(solved, stretch_D, dt);
   ration_.limit(options_.stiffness > kSoft ? kMostMade : std::max(0.0, room));
   updateSpring(solved, stretch_D, relative_step, dt);
+  if (yield_ > yield_before) yielded_ += std::min(ration_.lost(), length(last_.spring) * (yield_ - yield_before));
   proxy_ = solved.X_DP;
   stylus_ = X_DS;
   contact_ = solved.contact;

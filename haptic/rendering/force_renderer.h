@@ -132,6 +132,7 @@ class ForceRenderer {
   void updateCoupling(const ProxyStep& solved, double dt);
   void updateDamper(bool catches_up, double dt);
   MetricVector beginAnew(const ProxyStep& solved, const MetricVector& stretch_D);
+  bool restsFor(double seconds, double dt);
   void creepBack(const ProxyStep& solved, const MetricVector& stretch_D, double dt);
   void updateSpring(const ProxyStep& solved, const MetricVector& stretch_D, const MetricVector& relative_step,
                     double dt);
@@ -159,7 +160,8 @@ class ForceRenderer {
   MetricVector offset_D_;
   MetricVector stretch_D_;  ///< Of the last tick, before it yields.
   MetricVector trust_D_;    ///< Of the last tick: see ProxyStep::trust_D.
-  double yield_ = 0.0;      ///< By how much the spring has yielded, m.
+  double yield_ = 0.0;      ///< By how much the spring has yielded, m,
+  double yielded_ = 0.0;    ///< and what of the hand's work that took and has not come back, J.
   Pose rest_;               ///< Where the stylus rests,
   double resting_ = 0.0;    ///< and since when, s.
   double force_limit_ = kNoLimit;

@@ -20,14 +20,18 @@ constexpr double kUnpaidBudget = 1.5e-4;  // J, the same at once.
 
 void PassivityController::reset() {
   account_ = EnergyAccount(delay_);
-  damping_ = 0.0;
+  damping_ = prepaid_ = 0.0;
   highest_.fill(0.0);
   slice_ = 0;
   slice_age_ = 0.0;
 }
 
 void PassivityController::add(const MetricVector& step, const MetricVector& commanded, double stiffness) {
+  const double before = account_.balance();
   account_.add(step, commanded, stiffness);
+  const double paid = std::clamp(before - account_.balance(), 0.0, prepaid_);
+  account_.credit(paid);
+  prepaid_ -= paid;
   account_.forgetGains();
 }
 
@@ -46,6 +50,7 @@ double PassivityController::recentLoss() const {
 }
 
 void PassivityController::step(bool contact, double dt) {
+  if (!contact) prepaid_ = 0.0;
   noteHighest(dt);
   const double change = kControllerStep * dt / kTick;
   const bool act = contact && balance() < -kAllowance;
@@ -54,11 +59,11 @@ void PassivityController::step(bool contact, double dt) {
 
 void SpringRation::reset() {
   budget_ = kUnpaidBudget;
-  grant_ = grant_lasts_ = 0.0;
+  grant_ = grant_lasts_ = lost_ = 0.0;
 }
 
 void SpringRation::grant(double energy) {
-  grant_ = energy;
+  grant_ += energy;
   grant_lasts_ = kGrantLasts;
 }
 
@@ -71,6 +76,7 @@ MetricVector SpringRation::apply(const MetricVector& stretch, double stiffness, 
   const double damped = -dot(last.wanted - last.spring, step);
   const double paid = held - dot(last.applied, step) - std::min(0.0, damped);
   const double unpaid = storedEnergy(pull, stiffness, last.limit) - paid;
+  lost_ = std::max(0.0, -unpaid);
   budget_ = std::min(budget_, room_);
   grant_lasts_ = std::max(0.0, grant_lasts_ - dt);
   if (grant_lasts_ <= 0.0) grant_ = 0.0;

@@ -21,6 +21,9 @@ class PassivityController {
   void reset();
   /// What the last tick's force did on the stylus's way since; see EnergyAccount::add().
   void add(const MetricVector& step, const MetricVector& commanded, double stiffness);
+  /// `energy` J that the spring gains from now on the hand has paid for before: no loss. It lasts while the contact
+  /// does.
+  void prepay(double energy) { prepaid_ += energy; }
   /// Lets `dt` seconds pass. The damper acts only in `contact`.
   void step(bool contact, double dt);
 
@@ -32,7 +35,8 @@ class PassivityController {
   static constexpr std::size_t kSlices = 20;
   void noteHighest(double dt);
 
-  int delay_ = 0;  ///< Ticks until a command acts.
+  int delay_ = 0;         ///< Ticks until a command acts.
+  double prepaid_ = 0.0;  ///< J that are left of prepay().
   EnergyAccount account_;
   double damping_ = 0.0;                   ///< N s/m.
   std::array<double, kSlices> highest_{};  ///< J, the highest balance in each slice of the last second; a ring.
@@ -58,13 +62,17 @@ class SpringRation {
   void reset();
   /// From now on the spring gains at most this without the hand's work (J, 0 or more), until it is told anew.
   void limit(double room) { room_ = room; }
-  /// Besides, once and for 0.15 s, `energy` J: what a spring holds that was made anew and not stretched.
+  /// Besides, once and for 0.15 s, `energy` J more: what a spring holds that was made anew and not stretched, or what
+  /// comes back of the hand's own work.
   void grant(double energy);
   /// `stretch` (m) shortened as far as needed; the stylus has gone `step` since `last`.
   MetricVector apply(const MetricVector& stretch, double stiffness, const HeldSpring& last, const MetricVector& step,
                      double dt);
+  /// J that the hand had paid for at the last apply() and that the spring did not hold.
+  double lost() const { return lost_; }
 
  private:
+  double lost_ = 0.0;
   double budget_ = 0.0;       ///< J that the spring may still gain without the hand's work.
   double grant_ = 0.0;        ///< J of grant() that are left,
   double grant_lasts_ = 0.0;  ///< and for how long, s.

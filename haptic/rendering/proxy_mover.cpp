@@ -78,7 +78,8 @@ ProxyStep ProxyMover::move(const GroupedSet& grouped, const Pose& X_DP, const Po
   ProxyRows rows;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Vector6 wanted = metricDifference(X_DS, step.X_DP);
-    rows.gather(grouped, step.X_DP, asVector6(limited(metricVector(wanted), kLongestMove)));
+    rows.gather(grouped, step.X_DP);
+    if (rows.tied()) rows.settle(wanted);
     const SolverResult result = nearestUnentered(rows.all(), wanted);
     MetricVector d = metricVector(result.d);
     step.X_DG = displacedInMetric(step.X_DP, result.d);

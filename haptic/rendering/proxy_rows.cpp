@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kStiffestPull = 500.0, kStrongestPull = 3.0;  // N/m, N.
 constexpr double kFastest = 10.0;                              // m/s of an obstacle, along each axis.
+constexpr double kOn = 1e-6;  // m: more than what a solved row is off, less than anything is thick.
 
 /// A gradient over xi as one over the proxy's small motion at xi. A small rotation changes the rotation vector theta by
 /// the inverse left Jacobian of SO(3), here to second order, which is right to 0.1 % at 0.5 rad.
@@ -69,18 +70,17 @@ Vector6 GroupedSet::seenFrom(std::size_t entry, const Vector6& xi) const {
   return {xi[0] - gone.x, xi[1] - gone.y, xi[2] - gone.z, xi[3], xi[4], xi[5]};
 }
 
-void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP, const Vector6& wish) {
+void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP) {
   const Twist motion = difference(X_DP, grouped.set.X_DR);
   const Vector6 xi = joined(motion.linear, motion.angular);
   count = grouped.groups;
-  for (std::size_t i = 0; i < count; ++i) {
-    row[i] = {{}, -1e9, false};
-    freest_[i] = -1e9;
-  }
+  touched_count_ = 0;
+  for (std::size_t i = 0; i < count; ++i) row[i] = {{}, -1e9, false};
   for (std::size_t i = 0; i < grouped.set.count; ++i) {
     if (grouped.set.constraints[i].kind == ConstraintKind::kPull) continue;
-    offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi), wish);
+    offer(grouped.row_of[i], i, grouped.set.constraints[i], grouped.seenFrom(i, xi));
   }
+  countTied();
   // A group whose every gradient vanishes has no direction to be felt in: a row that never bites.
   for (std::size_t i = 0; i < count; ++i) {
     if (row[i].slack < -1e8) row[i] = {{}, 1.0, false};
@@ -88,16 +88,7 @@ void ProxyRows::gather(const GroupedSet& grouped, const Pose& X_DP, const Vector
   addTrustRow(grouped.set, joined(motion.linear, kRotationLever * motion.angular));
 }
 
-/// Freer than what the slot has; of two that are as free, freer ahead.
-bool ProxyRows::beats(const Offer& offer, std::size_t slot) const {
-  const double slack = offer.row.slack;
-  if (slack < freest_[slot] - kTie) return false;
-  if (row[slot].slack < slack - kTie) return true;
-  return offer.ahead != ahead_[slot] ? offer.ahead > ahead_[slot] : slack > row[slot].slack;
-}
-
-void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi,
-                      const Vector6& wish) {
+void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi) {
   const dvec3 theta = angularPart(xi);
   Vector6 gradient{};
   double value = evaluateWithGradient(constraint, xi, gradient);
@@ -117,17 +108,47 @@ void ProxyRows::offer(std::size_t slot, std::size_t index, const Constraint& con
       slack = trim / trim_length;
     }
   }
-  Offer made{{{}, slack, equality}, slack};
-  for (std::size_t i = 0; i < 6; ++i) {
-    made.row.normal[i] = gradient[i] / length;
-    made.ahead += made.row.normal[i] * wish[i];
-  }
-  const bool better = beats(made, slot);
-  freest_[slot] = std::max(freest_[slot], slack);
-  if (!better) return;
-  row[slot] = made.row;
-  ahead_[slot] = made.ahead;
+  const bool is_on = std::abs(slack) <= kOn && !constraint.has_trim && !equality;
+  if (slack <= row[slot].slack && !is_on) return;
+  SolverRow made{{}, slack, equality};
+  for (std::size_t i = 0; i < 6; ++i) made.normal[i] = gradient[i] / length;
+  if (is_on) touched_[touched_count_++] = {made, static_cast<std::uint8_t>(slot), static_cast<std::uint8_t>(index)};
+  if (slack <= row[slot].slack) return;
+  row[slot] = made;
   entry[slot] = static_cast<std::uint8_t>(index);
+}
+
+void ProxyRows::countTied() {
+  tied_count_ = 0;
+  is_tied_.fill(false);
+  for (std::size_t k = 0; k < touched_count_; ++k) {
+    const std::size_t i = touched_[k].slot;
+    if (is_tied_[i] || row[i].slack > kOn || entry[i] == touched_[k].entry) continue;
+    is_tied_[i] = true;
+    ++tied_count_;
+  }
+}
+
+void ProxyRows::settle(const Vector6& wanted) {
+  std::array<SolverRow, kMaxRows> others;
+  std::size_t other_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + 1 == count || !is_tied_[i]) others[other_count++] = row[i];
+  }
+  const SolverResult result = nearestUnentered({others.data(), other_count}, wanted);
+  const auto* const end = result.multiplier.begin() + static_cast<std::ptrdiff_t>(other_count) - 1;
+  if (std::all_of(result.multiplier.begin(), end, [](double multiplier) { return multiplier == 0.0; })) return;
+  const auto leftBy = [&](const SolverRow& of) {
+    double left = of.slack;
+    for (std::size_t i = 0; i < 6; ++i) left += of.normal[i] * result.d[i];
+    return left;
+  };
+  for (std::size_t k = 0; k < touched_count_; ++k) {
+    const Touched& touched = touched_[k];
+    if (!is_tied_[touched.slot] || leftBy(touched.row) <= leftBy(row[touched.slot])) continue;
+    row[touched.slot] = touched.row;
+    entry[touched.slot] = touched.entry;
+  }
 }
 
 void ProxyRows::addTrustRow(const ConstraintSet& set, const Vector6& from_reference) {

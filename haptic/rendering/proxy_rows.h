@@ -31,32 +31,40 @@ struct GroupedSet {
 inline constexpr double kTrustedShare = 0.995;
 
 /// The half-spaces of one set about one proxy pose: one row a group, from the group's entry that is freest, and the
-/// trust row last, which keeps the proxy inside the set's zone. Of entries that are as free as the freest, within kTie,
-/// the one counts that the wish goes against least: where two bodies lie flush, a proxy that slides from one to the
-/// other is as free by the top of the second as by its hidden side, and only the side would stop it.
+/// trust row last, which keeps the proxy inside the set's zone.
 struct ProxyRows {
   std::array<SolverRow, kMaxRows> row;
   std::array<std::uint8_t, kMaxRows> entry{};  ///< The entry that each group's row comes from.
   std::size_t count = 0;
 
   std::span<const SolverRow> all() const { return {row.data(), count}; }
-  /// `wish` in the proxy's metric, m: where it would go next, no farther than one move of it.
-  void gather(const GroupedSet& grouped, const Pose& X_DP, const Vector6& wish = {});
-  static constexpr double kTie =
-      0.0;  ///< m: equal to the last bit only. (With 1e-6 seams are smooth, but a rack is entered.)
+  void gather(const GroupedSet& grouped, const Pose& X_DP);
+
+  /// True where the proxy is on several entries of a group, to a micrometre, and none is freer: as far as this group
+  /// goes, each of them would do.
+  bool tied() const { return tied_count_ > 0; }
+  /// Takes in tied groups the entry that is least in the way of `wanted` (in the metric, m) as far as what else holds
+  /// the proxy lets it go; where nothing else holds it, the freest stays. A proxy that slides from one body onto
+  /// another one, flush with it, is as free of that one by its top as by its hidden side: the top is in the way of
+  /// nothing that the first body's top has not stopped, and only the side would be felt. An entry with a trim is never
+  /// taken so: its row is one of the two half-spaces that bound it, and the roof over one ridge would lead past its end
+  /// into the next tooth.
+  void settle(const Vector6& wanted);
 
  private:
-  /// An entry's row, and how free the wish would leave it.
-  struct Offer {
-    SolverRow row;
-    double ahead = 0.0;
-  };
-  bool beats(const Offer& offer, std::size_t slot) const;
-  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi, const Vector6& wish);
+  void offer(std::size_t slot, std::size_t index, const Constraint& constraint, const Vector6& xi);
   void addTrustRow(const ConstraintSet& set, const Vector6& from_reference);
+  void countTied();
 
-  std::array<double, kMaxRows> ahead_{};   ///< Of the entry that each group's row comes from,
-  std::array<double, kMaxRows> freest_{};  ///< and the slack of its freest one.
+  /// An entry that the proxy is on.
+  struct Touched {
+    SolverRow row;
+    std::uint8_t slot = 0, entry = 0;
+  };
+  std::array<Touched, kMaxConstraints> touched_;
+  std::size_t touched_count_ = 0;
+  std::array<bool, kMaxRows> is_tied_{};
+  std::size_t tied_count_ = 0;
 };
 
 }  // namespace hapticell::haptic

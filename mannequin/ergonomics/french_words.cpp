@@ -120,6 +120,7 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"full trunk support", "tronc entièrement soutenu"},
     {"fewer than 2 movements a minute", "moins de 2 mouvements par minute"},
     {"fewer than 2 movements a minute, not held", "moins de 2 mouvements par minute, non tenu"},
+    {"measured within 1.5 deg of the limit", "mesuré à moins de 1,5° de la limite"},
     {"not held longer than the holding time", "pas tenu plus longtemps que la durée de maintien"},
     {"standing without support", "debout sans appui"},
     {"arm supported, or fewer than 10 movements a minute", "bras soutenu, ou moins de 10 mouvements par minute"},

@@ -219,6 +219,9 @@ MethodAdvice adviseZones(PostureMethod method, const ZonePosture& posture) {
   const auto places = zonePlaces(method, posture);
   const auto fields = fieldsOf(places);
   const PartVerdicts now = verdictsOf(method, posture);
+  // Advice leads to the standard's own limits, not to what a measurement is allowed beyond them.
+  ZonePosture to_the_letter = posture;
+  to_the_letter.use.measured = false;
   const auto levelWith = [&](const std::vector<FieldChange>& changes) {
     return levelOf(verdictsOf(method, changed(posture, places, valuesWith(fields, changes))).worst);
   };
@@ -229,7 +232,7 @@ MethodAdvice adviseZones(PostureMethod method, const ZonePosture& posture) {
   for (std::size_t part = 0; part < now.parts.size(); ++part) {
     if (now.parts[part].zone != now.worst) continue;
     const ValuesScore score = [&](std::span<const double> values) -> std::optional<double> {
-      return levelOf(verdictsOf(method, changed(posture, places, values)).parts[part].zone);
+      return levelOf(verdictsOf(method, changed(to_the_letter, places, values)).parts[part].zone);
     };
     const auto lower = nearestLowerLevel(fields, score, asItIs, 2);
     all_parts_help = all_parts_help && lower.has_value();

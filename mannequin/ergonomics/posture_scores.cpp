@@ -22,6 +22,8 @@ constexpr double kDegrees = 57.295779513082323;
 constexpr double kLevelThigh = 35.0, kBentKnee = 45.0, kUprightShank = 60.0;  ///< Degrees, of the seated.
 constexpr double kOffTheSoles = 0.03;  ///< m that their weight is outside the soles;
 constexpr double kSoleDegree = 0.01;   ///< of this so much counts as a degree.
+constexpr double kOverHead =
+    0.03;  ///< m from which hands count as above the head; less: as an arm raised to the shoulder.
 
 template <class Values>
 auto complete(const Values& values) {
@@ -69,8 +71,9 @@ EawsObservation eawsObservation(const PostureScores& scores, const WorkTask& tas
   }
   EawsObservation observed;
   observed.trunk_flexion = scores.sides[0].measured.trunk_flexion;
-  observed.hands_above_head = hands > pose[Segment::kHead].p_WS.z;
-  observed.elbow_at_shoulder = elbows > pose[Segment::kLeftUpperArm].p_WS.z;
+  const double over_head = hands - pose[Segment::kHead].p_WS.z;
+  observed.hands_above_head = over_head > kOverHead;
+  observed.elbow_at_shoulder = over_head > 0.0 || elbows > pose[Segment::kLeftUpperArm].p_WS.z;
   observed.seated = scores.is_seated;
   observed.kneeling = scores.owas_posture.kneeling;
   observed.walking = task.is_walking;

@@ -34,7 +34,12 @@ struct PostureUse {
   bool is_static = false;  ///< Held for more than a few seconds.
   bool trunk_supported = false;
   bool arm_supported = false;
+  bool measured = false;  ///< On a figure or in a recording, not typed: see kNearLimit.
 };
+
+/// A measured angle that is beyond a limit by so many degrees at most is conditional where the standard knows nothing
+/// between acceptable and not acceptable: no measurement is better, and one degree must not decide between the two.
+inline constexpr double kNearLimit = 1.5;
 
 /// What EN 1005-4 and ISO 11226 look at, degrees.
 struct ZonePosture {
@@ -45,7 +50,7 @@ struct ZonePosture {
 };
 
 /// The same of angles that were measured: a trunk that leans back, a head or a gaze that points up within kNeutralBand
-/// counts as level. The standards' 0 has no width, and nobody stands at it.
+/// counts as level. The standards' 0 has no width, and nobody stands at it. Marked as measured.
 ZonePosture settledZones(ZonePosture posture);
 
 /// EN 1005-4:2005 (evaluation of working postures in relation to machinery), its zones for trunk, upper arm, head and

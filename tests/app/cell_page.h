@@ -121,8 +121,8 @@ class CellPage : public WindowPage {
   }
   /// What a running module would hand to the window of the document as it stands.
   void prepareScene() {
-    window().setPreparedScene(manipulation::PreparedScene::prepare(document().snapshotEntities(),
-                                                                   {state().pair_sets, state().pair_rules}, {}));
+    window().setPreparedScene(
+        manipulation::PreparedScene::prepare(document().snapshotEntities(), state().pairPolicy(), {}));
   }
 };
 

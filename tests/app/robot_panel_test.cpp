@@ -143,6 +143,36 @@ TEST(RobotPanel, WhatStandsInTheWayIsNamedAndNotEntered) {
   EXPECT_TRUE(page.words("labelStop").contains("Wall")) << page.words("labelStop").toStdString();
 }
 
+/// What the user left out of the checks is in no jog's way, nor in that of a configuration change.
+TEST(RobotPanel, PairsThatARuleLeavesOutStopNoJog) {
+  RobotPage page;
+  const workcell::EntityId robot = page.addRobot("kuka_kr16_2");
+  const std::string name = page.selected()->name;
+  const Pose X_WT = tcpPose_W(*page.selected(), page.selected()->X_WE, page.joints());
+  const auto ways = [&] {
+    EXPECT_TRUE(page.typeForStep("jogField5", "40"));
+    ConfigurationModel* model = checkedList(page, 4);
+    std::vector<ConfigurationModel::Way> found;
+    for (int row = 0; row < model->rowCount(); ++row) found.push_back(model->way(row));
+    EXPECT_TRUE(page.typeForStep("jogField5", "30"));
+    return found;
+  };
+  const auto without = ways();
+  workcell::Entity wall;
+  wall.name = "Wall";
+  wall.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox(dvec3(2.0, 0.1, 2.0)));
+  wall.X_WE = Pose::translation({X_WT.p.x, -0.9, X_WT.p.z});
+  page.add(wall);
+  const workcell::PairRule left_out{.first = name, .second = "Wall", .checked = false};
+  ASSERT_TRUE(page.document().execute(workcell::SetPairRules{{left_out}}));
+  page.window().selection().set(robot);
+  page.settle();
+  ASSERT_TRUE(page.typeForStep("jogField1", "90"));
+  EXPECT_NEAR(page.joints()[0], 90 * kDegree, 1e-9) << page.words("labelStop").toStdString();
+  ASSERT_TRUE(page.typeForStep("jogField1", "0"));
+  EXPECT_EQ(ways(), without) << "the ways to the other configurations";
+}
+
 TEST(RobotPanel, NamedPosesAndHome) {
   RobotPage page;
   page.addRobot("kuka_kr16_2");

@@ -4,11 +4,13 @@
 
 #include <set>
 
+#include "app/trajectory/kept_motion.h"
 #include "app/trajectory/motion_export.h"
 #include "app/trajectory/motion_work.h"
 #include "app/trajectory/time_axis.h"
 #include "app/trajectory/trace_curves.h"
 #include "app/trajectory/track_rows.h"
+#include "trajectory/checks/motion_promises.h"
 
 namespace hapticell::app {
 namespace {
@@ -139,6 +141,28 @@ TEST(Limits, ASolidHasAssumedOnesAndARobotItsOwn) {
   trajectory::Trajectory solid;
   EXPECT_EQ(limitsOf({}, solid).velocity.size(), 6u);
   EXPECT_EQ(limitsOf({}, solid).acceleration[0], 2.0);
+}
+
+TEST(KeptMotion, WhatIsAskedIsMeasuredOnTheFile) {
+  trajectory::Trajectory given, kept;
+  for (int i = 0; i <= 50; ++i) {
+    given.addFrame({0.1 * i, Pose::translation({0.01 * i, 0, i == 25 ? 0.004 : 0.0})});
+    if (i % 50 == 0) kept.addFrame(given[static_cast<std::size_t>(i)]);
+  }
+  const auto measure = [&](const trajectory::PathTolerance& tolerance) {
+    return missedPromise(kept, [&](const auto& file) {
+      EXPECT_TRUE(std::filesystem::exists(file));
+      return trajectory_checks::simplifyPromises(given, tolerance, file);
+    });
+  };
+  EXPECT_FALSE(measure({0.005, 0.1, 0.1}).has_value());
+  const auto missed = measure({0.001, 0.1, 0.1});
+  ASSERT_TRUE(missed.has_value());
+  EXPECT_EQ(missed->name, "position");
+  EXPECT_NEAR(missed->measured, 0.004, 1e-9);
+  EXPECT_TRUE(missedPromise(kept, [](const auto&) -> Expected<Promises> {
+    return makeError({"", "", "unreadable", "", ""});
+  })) << "what cannot be measured is not kept";
 }
 
 TEST(Formats, EachHasAWordAndANameOfItsOwn) {

@@ -291,6 +291,21 @@ def test_workcell_new_then_inspect(case):
     assert "newer.hcell" in case.run("inspect", "newer.hcell", expect=2)
 
 
+def test_a_mesh_that_faces_inward_is_told_wherever_it_comes_in(case):
+    inward = [(a, c, b) for a, b, c in box((0.4, 0.4, 0.1))]
+    write_binary_stl(case.folder / "inward.stl", inward)
+    write_obj(case.folder / "inward.obj", inward)
+    write_obj(case.folder / "outward.obj", box((0.4, 0.4, 0.1)))
+    (case.folder / "arm.urdf").write_text(ARM.replace(
+        '<link name="upper"/>', '<link name="upper"><collision><geometry><mesh filename="inward.stl"/></geometry></collision></link>'))
+    told = "face inward"
+    for part, is_told in (("inward.stl", True), ("inward.obj", True), ("arm.urdf", True), ("outward.obj", False)):
+        new = case.run("workcell", "new", part + ".hcell", "--add", part + ",name=part")
+        for answer in (new, case.run("inspect", part + ".hcell"), case.run("inspect", part)):
+            assert (told in " ".join(answer["warnings"])) == is_told, (part, answer["warnings"])
+    assert told in " ".join(case.run("convert", "inward.stl", "--output", "again.obj")["warnings"])
+
+
 def test_workcell_new_refuses_what_means_nothing(case):
     brick = "box:1,1,1,name=k"
     assert "--add" in case.run("workcell", "new", "cell.hcell", expect=2)

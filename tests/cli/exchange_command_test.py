@@ -149,6 +149,7 @@ def test_fewer_triangles_say_how_far_they_are_off(case):
     write_binary_stl(case.folder / "rod.stl", rod)
     made = case.run("convert", "rod.stl", "--simplify", "0.001", "-o", "few.stl")
     assert made["triangles"] < 300 and 0 < made["deviation"] <= 0.001, made
+    assert made["promised"] == {"surface": 0.001} and 0 < made["measured"]["surface"] <= 0.001001, made
     hull = case.run("convert", "rod.stl", "--hull", "-o", "hull.stl")
     assert hull["deviation"] < 1e-6, hull
     for none in ("0", "nan", "inf", "-1", "1e-3x"):

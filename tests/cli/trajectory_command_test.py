@@ -190,11 +190,15 @@ def test_a_session_is_recorded_cleaned_checked_and_exported(case):
                      "-o", "fast.htraj", timeout=120)
     assert timed["limit_use"]["velocity"] <= 1.001 and timed["max_deviation"]["position"] < 1e-4, timed
     assert not timed["kept_free"]["findings"], timed["kept_free"]
+    # The smoothed joints count, as its poses were smoothed apart from them; the tool passes where they bring it.
+    assert "missed" not in timed and timed["measured"]["position"] <= 5e-5, timed["measured"]
+    assert timed["measured"]["pose_by_joints"] <= 1e-6, timed["measured"]
     ros = case.run("trajectory", "export", "fast.htraj", "--to", "ros", "-o", "p.yaml")
     again = case.run("trajectory", "info", "p.yaml")
     assert again["frames"] == ros["frames"] and again["joints"] == recorded["joints"]
     for name in ("krl", "rapid", "fanuc", "urscript", "val3"):
-        case.run("trajectory", "export", "fast.htraj", "--to", name, "--robot", "library:hc6", "-o", "prog." + name)
+        done = case.run("trajectory", "export", "fast.htraj", "--to", name, "--robot", "library:hc6", "-o", "prog." + name)
+        assert done["measured"]["position"] <= done["promised"]["position"] == 1e-6, (name, done["measured"])
     read_back(case, json.loads((case.folder / "fast.htraj").read_text()), demo / "demo.hcell")
 
 
@@ -366,6 +370,103 @@ def test_smoothing_keeps_free_in_the_cell(case):
     assert kept["kept_free"]["nearer"] and not kept["kept_free"]["findings"], kept
     free = case.run("trajectory", "check", "kept.htraj", "--workcell", "cell.hcell", "--entity", "part", "--fail-on-contact")
     assert free["free"], free
+
+
+ROS = """joint_names: [q1, q2, q3, q4, q5, q6]
+points:
+- positions: [0.0, 0.0, 0.1, 0.2, 0.3, 0.0]
+  time_from_start: {sec: 0, nanosec: 0}
+- positions: [0.2, 0.1, 0.1, 0.2, 0.3, 0.1]
+  time_from_start: {sec: 1, nanosec: 0}
+- positions: [0.3, 0.2, 0.0, 0.2, 0.3, 0.4]
+  time_from_start: {sec: 2, nanosec: 0}
+"""
+
+
+def poses_by_fk(case, rows, robot="library:hc6"):
+    """Where these joints put the tool, by another command: list of (position, rotation)."""
+    names = [f"joint_{i + 1}" for i in range(6)]
+    (case.folder / "fk.csv").write_text(",".join(names) + "\n" + "\n".join(",".join(map(repr, row)) for row in rows) + "\n")
+    poses = case.run("fk", "--robot", robot, "--joints", "fk.csv")["poses"]
+    return [([p[axis] for axis in "xyz"], readers.of_quaternion(*(p[k] for k in ("qw", "qx", "qy", "qz")))) for p in poses]
+
+
+def read_csv(path):
+    lines = path.read_text().splitlines()
+    names = lines[0].split(",")
+    return [dict(zip(names, map(float, line.split(",")))) for line in lines[1:]]
+
+
+def test_a_ros_trajectory_gets_its_poses_from_the_robot(case):
+    (case.folder / "q.yaml").write_text(ROS)
+    joints = [[0.0, 0.0, 0.1, 0.2, 0.3, 0.0], [0.2, 0.1, 0.1, 0.2, 0.3, 0.1], [0.3, 0.2, 0.0, 0.2, 0.3, 0.4]]
+    assert case.run("trajectory", "info", "q.yaml")["has_poses"] is False
+    case.run("trajectory", "export", "q.yaml", "--to", "krl", "-o", "p.src", "--robot", "library:hc6")
+    expected = poses_by_fk(case, joints)
+    targets = readers.read_krl(case.folder, "p")
+    for (p, R), (q, S) in zip(targets, expected[len(expected) - len(targets):]):
+        assert math.dist(p, q) < 1e-6 and readers.angle_between(R, S) < 1e-4, (p, q)
+    for name in ("krl", "rapid", "fanuc", "urscript", "val3"):
+        refused = case.run("trajectory", "export", "q.yaml", "--to", name, "-o", "none", expect=2)
+        assert "--robot" in refused and not list(case.folder.glob("none*")), refused
+    case.run("trajectory", "export", "q.yaml", "--to", "csv", "-o", "with.csv", "--robot", "library:hc6")
+    for row, (p, _) in zip(read_csv(case.folder / "with.csv"), expected):
+        assert math.dist([row[k] for k in "xyz"], p) < 1e-9, row
+    # Without the robot a table of joints alone is honest, and is read as such.
+    case.run("trajectory", "export", "q.yaml", "--to", "csv", "-o", "alone.csv")
+    assert "x" not in read_csv(case.folder / "alone.csv")[0]
+    assert case.run("trajectory", "info", "alone.csv")["has_poses"] is False
+    refused = case.run("trajectory", "mirror", "alone.csv", "-o", "m.csv", expect=2)
+    assert "poses" in refused and not (case.folder / "m.csv").exists(), refused
+
+
+def test_retime_passes_taught_places_of_a_robot(case):
+    joints = [[0.0] * 6, [0.6, -0.3, 0.4, 0.0, 0.5, 0.0], [0.6, 0.2, 0.1, 0.0, 0.9, 0.3], [-0.4, 0.2, 0.1, 0.0, 0.9, 0.3], [0.0] * 6]
+    header = "t,x,y,z,qw,qx,qy,qz," + ",".join(f"joint_{i + 1}" for i in range(6))
+    (case.folder / "fk.csv").write_text(",".join(f"joint_{i + 1}" for i in range(6)) + "\n" + "\n".join(",".join(map(repr, q)) for q in joints) + "\n")
+    poses = case.run("fk", "--robot", "library:hc6", "--joints", "fk.csv")["poses"]
+    for base in (0.0, 0.75):  # The same, and with the robot on a base.
+        rows = [[float(i), p["x"], p["y"], p["z"] + base, p["qw"], p["qx"], p["qy"], p["qz"], *q] for i, (p, q) in enumerate(zip(poses, joints))]
+        (case.folder / "taught.csv").write_text(header + "\n" + "\n".join(",".join(map(repr, row)) for row in rows) + "\n")
+        done = case.run("trajectory", "retime", "taught.csv", "--robot", "library:hc6", "-o", "fast.csv")
+        assert done["measured"]["position"] <= 5e-5 and done["measured"]["velocity"] <= 1.001, done
+        assert done["measured"]["pose_by_joints"] <= 1e-6 and done["rests_at_corners"] == 3, done
+        fast = read_csv(case.folder / "fast.csv")
+        again = poses_by_fk(case, [[row[f"joint_{i + 1}"] for i in range(6)] for row in fast])
+        for row, (p, _) in zip(fast, again):
+            assert math.dist([row["x"], row["y"], row["z"] - base], p) < 1e-6, row
+        for row in rows:
+            assert min(math.dist([r["x"], r["y"], r["z"]], row[1:4]) for r in fast) < 5e-4, row
+    # Without the robot the frames say that poses and joints were made apart.
+    done = case.run("trajectory", "retime", "taught.csv", "--velocity", "2", "-o", "apart.csv")
+    assert any("pose_apart" in note for note in done["assumptions"]), done
+    assert any(row["pose_apart"] for row in read_csv(case.folder / "apart.csv"))
+
+
+def test_what_is_written_was_measured(case):
+    """What a missed promise does is shown by kept_result_test: these commands miss none that could be asked here."""
+    write_motion(case.folder / "a.csv")
+    kept = case.run("trajectory", "simplify", "a.csv", "-o", "few.csv")
+    assert "missed" not in kept and kept["measured"]["position"] <= kept["promised"]["position"] == 1e-3, kept
+    even = case.run("trajectory", "resample", "a.csv", "--step", "0.5", "-o", "n.csv")
+    assert even["measured"]["position"] <= 1e-9, even
+    close = case.run("trajectory", "retime", "a.csv", "--velocity", "0.2", "--acceleration", "5", "--tolerance", "1e-7",
+                     "--angle-tolerance", "1e-6", "--sample", "0.5", "-o", "b.csv", "--allow-miss")
+    assert close["sample"] < 0.5 or close["rests_at_corners"] > 0, close
+    assert "missed" in close or close["measured"]["position"] <= 1e-7 + 1e-9, close
+    # Without a name for the result nothing is left either, and it is measured all the same.
+    before = sorted(p.name for p in case.folder.iterdir())
+    assert case.run("trajectory", "smooth", "a.csv")["measured"]["position"] <= 1e-3
+    assert sorted(p.name for p in case.folder.iterdir()) == before
+
+
+def test_smooth_keeps_its_tolerance_with_few_frames(case):
+    (case.folder / "square.csv").write_text("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0.1,0,0,1,0,0,0\n2,0.1,0.1,0,1,0,0,0\n"
+                                            "3,0,0.1,0,1,0,0,0\n4,0,0,0,1,0,0,0\n")
+    done = case.run("trajectory", "smooth", "square.csv", "-o", "s.csv")
+    assert done["max_deviation"]["position"] <= 1e-3 and done["measured"]["position"] <= 1e-3, done
+    for given, row in zip(read_csv(case.folder / "square.csv"), read_csv(case.folder / "s.csv")):
+        assert math.dist([given[k] for k in "xyz"], [row[k] for k in "xyz"]) <= 1.001e-3, row
 
 
 def test_bad_input(case):

@@ -45,7 +45,7 @@ Cell cellOf(const std::string& stem) {
   cell.expert = *expert;
   SessionOptions& options = cell.session;
   options.entities = document->snapshotEntities();
-  options.pairs = {document->state().pair_sets, document->state().pair_rules};
+  options.pairs = document->state().pairPolicy();
   options.guides = document->state().guides;
   options.entity = expert->entity;
   options.hand = *hand;

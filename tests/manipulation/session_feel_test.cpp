@@ -182,6 +182,70 @@ TEST(SessionFeel, TheClassDynamicsFeelsInertiaAndStrikesHarder) {
   EXPECT_NEAR(heavy.at_rest, light.at_rest, 0.15) << "at rest inertia is nothing";
 }
 
+struct SlidOver {
+  double side = 0.0;   ///< N, the greatest sideways while it slides over the middle.
+  double press = 0.0;  ///< N, the same upwards.
+};
+
+/// A part of `mesh`, 20 mm over z = 0, pressed 2 mm deep and led from x -30 to 30 mm.
+SlidOver slidOver(std::vector<workcell::Entity> cell, geometry::TriangleMesh mesh, double height, double rate,
+                  double latency, const dvec3& way) {
+  cell.push_back(test::solid(9, "part", std::move(mesh), Pose::translation(-0.03 * way + dvec3(0, 0, height + 0.02))));
+  auto options = sessionOf(std::move(cell), "part",
+                           handThrough({{0.0, -0.03 * way + dvec3(0, 0, 0.02)},
+                                        {1.3, -0.03 * way + dvec3(0, 0, 0.02)},
+                                        {2.1, -0.03 * way + dvec3(0, 0, -0.002)},
+                                        {4.1, 0.03 * way + dvec3(0, 0, -0.002)}}),
+                           rate, latency);
+  for (auto& entity : options.entities) entity.locked = entity.name != "part";
+  options.moved_by = *parseMovedBy("self_origin");
+  options.axes.mode = AxesMode::kCell;
+  options.scale = {ScaleLevel::kNumber, 1.0};
+  options.configuration.manipulation.safety_distance = 0.0;
+  SlidOver felt;
+  const auto report = runSession(options, [&](const TraceRow& row) {
+    if (row.t < 2.6 || row.t > 3.9) return;
+    felt.side = std::max(felt.side, std::hypot(row.force_D.x, row.force_D.y));
+    felt.press = std::max(felt.press, row.force_D.z);
+  });
+  EXPECT_TRUE(report) << report.error().message();
+  if (!report) return felt;
+  EXPECT_LE(report->penetration_max_m, 1e-4);
+  return felt;
+}
+
+/// Two plates that lie flush feel like one, at every rate and latency, whatever is led over them and whichever way.
+TEST(SessionFeel, AFlushSeamIsNotFelt) {
+  const auto plate = [](workcell::EntityId id, const std::string& name, const dvec3& size, const dvec3& top) {
+    return test::solid(id, name, geometry::makeBox(size), Pose::translation(top - dvec3(0, 0, 0.5 * size.z)));
+  };
+  const std::vector<workcell::Entity> one{plate(1, "a", {0.4, 0.4, 0.02}, {0, 0, 0})};
+  const std::vector<workcell::Entity> two{plate(1, "a", {0.2, 0.4, 0.02}, {-0.1, 0, 0}),
+                                          plate(2, "b", {0.2, 0.4, 0.02}, {0.1, 0, 0})};
+  const std::vector<workcell::Entity> four{
+      plate(1, "a", {0.2, 0.2, 0.02}, {-0.1, -0.1, 0}), plate(2, "b", {0.2, 0.2, 0.05}, {0.1, -0.1, 0}),
+      plate(3, "c", {0.2, 0.2, 0.02}, {-0.1, 0.1, 0}), plate(4, "d", {0.2, 0.2, 0.02}, {0.1, 0.1, 0})};
+  struct Case {
+    geometry::TriangleMesh part;
+    double height;
+    const std::vector<workcell::Entity>* cell;
+    dvec3 way;
+  };
+  const std::vector<Case> cases{{geometry::makeSphere(0.01), 0.01, &two, {1, 0, 0}},
+                                {geometry::makeSphere(0.01), 0.01, &two, {-1, 0, 0}},
+                                {geometry::makeSphere(0.01), 0.01, &four, {0.8, 0.6, 0}},
+                                {geometry::makeBox(dvec3(0.03)), 0.015, &two, {1, 0, 0}}};
+  for (const auto& [rate, latency] : {std::pair{1000.0, 0.0}, {60.0, 0.02}, {30.0, 0.05}, {10.0, 0.05}}) {
+    for (const Case& one_case : cases) {
+      const SlidOver whole = slidOver(one, one_case.part, one_case.height, rate, latency, one_case.way);
+      const SlidOver seam = slidOver(*one_case.cell, one_case.part, one_case.height, rate, latency, one_case.way);
+      ASSERT_GT(whole.side, 0.02) << rate << " Hz, case " << &one_case - cases.data();
+      EXPECT_NEAR(seam.side, whole.side, 0.1 * whole.side) << rate << " Hz, case " << &one_case - cases.data();
+      EXPECT_NEAR(seam.press, whole.press, 0.1 * whole.press) << rate << " Hz, case " << &one_case - cases.data();
+    }
+  }
+}
+
 /// Where a ball of 10 mm rests that a hand presses onto `floor` from `side` (1: above), and with what force.
 std::pair<double, double> restsOn(const geometry::TriangleMesh& floor, double side, const dvec3& at = dvec3(0.0)) {
   std::vector<workcell::Entity> cell{

@@ -71,7 +71,7 @@ void treat(const Trajectory& motion, const std::string& what) {
   }
   const Trajectory few = simplified(motion, tolerance);
   expectSane(few, what + ", simplified");
-  EXPECT_LE(largestDeviation(motion, few).position, 1.0001e-3) << what;
+  EXPECT_LE(largestDeviation(motion, few).pose.position, 1.0001e-3) << what;
   expectSane(reversed(motion), what + ", reversed");
   expectFinite(motionCurves(motion), what);
   for (const auto format : {ProgramFormat::kKrl, ProgramFormat::kRapid, ProgramFormat::kFanuc, ProgramFormat::kUrScript,
@@ -160,7 +160,7 @@ TEST(OddMotions, TenHoursComeBackBitForBitAndCanBeTreated) {
   const Trajectory few = simplified(motion, {5e-3, 0.05});
   expectSane(few, "ten hours, simplified");
   EXPECT_LT(few.size(), motion.size() / 3);
-  EXPECT_LE(largestDeviation(motion, few).position, 5.001e-3);
+  EXPECT_LE(largestDeviation(motion, few).pose.position, 5.001e-3);
   expectFinite(motionCurves(motion), "ten hours");
 }
 

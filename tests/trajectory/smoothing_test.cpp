@@ -67,6 +67,20 @@ TEST(Smoothing, LooksForNoTremorWhereTimeHardlyGoesOrRuns) {
   }
 }
 
+TEST(Smoothing, KeepsItsToleranceHoweverFewTheFrames) {
+  for (const double side : {0.005, 0.1}) {
+    Trajectory square;
+    for (int i = 0; i <= 20; ++i) {
+      const int k = i % 4;
+      square.addFrame({1.0 * i, Pose::translation({k == 1 || k == 2 ? side : 0.0, k >= 2 ? side : 0.0, 0.0})});
+    }
+    const Smoothed smooth = smoothed(square);
+    for (std::size_t i = 0; i < square.size(); ++i) {
+      EXPECT_LE(glm::distance(smooth.trajectory[i].X_WT.p, square[i].X_WT.p), 0.001) << i;
+    }
+  }
+}
+
 TEST(Smoothing, LeavesFewFramesAlone) {
   Trajectory one;
   one.addFrame({0.0, gestureAt(0.0)});
@@ -77,9 +91,9 @@ TEST(Smoothing, LeavesFewFramesAlone) {
 TEST(Simplification, StaysWithinItsToleranceAndDropsMostFrames) {
   const Trajectory recorded = recordedGesture(30.0, 100.0, 0.0);
   for (const double mm : {0.25, 1.0, 5.0}) {
-    const PathTolerance tolerance{1e-3 * mm, mm * 0.0174533};
+    const PathTolerance tolerance{1e-3 * mm, mm * 0.0174533, 1e-3 * mm};
     const Trajectory few = simplified(recorded, tolerance);
-    const PoseDistance deviation = largestDeviation(recorded, few);
+    const PoseDistance deviation = largestDeviation(recorded, few).pose;
     EXPECT_LE(deviation.position, tolerance.position * 1.0001) << mm;
     EXPECT_LE(deviation.angle, tolerance.angle * 1.0001) << mm;
     EXPECT_LT(few.size(), recorded.size() / 4) << mm;

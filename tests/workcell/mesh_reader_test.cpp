@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <clocale>
+#include <utility>
 
 #include "geometry/mass_properties.h"
 #include "geometry/shapes.h"
@@ -99,6 +100,31 @@ TEST(MeshReader, countsWhatWeldingDropped) {
   EXPECT_EQ(file->weld.degenerate_triangles, 1u);
   EXPECT_EQ(file->weld.duplicate_triangles, 1u);
   EXPECT_EQ(notes.warnings.size(), 2u);
+}
+
+/// Whatever is written inside out is said, body by body, and left as it is.
+TEST(MeshReader, tellsOfBodiesThatFaceInward) {
+  const auto inward = [](TriangleMesh mesh) {
+    for (geometry::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    return mesh;
+  };
+  const TriangleMesh box = geometry::makeBox(dvec3(0.3));
+  for (const auto& [name, content] : encodings(inward(box))) {
+    Diagnostics notes;
+    const auto file = parse(content, name, notes);
+    ASSERT_TRUE(file.has_value()) << name;
+    EXPECT_LT(geometry::massProperties(file->mesh).volume, 0.0) << name;
+    ASSERT_EQ(notes.warnings.size(), 1u) << name;
+    EXPECT_THAT(notes.warnings[0], HasSubstr("face inward")) << name;
+  }
+  TriangleMesh several = geometry::makeBox(dvec3(0.5));
+  geometry::append(several, inward(geometry::makeSphere(0.1)), Pose::translation({1.0, 0.0, 0.0}));
+  geometry::append(several, inward(box), Pose::translation({-1.0, 0.0, 0.0}));
+  geometry::append(several, inward(geometry::makeBox(dvec3(0.1))), {});  // A cavity: as it should be.
+  Diagnostics notes;
+  ASSERT_TRUE(parse(test::stlBinary(several), "several.stl", notes, {.scale = 1.0}).has_value());
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_THAT(notes.warnings[0], HasSubstr("of 2 bodies face inward"));
 }
 
 TEST(MeshReader, isIndependentOfTheLocale) {

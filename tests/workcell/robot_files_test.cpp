@@ -7,9 +7,11 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "geometry/mass_properties.h"
 #include "kinematics/chain_report.h"
 #include "kinematics/inverse_factory.h"
 #include "tests/support/test_data.h"
+#include "tests/workcell/urdf_text.h"
 #include "workcell/entity_source.h"
 #include "workcell/robot_library.h"
 #include "workcell/robot_reader.h"
@@ -22,14 +24,14 @@ const std::string kSix = "[joints]\nlower = [-90, -90, -90, -90, -90, -90]\nuppe
 const std::string kOpw = "[opw]\na1 = 50\nc1 = 330\nc2 = 330\nc3 = 335\nc4 = 80\n";
 
 std::string refused(const std::string& name, const std::string& text) {
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   Diagnostics notes;
   const auto robot = readRobot(folder.write(name, text), notes);
   return robot ? "" : robot.error().message();
 }
 
 TEST(RobotToml, ReadsLengthsInItsUnitAndAnglesInDegrees) {
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   Diagnostics notes;
   const std::string tool = "[[tool]]\nname = \"gun\"\nposition = [0, 0, 200]\nrpy = [180, 0, 0]\n";
   const auto robot = readRobot(folder.write("robot.toml", kHead + kOpw + kSix + tool), notes);
@@ -183,8 +185,33 @@ TEST(Sdf, FaultsAreToldInOneSentence) {
   }
 }
 
+/// Mirrored by its scale a mesh keeps its outside outside; written inside out it is named.
+TEST(Sdf, AMeshFacesOutwardOrIsTold) {
+  for (const bool inward : {false, true}) {
+    const hapticell::test::TemporaryFolder folder;
+    folder.write("part.stl", test::tetrahedronStl(inward));
+    Diagnostics notes;
+    const auto robot = readRobot(
+        folder.write("robot.sdf",
+                     "<sdf version=\"1.7\"><model name=\"m\"><link name=\"base\"><collision name=\"c\"><geometry><mesh>"
+                     "<uri>part.stl</uri><scale>0.1 0.1 -0.2</scale></mesh></geometry></collision></link>"
+                     "<link name=\"arm\"/><joint name=\"j\" type=\"revolute\"><parent>base</parent><child>arm</child>"
+                     "<axis><xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper></limit></axis></joint>"
+                     "</model></sdf>"),
+        notes);
+    ASSERT_TRUE(robot) << robot.error().message();
+    const auto& shapes = robot->model.links[0].collisions;
+    ASSERT_EQ(shapes.size(), 1u);
+    EXPECT_NEAR(geometry::massProperties(*shapes[0].mesh).volume, (inward ? -1.0 : 1.0) * 0.1 * 0.1 * 0.2 / 6.0, 1e-12);
+    const bool told = std::any_of(notes.warnings.begin(), notes.warnings.end(), [](const std::string& warning) {
+      return warning.find("part.stl: the triangles face inward") != std::string::npos;
+    });
+    EXPECT_EQ(told, inward);
+  }
+}
+
 TEST(Kinematics, AreReadOfAUrdfWithoutItsMeshes) {
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   const auto file = folder.write(
       "arm.urdf",
       "<robot name='arm'><link name='a'><visual><geometry><mesh filename='gone.stl'/></geometry></visual></link>"
@@ -217,7 +244,7 @@ TEST(UrdfWithLoops, AnOpenDeltaIsSaidToBeOne) {
     return text;
   };
   const auto hints = [&](const std::string& legs) {
-    const test::TemporaryFolder folder;
+    const hapticell::test::TemporaryFolder folder;
     Diagnostics notes;
     EXPECT_TRUE(readRobot(folder.write("d.urdf", head + legs + "</robot>"), notes));
     return std::count_if(notes.warnings.begin(), notes.warnings.end(),
@@ -231,7 +258,7 @@ TEST(UrdfWithLoops, AnOpenDeltaIsSaidToBeOne) {
 
 TEST(UrdfWithLoops, ADeltaTreeIsClosedByARobotToml) {
   HAPTICELL_SHARED_DATA_OR_SKIP(urdf, "robots/omnid_delta_tree/robot.urdf");
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   std::ifstream file(hapticell::test::sourceFile("examples/robots/omnid_delta_tree.toml"));
   std::string text{std::istreambuf_iterator<char>(file), {}};
   const std::string beside = "file = \"robot.urdf\"";
@@ -264,7 +291,7 @@ const char* const kArm = R"(<robot name="arm"><link name="base"/><link name="upp
 <joint name="end" type="fixed"><parent link="upper"/><child link="tip"/></joint></robot>)";
 
 TEST(Srdf, GroupsPosesAndDisabledPairsComeFromTheFileBeside) {
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   folder.write("arm.srdf", R"(<robot name="arm"><group name="all"><chain base_link="base" tip_link="tip"/></group>
 <group_state name="home" group="all"><joint name="shoulder" value="0.5"/></group_state>
 <disable_collisions link1="base" link2="upper" reason="Adjacent"/>
@@ -282,7 +309,7 @@ TEST(Srdf, GroupsPosesAndDisabledPairsComeFromTheFileBeside) {
 }
 
 TEST(Srdf, AFaultNamesTheSrdf) {
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   folder.write("arm.srdf", "<robot name=\"arm\"><group>");
   Diagnostics notes;
   const auto robot = readRobot(folder.write("robot.urdf", kArm), notes);
@@ -305,7 +332,7 @@ class PathOf {
 };
 
 TEST(Xacro, GoesThroughTheUsersProgramOrSaysHowToGetIt) {
-  const test::TemporaryFolder folder;
+  const hapticell::test::TemporaryFolder folder;
   const auto file = folder.write("arm.urdf.xacro", "<robot name=\"arm\" xmlns:xacro=\"x\"><xacro:arm/></robot>");
   Diagnostics notes;
   {

@@ -117,6 +117,26 @@ TEST(UrdfReader, ShapesHaveSizeColourAndPlace) {
   EXPECT_NEAR(volume, 0.001 * 0.002 * 0.003 / 6.0, 1e-18) << "a mirrored mesh keeps its outside outside";
 }
 
+/// A mesh that is written inside out is named, mirrored or not.
+TEST(UrdfReader, AMeshThatFacesInwardIsTold) {
+  for (const char* scale : {"", "scale=\"1 1 -1\""}) {
+    const hapticell::test::TemporaryFolder folder;
+    folder.write("good.stl", test::tetrahedronStl());
+    folder.write("inward.stl", test::tetrahedronStl(true));
+    Diagnostics diagnostics;
+    const auto model = readText(
+        folder,
+        robotText(linkText("a", meshText("visual", "good.stl", scale) + meshText("collision", "inward.stl", scale))),
+        diagnostics);
+    ASSERT_TRUE(model) << model.error().message();
+    std::string told;
+    for (const std::string& warning : diagnostics.warnings) {
+      if (warning.find("face inward") != std::string::npos) told += warning;
+    }
+    EXPECT_EQ(told.find("inward.stl: the triangles face inward"), 0u) << told;
+  }
+}
+
 TEST(UrdfReader, OneFileIsReadOnceAndUnreadableVisualsAreToldAndReplaced) {
   const hapticell::test::TemporaryFolder folder;
   folder.write("t.stl", test::tetrahedronStl());

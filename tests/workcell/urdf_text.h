@@ -20,14 +20,14 @@ inline std::string jointText(
          "\"/>" + body + "</joint>\n";
 }
 
-/// A tetrahedron with edges of one unit, ASCII STL.
-inline std::string tetrahedronStl() {
+/// A tetrahedron with edges of one unit, ASCII STL; `inward`: written inside out.
+inline std::string tetrahedronStl(bool inward = false) {
   const char* corners[4] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
   const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   std::string text = "solid t\n";
   for (const auto& face : faces) {
     text += "facet normal 0 0 0\nouter loop\n";
-    for (const int corner : face) text += std::string("vertex ") + corners[corner] + "\n";
+    for (const int k : {0, inward ? 2 : 1, inward ? 1 : 2}) text += std::string("vertex ") + corners[face[k]] + "\n";
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid t\n";

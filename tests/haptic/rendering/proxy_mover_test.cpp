@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "haptic/rendering/proxy_metric.h"
@@ -183,7 +184,65 @@ RC_GTEST_PROP(ProxyMoverProperty, keepsTheProxyOutOfRandomConvexBlocks, ()) {
     }
     p += 4e-4 * direction() - 0.004 * p * (i % 300 < 150 ? 1.0 : -0.5);
     const RenderResult result = renderer.tick(Pose::translation(p), kTick);
-    RC_ASSERT(depth(result.X_DP.p) <= 1e-7 + ProxyRows::kTie);
+    RC_ASSERT(depth(result.X_DP.p) <= 1e-7);
+  }
+}
+
+/// A floor and a second body beside it whose top is `step` higher: the stylus presses and slides on to it. Gives where
+/// the proxy is then, and the greatest force along the way.
+std::pair<dvec3, double> slideOnTo(double step) {
+  ForceRenderer renderer;
+  renderer.reset(at(-0.005, 0, 0.001));
+  ConstraintSet set = floorSet(1);
+  set.X_DR = at(-0.005, 0, 0.001);
+  set.zone_radius = 0.05;
+  set.constraints[0] = planeConstraint(dvec3(0.0), dvec3(0, 0, 1), set.X_DR, 0);
+  set.constraints[1] = planeConstraint(dvec3(0, 0, step), dvec3(0, 0, 1), set.X_DR, 1);
+  set.constraints[2] = planeConstraint(dvec3(0.0), dvec3(-1, 0, 0), set.X_DR, 1);
+  set.count = 3;
+  EXPECT_EQ(renderer.adopt(set), Adoption::kAdopted);
+  moveTo(renderer, dvec3(-0.005, 0, 0.001), dvec3(-0.005, 0, -0.003));
+  double along = 0.0;
+  RenderResult result;
+  for (int i = 0; i <= 1000; ++i) {
+    result = renderer.tick(at(-0.005 + 1e-5 * i, 0, -0.003), kTick);
+    along = std::max(along, std::abs(result.force_D.x));
+  }
+  return {result.X_DP.p, along};
+}
+
+TEST(ProxyMover, slidesOverAFlushSeamAndStopsAtAStep) {
+  for (const double step : {0.0, 5e-7, -5e-7}) {
+    const auto [p, along] = slideOnTo(step);
+    EXPECT_NEAR(p.x, 0.005, 1e-6) << step;
+    EXPECT_GE(p.z, std::max(0.0, step) - 1e-7) << step;
+    EXPECT_LT(along, 1e-3) << step << ": N";
+  }
+  const auto [p, along] = slideOnTo(1e-5);
+  EXPECT_NEAR(p.x, 0.0, 1e-6);
+  EXPECT_NEAR(along, 5.0, 0.1);
+}
+
+/// A point may be where two bodies meet without a gap: it does not fall between them.
+TEST(ProxyMover, aSeamIsNoCrack) {
+  ForceRenderer renderer;
+  renderer.reset(at(0, 0, 0.001));
+  ConstraintSet set = floorSet(1);
+  set.X_DR = at(0, 0, 0.001);
+  set.zone_radius = 0.05;
+  set.count = 0;
+  for (const double side : {-1.0, 1.0}) {
+    const std::uint32_t group = side < 0.0 ? 0 : 1;
+    set.constraints[set.count++] = planeConstraint(dvec3(0.0), dvec3(0, 0, 1), set.X_DR, group);
+    set.constraints[set.count++] = planeConstraint(dvec3(-2e-8 * side, 0, 0), dvec3(-side, 0, 0), set.X_DR, group);
+  }
+  renderer.adopt(set);
+  for (const double x : {0.002, -0.002, 0.0}) {
+    for (int i = 0; i <= 400; ++i) {
+      const double t = 0.0025 * i;
+      const RenderResult result = renderer.tick(at(x * std::sin(20.0 * t), 0, 0.001 - 0.004 * t), kTick);
+      ASSERT_GE(result.X_DP.p.z, -2e-7) << x << ' ' << i;
+    }
   }
 }
 

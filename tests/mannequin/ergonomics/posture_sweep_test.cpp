@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "mannequin/anthropometry.h"
 #include "mannequin/ergonomics/body_sizes.h"
@@ -36,6 +38,55 @@ int changedDigits(const Owas::Values& a, const Owas::Values& b) {
   return count;
 }
 
+/// How many zones the farthest part goes.
+int greatestStep(const PartVerdicts& a, const PartVerdicts& b) {
+  int most = std::abs(static_cast<int>(a.worst) - static_cast<int>(b.worst));
+  for (std::size_t i = 0; i < a.parts.size(); ++i) {
+    EXPECT_EQ(a.parts[i].part, b.parts[i].part);
+    most = std::max(most, std::abs(static_cast<int>(a.parts[i].zone) - static_cast<int>(b.parts[i].zone)));
+  }
+  return most;
+}
+
+/// Rare, held, often, supported, and all of it: the zones' limits depend on them.
+std::array<WorkTask, 5> usesOfZones() {
+  std::array<WorkTask, 5> tasks{};
+  tasks[1].is_static = tasks[4].is_static = true;
+  tasks[2].repetitions_per_min = tasks[4].repetitions_per_min = 12.0;
+  tasks[3].trunk_supported = tasks[4].trunk_supported = true;
+  tasks[3].arm_supported = tasks[4].arm_supported = {true, true};
+  return tasks;
+}
+
+void compareZones(const PostureScores& before, const PostureScores& now, const std::string& where) {
+  static const auto tasks = usesOfZones();
+  for (const WorkTask& task : tasks) {
+    for (const mannequin::Side side : {mannequin::Side::kLeft, mannequin::Side::kRight}) {
+      const ZonePosture a = zonePosture(before, side, task), b = zonePosture(now, side, task);
+      EXPECT_LE(greatestStep(en1005(a.measured, a.gaze_below_horizontal, a.use),
+                             en1005(b.measured, b.gaze_below_horizontal, b.use)),
+                1)
+          << where << " EN 1005-4, task " << &task - tasks.data();
+      EXPECT_LE(greatestStep(iso11226(a.measured, a.head_inclination, a.use),
+                             iso11226(b.measured, b.head_inclination, b.use)),
+                1)
+          << where << " ISO 11226, task " << &task - tasks.data();
+    }
+  }
+}
+
+/// EAWS' lines are named postures without an order; what decides between them changes one at a time, the trunk by a
+/// class at most.
+int changedObservations(const EawsObservation& a, const EawsObservation& b) {
+  const auto bend = [](const EawsObservation& o) {
+    const double trunk = std::abs(o.trunk_flexion);
+    return trunk > 60.0 ? 2 : trunk > 20.0 ? 1 : 0;
+  };
+  return std::abs(bend(a) - bend(b)) + (a.hands_above_head != b.hands_above_head ? 1 : 0) +
+         (a.elbow_at_shoulder != b.elbow_at_shoulder ? 1 : 0) + (a.seated != b.seated ? 1 : 0) +
+         (a.kneeling != b.kneeling ? 1 : 0);
+}
+
 void sweep(const Figure& figure, const char* base, Posture posture, Dof dof) {
   const auto& info = mannequin::dofInfo(dof);
   std::optional<PostureScores> before;
@@ -51,6 +102,9 @@ void sweep(const Figure& figure, const char* base, Posture posture, Dof dof) {
         EXPECT_LE(greatestStep(a.reba, b.reba), 1) << base << ", " << info.name << " to " << degree << " REBA";
       }
       EXPECT_LE(changedDigits(before->owas, now.owas), 1) << base << ", " << info.name << " to " << degree << " OWAS";
+      EXPECT_LE(changedObservations(before->eaws_observation, now.eaws_observation), 1)
+          << base << ", " << info.name << " to " << degree << " EAWS";
+      compareZones(*before, now, std::string(base) + ", " + std::string(info.name) + " to " + std::to_string(degree));
     }
     before = now;
   }

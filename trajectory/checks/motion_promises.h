@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/error.h"
+#include "geometry/promise.h"
+#include "trajectory/retiming.h"
+#include "trajectory/trajectory.h"
+
+namespace hapticell::trajectory_checks {
+
+// What edits of motions promise, measured on the file that was written: each reads the file anew and measures by
+// motion_measures.h. Errors: the file cannot be read.
+
+/// Every given frame lies within `tolerance` of the straight ways between the frames that are left.
+Expected<Promises> simplifyPromises(const trajectory::Trajectory& given, const trajectory::PathTolerance& tolerance,
+                                    const std::filesystem::path& written);
+
+/// Every frame is within `tolerance` of where it was at its time.
+Expected<Promises> smoothPromises(const trajectory::Trajectory& given, const trajectory::PathTolerance& tolerance,
+                                  const std::filesystem::path& written);
+
+struct RetimeAsked {
+  bool passes = true;            ///< False: the path was meant to leave the given one (kept free of collisions).
+  bool poses_by_joints = false;  ///< A robot's poses were made from the joints, so they are measured too.
+};
+
+/// Every given frame is passed within the tolerance; derivatives of the frames keep the limits (shares of them), or the
+/// speed.
+Expected<Promises> retimePromises(const trajectory::Trajectory& given, const trajectory::RetimingOptions& options,
+                                  const RetimeAsked& asked, const std::filesystem::path& written);
+
+/// Every frame lies on the given motion at its time.
+Expected<Promises> resamplePromises(const trajectory::Trajectory& given, const std::filesystem::path& written);
+
+/// Every frame is there with its time (`time_tolerance`, s, the first one's time apart), its pose where `with_poses`,
+/// and its joints.
+Expected<Promises> copyPromises(const trajectory::Trajectory& given, bool with_poses, double time_tolerance,
+                                const std::filesystem::path& written);
+
+}  // namespace hapticell::trajectory_checks

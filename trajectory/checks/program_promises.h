@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/error.h"
+#include "geometry/promise.h"
+#include "trajectory/program_export.h"
+#include "trajectory/trajectory.h"
+
+namespace hapticell::trajectory_checks {
+
+/// Every target of a robot's program is within kProgramPromise of its frame. `read`: what stands in the files that were
+/// written, as it was read from them. Errors: what the language's reader does not understand, or has other targets.
+Expected<Promises> programPromises(const trajectory::Trajectory& given,
+                                   const std::vector<trajectory::ProgramFile>& read, trajectory::ProgramFormat format,
+                                   const trajectory::ProgramOptions& options);
+
+}  // namespace hapticell::trajectory_checks
