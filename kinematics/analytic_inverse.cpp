@@ -187,6 +187,7 @@ AnalyticInverse::Best AnalyticInverse::searchPlain(const Pose& X_BT, const Chain
   Best best;
   best.outside = !all.empty();
   for (const Found& found : all) {
+    best.free = best.free || (!found.within && chainIsSingular(*numeric_->chain(), found.x));
     if (!found.within) continue;
     if (best.any && found.distance_squared >= best.distance_squared) continue;
     best.x = found.x;
@@ -221,7 +222,9 @@ InverseSolution AnalyticInverse::solve(const Pose& X_BT, const std::vector<doubl
     fill(X_BT, best.x, q_start, solution);
     return solution;
   }
-  if (freeCount() > 0 || classification_.calibrated) {  // a narrow way between the samples, or off the nominal arm
+  // A narrow way between the samples, off the nominal arm, or a joint that the pose leaves free and whose present place
+  // drives another one out of its limits.
+  if (freeCount() > 0 || classification_.calibrated || best.free) {
     solution = numeric_->solve(X_BT, q_start);
     if (solution.status == InverseStatus::kUnreachable && best.outside) solution.status = InverseStatus::kLimit;
     return solution;

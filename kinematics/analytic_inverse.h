@@ -46,6 +46,7 @@ class AnalyticInverse final : public InverseModel {
     Free place{};
     bool any = false;      ///< Within limits.
     bool outside = false;  ///< One out of limits was seen.
+    bool free = false;     ///< A singular one out of limits was seen.
   };
 
   std::unique_ptr<NumericInverse> numeric_;

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "kinematics/configuration_flags.h"
@@ -65,6 +66,24 @@ bool chainIsSingular(const Chain& chain, const ChainPositions& x) {
   const Eigen::SelfAdjointEigenSolver<Matrix6> solver(JJt, Eigen::EigenvaluesOnly);
   const int rank = static_cast<int>(std::min<std::size_t>(chain.size(), 6));
   return solver.eigenvalues()[6 - rank] < 1e-6;
+}
+
+bool armIsDeficient(const Chain& chain, std::size_t rails) {
+  constexpr int kPlaces = 12;
+  constexpr double kLeast = 1e-9;  // of J J^T at every place: an arm of full rank has some that are far above
+  for (int place = 0; place < kPlaces; ++place) {
+    ChainPositions x{};
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const double share = 0.5 + place * (std::numbers::phi - 1.0) * static_cast<double>(i + 1);
+      x[i] = 2.0 * std::numbers::pi * (share - std::floor(share) - 0.5) + 0.3 * static_cast<double>(i + 1);
+    }
+    const Jacobian6 J = scaledJacobian(chain, x);
+    const Jacobian6 arm = J.rightCols(static_cast<Eigen::Index>(chain.size() - rails));
+    const Matrix6 JJt = arm * arm.transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(JJt, Eigen::EigenvaluesOnly);
+    if (solver.eigenvalues()[0] > kLeast) return false;
+  }
+  return true;
 }
 
 std::string configurationName(const Chain& chain, const ChainPositions& x) {

@@ -12,6 +12,11 @@ namespace hapticell::kinematics {
 /// half the chain's reach, is under 1e-3 (about the angle in rad from the singular position). No allocation.
 bool chainIsSingular(const Chain& chain, const ChainPositions& x);
 
+/// True when the six joints behind `rails` slides leave some direction unreachable wherever they stand (three parallel
+/// axes and a wrist whose pairs meet, a wrist at both ends): then a pose that is reached at all is reached by a
+/// continuum of positions, of which a closed form with isolated solutions shows one, perhaps out of limits.
+bool armIsDeficient(const Chain& chain, std::size_t rails);
+
 /// In words, which branch of the inverse `x` lies on: "front, elbow up, wrist not flipped" (see ArmShape); empty for
 /// chains without such branches.
 std::string configurationName(const Chain& chain, const ChainPositions& x);

@@ -90,6 +90,7 @@ class NumericInverse final : public InverseModel {
   double startApart(const Pose& X_BT, const ChainPositions& x_start) const;
   ChainPositions haltonPoint(std::size_t index) const;
   FitResult searchAny(const Pose& X_BT, const ChainPositions& x_start) const;
+  bool isTooFar(const Pose& X_BT) const;
   std::vector<std::size_t> seedsNear(const Pose& X_BT) const;
   ChainPositions aboutStart(const ChainPositions& x_start, std::size_t index) const;
   FitResult searchWithinLimits(const Pose& X_BT, const ChainPositions& x_start) const;

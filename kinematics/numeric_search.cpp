@@ -34,6 +34,13 @@ double fitCost(const FitResult& fit, double lever) {
 
 }  // namespace
 
+/// Beyond the reach, and by more than rounding: a tip that no joint takes away from the first one is at its very end.
+bool NumericInverse::isTooFar(const Pose& X_BT) const {
+  constexpr double kRounding = 1e-9;  // m, and in parts of the reach; what is accepted as met
+  const double distance = glm::length(X_BT.p - chain_.elements()[0].p_PJ);
+  return distance > chain_.reach() * (1.0 + kRounding) + kRounding;
+}
+
 std::vector<std::size_t> NumericInverse::seedsNear(const Pose& X_BT) const {
   const double scale = 3.0 / std::max(chain_.reach(), 1e-3);
   std::vector<double> cost(seeds_.size());
@@ -81,8 +88,7 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
     takeNearestTurns(chain_, x_start, best.x);
     if (largestChange(best.x, x_start, chain_.size()) < kNearEnough) return best;
   }
-  const double first_joint_distance = glm::length(X_BT.p - chain_.elements()[0].p_PJ);
-  if (first_joint_distance > chain_.reach()) return best;
+  if (isTooFar(X_BT)) return best;
   options.max_iterations = options_.max_iterations;
   options.give_up_when_slow = true;
   options.second_order = false;
@@ -106,11 +112,20 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
   }
   if (best.converged) return best;
   // The least misfit of all tries, taken to its minimum.
-  return fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 200, true, false}, arm());
+  best = fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 200, true, false}, arm());
+  // At a pose where two solutions meet, steps shrink in proportion only: patience decides.
+  constexpr double kNearlyMet = 1e-4;  // m and rad
+  if (best.converged || best.position_error > kNearlyMet || best.orientation_error > kNearlyMet) return best;
+  for (const bool curved : {false, true}) {
+    const FitResult patient = fitPose(chain_, X_BT, best.x, limits(), FitOptions{options_.lever, 2000, curved, false});
+    if (fitCost(patient, options_.lever) < fitCost(best, options_.lever)) best = patient;
+    if (best.converged) break;
+  }
+  return best;
 }
 
 bool NumericInverse::reachableWithoutLimits(const Pose& X_BT, const ChainPositions& x_start) const {
-  if (glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach()) return false;
+  if (isTooFar(X_BT)) return false;
   const FitBox box = withoutTurningLimits();
   if (fitPose(chain_, X_BT, x_start, box, options_, arm()).converged) return true;
   const std::vector<std::size_t> order = seedsNear(X_BT);
@@ -128,7 +143,7 @@ FitResult NumericInverse::searchAny(const Pose& X_BT, const ChainPositions& x_st
   options.give_up_when_slow = true;
   options.second_order = false;
   const FitBox box = limits();
-  const bool far = glm::length(X_BT.p - chain_.elements()[0].p_PJ) > chain_.reach();
+  const bool far = isTooFar(X_BT);
   const bool near = startApart(X_BT, x_start) < kNearStart;
   FitResult best;
   best.position_error = std::numeric_limits<double>::max();

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "kinematics/arm_axes.h"
+#include "kinematics/chain_report.h"
 
 namespace hapticell::kinematics {
 
@@ -171,6 +172,7 @@ Classification classify(const Chain& chain, const ClassTolerance& tolerance) {
     const auto fits = [&](RobotClass robot_class) { return fitTo(robot_class, axes).within(angle, length); };
     if (axes.count == 6) {
       const auto* const found = std::find_if(std::begin(kSix), std::end(kSix), fits);
+      if (found != std::end(kSix) && armIsDeficient(chain, axes.rails)) return {};
       if (found != std::end(kSix)) return {*found, axes.rails, near};
     } else if (axes.count == 7) {
       const auto* const found = std::find_if(std::begin(kSeven), std::end(kSeven), fits);

@@ -38,7 +38,7 @@ struct Classification {
 };
 
 /// Classifies the chain by its axes at zero. A chain with mimic joints, or with a joint behind the class's last one, is
-/// kNumeric.
+/// kNumeric, as is an arm of six joints that leaves a direction unreachable everywhere (armIsDeficient()).
 Classification classify(const Chain& chain, const ClassTolerance& tolerance = {});
 
 /// The class with what stands in front and how exact it is: "opw", "rail+opw", "gantry+ur", "opw (calibrated)".
