@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 #include "cli/motion_file.h"
 #include "cli/result_writer.h"
@@ -127,7 +128,13 @@ Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& given, trajector
   }
   auto kept = manipulation::keptFree(cell->scene, recording, processed, cell->path, {});
   if (!kept) return tl::unexpected(kept.error());
-  return resultOf(std::move(*kept));
+  KeptFreeResult result = resultOf(std::move(*kept));
+  if (const workcell::Entity* entity = cell->document.findByName(cell->entity); entity && entity->robot) {
+    result.poses_by_joints = [robot = std::make_shared<const workcell::Entity>(*entity)](const auto& motion) {
+      return manipulation::posesFromJoints(*robot, motion);
+    };
+  }
+  return result;
 }
 
 Expected<KeptFreeResult> retimeFree(const trajectory::Trajectory& given, const trajectory::RetimingOptions& retiming,

@@ -7,6 +7,7 @@
 
 #include "cli/subcommand.h"
 #include "geometry/error.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/retiming.h"
 #include "trajectory/trajectory.h"
 
@@ -32,6 +33,7 @@ Expected<nlohmann::ordered_json> checkTrajectory(const trajectory::Trajectory& t
 struct KeptFreeResult {
   trajectory::Trajectory trajectory;
   nlohmann::ordered_json report;
+  trajectory_checks::PosesByJoints poses_by_joints{};  ///< Of the cell's entity, where it is a robot.
 };
 Expected<KeptFreeResult> keepFree(const trajectory::Trajectory& recording, trajectory::Trajectory processed,
                                   const TrajectoryCheckOptions& options);

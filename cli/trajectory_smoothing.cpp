@@ -75,11 +75,13 @@ Expected<ordered_json> smoothTrajectory(const Trajectory& file, const Trajectory
   if (!options.check.workcell.empty()) asked.joint = std::numeric_limits<double>::infinity();
   auto result = smoothWith(given, *tolerance, options.check.workcell.empty() ? with->tool : std::nullopt);
   ordered_json kept = nullptr;
+  trajectory_checks::PosesByJoints placed;
   if (!options.check.workcell.empty()) {
     auto free = keepFree(given, std::move(result.trajectory), options.check);
     if (!free) return tl::unexpected(free.error());
     result.trajectory = std::move(free->trajectory);
     kept = std::move(free->report);
+    placed = std::move(free->poses_by_joints);
   }
   const auto& report = result.report;
   ordered_json json{{"frames", given.size()},
@@ -103,7 +105,7 @@ Expected<ordered_json> smoothTrajectory(const Trajectory& file, const Trajectory
   }
   noteApart(result.trajectory, json["warnings"]);
   const auto measure = [&](const fs::path& written) {
-    return withPosesByJoints(trajectory_checks::smoothPromises(given, asked, written),
+    return withPosesByJoints(trajectory_checks::smoothPromises(given, asked, written, placed),
                              options.check.workcell.empty() ? with->tool : std::nullopt, written);
   };
   if (auto saved = saveKept(result.trajectory, options, measure, json); !saved) return tl::unexpected(saved.error());

@@ -228,7 +228,11 @@ void MotionWork::smooth(const trajectory::PathTolerance& tolerance, bool keep_fr
         } else {
           result.motions.push_back(std::move(smooth.trajectory));
         }
-        measure(result, [&](const auto& file) { return trajectory_checks::smoothPromises(*given, asked, file); });
+        trajectory_checks::PosesByJoints placed;
+        if (entity != cell.entities.end())
+          placed = [&](const Trajectory& motion) { return manipulation::posesFromJoints(**entity, motion); };
+        measure(result,
+                [&](const auto& file) { return trajectory_checks::smoothPromises(*given, asked, file, placed); });
         return result;
       });
 }

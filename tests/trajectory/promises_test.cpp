@@ -2,12 +2,18 @@
 // What is measured on written motions: against motions whose figures are known.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "geometry/promise.h"
 #include "trajectory/checks/motion_measures.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/retiming.h"
 #include "trajectory/simplification.h"
+#include "trajectory/trajectory_io.h"
 
 namespace hapticell::trajectory {
 namespace {
@@ -28,6 +34,39 @@ TEST(Promises, TheWorstIsNamedWithPlaceAndHelp) {
   EXPECT_TRUE(promises.areKept());
   promises.list[0].measured = std::nan("");
   EXPECT_FALSE(promises.areKept()) << "what could not be measured is not kept";
+}
+
+/// Poses in a file may be as asked while the joints bring the tool elsewhere: 4.86 mm to the side here.
+TEST(Promises, SmoothingIsMeasuredWhereTheJointsBringTheTool) {
+  Trajectory motion;
+  motion.joint_names = {"q1"};
+  for (int i = 0; i <= 20; ++i) {
+    const std::vector<double> joints{0.01 * i};
+    ASSERT_TRUE(motion.addFrame({0.1 * i, Pose::translation({0.02 * i, 0, 0})}, joints));
+  }
+  const auto file = std::filesystem::temp_directory_path() / ("placed-" + std::to_string(::getpid()) + ".htraj");
+  std::ofstream(file) << toJsonText(motion);
+  const PathTolerance tolerance{0.001, 0.02, 0.001};
+  const auto placedOff = [](double off) {
+    return [off](const Trajectory& read) -> Expected<Trajectory> {
+      Trajectory placed = read.emptyCopy();
+      for (std::size_t i = 0; i < read.size(); ++i) {
+        Trajectory::Frame frame = read[i];
+        if (i == 13) frame.X_WT.p.y += off;
+        placed.addFrame(frame, read.joints(i));
+      }
+      return placed;
+    };
+  };
+  const auto kept = trajectory_checks::smoothPromises(motion, tolerance, file, placedOff(0.0009));
+  const auto missed = trajectory_checks::smoothPromises(motion, tolerance, file, placedOff(0.00486));
+  std::filesystem::remove(file);
+  ASSERT_TRUE(kept && missed);
+  EXPECT_TRUE(kept->areKept());
+  ASSERT_FALSE(missed->areKept());
+  EXPECT_EQ(missed->worst()->name, "tool_position");
+  EXPECT_NEAR(missed->worst()->measured, 0.00486, 1e-12);
+  EXPECT_EQ(missed->worst()->place, "at 1.3 s");
 }
 
 TEST(MotionMeasures, DerivativesAreThoseOfAKnownMotion) {

@@ -60,12 +60,21 @@ Expected<Promises> simplifyPromises(const Trajectory& given, const PathTolerance
 }
 
 Expected<Promises> smoothPromises(const Trajectory& given, const PathTolerance& tolerance,
-                                  const std::filesystem::path& written) {
+                                  const std::filesystem::path& written, const PosesByJoints& poses_by_joints) {
   const auto motion = trajectory::readTrajectory(written);
   if (!motion) return tl::unexpected(motion.error());
   Promises promises;
   promises.help = "Take a larger tolerance.";
   addDistances(promises, atSameTimes(given, *motion), tolerance, given, true);
+  if (!poses_by_joints || !motion->hasJoints() || !given.has_poses) return promises;
+  const auto placed = poses_by_joints(*motion);
+  if (!placed) return tl::unexpected(placed.error());
+  const Distances off = atSameTimes(given, *placed);
+  promises.help = "Take a larger tolerance, or move the motion to where the robot reaches.";
+  promises.list.push_back({"tool_position", tolerance.position, off.position, "m", atTime(off.t_position), false,
+                           kRounding + 1e-6 * tolerance.position});
+  promises.list.push_back({"tool_angle", tolerance.angle, off.angle, "rad", atTime(off.t_angle), false,
+                           kRounding + 1e-6 * tolerance.angle});
   return promises;
 }
 

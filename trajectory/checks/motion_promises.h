@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "geometry/error.h"
 #include "geometry/promise.h"
@@ -17,9 +18,13 @@ namespace hapticell::trajectory_checks {
 Expected<Promises> simplifyPromises(const trajectory::Trajectory& given, const trajectory::PathTolerance& tolerance,
                                     const std::filesystem::path& written);
 
-/// Every frame is within `tolerance` of where it was at its time.
+/// A robot's motion with the poses to which its joints bring the tool.
+using PosesByJoints = std::function<Expected<trajectory::Trajectory>(const trajectory::Trajectory&)>;
+
+/// Every frame is within `tolerance` of where it was at its time; where `poses_by_joints` is set, so is the tool as the
+/// joints place it, whatever the poses in the file say.
 Expected<Promises> smoothPromises(const trajectory::Trajectory& given, const trajectory::PathTolerance& tolerance,
-                                  const std::filesystem::path& written);
+                                  const std::filesystem::path& written, const PosesByJoints& poses_by_joints = {});
 
 struct RetimeAsked {
   bool passes = true;            ///< False: the path was meant to leave the given one (kept free of collisions).
