@@ -123,7 +123,7 @@ void ProxyRows::countTied() {
   is_tied_.fill(false);
   for (std::size_t k = 0; k < touched_count_; ++k) {
     const std::size_t i = touched_[k].slot;
-    if (is_tied_[i] || row[i].slack > kOn || entry[i] == touched_[k].entry) continue;
+    if (is_tied_[i] || entry[i] == touched_[k].entry) continue;
     is_tied_[i] = true;
     ++tied_count_;
   }

@@ -40,7 +40,7 @@ struct ProxyRows {
   std::span<const SolverRow> all() const { return {row.data(), count}; }
   void gather(const GroupedSet& grouped, const Pose& X_DP);
 
-  /// True where the proxy is on several entries of a group, to a micrometre, and none is freer: as far as this group
+  /// True where the proxy is on another entry of a group, to a micrometre, than the freest one: as far as this group
   /// goes, each of them would do.
   bool tied() const { return tied_count_ > 0; }
   /// Takes in tied groups the entry that is least in the way of `wanted` (in the metric, m) as far as what else holds
