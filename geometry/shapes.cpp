@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -108,6 +109,20 @@ TriangleMesh makeSphere(double radius, int segments) {
     profile.emplace_back(radius * std::sin(angle), -radius * std::cos(angle));
   }
   profile.emplace_back(0.0, radius);
+  return revolve(profile, false, segments);
+}
+
+TriangleMesh makeCapsule(double radius, double length, int segments) {
+  HAPTICELL_DEMAND(radius > 0.0 && length > 0.0 && segments >= 4);
+  const int quarter = std::max(segments / 4, 2);
+  std::vector<dvec2> profile{{0.0, -radius - 0.5 * length}};
+  for (const double end : {-1.0, 1.0}) {
+    for (int k = end < 0.0 ? 1 : 0; k < quarter + (end < 0.0 ? 1 : 0); ++k) {
+      const double angle = 0.5 * std::numbers::pi * k / quarter - (end < 0.0 ? 0.5 * std::numbers::pi : 0.0);
+      profile.emplace_back(radius * std::cos(angle), radius * std::sin(angle) + 0.5 * end * length);
+    }
+  }
+  profile.emplace_back(0.0, radius + 0.5 * length);
   return revolve(profile, false, segments);
 }
 

@@ -29,6 +29,9 @@ TriangleMesh makePipe(double outer_radius, double inner_radius, double height, i
 /// A sphere of `segments` meridians and segments/2 bands, poles on z: 2 * segments * (segments/2 - 1) triangles.
 TriangleMesh makeSphere(double radius, int segments = 48);
 
+/// About the z axis, centred: a cylinder of that length with a half ball at either end (as in SDF and MuJoCo).
+TriangleMesh makeCapsule(double radius, double length, int segments = 48);
+
 /// A torus about z: a tube of radius `minor` around a circle of radius `major` (> minor).
 TriangleMesh makeTorus(double major_radius, double minor_radius, int major_segments = 48, int minor_segments = 24);
 

@@ -100,7 +100,7 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
   const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
-    if (format == RobotFormat::kSdf) return readSdf(file, diagnostics);
+    if (format == RobotFormat::kSdf) return readSdf(file, diagnostics, monitor);
     if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
     const auto expanded = expandXacro(file);
     if (!expanded) return makeError(expanded.error());

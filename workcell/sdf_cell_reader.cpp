@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workcell/sdf_cell_reader.h"
 
-#include <tinyxml.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
+#include <cctype>
 #include <map>
-#include <numbers>
-#include <string_view>
+#include <sdf/sdf.hh>
 
-#include "geometry/shapes.h"
-#include "workcell/file_content.h"
-#include "workcell/imported_entities.h"
-#include "workcell/package_path.h"
-#include "workcell/scene_batch.h"
-#include "workcell/text_cursor.h"
-#include "workcell/xml_text.h"
+#include "workcell/sdf_shapes.h"
+#include "workcell/sdf_tidier.h"
 
 namespace hapticell::workcell {
 
@@ -26,234 +15,109 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kDeepest = 200;
-
-/// Elements open at once at the deepest place; the XML library would recurse that far.
-int depthOf(std::string_view text) {
-  int depth = 0, deepest = 0;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
-    const char next = at + 1 < text.size() ? text[at + 1] : '\0';
-    if (next == '!' || next == '?') continue;
-    const std::size_t end = text.find('>', at);
-    const bool closed = end != std::string_view::npos && text[end - 1] == '/';
-    depth += next == '/' ? -1 : closed ? 0 : 1;
-    deepest = std::max(deepest, depth);
-  }
-  return deepest;
-}
-
-/// The root element <sdf> of a parsed file.
-Expected<TiXmlElement*> parse(const fs::path& file, TiXmlDocument& document) {
-  const auto content = readFileContent(file);
-  if (!content) return makeError(content.error());
-  if (depthOf(*content) > kDeepest || content->find('\0') != std::string::npos) {
-    return makeError({file.string(), "", "XML nested deeper than 200, or bytes that are no text", "SDF", ""});
-  }
-  document.Parse(soundXmlText(*content).text.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document.Error()) {
-    return makeError({file.string(), "line " + std::to_string(document.ErrorRow()), document.ErrorDesc(), "XML", ""});
-  }
-  TiXmlElement* root = document.RootElement();
-  if (!root || root->ValueStr() != "sdf") return makeError({file.string(), "", "no <sdf>", "an SDF file", ""});
-  return root;
-}
-
-std::string textOf(const TiXmlElement* parent, const char* name) {
-  const TiXmlElement* element = parent ? parent->FirstChildElement(name) : nullptr;
-  const char* text = element ? element->GetText() : nullptr;
-  std::string result = text ? text : "";
-  const std::size_t first = result.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return result.substr(first, result.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string attributeOf(const TiXmlElement& element, const char* name) {
-  const char* text = element.Attribute(name);
-  return text ? text : "";
-}
-
-std::vector<double> numbersOf(const std::string& text) {
-  std::vector<double> numbers;
-  TextCursor cursor(text);
-  while (cursor.nextLine()) {
-    for (std::string_view word = cursor.nextWord(); !word.empty(); word = cursor.nextWord()) {
-      const std::optional<double> number = parseNumber(word);
-      if (!number || !isUsable(*number)) return numbers;
-      numbers.push_back(*number);
-    }
-  }
-  return numbers;
-}
-
-bool moves(const TiXmlElement& model) {
-  for (const TiXmlElement* joint = model.FirstChildElement("joint"); joint;
-       joint = joint->NextSiblingElement("joint")) {
-    if (attributeOf(*joint, "type") != "fixed") return true;
-  }
-  return false;
-}
-
 class CellReader {
  public:
-  /// With `ahead` no mesh is read: the files that would be are added there. `scenes` are those read so.
-  CellReader(ImportMonitor* monitor, const SceneBatch& scenes, std::vector<fs::path>* ahead)
-      : monitor_(monitor), scenes_(scenes), ahead_(ahead) {
+  CellReader(const SdfSource& source, const ImportOptions& options, ImportMonitor* monitor)
+      : source_(source), shapes_(source, options, monitor) {
     scene_.format = "sdf";
     scene_.unit_is_stated = true;
+    scene_.warnings = source.warnings();
   }
 
   Expected<ImportedScene> read(const fs::path& file) {
-    TiXmlDocument document;
-    const auto root = parse(file, document);
-    if (!root) return makeError(root.error());
-    const TiXmlElement* world = (*root)->FirstChildElement("world");
-    const TiXmlElement* from = world ? world : *root;
-    for (const TiXmlElement* child = from->FirstChildElement(); child; child = child->NextSiblingElement()) {
-      if (monitor_ && monitor_->isCancelled())
-        return makeError({file.string(), "", "the import was cancelled", "", ""});
-      addModelOrInclude(*child, {file, -1, 0});
+    for (const sdf::Model* model : source_.models()) {
+      if (shapes_.isCancelled()) return makeError({file.string(), "", "the import was cancelled", "", ""});
+      addModel(*model, -1);
     }
-    tellMissing("models that it names are not there", missing_models_);
-    tellMissing("meshes that it names are not there or not readable", missing_meshes_);
+    const std::vector<std::string>& notes = shapes_.notes().warnings;
+    scene_.warnings.insert(scene_.warnings.end(), notes.begin(), notes.end());
     return std::move(scene_);
   }
 
  private:
-  /// Where a piece of XML stands: its file, the node above, how many files deep.
-  struct Place {
-    fs::path file;
-    int parent = -1;
-    int depth = 0;
-  };
-
-  void addModelOrInclude(const TiXmlElement& element, const Place& place) {
-    if (element.ValueStr() == "model") {
-      addModel(element, attributeOf(element, "name"), poseOf(&element, attributeOf(element, "name")), place);
-    } else if (element.ValueStr() == "include") {
-      addInclude(element, place);
-    }
-  }
-
-  void addInclude(const TiXmlElement& include, const Place& place) {
-    const std::string uri = textOf(&include, "uri");
-    std::string name = textOf(&include, "name");
-    const fs::path model_file = findModel(uri, place.file);
-    constexpr int kFilesDeep = 20;
-    if (model_file.empty() || place.depth > kFilesDeep) {
-      ++missing_models_[uri];
-      return;
-    }
-    TiXmlDocument document;
-    const auto root = parse(model_file, document);
-    const TiXmlElement* model = root ? (*root)->FirstChildElement("model") : nullptr;
-    if (!model) {
-      ++missing_models_[uri + (root ? " (no model in it)" : " (" + root.error().found + ")")];
-      return;
-    }
-    if (name.empty()) name = attributeOf(*model, "name");
-    const bool placed = include.FirstChildElement("pose") != nullptr;
-    addModel(*model, name, poseOf(placed ? &include : model, name), {model_file, place.parent, place.depth + 1});
-  }
-
-  void addModel(const TiXmlElement& model, const std::string& name, const Pose& X_PM, const Place& place) {
+  void addModel(const sdf::Model& model, int parent) {
     SceneNode node;
-    node.name = name.empty() ? "model" : name;
-    node.parent = place.parent;
-    node.X_PN = X_PM;
-    const Place inside{place.file, add(std::move(node)), place.depth};
-    if (moves(model)) scene_.warnings.push_back("'" + name + "' has joints that move; it is read as a solid body");
-    int links = 0;
-    for (const TiXmlElement* link = model.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
-      ++links;
+    node.name = model.Name();
+    node.parent = parent;
+    node.X_PN = resolved(model.SemanticPose(), "", model.RawPose(), model.Name());
+    const int index = add(std::move(node));
+    for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
+      if (model.JointByIndex(k)->Type() == sdf::JointType::FIXED) continue;
+      scene_.warnings.push_back("'" + model.Name() + "' has joints that move; it is read as a solid body");
+      break;
     }
-    for (const TiXmlElement* child = model.FirstChildElement(); child; child = child->NextSiblingElement()) {
-      if (child->ValueStr() == "link") {
-        addLink(*child, links > 1, inside);
-      } else {
-        addModelOrInclude(*child, inside);
-      }
+    for (std::uint64_t k = 0; k < model.LinkCount(); ++k) {
+      if (model.LinkByIndex(k)->Name() != kNoLink) addLink(*model.LinkByIndex(k), model.LinkCount() > 1, index);
     }
+    for (std::uint64_t k = 0; k < model.ModelCount(); ++k) addModel(*model.ModelByIndex(k), index);
   }
 
-  void addLink(const TiXmlElement& link, bool own_node, const Place& model) {
-    const std::string name = attributeOf(link, "name");
-    const Pose X_ML = poseOf(&link, name);
-    Place place = model;
+  void addLink(const sdf::Link& link, bool own_node, int model) {
+    const Pose X_ML = resolved(link.SemanticPose(), "__model__", link.RawPose(), link.Name());
+    int parent = model;
     if (own_node) {
       SceneNode node;
-      node.name = name;
-      node.parent = model.parent;
+      node.name = link.Name();
+      node.parent = model;
       node.X_PN = X_ML;
-      place.parent = add(std::move(node));
+      parent = add(std::move(node));
     }
-    const char* kind = link.FirstChildElement("visual") ? "visual" : "collision";
-    for (const TiXmlElement* shape = link.FirstChildElement(kind); shape; shape = shape->NextSiblingElement(kind)) {
-      const std::string shape_name = attributeOf(*shape, "name");
-      const Pose X_LS = poseOf(shape, shape_name);
-      SceneNode node;
-      node.name = shape_name.empty() ? name : shape_name;
-      node.parent = place.parent;
-      node.X_PN = own_node ? X_LS : X_ML * X_LS;
-      node.color = colorOf(shape->FirstChildElement("material"));
-      addShape(shape->FirstChildElement("geometry"), std::move(node), place.file);
+    const Pose X_PL = own_node ? Pose() : X_ML;
+    for (std::uint64_t k = 0; k < link.VisualCount(); ++k) {
+      const sdf::Visual& visual = *link.VisualByIndex(k);
+      addShape(visual, link, X_PL, parent, colorOf(visual.Material()));
+    }
+    if (link.VisualCount() > 0) return;
+    for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
+      addShape(*link.CollisionByIndex(k), link, X_PL, parent, std::nullopt);
     }
   }
 
-  void addShape(const TiXmlElement* geometry, SceneNode node, const fs::path& file) {
-    if (!geometry) return;
-    if (const TiXmlElement* mesh = geometry->FirstChildElement("mesh")) return addMesh(*mesh, std::move(node), file);
-    const auto sizes = [&](const char* shape, const char* key) {
-      return numbersOf(textOf(geometry->FirstChildElement(shape), key));
-    };
-    const auto positive = [](const std::vector<double>& numbers, std::size_t count) {
-      return numbers.size() == count && std::all_of(numbers.begin(), numbers.end(), [](double n) { return n > 0.0; });
-    };
-    if (const auto size = sizes("box", "size"); positive(size, 3)) {
-      addSolid(geometry::makeBox({size[0], size[1], size[2]}), std::move(node));
-    } else if (const auto radius = sizes("sphere", "radius"); positive(radius, 1)) {
-      addSolid(geometry::makeSphere(radius[0]), std::move(node));
-    } else if (const auto round = sizes("cylinder", "radius"), length = sizes("cylinder", "length");
-               positive(round, 1) && positive(length, 1)) {
-      addSolid(geometry::makeCylinder(round[0], length[0]), std::move(node));
-    } else {
-      const TiXmlElement* first = geometry->FirstChildElement();
-      scene_.warnings.push_back("'" + node.name + "' is left out: a shape <" + (first ? first->ValueStr() : "") +
-                                "> without size or of a kind that is not read");
-    }
-  }
-
-  void addSolid(geometry::TriangleMesh mesh, SceneNode node) {
-    node.mesh = static_cast<int>(scene_.meshes.size());
-    scene_.meshes.push_back(std::move(mesh));
-    add(std::move(node));
-  }
-
-  /// One file may be used by many models: it is read once a scale.
-  void addMesh(const TiXmlElement& mesh, SceneNode node, const fs::path& file) {
-    const std::string uri = textOf(&mesh, "uri");
-    std::vector<double> scale = numbersOf(textOf(&mesh, "scale"));
-    if (scale.size() != 3) scale = {1.0, 1.0, 1.0};
-    const fs::path path = findFile(uri, file);
-    const std::string key = path.string() + "|" + textOf(&mesh, "scale");
-    auto [known, is_new] = meshes_.try_emplace(key, -1);
-    if (ahead_) return ahead_->push_back(path);
-    if (is_new && !path.empty()) {
-      Diagnostics notes;
-      ImportOptions options = scenes_.options();
-      if (!holdsScene(path)) options.metres_per_unit = 1.0;  // Gazebo reads no unit out of a mesh file.
-      if (auto read = readWholeMesh(path, options, notes, &scenes_)) {
-        for (dvec3& v : read->vertices) v *= dvec3(scale[0], scale[1], scale[2]);
-        known->second = static_cast<int>(scene_.meshes.size());
-        scene_.meshes.push_back(std::move(*read));
-      }
-      if (monitor_) monitor_->report("reading meshes", 1.0 - 1.0 / (1.0 + 0.1 * static_cast<double>(meshes_.size())));
-    }
-    if (known->second < 0) {
-      ++missing_meshes_[uri];
-      return;
+  template <typename Shape>
+  void addShape(const Shape& shape, const sdf::Link& link, const Pose& X_PL, int parent,
+                const std::optional<std::array<float, 3>>& color) {
+    const auto mesh = shape.Geom() ? shapes_.meshOf(*shape.Geom(), shape.Name()) : nullptr;
+    if (!mesh) return;
+    SceneNode node;
+    node.name = shape.Name();
+    node.parent = parent;
+    node.X_PN = X_PL * resolved(shape.SemanticPose(), link.Name(), shape.RawPose(), shape.Name());
+    node.color = color;
+    const auto [known, is_new] = meshes_.try_emplace(mesh.get(), static_cast<int>(scene_.meshes.size()));
+    if (is_new) {
+      scene_.meshes.push_back(*mesh);
+      kept_.push_back(mesh);
     }
     node.mesh = known->second;
     add(std::move(node));
+  }
+
+  /// A frame that is not there leaves a pose without meaning; it is then taken in the body above, and told.
+  Pose resolved(const sdf::SemanticPose& pose, const std::string& to, const ignition::math::Pose3d& raw,
+                const std::string& name) {
+    ignition::math::Pose3d X;
+    const sdf::Errors errors = pose.Resolve(X, to);
+    if (!errors.empty()) {
+      scene_.warnings.push_back("'" + name + "': the frame of its pose is not there; it is taken in the body above");
+      X = raw;
+    }
+    const Pose result = toPose(X);
+    if (result.isValid()) return result;
+    scene_.warnings.push_back("'" + name + "': its pose is none; it stands at the body above");
+    return {};
+  }
+
+  static std::optional<std::array<float, 3>> colorOf(const sdf::Material* material) {
+    const sdf::ElementPtr element = material ? material->Element() : nullptr;
+    if (!element) return std::nullopt;
+    const auto part = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
+    if (element->HasElement("diffuse")) {
+      const auto c = material->Diffuse();
+      return std::array<float, 3>{part(c.R()), part(c.G()), part(c.B())};
+    }
+    if (!element->HasElement("ambient")) return std::nullopt;
+    const auto c = material->Ambient();
+    return std::array<float, 3>{part(c.R()), part(c.G()), part(c.B())};
   }
 
   int add(SceneNode node) {
@@ -261,90 +125,11 @@ class CellReader {
     return static_cast<int>(scene_.nodes.size()) - 1;
   }
 
-  /// <pose>x y z roll pitch yaw</pose>: R = Rz(yaw) Ry(pitch) Rx(roll).
-  Pose poseOf(const TiXmlElement* element, const std::string& name) {
-    const TiXmlElement* pose = element->FirstChildElement("pose");
-    const std::string text = textOf(element, "pose");
-    if (!pose || text.empty()) return {};
-    std::vector<double> n = numbersOf(text);
-    if (n.size() != 6) {
-      scene_.warnings.push_back("'" + name + "': the pose '" + text + "' has " + std::to_string(n.size()) +
-                                " numbers instead of 6; the others are taken as 0");
-      n.resize(6, 0.0);
-    }
-    const double unit = attributeOf(*pose, "degrees") == "true" ? std::numbers::pi / 180.0 : 1.0;
-    const auto turn = [unit](double angle, const dvec3& axis) { return glm::angleAxis(unit * angle, axis); };
-    const dquat q = turn(n[5], {0, 0, 1}) * turn(n[4], {0, 1, 0}) * turn(n[3], {1, 0, 0});
-    return {{n[0], n[1], n[2]}, glm::normalize(q)};
-  }
-
-  static std::optional<std::array<float, 3>> colorOf(const TiXmlElement* material) {
-    for (const char* key : {"diffuse", "ambient"}) {
-      const std::vector<double> n = numbersOf(textOf(material, key));
-      if (n.size() < 3) continue;
-      const auto part = [&](std::size_t k) { return static_cast<float>(std::clamp(n[k], 0.0, 1.0)); };
-      return std::array<float, 3>{part(0), part(1), part(2)};
-    }
-    return std::nullopt;
-  }
-
-  /// The folders that may hold models: from the file upwards, each with its "models", then those of the environment.
-  static std::vector<fs::path> modelFolders(const fs::path& file) {
-    std::vector<fs::path> folders;
-    for (fs::path at = fs::absolute(file).parent_path();; at = at.parent_path()) {
-      folders.push_back(at);
-      folders.push_back(at / "models");
-      if (at == at.parent_path()) break;
-    }
-    for (const char* variable : {"GZ_SIM_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH"}) {
-      const char* value = std::getenv(variable);
-      std::string rest = value ? value : "";
-      while (!rest.empty()) {
-        const std::size_t colon = rest.find(':');
-        folders.emplace_back(rest.substr(0, colon));
-        rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
-      }
-    }
-    return folders;
-  }
-
-  static fs::path findFile(const std::string& uri, const fs::path& file) {
-    std::error_code ignored;
-    if (leavesPackage(uri)) return {};
-    if (uri.starts_with("model://")) {
-      for (const fs::path& folder : modelFolders(file)) {
-        if (fs::path found = folder / uri.substr(8); fs::exists(found, ignored)) return found;
-      }
-      return {};
-    }
-    return resolveMeshPath(uri, file.parent_path()).value_or(fs::path());
-  }
-
-  static fs::path findModel(const std::string& uri, const fs::path& file) {
-    std::error_code ignored;
-    fs::path found = uri.starts_with("model://") ? findFile(uri, file) : file.parent_path() / uri;
-    if (uri.empty() || found.empty() || !fs::exists(found, ignored)) return {};
-    if (!fs::is_directory(found, ignored)) return found;
-    return fs::exists(found / "model.sdf", ignored) ? found / "model.sdf" : fs::path();
-  }
-
-  void tellMissing(const std::string& what, const std::map<std::string, int>& missing) {
-    if (missing.empty()) return;
-    std::string names;
-    int count = 0;
-    for (const auto& [name, times] : missing) {
-      names += (names.empty() ? "" : ", ") + name + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
-      count += times;
-    }
-    scene_.warnings.push_back(std::to_string(count) + " " + what + " and were left out: " + names);
-  }
-
-  ImportMonitor* monitor_;
-  const SceneBatch& scenes_;
-  std::vector<fs::path>* ahead_;
+  const SdfSource& source_;
+  SdfShapes shapes_;
   ImportedScene scene_;
-  std::map<std::string, int> meshes_;
-  std::map<std::string, int> missing_models_, missing_meshes_;
+  std::map<const geometry::TriangleMesh*, int> meshes_;
+  std::vector<std::shared_ptr<const geometry::TriangleMesh>> kept_;  // While their addresses are known.
 };
 
 }  // namespace
@@ -354,27 +139,17 @@ bool isSdfCell(const fs::path& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
   if (extension != ".sdf" && extension != ".world") return false;
-  TiXmlDocument document;
-  const auto root = parse(file, document);
-  if (!root) return false;
-  if ((*root)->FirstChildElement("world")) return true;
-  const TiXmlElement* model = (*root)->FirstChildElement("model");
-  if (!model || !moves(*model)) return model != nullptr;
-  // Joints between models inside a model that has no link of its own make no robot: the whole is a group of bodies.
-  const bool group = model->FirstChildElement("model") || model->FirstChildElement("include");
-  return group && !model->FirstChildElement("link");
+  const std::optional<SdfOutline> outline = outlineOf(file);
+  if (!outline || (!outline->world && outline->models == 0)) return false;
+  return outline->jointed != 1 || outline->models > 1 || outline->grouped;
 }
 
 Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor) {
-  ImportOptions options;  // Collada without its up axis, as Gazebo does.
-  options.up_axis = UpAxis::kZ;
+  const auto source = SdfSource::load(file);
+  if (!source) return makeError(source.error());
+  ImportOptions options = asGazeboDoes();
   options.weld = false;
-  options.warn_about_unit = false;
-  SceneBatch scenes(options, monitor);
-  std::vector<fs::path> files;
-  if (auto named = CellReader(nullptr, scenes, &files).read(file); !named) return named;
-  scenes.readAhead(files);
-  return CellReader(monitor, scenes, nullptr).read(file);
+  return CellReader(*source, options, monitor).read(file);
 }
 
 }  // namespace hapticell::workcell

@@ -7,19 +7,18 @@
 
 namespace hapticell::workcell {
 
-/// True for an SDF file that is a cell rather than a robot: it holds a world, or a model without a joint that moves
-/// or whose links are all in models inside it.
+/// True for an SDF file that is a cell rather than a robot. A robot is one model with links of its own and a joint that
+/// moves, at the top of the file, in a world or alone in a model, with no other model beside it that has a shape
+/// (a ground plane has none).
 bool isSdfCell(const std::filesystem::path& file);
 
-/// Reads an SDF world or static model (sdformat.org, versions 1.4 to 1.10) as a tree: models, their links where there
-/// are several, and their visual shapes (a link's collision shapes where it has no visual one). Meshes in any readable
-/// format are in metres; Collada is taken as it stands, without its up axis, as Gazebo does. "model://NAME" is looked
-/// for beside the file, in "models" and upwards from there, and in the folders of GZ_SIM_RESOURCE_PATH,
-/// GAZEBO_MODEL_PATH and SDF_PATH.
+/// Reads an SDF world or static model (sdformat.org, versions 1.2 to 1.11) as a tree: models, their links where there
+/// are several, and their visual shapes (a link's collision shapes where it has no visual one). libsdformat says where
+/// they stand: frames, `relative_to`, `placement_frame`, models inside models (see SdfSource). Meshes in any readable
+/// format are in metres; Collada is taken as it stands, without its up axis, as Gazebo does. See findSdfFile().
 ///
-/// A model or mesh that is not there is left out and told; the rest is read. A pose with fewer than six numbers is read
-/// as far as it goes, and told. Errors: no XML, nested deeper than 200, not SDF. Planes, height maps, lights, plugins
-/// and joints are passed over.
+/// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are told; the
+/// rest is read. What is silent, told and refused stands in docs/formats.md. Errors: see SdfSource::load(), cancelled.
 Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor);
 
 }  // namespace hapticell::workcell

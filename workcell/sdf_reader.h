@@ -5,18 +5,24 @@
 
 #include "geometry/error.h"
 #include "kinematics/robot_model.h"
+#include "workcell/import_monitor.h"
 
 namespace hapticell::workcell {
 
-/// Reads the (first) model of an SDF file as a robot: links, visual and collision shapes, joints that may close loops.
+/// Reads the model of an SDF file that has joints that move (else the first) as a robot: links, visual and collision
+/// shapes, joints that may close loops, with what stands in models inside it ("load::base"). Frames as libsdformat has
+/// them (see SdfSource); meshes in any readable format.
 ///
 /// Joints form a graph (a link may be the child of several): a LoopClosure poses what is passive. Universal and
-/// revolute2 joints become two turning ones, ball joints three, screws a turn and a slide. A joint to the world fixes
-/// the root. Gearboxes are passed over with a warning. Nested models and plugins are not read. The tip is the link
-/// named platform or end effector, else that of the usual rule.
+/// revolute2 joints become two turning ones, each with its own limits, ball joints three, screws a turn and a slide. A
+/// fixed joint to the world makes its link the root; one that moves gives the robot a root "world". A limit that is left
+/// out on one side is open there. Links that no joint reaches are fixed where they stand, and told. The tip is the link
+/// named platform or end effector, else that of the usual rule. `monitor` (may be null) can end the reading of meshes.
 ///
-/// Errors, one sentence each with the file: what sdformat cannot read (its own first complaint), no model, a joint type
-/// that is not known, limits reversed, a mesh that is missing, a link that no joint reaches, loops that stay open.
-Expected<kinematics::RobotModel> readSdf(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// A mesh that is missing is left out and told, as is all else that docs/formats.md calls reported. Errors, one sentence
+/// each with the file: see SdfSource::load(); no model, a joint type that is not known, a joint to a link that is not
+/// there, limits reversed, loops that stay open.
+Expected<kinematics::RobotModel> readSdf(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                         ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

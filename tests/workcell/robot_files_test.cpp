@@ -172,10 +172,6 @@ TEST(Sdf, FaultsAreToldInOneSentence) {
       {joint("revolute", "<axis><xyz>0 0 1</xyz><limit><lower>2</lower><upper>1</upper></limit></axis>"),
        "over the upper"},
       {sdf("<joint name=\"j\" type=\"fixed\"><parent>base</parent><child>leg</child></joint>"), "robot.sdf"},
-      {"<sdf version=\"1.7\"><model name=\"m\"><link name=\"base\"><visual "
-       "name=\"v\"><geometry><mesh><uri>none.stl</uri>"
-       "</mesh></geometry></visual></link></model></sdf>",
-       "none.stl is not there"},
   };
   for (const Fault& fault : faults) {
     const std::string said = refused("robot.sdf", fault.text);

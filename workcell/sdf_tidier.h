@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "workcell/content_rules.h"
+#include "workcell/sdf_source.h"
+#include "workcell/sdf_xml.h"
+
+namespace hapticell::workcell {
+
+/// The link that a model without any is given, since the library refuses it otherwise.
+constexpr const char* kNoLink = "hapticell_no_link";
+
+/// Makes the text that libsdformat is given of an SDF file: see SdfSource. Models that are taken in are tidied into
+/// files of `folder`, which must stay until the library has read them. Mesh URIs become numbers of meshes().
+class SdfTidier {
+ public:
+  explicit SdfTidier(std::filesystem::path folder) : folder_(std::move(folder)), report_("SDF") {}
+
+  /// Errors: see parseSdf().
+  Expected<std::string> tidy(const std::filesystem::path& file);
+
+  std::vector<SdfMeshFile>& meshes() { return meshes_; }
+  /// All that was left out or assumed.
+  std::vector<std::string> warnings() const;
+
+ private:
+  using Names = std::map<std::string, std::set<std::string>>;  // By kind, of one parent.
+
+  struct Place {
+    std::filesystem::path file;
+    int depth = 0;         // How many files deep.
+    bool lenient = false;  // A version whose elements the table does not list.
+  };
+  struct Taken {
+    std::filesystem::path file;  // Empty: not to be had.
+    std::string name;
+    std::string why;
+    std::shared_ptr<TiXmlElement> model;  // Where it means the same in any version: it is put in place of the include.
+  };
+
+  std::filesystem::path folder_;
+  ContentReport report_;
+  std::vector<SdfMeshFile> meshes_;
+  std::map<std::string, int> mesh_numbers_;
+  std::map<std::string, Taken> taken_;
+  std::set<std::string> open_;
+  std::vector<std::string> told_;
+  std::map<std::string, int> missing_models_, missing_meshes_;
+
+  Place placeOf(TiXmlElement& root, const Place& place);
+  void arrangeTop(TiXmlElement& root, const Place& place);
+  void tidyChildren(TiXmlElement& parent, const Place& place);
+  bool keep(TiXmlElement& parent, TiXmlElement& child, Names& names, const Place& place);
+  bool keepByKind(TiXmlElement& parent, TiXmlElement& child, const Place& place);
+  void giveName(TiXmlElement& element, Names& names, const Place& place);
+  bool keepPose(TiXmlElement& pose, const TiXmlElement& of, const Place& place);
+  bool keepNumbers(TiXmlElement& element, const TiXmlElement& of, const Place& place);
+  bool keepWord(TiXmlElement& element);
+  bool keepInclude(TiXmlElement& parent, TiXmlElement& include, Names& names, const Place& place);
+  bool keepMesh(TiXmlElement& mesh, const Place& place);
+  bool keepShape(TiXmlElement& geometry, const TiXmlElement& of, const Place& place);
+  void settle(TiXmlElement& world, TiXmlElement& population, Names& names, const Place& place);
+  const Taken& take(const std::filesystem::path& file, const Place& place);
+  void tell(const TiXmlElement& of, const Place& place, const std::string& what);
+};
+
+}  // namespace hapticell::workcell
