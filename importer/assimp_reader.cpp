@@ -18,7 +18,10 @@
 #include <string>
 
 #include "importer/assimp_fault.h"
-#include "importer/model_package.h"
+#include "importer/collada_text.h"
+#include "importer/gltf_file.h"
+#include "importer/gltf_reader.h"
+#include "importer/three_mf_reader.h"
 
 namespace hapticell::importer {
 
@@ -50,20 +53,20 @@ std::string formatOf(const std::filesystem::path& file, const std::string& head)
   return extension.empty() ? "unknown" : extension.substr(1);
 }
 
+/// glTF 1.0, which assimp reads.
+bool isFirstGltf(const std::filesystem::path& file, const std::string& head) {
+  if (head.starts_with("glTF")) return head.size() > 4 && head[4] == 1;
+  std::ifstream stream(file);
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  return gltfText(gltfMember(json, "asset"), "version").starts_with("1");
+}
+
 std::string headOf(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(65536, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head;
-}
-
-/// What stands between `begin` and `end` in the text, trimmed of nothing.
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-  const std::size_t from = text.find(begin);
-  if (from == std::string::npos) return {};
-  const std::size_t to = text.find(end, from + begin.size());
-  return to == std::string::npos ? std::string() : text.substr(from + begin.size(), to - from - begin.size());
 }
 
 /// What the numbers of assimp's scene mean.
@@ -74,39 +77,18 @@ struct Convention {
   UpAxis up = UpAxis::kY;
 };
 
-Convention colladaConvention(const std::string& head) {
-  Convention convention;
-  const std::string unit = between(head, "<unit", ">"), up = between(head, "<up_axis>", "</up_axis>");
-  const std::string metres = between(unit, "meter=\"", "\"");
-  convention.unit_is_stated = !metres.empty();
-  if (!metres.empty()) convention.metres_per_unit = std::strtod(metres.c_str(), nullptr);
-  if (!(convention.metres_per_unit > 0.0)) convention.metres_per_unit = 1.0;
-  if (up.find("Z_UP") != std::string::npos) convention.up = UpAxis::kZ;
-  if (up.find("X_UP") != std::string::npos) convention.up = UpAxis::kX;
-  return convention;  // assimp has scaled the root node to metres.
-}
-
-Convention conventionOf(const std::string& format, const std::string& head, const ModelPackage& package,
-                        const aiScene& scene) {
-  if (format == "dae") return colladaConvention(head);
-  Convention convention;
-  if (format == "fbx") {
-    double centimetres = 1.0;
-    int up = 1;
-    if (scene.mMetaData) {
-      float narrow = 1.0f;
-      if (scene.mMetaData->Get("UnitScaleFactor", narrow)) centimetres = static_cast<double>(narrow);
-      scene.mMetaData->Get("UnitScaleFactor", centimetres);
-      scene.mMetaData->Get("UpAxis", up);
-    }
-    convention.metres_per_unit = convention.metres_in_scene = 0.01 * centimetres;
-    convention.up = up == 2 ? UpAxis::kZ : up == 0 ? UpAxis::kX : UpAxis::kY;
-  } else if (format == "3mf") {
-    convention.metres_per_unit = convention.metres_in_scene = package.metres_per_unit;
-    convention.up = UpAxis::kZ;
-  } else if (format == "3ds") {
-    convention.unit_is_stated = false;
+Convention fbxConvention(const aiScene& scene) {
+  double centimetres = 1.0;
+  int up = 1;
+  if (scene.mMetaData) {
+    float narrow = 1.0f;
+    if (scene.mMetaData->Get("UnitScaleFactor", narrow)) centimetres = static_cast<double>(narrow);
+    scene.mMetaData->Get("UnitScaleFactor", centimetres);
+    scene.mMetaData->Get("UpAxis", up);
   }
+  Convention convention;
+  convention.metres_per_unit = convention.metres_in_scene = 0.01 * centimetres;
+  convention.up = up == 2 ? UpAxis::kZ : up == 0 ? UpAxis::kX : UpAxis::kY;
   return convention;
 }
 
@@ -280,31 +262,84 @@ class AssimpSceneBuilder {
   bool too_deep_ = false;
 };
 
-}  // namespace
-
-Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent) {
-  const std::string head = headOf(reading.file), format = formatOf(reading.file, head);
-  ModelPackage package;
-  if (format == "3mf") {  // assimp unpacks whatever it is given.
-    const auto looked = lookIntoPackage(reading.file);
-    if (!looked) return makeError(looked.error());
-    package = *looked;
-  }
-  Assimp::Importer importer;
+/// assimp with what all formats need set; the importer owns the scene.
+const aiScene* load(Assimp::Importer& importer, const Reading& reading, const std::string& collada,
+                    ParentLink& parent) {
   importer.SetProgressHandler(new Progress(parent));  // The importer deletes it.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_CAMERAS, false);  // Two of one name, and assimp refuses all.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_LIGHTS, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);  // It would invent one for an empty file.
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                                   aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
-  const aiScene* scene =
-      importer.ReadFile(reading.file.string(), aiProcess_ValidateDataStructure | aiProcess_RemoveComponent |
-                                                   aiProcess_Triangulate | aiProcess_SortByPType);
+  constexpr unsigned kSteps =
+      aiProcess_ValidateDataStructure | aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType;
+  const auto read = [&](unsigned steps) {
+    if (collada.empty()) return importer.ReadFile(reading.file.string(), steps);
+    return importer.ReadFileFromMemory(collada.data(), collada.size(), steps, "dae");
+  };
+  const aiScene* const scene = read(kSteps);
+  const std::string complaint = scene ? "" : importer.GetErrorString();
+  const bool plays_no_part =
+      complaint.find("aiScene::mCameras") != std::string::npos || complaint.find("aiScene::mLights") != std::string::npos;
+  return plays_no_part ? read(kSteps & ~static_cast<unsigned>(aiProcess_ValidateDataStructure)) : scene;
+}
+
+ImportedScene built(const aiScene& source, const Reading& reading, const std::string& format,
+                    const Convention& convention, const std::vector<std::string>& warnings) {
+  ImportedScene scene = AssimpSceneBuilder(source, reading, format, convention).build();
+  scene.warnings.insert(scene.warnings.begin(), warnings.begin(), warnings.end());
+  return scene;
+}
+
+Expected<ImportedScene> readOwnGltf(const Reading& reading, const std::string& head) {
+  const auto model = readGltf(reading.file);
+  if (model) return built(*model->scene, reading, "gltf", {}, model->warnings);
+  Error error = model.error();
+  if (head.starts_with("glTF")) {  // A file that is cut off says so, whatever was missed first.
+    if (const Error whole = assimpFault(reading.file, head, error.found); whole.place == "header") error = whole;
+  }
+  return makeError(std::move(error));
+}
+
+Expected<ImportedScene> readOwnThreeMf(const Reading& reading) {
+  const auto read = readThreeMf(reading.file);
+  if (!read) return makeError(read.error());
+  Convention convention;
+  convention.metres_per_unit = convention.metres_in_scene = read->metres_per_unit;
+  convention.up = UpAxis::kZ;
+  return built(*read->model.scene, reading, "3mf", convention, read->model.warnings);
+}
+
+}  // namespace
+
+Expected<ImportedScene> readWithAssimp(const Reading& reading, ParentLink& parent) {
+  const std::string head = headOf(reading.file), format = formatOf(reading.file, head);
+  if (format == "gltf" && !isFirstGltf(reading.file, head)) return readOwnGltf(reading, head);
+  if (format == "3mf") return readOwnThreeMf(reading);
+  ColladaText collada;
+  if (format == "dae") {
+    auto text = readColladaText(reading.file);
+    if (!text) return makeError(text.error());
+    collada = std::move(*text);
+  }
+  Assimp::Importer importer;
+  const aiScene* scene = load(importer, reading, collada.text, parent);
   if (!scene || !scene->mRootNode) return makeError(assimpFault(reading.file, head, importer.GetErrorString()));
-  return AssimpSceneBuilder(*scene, reading, format, conventionOf(format, head, package, *scene)).build();
+  Convention convention;
+  if (format == "fbx") convention = fbxConvention(*scene);
+  if (format == "3ds") convention.unit_is_stated = false;
+  if (format == "dae") {  // assimp has scaled the root node to metres.
+    convention.metres_per_unit = collada.metres_per_unit;
+    convention.unit_is_stated = collada.unit_is_stated;
+    convention.up = collada.up;
+  }
+  return built(*scene, reading, format, convention, collada.warnings);
 }
 
 }  // namespace hapticell::importer

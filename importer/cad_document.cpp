@@ -16,10 +16,13 @@
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <cctype>
 #include <fstream>
 #include <gp_Quaternion.hxx>
 #include <gp_Trsf.hxx>
 #include <map>
+
+#include "importer/step_text.h"
 #include "workcell/scene_exchange.h"
 
 namespace hapticell::importer {
@@ -51,9 +54,13 @@ double metresOf(const TCollection_AsciiString& name) {
 
 bool looksLikeStep(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::string head(256, '\0');
+  std::string head(65536, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head.find("ISO-10303-21") != std::string::npos;
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  if (beginsAsStep(head)) return true;
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".stpz" || extension == ".step" || extension == ".stp" || extension == ".p21";
 }
 
 Error unreadable(const char* format) {
@@ -165,7 +172,12 @@ Expected<CadDocument> openCad(const std::filesystem::path& file, const std::func
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Handle(Indicator) indicator = new Indicator(progress);
   const std::string name = file.filename().string();
-  return looksLikeStep(file) ? openStep(name, indicator->Start()) : openIges(name, indicator->Start());
+  if (!looksLikeStep(file)) return openIges(name, indicator->Start());
+  const auto text = StepText::open(file);
+  if (!text) return makeError(text.error());
+  auto opened = openStep(text->name(), indicator->Start());
+  if (opened) opened->warnings = text->warnings();
+  return opened;
 }
 
 std::string nameOf(const TDF_Label& label) {

@@ -38,6 +38,7 @@ class CadSceneBuilder {
         shapes_(XCAFDoc_DocumentTool::ShapeTool(cad.document->Main())),
         colors_(XCAFDoc_DocumentTool::ColorTool(cad.document->Main())) {
     scene_.format = cad.format;
+    scene_.warnings = cad.warnings;
     scene_.unit_is_stated = cad.unit_is_stated;
     scene_.metres_per_unit = reading.metres_per_unit.value_or(cad.metres_per_unit);
     factor_ = scene_.metres_per_unit / cad.metres_per_unit;

@@ -17,6 +17,7 @@
 #include "importer/cad_reader.h"
 #include "importer/parent_link.h"
 #include "importer/resource_limits.h"
+#include "importer/step_text.h"
 #include "importer/step_writer.h"
 #include "workcell/scene_batch.h"
 #include "workcell/scene_exchange.h"
@@ -50,12 +51,14 @@ Call parse(int argc, char** argv) {
 /// STEP and IGES are OpenCASCADE's, told by content; the rest is assimp's.
 bool isCad(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::string head(256, '\0');
+  std::string head(65536, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head.find("ISO-10303-21") != std::string::npos) return true;
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  if (beginsAsStep(head)) return true;
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".step" || extension == ".stp" || extension == ".p21" || extension == ".iges" ||
+  return extension == ".step" || extension == ".stp" || extension == ".p21" ||
+         extension == ".stpz" || extension == ".iges" ||
          extension == ".igs";
 }
 

@@ -5,10 +5,10 @@
 #include <archive_entry.h>
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cstdint>
-#include <map>
 #include <memory>
+#include <vector>
 
 namespace hapticell::importer {
 
@@ -25,23 +25,23 @@ struct Closer {
   void operator()(archive* a) const { archive_read_free(a); }
 };
 
-double metresOf(const std::string& unit) {
-  static const std::map<std::string, double> kUnits = {{"micron", 1e-6}, {"millimeter", 1e-3}, {"centimeter", 1e-2},
-                                                       {"inch", 0.0254}, {"foot", 0.3048},     {"meter", 1.0}};
-  const auto found = kUnits.find(unit);
-  return found == kUnits.end() ? 1e-3 : found->second;
+/// Only what is read is kept.
+bool isRead(const std::string& name) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower.ends_with(".model") || lower == "_rels/.rels" || lower.ends_with("model_settings.config") ||
+         lower.ends_with("_model.config");
 }
 
-/// The unit in the beginning of the model's text.
-double unitIn(archive* in) {
-  std::array<char, 4096> head{};
-  const la_ssize_t count = archive_read_data(in, head.data(), head.size());
-  const std::string text(head.data(), static_cast<std::size_t>(std::max<la_ssize_t>(count, 0)));
-  const std::size_t model = text.find("<model"), end = text.find('>', model);
-  const std::size_t unit = text.find("unit=\"", model);
-  if (model == std::string::npos || unit == std::string::npos || unit > end) return 1e-3;
-  const std::size_t begin = unit + 6;
-  return metresOf(text.substr(begin, text.find('"', begin) - begin));
+std::string contentOf(archive* in, std::int64_t most) {
+  std::string content;
+  std::vector<char> block(std::size_t{1} << 20);
+  for (;;) {
+    const la_ssize_t count = archive_read_data(in, block.data(), block.size());
+    if (count <= 0 || static_cast<std::int64_t>(content.size()) > most) return content;
+    content.append(block.data(), static_cast<std::size_t>(count));
+  }
 }
 
 bool leadsOut(const std::string& name) {
@@ -52,7 +52,7 @@ bool leadsOut(const std::string& name) {
 
 }  // namespace
 
-Expected<ModelPackage> lookIntoPackage(const fs::path& file) {
+Expected<ModelPackage> unpackModel(const fs::path& file) {
   const std::unique_ptr<archive, Closer> in(archive_read_new());
   archive_read_support_format_zip(in.get());
   if (archive_read_open_filename(in.get(), file.c_str(), 65536) != ARCHIVE_OK) {
@@ -61,7 +61,7 @@ Expected<ModelPackage> lookIntoPackage(const fs::path& file) {
   std::error_code ignored;
   const auto packed = static_cast<std::int64_t>(fs::file_size(file, ignored));
   ModelPackage package;
-  std::int64_t bytes = 0;
+  std::int64_t bytes = 0, unpacked = 0;
   archive_entry* entry = nullptr;
   int status = ARCHIVE_OK;
   while ((status = archive_read_next_header(in.get(), &entry)) == ARCHIVE_OK || status == ARCHIVE_WARN) {
@@ -76,7 +76,14 @@ Expected<ModelPackage> lookIntoPackage(const fs::path& file) {
       return makeError({"", "entry '" + name + "'", "more than it may unpack to",
                         "at most 1 GB, and 200 times its own size", "Split the model, or export it again."});
     }
-    if (name.ends_with(".model")) package.metres_per_unit = unitIn(in.get());
+    if (!isRead(name)) continue;
+    std::string part = contentOf(in.get(), kMostBytes);  // Whatever size it states.
+    unpacked += static_cast<std::int64_t>(part.size());
+    if (unpacked > kMostBytes || (unpacked > kHarmless && unpacked > kMostFold * packed)) {
+      return makeError({"", "entry '" + name + "'", "more than it may unpack to",
+                        "at most 1 GB, and 200 times its own size", "Split the model, or export it again."});
+    }
+    package.parts["/" + name] = std::move(part);
   }
   if (status != ARCHIVE_EOF) {
     const char* const why = archive_error_string(in.get());

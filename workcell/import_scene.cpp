@@ -63,7 +63,7 @@ Expected<void> checkTessellation(const ImportOptions& options, const std::filesy
 }  // namespace
 
 bool holdsScene(const std::filesystem::path& file) {
-  constexpr std::array<std::string_view, 11> kExtensions = {".step", ".stp", ".p21", ".iges", ".igs", ".gltf",
+  constexpr std::array<std::string_view, 12> kExtensions = {".step", ".stp", ".p21", ".stpz", ".iges", ".igs", ".gltf",
                                                             ".glb",  ".dae", ".3mf", ".fbx",  ".3ds"};
   const std::string head = headOf(file);
   if (head.starts_with("ISO-10303-21") || head.starts_with("glTF") || head.starts_with("Kaydara FBX")) return true;

@@ -128,8 +128,8 @@ bool MainWindow::mayDiscardCopy(const workcell::LeftWork& left) {
 void MainWindow::importFromDialog() {
   importFiles(askToOpenSeveral(
       this, tr("Import"), {},
-      tr("All that can be read (*.step *.stp *.p21 *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx "
-         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.iges *.igs);;Meshes (*.stl *.obj *.ply "
+      tr("All that can be read (*.step *.stp *.p21 *.stpz *.iges *.igs *.stl *.obj *.ply *.off *.gltf *.glb *.dae *.3mf *.fbx "
+         "*.3ds *.urdf *.xacro *.sdf *.world *.toml);;CAD (*.step *.stp *.p21 *.stpz *.iges *.igs);;Meshes (*.stl *.obj *.ply "
          "*.off *.gltf *.glb *.dae *.3mf *.fbx *.3ds);;Robots and cells (*.urdf *.xacro *.sdf *.world *.toml);;"
          "All files (*)")));
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/error.h"
+
+namespace hapticell::importer {
+
+/// A file as assimp would hand it out, made by a reader of our own.
+struct ModelScene {
+  std::unique_ptr<aiScene> scene;
+  std::vector<std::string> warnings;
+};
+
+/// Reads the nodes, triangles and base colours of a glTF 2.0 file, .gltf or .glb: what it requires (extensionsRequired)
+/// is looked at first. Quantised and compressed meshes (KHR_mesh_quantization, EXT_meshopt_compression,
+/// KHR_draco_mesh_compression) and instances (EXT_mesh_gpu_instancing) are read; docs/formats.md lists the rest.
+/// Errors: see GltfFile::open(); a required extension that is not read, by its name; nodes in a circle.
+Expected<ModelScene> readGltf(const std::filesystem::path& file);
+
+/// Helpers for readers that make such scenes.
+std::unique_ptr<aiNode> newNode(const std::string& name);
+/// Gives children to a node; it owns them.
+void giveChildren(aiNode& node, std::vector<std::unique_ptr<aiNode>> children);
+/// A triangle mesh; indices must be within the vertices.
+std::unique_ptr<aiMesh> newMesh(const std::string& name, const std::vector<float>& positions,
+                                const std::vector<std::uint32_t>& triangles, unsigned material);
+std::unique_ptr<aiMaterial> newMaterial(const aiColor4D& color);
+/// Hands lists over to the scene, which then owns them.
+void fillScene(aiScene& scene, std::unique_ptr<aiNode> root, std::vector<std::unique_ptr<aiMesh>> meshes,
+               std::vector<std::unique_ptr<aiMaterial>> materials);
+
+}  // namespace hapticell::importer

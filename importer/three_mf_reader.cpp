@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/three_mf_reader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "importer/model_package.h"
+#include "workcell/content_rules.h"
+#include "workcell/text_cursor.h"
+
+namespace hapticell::importer {
+
+namespace {
+
+constexpr int kDeepestComponent = 100;
+constexpr std::size_t kMostUses = 1'000'000;
+
+Error packageFault(std::string place, std::string found, std::string expected) {
+  return {"", std::move(place), std::move(found), std::move(expected), "Export it again."};
+}
+
+/// A name without the prefix of its namespace.
+std::string_view localName(const char* name) {
+  const char* const colon = std::strrchr(name, ':');
+  return colon ? colon + 1 : name;
+}
+
+bool isNamed(const pugi::xml_node& node, std::string_view name) {
+  return localName(node.name()) == name;
+}
+
+pugi::xml_node childNamed(const pugi::xml_node& parent, std::string_view name) {
+  for (const pugi::xml_node child : parent.children()) {
+    if (isNamed(child, name)) return child;
+  }
+  return {};
+}
+
+/// Attributes may stand in the namespace of an extension ("p:path").
+std::string attributeNamed(const pugi::xml_node& node, std::string_view name) {
+  for (const pugi::xml_attribute attribute : node.attributes()) {
+    if (localName(attribute.name()) == name) return attribute.value();
+  }
+  return {};
+}
+
+double metresOfUnit(const std::string& unit) {
+  static const std::map<std::string, double> kUnits = {{"micron", 1e-6}, {"millimeter", 1e-3}, {"centimeter", 1e-2},
+                                                       {"inch", 0.0254}, {"foot", 0.3048},     {"meter", 1.0}};
+  const auto found = kUnits.find(unit);
+  return found == kUnits.end() ? 0.0 : found->second;
+}
+
+std::optional<double> numberOf(const pugi::xml_node& node, const char* name) {
+  const std::string text = attributeNamed(node, name);
+  const auto number = workcell::parseNumber(std::string_view(text));
+  return number && workcell::isUsable(*number) ? number : std::nullopt;
+}
+
+/// Twelve numbers, row vectors: x' = x m00 + y m10 + z m20 + m30.
+std::optional<aiMatrix4x4> transformOf(const pugi::xml_node& node) {
+  const std::string text = attributeNamed(node, "transform");
+  if (text.empty()) return aiMatrix4x4();
+  std::istringstream words(text);
+  std::vector<float> m;
+  for (std::string word; words >> word;) {
+    const auto number = workcell::parseNumber(word);
+    if (!number || !workcell::isUsable(*number)) return std::nullopt;
+    m.push_back(static_cast<float>(*number));
+  }
+  if (m.size() != 12) return std::nullopt;
+  return aiMatrix4x4(m[0], m[3], m[6], m[9], m[1], m[4], m[7], m[10], m[2], m[5], m[8], m[11], 0, 0, 0, 1);
+}
+
+std::optional<aiColor4D> colorOfText(const std::string& text) {
+  if (text.size() < 7 || text[0] != '#') return std::nullopt;
+  const auto part = [&](std::size_t at) {
+    return static_cast<float>(std::strtoul(text.substr(at, 2).c_str(), nullptr, 16)) / 255.0f;
+  };
+  return aiColor4D(part(1), part(3), part(5), 1.0f);
+}
+
+class ThreeMfReader {
+ public:
+  explicit ThreeMfReader(ModelPackage package) : package_(std::move(package)), report_("3MF") {}
+
+  Expected<ThreeMfModel> read() {
+    const std::string root = rootPart();
+    const auto document = part(root);
+    if (!document) return makeError(document.error());
+    const pugi::xml_node model = childNamed(**document, "model");
+    if (auto able = checkRequired(model); !able) return makeError(able.error());
+    ThreeMfModel result;
+    if (const std::string unit = attributeNamed(model, "unit"); !unit.empty()) {
+      result.metres_per_unit = metresOfUnit(unit);
+      if (result.metres_per_unit == 0.0) {
+        result.metres_per_unit = 1e-3;
+        result.model.warnings.push_back("the unit '" + unit + "' is not known; millimetres are assumed");
+      }
+    }
+    readSlicerNames();
+    std::vector<std::unique_ptr<aiNode>> items;
+    const pugi::xml_node build = childNamed(model, "build");
+    for (const pugi::xml_node item : build.children()) {
+      if (!isNamed(item, "item")) continue;
+      auto node = use(item, root, 0);
+      if (!node) return makeError(node.error());
+      items.push_back(std::move(*node));
+    }
+    if (items.empty()) return makeError(packageFault(root, "no <item> in its <build>", "objects to be built"));
+    auto top = newNode("3MF");
+    giveChildren(*top, std::move(items));
+    if (materials_.empty()) materials_.push_back(std::make_unique<aiMaterial>());
+    result.model.scene = std::make_unique<aiScene>();
+    fillScene(*result.model.scene, std::move(top), std::move(meshes_), std::move(materials_));
+    report_.tell(result.model.warnings);
+    return result;
+  }
+
+ private:
+  using Key = std::pair<std::string, std::string>;  // Part of the package, id in it.
+
+  struct Object {
+    std::vector<unsigned> meshes;
+    std::string name;
+  };
+
+  /// Of the package's relations the model; else the usual name, else the only one.
+  std::string rootPart() const {
+    if (const auto relations = package_.parts.find("/_rels/.rels"); relations != package_.parts.end()) {
+      pugi::xml_document document;
+      document.load_string(relations->second.c_str());
+      for (const pugi::xml_node relation : document.document_element().children()) {
+        if (!std::string(relation.attribute("Type").value()).ends_with("/3dmodel")) continue;
+        const std::string target = relation.attribute("Target").value();
+        return target.starts_with('/') ? target : "/" + target;
+      }
+    }
+    for (const auto& [name, content] : package_.parts) {
+      if (name == "/3D/3dmodel.model") return name;
+    }
+    for (const auto& [name, content] : package_.parts) {
+      if (name.ends_with(".model")) return name;
+    }
+    return "/3D/3dmodel.model";
+  }
+
+  Expected<const pugi::xml_document*> part(const std::string& name) {
+    auto& known = documents_[name];
+    if (known) return known.get();
+    auto content = package_.parts.find(name);
+    if (content == package_.parts.end()) {
+      return makeError(packageFault(name, "that part is not in the package", "a part of the package"));
+    }
+    auto document = std::make_unique<pugi::xml_document>();
+    const auto parsed = document->load_buffer(content->second.data(), content->second.size());
+    if (!parsed) {
+      return makeError(packageFault(name + ", byte " + std::to_string(parsed.offset), parsed.description(), "XML"));
+    }
+    if (!childNamed(*document, "model")) return makeError(packageFault(name, "no <model>", "a 3MF model"));
+    content->second.clear();
+    content->second.shrink_to_fit();
+    known = std::move(document);
+    return known.get();
+  }
+
+  Expected<void> checkRequired(const pugi::xml_node& model) {
+    std::istringstream words(attributeNamed(model, "requiredextensions"));
+    for (std::string prefix; words >> prefix;) {
+      const std::string space = model.attribute(("xmlns:" + prefix).c_str()).value();
+      std::string name = space;  // ".../production/2015/06": the word before the date.
+      for (int k = 0; k < 2 && name.find('/') != std::string::npos; ++k) name.resize(name.rfind('/'));
+      name = name.substr(name.rfind('/') + 1);
+      const auto* const rule = report_.rule(name);
+      using workcell::Treatment;
+      if (rule && (rule->treatment == Treatment::kUsed || rule->treatment == Treatment::kNoted)) continue;
+      return makeError({"", "requiredextensions", "the extension '" + (name.empty() ? prefix : name) + "' (" + space +
+                                                      "), which is not read",
+                        "extensions that docs/formats.md lists", "Export it without that extension."});
+    }
+    return {};
+  }
+
+  /// BambuStudio, OrcaSlicer and PrusaSlicer keep the objects' names in a file of their own.
+  void readSlicerNames() {
+    for (const auto& [name, content] : package_.parts) {
+      if (!name.ends_with(".config")) continue;
+      pugi::xml_document document;
+      if (!document.load_string(content.c_str())) continue;
+      for (const pugi::xml_node object : document.document_element().children("object")) {
+        keepSlicerName(object);
+        for (const pugi::xml_node piece : object.children("part")) keepSlicerName(piece);
+      }
+    }
+  }
+
+  void keepSlicerName(const pugi::xml_node& node) {
+    for (const pugi::xml_node data : node.children("metadata")) {
+      if (std::string(data.attribute("key").value()) != "name") continue;
+      slicer_names_.try_emplace(node.attribute("id").value(), data.attribute("value").value());
+    }
+  }
+
+  /// An <item> or <component>: an object, placed.
+  Expected<std::unique_ptr<aiNode>> use(const pugi::xml_node& source, const std::string& in_part, int depth) {
+    const std::string id = attributeNamed(source, "objectid"), path = attributeNamed(source, "path");
+    const std::string owner = path.empty() ? in_part : path.starts_with('/') ? path : "/" + path;
+    const std::string place = owner + ", object " + id;
+    if (depth > kDeepestComponent || ++uses_ > kMostUses) {
+      return makeError(packageFault(place, "components in a circle, or more than a million", "a tree of components"));
+    }
+    const auto document = part(owner);
+    if (!document) return makeError(document.error());
+    const pugi::xml_node resources = childNamed(childNamed(**document, "model"), "resources");
+    const pugi::xml_node object = objectOf(resources, owner, id);
+    if (!object) return makeError(packageFault(place, "no such object", "an object of that part"));
+    const auto matrix = transformOf(source);
+    if (!matrix) return makeError(packageFault(place, "a transform that is none", "12 numbers"));
+    auto made = shapeOf(object, resources, {owner, id});
+    if (!made) return makeError(made.error());
+    auto node = newNode((*made)->name);
+    node->mTransformation = *matrix;
+    node->mNumMeshes = static_cast<unsigned>((*made)->meshes.size());
+    if (node->mNumMeshes > 0) {
+      node->mMeshes = new unsigned[node->mNumMeshes];
+      std::copy((*made)->meshes.begin(), (*made)->meshes.end(), node->mMeshes);
+    }
+    std::vector<std::unique_ptr<aiNode>> parts;
+    for (const pugi::xml_node component : childNamed(object, "components").children()) {
+      if (!isNamed(component, "component")) continue;
+      auto below = use(component, owner, depth + 1);
+      if (!below) return makeError(below.error());
+      parts.push_back(std::move(*below));
+    }
+    giveChildren(*node, std::move(parts));
+    return node;
+  }
+
+  pugi::xml_node objectOf(const pugi::xml_node& resources, const std::string& owner, const std::string& id) {
+    auto [known, is_new] = objects_of_.try_emplace(owner);
+    if (is_new) {
+      for (const pugi::xml_node child : resources.children()) {
+        if (isNamed(child, "object")) known->second.try_emplace(attributeNamed(child, "id"), child);
+      }
+    }
+    const auto found = known->second.find(id);
+    return found == known->second.end() ? pugi::xml_node() : found->second;
+  }
+
+  Expected<const Object*> shapeOf(const pugi::xml_node& object, const pugi::xml_node& resources, const Key& key) {
+    if (const auto known = objects_.find(key); known != objects_.end()) return &known->second;
+    Object made;
+    made.name = attributeNamed(object, "name");
+    if (made.name.empty() && slicer_names_.contains(key.second)) made.name = slicer_names_[key.second];
+    if (made.name.empty()) made.name = attributeNamed(object, "partnumber");
+    if (made.name.empty()) made.name = "Object_" + key.second;
+    if (const pugi::xml_node mesh = childNamed(object, "mesh")) {
+      auto read = meshOf(mesh, object, resources, made.name);
+      if (!read) return makeError(read.error());
+      made.meshes.push_back(static_cast<unsigned>(meshes_.size()));
+      meshes_.push_back(std::move(*read));
+    }
+    for (const pugi::xml_node child : object.children()) {
+      static constexpr std::string_view kRead[] = {"mesh", "components", "metadatagroup"};
+      const std::string_view name = localName(child.name());
+      if (child.type() == pugi::node_element && std::find(std::begin(kRead), std::end(kRead), name) == std::end(kRead)) {
+        report_.meet(name, "'" + made.name + "'");
+      }
+    }
+    return &(objects_[key] = std::move(made));
+  }
+
+  Expected<std::unique_ptr<aiMesh>> meshOf(const pugi::xml_node& mesh, const pugi::xml_node& object,
+                                           const pugi::xml_node& resources, const std::string& name) {
+    std::vector<float> positions;
+    for (const pugi::xml_node vertex : childNamed(mesh, "vertices").children()) {
+      if (!isNamed(vertex, "vertex")) continue;
+      for (const char* axis : {"x", "y", "z"}) {
+        const auto number = numberOf(vertex, axis);
+        if (!number) return makeError(packageFault("object '" + name + "'", "a vertex that is no point", "x, y and z"));
+        positions.push_back(static_cast<float>(*number));
+      }
+    }
+    std::vector<std::uint32_t> corners;
+    std::map<Key, int> colors;
+    for (const pugi::xml_node triangle : childNamed(mesh, "triangles").children()) {
+      if (!isNamed(triangle, "triangle")) continue;
+      for (const char* corner : {"v1", "v2", "v3"}) {
+        const auto number = numberOf(triangle, corner);
+        if (!number || *number < 0.0 || *number >= static_cast<double>(positions.size() / 3)) {
+          return makeError(packageFault("object '" + name + "'", "a triangle with a corner that is not there",
+                                        "corners from 0 to " + std::to_string(positions.size() / 3)));
+        }
+        corners.push_back(static_cast<std::uint32_t>(*number));
+      }
+      if (triangle.attribute("pid")) ++colors[{triangle.attribute("pid").value(), triangle.attribute("p1").value()}];
+    }
+    if (childNamed(mesh, "beamlattice")) report_.meet("beamlattice", "'" + name + "'");
+    Key color{object.attribute("pid").value(), object.attribute("pindex").value()};
+    int most = static_cast<int>(corners.size() / 3);
+    for (const auto& [key, count] : colors) most -= count;  // What has the object's own.
+    for (const auto& [key, count] : colors) {
+      if (count <= most) continue;
+      most = count;
+      color = key;
+    }
+    return newMesh(name, positions, corners, materialOf(resources, color));
+  }
+
+  /// The colour of an entry of a group of properties.
+  unsigned materialOf(const pugi::xml_node& resources, const Key& key) {
+    std::optional<aiColor4D> color;
+    for (const pugi::xml_node group : resources.children()) {
+      if (key.first.empty() || attributeNamed(group, "id") != key.first || isNamed(group, "object")) continue;
+      long index = std::strtol(key.second.c_str(), nullptr, 10);
+      for (const pugi::xml_node entry : group.children()) {
+        if (entry.type() != pugi::node_element || index-- != 0) continue;
+        color = colorOfText(attributeNamed(entry, isNamed(group, "colorgroup") ? "color" : "displaycolor"));
+        break;
+      }
+    }
+    materials_.push_back(color ? newMaterial(*color) : std::make_unique<aiMaterial>());
+    return static_cast<unsigned>(materials_.size() - 1);
+  }
+
+  ModelPackage package_;
+  workcell::ContentReport report_;
+  std::map<std::string, std::unique_ptr<pugi::xml_document>> documents_;
+  std::map<std::string, std::map<std::string, pugi::xml_node>> objects_of_;
+  std::map<Key, Object> objects_;
+  std::map<std::string, std::string> slicer_names_;
+  std::vector<std::unique_ptr<aiMesh>> meshes_;
+  std::vector<std::unique_ptr<aiMaterial>> materials_;
+  std::size_t uses_ = 0;
+};
+
+}  // namespace
+
+Expected<ThreeMfModel> readThreeMf(const std::filesystem::path& file) {
+  auto package = unpackModel(file);
+  if (!package) return makeError(package.error());
+  return ThreeMfReader(std::move(*package)).read();
+}
+
+}  // namespace hapticell::importer
