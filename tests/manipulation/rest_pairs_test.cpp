@@ -52,7 +52,7 @@ TEST(RestPairs, WhatCannotMoveOrIsNotCheckedIsNotAskedFor) {
   carried[1].attachment.to = "table";
   EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(carried, {}, {})).empty());
   const std::vector<workcell::PairSet> other{{.name = "s", .first = {"hovering"}, .second = {"table"}}};
-  EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), other, {})).empty());
+  EXPECT_TRUE(touchingAtRest(*PreparedScene::prepare(cell(), {other, {}}, {})).empty());
 }
 
 /// A tool in the flange of an arm of two links, so long that it reaches the first link too.
