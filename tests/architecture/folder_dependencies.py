@@ -38,7 +38,7 @@ FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
     r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
     r"^archive": {"workcell", "importer"},
-    r"^meshoptimizer": {"mannequin", "workcell", "app"},
+    r"^meshoptimizer": {"mannequin", "workcell", "importer", "app"},
     r"^toml\+\+": {"config", "mannequin", "workcell"},
     r"^asio": {"haptic/server", "haptic/client"},
     r"^openssl/": {"haptic/client"},
