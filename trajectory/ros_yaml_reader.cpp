@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trajectory/ros_yaml_reader.h"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <sstream>
 
 #include "trajectory/csv_table.h"
 #include "trajectory/trajectory_io.h"
@@ -23,6 +26,35 @@ constexpr int kDeepest = 8;                      ///< Of a JointTrajectory insid
 
 const char* const kMessage = "a JointTrajectory (joint_names and points), or JointState messages (name and position)";
 
+/// Goes through a text and keeps nothing: where each document begins.
+class Walk final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override { begin = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+  YAML::Mark begin = YAML::Mark::null_mark();
+};
+
+/// Where the library would stand still for ever and fill the memory with empty documents (0.7: a "," that opens no
+/// list); nothing: it gets to the end.
+std::optional<YAML::Mark> standstillOf(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Walk walk;
+  int last = -1;
+  while (parser.HandleNextDocument(walk)) {
+    if (walk.begin.pos <= last) return walk.begin;
+    last = walk.begin.pos;
+  }
+  return std::nullopt;
+}
+
 class RosYamlReader {
  public:
   explicit RosYamlReader(const std::filesystem::path& file) : name_(file.string()) {}
@@ -33,6 +65,8 @@ class RosYamlReader {
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     std::vector<YAML::Node> documents;
     try {
+      if (const auto still = standstillOf(text))
+        return makeError({name_, "line " + std::to_string(still->line + 1), "no YAML", kMessage, ""});
       documents = YAML::LoadAll(text);
       return readDocuments(documents);
     } catch (const YAML::Exception& problem) {

@@ -249,8 +249,8 @@ TEST(KeptFree, IsNearerToTheRecordingWhereSmoothingWouldCollide) {
   }
 }
 
-/// The same corner with new times: frames that are far apart would cut it by the straight piece between them.
-TEST(RetimedFree, GoesRoundTheCornerThatFramesFarApartWouldCut) {
+/// The same corner with new times: every given frame is passed, so that frames asked far apart do not cut it.
+TEST(RetimedFree, GoesRoundTheCornerHoweverFarApartFramesAreAsked) {
   const auto scene =
       PreparedScene::prepare({solid(1, "block", geometry::makeBox({0.2, 0.2, 0.2})),
                               solid(2, "box", geometry::makeBox(dvec3(0.02)), Pose::translation({-0.2, -0.1115, 0}))},
@@ -268,7 +268,7 @@ TEST(RetimedFree, GoesRoundTheCornerThatFramesFarApartWouldCut) {
   wide.sample_s = 0.15;
   const auto plain = trajectory::retimed(recording, wide);
   ASSERT_TRUE(plain.has_value());
-  ASSERT_FALSE(checkPath(scene, "box", plain->trajectory, {}, {})->findings.empty()) << "the corner must be cut";
+  EXPECT_TRUE(checkPath(scene, "box", plain->trajectory, {}, {})->findings.empty());
   ASSERT_EQ(plain->given.size(), plain->trajectory.size());
   for (std::size_t i = 0; i < plain->given.size(); ++i) {
     EXPECT_EQ(plain->given[i].t, plain->trajectory[i].t);
@@ -277,7 +277,7 @@ TEST(RetimedFree, GoesRoundTheCornerThatFramesFarApartWouldCut) {
   const auto kept = retimedFree(scene, recording, wide, {}, {});
   ASSERT_TRUE(kept.has_value()) << kept.error().message();
   EXPECT_TRUE(kept->kept.check.findings.empty());
-  EXPECT_GT(kept->kept.trajectory.size(), plain->trajectory.size()) << "only frames closer together help here";
+  EXPECT_EQ(kept->kept.trajectory.size(), plain->trajectory.size()) << "nothing has to be closer together";
   EXPECT_NEAR(kept->kept.trajectory.duration(), plain->trajectory.duration(), 1e-6);
   wide.limits.velocity.clear();
   EXPECT_FALSE(retimedFree(scene, recording, wide, {}, {}).has_value());

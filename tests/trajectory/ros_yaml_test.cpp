@@ -82,6 +82,8 @@ TEST(RosYaml, FaultsNameLineAndWhatIsWrong) {
   const std::pair<std::string, std::string> faults[] = {
       {"joint_names: [a, b\n", "line"},
       {"", "no such message"},
+      {",robot", "line 1: no YAML"},  // Here yaml-cpp 0.7 would go on until the memory is full.
+      {"joint_names: [a]\n---\n]\n", "line"},
       {"points: []\n", "no such message"},
       {head + "- positions: [1]\n  time_from_start: 0\n", "line 3: 1 positions; expected 2, one a joint"},
       {head + "- positions: [1, x]\n  time_from_start: 0\n", "'x'; expected a number"},
