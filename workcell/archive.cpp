@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "workcell/file_content.h"
+#include "workcell/pack_check.h"
 
 namespace hapticell::workcell {
 
@@ -88,6 +89,10 @@ Expected<void> writeArchive(const fs::path& folder, const fs::path& file) {
       if (!written) break;
     }
     if (written && archive_write_close(out.get()) != ARCHIVE_OK) written = makeError(failed(file, out.get()));
+  }
+  if (written) {
+    written = checkArchive(aside, folder);
+    if (!written) written.error().file = file.string();  // The name that the user knows.
   }
   std::error_code fault;
   if (written) fs::rename(aside, *place, fault);

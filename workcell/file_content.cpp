@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -78,11 +79,13 @@ Expected<void> writeFileChecked(const fs::path& path, std::string_view content, 
   if (!place) {
     if (fs::is_directory(path, ignored)) return makeError(place.error());
     // Nothing can be taken back from a pipe: a file of the same content is looked at before.
-    const fs::path trial =
-        fs::temp_directory_path(ignored) / ("hapticell-" + std::to_string(::getpid()) + path.extension().string());
     if (check) {
-      if (auto kept = writeFileChecked(trial, content, check); !kept) return kept;
-      fs::remove(trial, ignored);
+      std::string folder = (fs::temp_directory_path(ignored) / "hapticell-trial-XXXXXX").string();
+      if (!::mkdtemp(folder.data()))
+        return makeError({folder, "", std::strerror(errno), "a folder for temporary files that may be written", ""});
+      auto kept = writeFileChecked(fs::path(folder) / ("trial" + path.extension().string()), content, check);
+      fs::remove_all(folder, ignored);
+      if (!kept) return kept;
     }
     return writeInto(path, content);
   }

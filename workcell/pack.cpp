@@ -12,6 +12,7 @@
 #include "workcell/file_content.h"
 #include "workcell/mechanism.h"
 #include "workcell/named_files.h"
+#include "workcell/pack_check.h"
 #include "workcell/robot_reader.h"
 #include "workcell/sdf_cell_reader.h"
 
@@ -45,6 +46,16 @@ class Packer {
     auto place = with_folder ? takeFolder(path) : takeFile(path);
     if (place) places_[path] = place->string();
     return place ? Expected<std::string>(place->string()) : makeError(place.error());
+  }
+
+  /// A mesh that a robot's file names in another package: that package stands beside the robot's then, where it is
+  /// looked for.
+  Expected<void> takeOtherPackage(const std::string& mesh) {
+    std::error_code ignored;
+    const fs::path package = packageOf(mesh);
+    if (!fs::exists(package / "package.xml", ignored) || packages_.contains(package.string())) return {};
+    const auto taken = takeFolder(mesh);
+    return taken ? Expected<void>() : makeError(taken.error());
   }
 
   PackReport report;
@@ -100,6 +111,7 @@ class Packer {
     if (!fault) fs::copy_file(from, to, fs::copy_options::overwrite_existing, fault);
     if (fault)
       return makeError({from.string(), "", fault.message(), "a file that can be copied to " + to.string(), ""});
+    if (auto same = checkCopy(to, from); !same) return same;
     report.bytes += size;
     report.copied.push_back(to.lexically_relative(folder_).generic_string());
     return {};
@@ -111,7 +123,25 @@ class Packer {
   std::set<std::string> taken_;
 };
 
-Expected<void> takeAll(Entity& entity, Packer& packer) {
+/// The meshes of a robot that stand in other packages than its own file.
+Expected<void> takeOtherPackages(const Entity& entity, Packer& packer) {
+  for (const kinematics::Link& link : entity.robot->links) {
+    for (const auto* shapes : {&link.visuals, &link.collisions}) {
+      for (const kinematics::LinkShape& shape : *shapes) {
+        if (!fs::path(shape.source).is_absolute()) continue;
+        if (auto taken = packer.takeOtherPackage(shape.source); !taken) return taken;
+      }
+    }
+  }
+  return {};
+}
+
+/// What was opened without its file has none in the pack either, and is told.
+Expected<void> takeAll(Entity& entity, Packer& packer, Diagnostics& diagnostics) {
+  if (entity.unloaded) {
+    diagnostics.warn("entity '" + entity.name + "' is packed without its file, which could not be read");
+    return {};
+  }
   const auto take = [&](std::string& path) -> Expected<void> {
     auto place = packer.take(path);
     if (!place) return makeError(place.error());
@@ -123,6 +153,7 @@ Expected<void> takeAll(Entity& entity, Packer& packer) {
   } else if (!entity.source.path.empty() && !isBuiltIn(entity.source.path)) {
     if (auto taken = take(entity.source.path); !taken) return taken;
   }
+  if (entity.robot && !entity.mechanism && !isBuiltIn(entity.source.path)) return takeOtherPackages(entity, packer);
   if (!entity.mechanism) return {};
   auto definition = std::make_shared<MechanismDefinition>(*entity.mechanism);
   for (MechanismPart& part : definition->parts) {
@@ -137,7 +168,7 @@ Expected<PackReport> packInto(DocumentState state, const fs::path& folder, const
   Packer packer(folder, diagnostics);
   for (auto& entity : state.entities) {
     auto packed = std::make_shared<Entity>(*entity);
-    if (auto taken = takeAll(*packed, packer); !taken) return makeError(taken.error());
+    if (auto taken = takeAll(*packed, packer, diagnostics); !taken) return makeError(taken.error());
     entity = std::move(packed);
   }
   for (TrajectoryReference& trajectory : state.trajectories) {
@@ -155,7 +186,7 @@ Expected<PackReport> packInto(DocumentState state, const fs::path& folder, const
 }  // namespace
 
 Expected<PackReport> packDocument(const DocumentState& state, const fs::path& folder, const std::string& name,
-                                  Diagnostics& diagnostics) {
+                                  Diagnostics& diagnostics, ImportMonitor* monitor) {
   const fs::path absolute = fs::absolute(folder).lexically_normal();
   std::error_code fault;
   const bool there = fs::exists(absolute, fault);
@@ -165,21 +196,25 @@ Expected<PackReport> packDocument(const DocumentState& state, const fs::path& fo
   fs::create_directories(absolute, fault);
   if (fault) return makeError({folder.string(), "", fault.message(), "a folder that can be made", ""});
   auto report = packInto(state, absolute, name, diagnostics);
+  if (report) {
+    const auto kept = checkPack(state, report->document, monitor);
+    if (!kept) report = makeError(kept.error());
+  }
   if (!report) fs::remove_all(absolute, fault);
   return report;
 }
 
 Expected<PackReport> pack(const DocumentState& state, const fs::path& output, const std::string& name,
-                          Diagnostics& diagnostics) {
-  if (!isArchiveName(output)) return packDocument(state, output, name, diagnostics);
+                          Diagnostics& diagnostics, ImportMonitor* monitor) {
+  if (!isArchiveName(output)) return packDocument(state, output, name, diagnostics, monitor);
   const fs::path archive = fs::absolute(output).lexically_normal();
   std::string aside = (archive.parent_path() / ".hapticell-pack-XXXXXX").string();
   if (!::mkdtemp(aside.data())) {
     return makeError({output.string(), "", "no folder can be made beside it", "permission to write", ""});
   }
-  auto report = packDocument(state, aside, name, diagnostics);
+  auto report = packDocument(state, aside, name, diagnostics, monitor);
   if (report) {
-    const auto written = writeArchive(aside, archive);
+    const auto written = writeArchive(aside, archive);  // Read back before it takes its place.
     if (!written) report = makeError(written.error());
   }
   if (report) report->document = report->document.lexically_relative(aside);

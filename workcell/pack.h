@@ -7,6 +7,7 @@
 
 #include "geometry/error.h"
 #include "workcell/document_state.h"
+#include "workcell/import_monitor.h"
 
 namespace hapticell::workcell {
 
@@ -16,16 +17,18 @@ struct PackReport {
   std::uintmax_t bytes = 0;
 };
 
-/// As below, into a folder or, by its name (isArchiveName()), into an archive of it; `document` is then its name in
-/// there. An archive that is there already is replaced.
+/// As below, into a folder or, by its name (isArchiveName()), into an archive of it, which is read back byte by byte;
+/// `document` is then its name in there. An archive that is there already is replaced.
 Expected<PackReport> pack(const DocumentState& state, const std::filesystem::path& output, const std::string& name,
-                          Diagnostics& diagnostics);
+                          Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 /// Makes `folder` (which must not exist, or be empty) hold the document as `name` and, in "files", all that it names:
 /// mesh and CAD files with what stands beside them under the same stem, robots with the whole package (or folder) that
-/// they stand in, at most 2 GB of it. Built-in things need no file. Files of one name get a number. On error the folder
-/// is removed again.
+/// they stand in, at most 2 GB of it. Built-in things need no file; entities whose file could not be read (unloaded) are
+/// packed without and told. Files of one name get a number. The pack is read back with all its files and compared with
+/// the state (checkPack()), of which `monitor`, which may be null, is told. On error, also where something differs, the
+/// folder is removed again.
 Expected<PackReport> packDocument(const DocumentState& state, const std::filesystem::path& folder,
-                                  const std::string& name, Diagnostics& diagnostics);
+                                  const std::string& name, Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

@@ -26,7 +26,8 @@ Entity solid(const std::string& name, const fs::path& file) {
   Entity entity;
   entity.name = name;
   entity.source.path = file.string();
-  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::makeBox({1, 1, 1}));
+  entity.mesh = std::make_shared<const geometry::TriangleMesh>(geometry::TriangleMesh{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});  // As in kObj.
   return entity;
 }
 
@@ -220,6 +221,29 @@ TEST_F(DocumentFiles, aPackThatFailsLeavesNothing) {
   fs::remove(folder_.path() / "parts/b.obj");
   EXPECT_FALSE(packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_));
   EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
+}
+
+TEST_F(DocumentFiles, aPackThatIsNotWhatWasPackedIsNotKept) {
+  const auto document = loadDocument(file(), notes_);
+  ASSERT_TRUE(document);
+  folder_.write("parts/b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");  // Since it was opened.
+  const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_);
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message(), HasSubstr("entity 'b' read back from the pack: 1 triangles; expected 4"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "pack"));
+  EXPECT_FALSE(pack(document->state(), folder_.path() / "pack.zip", "cell.hcell", notes_));
+  EXPECT_FALSE(fs::exists(folder_.path() / "pack.zip"));
+}
+
+TEST_F(DocumentFiles, whatWasOpenedWithoutItsFileIsPackedWithout) {
+  fs::remove(folder_.path() / "parts/a.obj");
+  const auto document = loadDocument(file(), notes_, {.keep_unloaded = true});
+  ASSERT_TRUE(document);
+  notes_.warnings.clear();
+  const auto report = packDocument(document->state(), folder_.path() / "pack", "cell.hcell", notes_);
+  ASSERT_TRUE(report) << report.error().message();
+  EXPECT_EQ(report->copied, std::vector<std::string>{"files/b.obj"});
+  EXPECT_THAT(notes_.warnings.at(0), HasSubstr("entity 'a' is packed without its file"));
 }
 
 TEST_F(DocumentFiles, changesTellWhatMovedAndHowFar) {
