@@ -23,11 +23,11 @@ constexpr double kBeforeTheBody = 0.28;  // m before it for a station of it;
 constexpr std::size_t kGoalsTried = 3;   // of postures at its end,
 constexpr int kMostRounds = 4;           // and of ways round to one place.
 constexpr double kFarOff = 0.1;  // m that are missing of who may step: the body rises and walks there from upright.
-constexpr double kPictureTurn = 1.5;     // rad of all joints from one picture of it
-constexpr int kRoundShown = 1;           // to the next.
-constexpr int kWalkingSteps = 400;       // Idle ones of a figure whose joints turn by more than so many rad in one:
-constexpr double kStillWalks = 0.01;     // it walks, and a stride takes some 30.
-constexpr double kLook = 2e-3;           // m: what is nearer when the way ends is in the way.
+constexpr double kPictureTurn = 1.5;  // rad of all joints from one picture of it
+constexpr int kRoundShown = 1;        // to the next.
+constexpr int kWalkingSteps = 400;    // Idle ones of a figure whose joints turn by more than so many rad in one:
+constexpr double kStillWalks = 0.01;  // it walks, and a stride takes some 30.
+constexpr double kLook = 2e-3;        // m: what is nearer when the way ends is in the way.
 
 }  // namespace
 
@@ -118,9 +118,9 @@ FigureWay::Reach FigureWay::reachNow() const {
 }
 
 /// Goes to a posture found anew on which the target is met, straight or by way of one before the body; true where that
-/// was free. Where no such way is: who may step and is far off walks there upright; else only to a place before the body,
-/// from where the target is drawn to once more. The hands of a standing figure only, and not past what another entity
-/// holds up.
+/// was free. Where no such way is: who may step and is far off walks there upright; else only to a place before the
+/// body, from where the target is drawn to once more. The hands of a standing figure only, and not past what another
+/// entity holds up.
 bool FigureWay::goRound() {
   const auto* hands = dynamic_cast<const MannequinManipulator*>(&held_->manipulator());
   if (!hands || !(turns_with_[0] || turns_with_[1]) || isHeldUpByOthers()) return false;

@@ -24,8 +24,8 @@ constexpr double kProgress = 0.05;      ///< Of a probe's step: less is none.
 constexpr double kLeastProbe = 5e-4;    ///< m: where no step so small goes on, the reach ends.
 constexpr double kHandsArrived = 2e-5;  ///< m
 constexpr int kTurnsTried = 5;          ///< To either side, 30 deg each.
-constexpr double kStandOff = 0.38, kHandAside = 0.18;  ///< m from between the feet to a hand that works with ease.
-constexpr double kYawTried = 0.9;       ///< rad
+constexpr double kStandOff = 0.38, kHandAside = 0.18;     ///< m from between the feet to a hand that works with ease.
+constexpr double kYawTried = 0.9;                         ///< rad
 constexpr double kTrunkAdds = 0.35, kBodyGoesDown = 0.8;  ///< m
 constexpr double kReached = 1e-3;                         ///< m short of what is looked for that counts as all of it.
 

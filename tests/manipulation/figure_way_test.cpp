@@ -137,8 +137,8 @@ int leftShortOfWalks(const char* body, bool apart, std::uint64_t seed) {
   const workcell::Entity entity = hangingFigure(body);
   const double stature = entity.figure->body[mannequin::Dimension::kStature];
   const auto scene = PreparedScene::prepare({entity}, {}, {});
-  auto way = FigureWay::take(scene, entity.id, holding(Kind::kBothHands, apart, true),
-                             FigureWay::Turn::kWithTheForearm, {});
+  auto way =
+      FigureWay::take(scene, entity.id, holding(Kind::kBothHands, apart, true), FigureWay::Turn::kWithTheForearm, {});
   int left_short = 0;
   for (int i = 0; i < 4; ++i) {
     const dvec3 p = stature * dvec3(2.0 * unit() - 1.0, 2.0 * unit() - 1.0, 0.35 + 0.45 * unit());
