@@ -48,7 +48,7 @@ Call parse(int argc, char** argv) {
   return call;
 }
 
-/// STEP and IGES are OpenCASCADE's, told by content; the rest is assimp's.
+/// STEP and IGES are OpenCASCADE's, told by content; glTF and 3MF have readers of their own, the rest is assimp's.
 bool isCad(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(65536, '\0');
