@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,7 @@ struct SourceFile {
   std::optional<UpAxis> up_axis = {};  ///< Where another one than the file's was chosen.
   Tessellation tessellation = {};      ///< STEP and IGES.
   bool oriented = false;               ///< Triangles were turned to face outwards (orient()).
+  std::map<std::string, std::string> arguments = {};  ///< Of a xacro: NAME:=VALUE where not its defaults.
   double simplified = 0.0;             ///< Metres that triangles may leave the file's surface by; 0: all are kept.
 };
 
