@@ -46,7 +46,6 @@ FOREIGN = {
     r"^openssl/": {"haptic/client"},
     r"^CLI/": {"cli"},
     r"^cairo": {"mannequin"},
-    r"^yaml-cpp/": {"trajectory"},
     r"^OpenMesh/": {"geometry"},
     r"^flatbuffers/": {"haptic/protocol"},
     r"^(Standard|TopoDS|STEP|XCAF|gp_|BRep|TDF_|Poly_|IGES|assimp/)": {"importer"},
