@@ -45,8 +45,8 @@ struct SourceFile {
   std::optional<UpAxis> up_axis = {};  ///< Where another one than the file's was chosen.
   Tessellation tessellation = {};      ///< STEP and IGES.
   bool oriented = false;               ///< Triangles were turned to face outwards (orient()).
-  std::map<std::string, std::string> arguments = {};  ///< Of a xacro: NAME:=VALUE where not its defaults.
   double simplified = 0.0;             ///< Metres that triangles may leave the file's surface by; 0: all are kept.
+  std::map<std::string, std::string> arguments = {};  ///< Of a xacro: NAME:=VALUE where not its defaults.
 };
 
 /// What is checked for contact in place of the drawn mesh of a solid: fewer triangles, or its hull.
