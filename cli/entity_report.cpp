@@ -114,6 +114,10 @@ ordered_json robotReport(const workcell::Entity& entity) {
   ordered_json report = groupReport(entity.name, kind, std::move(links));
   report["dof"] = mannequin ? mannequin::kDofCount : robot.dof();  // The gaze is not counted.
   report["joints"] = jointsReport(robot);
+  report["unchecked_links"] = ordered_json::array();
+  for (const kinematics::Link& link : robot.links) {
+    if (link.isUnchecked()) report["unchecked_links"].push_back(link.name);
+  }
   report["inverse_model"] = mannequin ? ordered_json("mannequin") : inverseModelReport(robot, entity.tip_link);
   report["tip_link"] = entity.tip_link;
   return report;

@@ -11,6 +11,7 @@
 #include "cli/entity_report.h"
 #include "cli/import_arguments.h"
 #include "cli/progress_line.h"
+#include "cli/xacro_arguments.h"
 #include "geometry/mass_properties.h"
 #include "geometry/topology.h"
 #include "workcell/carried_load.h"
@@ -32,7 +33,8 @@ using nlohmann::ordered_json;
 
 struct InspectOptions {
   std::string file;
-  std::string unit;  ///< Empty: as the file says, else guessed.
+  std::vector<std::string> arguments;  ///< NAME:=VALUE of a xacro.
+  std::string unit;                    ///< Empty: as the file says, else guessed.
   workcell::Tessellation tessellation;
 };
 
@@ -161,11 +163,24 @@ Expected<ordered_json> inspectRobot(const InspectOptions& options, Diagnostics& 
   if (!options.unit.empty() && options.unit != "m") {
     return makeError({options.file, "--unit", "'" + options.unit + "'", "none: robot files are in metres", ""});
   }
-  const auto robot = workcell::EntityLoader(fs::current_path()).load(options.file, 1.0, notes);
+  const auto arguments = parseXacroArguments(options.arguments);
+  if (!arguments) return tl::unexpected(arguments.error());
+  workcell::SourceFile source{options.file, 1.0};
+  source.arguments = *arguments;
+  const auto robot = workcell::EntityLoader(fs::current_path()).loadSource(source, notes);
   if (!robot) return tl::unexpected(robot.error());
   const auto format = workcell::robotFormatOf(options.file);
-  return inspection(format ? workcell::formatName(*format) : "library", "m",
-                    ordered_json::array({entityReport(*robot)}), notes);
+  ordered_json result = inspection(format ? workcell::formatName(*format) : "library", "m",
+                                   ordered_json::array({entityReport(*robot)}), notes);
+  if (format == workcell::RobotFormat::kXacro) {
+    result["arguments"] = ordered_json::array();
+    for (const auto& one : workcell::robotArguments(options.file, *arguments))
+      result["arguments"].push_back(
+          {{"name", one.name},
+           {"value", one.value},
+           {"default", one.otherwise ? ordered_json(*one.otherwise) : ordered_json(nullptr)}});
+  }
+  return result;
 }
 
 /// What each robot of the cell carries, against what its maker allows.
@@ -217,6 +232,11 @@ Expected<ordered_json> inspectDocument(const InspectOptions& options, Diagnostic
 
 ExitStatus runInspect(const InspectOptions& options, const ResultWriter& writer) {
   Diagnostics notes;
+  if (!options.arguments.empty() && workcell::robotFormatOf(options.file) != workcell::RobotFormat::kXacro) {
+    report({options.file, "", "'" + options.arguments.front() + "' behind a file that is no xacro", "no further words",
+            ""});
+    return ExitStatus::kBadInput;
+  }
   const auto result = looksLikeDocument(options.file)      ? inspectDocument(options, notes)
                       : workcell::holdsScene(options.file) ? inspectCad(options, notes)
                       : isRobot(options.file)              ? inspectRobot(options, notes)
@@ -238,6 +258,7 @@ void addInspectCommand(Subcommand app, Action& chosen) {
               "xacro, SDF, "
               "robot.toml, library:NAME) or a workcell (.hcell)")
       .required();
+  command.option("arguments", options->arguments, "Of a xacro: NAME:=VALUE, as many as there are");
   command.option("--unit", options->unit,
                  "What one unit of a mesh file is: m, mm or in; as the file says, or guessed, when not given");
   addTessellationOptions(command, options->tessellation);

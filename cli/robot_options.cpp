@@ -3,6 +3,7 @@
 
 #include "cli/result_writer.h"
 #include "cli/workcell_arguments.h"
+#include "cli/xacro_arguments.h"
 #include "kinematics/jacobian.h"
 #include "kinematics/mounted_robot.h"
 #include "workcell/entity_source.h"
@@ -22,15 +23,18 @@ std::vector<std::string> RobotWithTip::jointNames() const {
 
 namespace {
 
-Expected<kinematics::RobotModel> readModel(const std::string& file, workcell::RobotContent content,
+Expected<kinematics::RobotModel> readModel(const std::string& text, workcell::RobotContent content,
                                            Diagnostics& diagnostics) {
+  const auto [file, arguments] = splitXacroArguments(text);
   if (content == workcell::RobotContent::kKinematics && workcell::looksLikeRobot(file) && !workcell::holdsScene(file)) {
-    auto robot = workcell::readRobot(file, diagnostics, nullptr, content);
+    auto robot = workcell::readRobot(file, diagnostics, nullptr, content, arguments);
     if (!robot) return makeError(robot.error());
     return std::move(robot->model);
   }
   workcell::EntityLoader loader(".");
-  const auto entity = loader.load(file, 1.0, diagnostics);
+  workcell::SourceFile source{file, 1.0};
+  source.arguments = arguments;
+  const auto entity = loader.loadSource(source, diagnostics);
   if (!entity) return makeError(entity.error());
   if (!entity->robot) return makeError({file, "", "it is no robot", "a robot file, or library:NAME", ""});
   return *entity->robot;

@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "cli/xacro_arguments.h"
 #include "trajectory/csv_table.h"
 #include "workcell/length_unit.h"
 
@@ -39,7 +40,9 @@ Arguments splitOptions(const std::string& text, const std::vector<std::string>& 
   bool first = true;
   for (const std::string& part : split(text, ',')) {
     const std::string key = part.substr(0, part.find('='));
-    if (!first && part.size() > key.size() && std::find(keys.begin(), keys.end(), key) != keys.end()) {
+    if (!first && part.find(":=") != std::string::npos) {
+      result.head += "," + part;  // A xacro's argument.
+    } else if (!first && part.size() > key.size() && std::find(keys.begin(), keys.end(), key) != keys.end()) {
       result.options.emplace_back(key, part.substr(key.size() + 1));
     } else if (!result.options.empty()) {
       result.options.back().second += "," + part;
@@ -161,7 +164,9 @@ Expected<Addition> parseAddition(const std::string& text) {
   static const std::vector<std::string> kKeys{"name", "unit", "up", "tree", "chord", "angle", "on", "pose"};
   const Arguments arguments = splitOptions(text, kKeys);
   Addition addition;
-  addition.what = arguments.head;
+  FileWithArguments source = splitXacroArguments(arguments.head);
+  addition.what = std::move(source.file);
+  addition.options.arguments = std::move(source.arguments);
   if (addition.what.empty()) return makeError(wrong("--add", text, "a file, or library:NAME, first"));
   if (const std::string unknown = unknownKey(addition.what); !unknown.empty()) {
     return makeError({"", "--add " + text, "there is no option '" + unknown + "'", "one of " + listed(kKeys), ""});

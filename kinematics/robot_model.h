@@ -35,6 +35,11 @@ struct Link {
   int parent_joint = -1;  ///< Index of the joint that carries it; -1 for the root.
   std::vector<LinkShape> visuals;
   std::vector<LinkShape> collisions;  ///< What is checked; equal to the visuals where the file names none.
+  /// Shapes that the file names and that could not be had (a mesh that is missing or broken). Where `collisions` is
+  /// empty then, the link is not checked although it is not free: users are shown "no shape".
+  int lost_shapes = 0;
+
+  bool isUnchecked() const { return lost_shapes > 0 && collisions.empty(); }
 };
 
 struct Joint {

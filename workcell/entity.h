@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +46,7 @@ struct SourceFile {
   Tessellation tessellation = {};      ///< STEP and IGES.
   bool oriented = false;               ///< Triangles were turned to face outwards (orient()).
   double simplified = 0.0;             ///< Metres that triangles may leave the file's surface by; 0: all are kept.
+  std::map<std::string, std::string> arguments = {};  ///< Of a xacro: NAME:=VALUE where not its defaults.
 };
 
 /// What is checked for contact in place of the drawn mesh of a solid: fewer triangles, or its hull.

@@ -135,7 +135,7 @@ Expected<Entity> EntityLoader::loadShapeOf(const SourceFile& source, Diagnostics
     return makeError(
         {file.string(), "", "a unit for a robot", "none: robot files are in metres", "Leave the unit out."});
   }
-  return loadRobot(file, diagnostics);
+  return loadRobot(file, source.arguments, diagnostics);
 }
 
 Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const ImportOptions& options,
@@ -150,13 +150,17 @@ Expected<ImportResult> EntityLoader::loadTree(const std::string& what, const Imp
   if (!isBuiltIn(what) && !looksLikeRobot(file)) return loadMeshTree(file, options, diagnostics);
   ImportMonitor* const usual = monitor_;
   if (monitor) monitor_ = monitor;
-  Expected<Entity> entity = load(what, options.metres_per_unit.value_or(0.0), diagnostics);
+  SourceFile source{what, options.metres_per_unit.value_or(0.0)};
+  source.arguments = options.arguments;
+  declared_.clear();
+  Expected<Entity> entity = loadSource(source, diagnostics);
   monitor_ = usual;
   if (!entity) return makeError(entity.error());
   ImportResult result;
   const std::optional<RobotFormat> format = robotFormatOf(file);
   result.report.format = format ? formatName(*format) : entity->robot ? "library" : "shape";
   result.report.parts = 1;
+  result.report.arguments = declared_;
   if (entity->mesh) result.report.triangles = entity->mesh->triangles.size();
   result.entities.push_back(std::move(*entity));
   return result;
@@ -219,7 +223,7 @@ Expected<Entity> EntityLoader::loadLibraryRobot(const std::string& what, Diagnos
   const std::string name = what.substr(what.find(':') + 1);
   const Expected<fs::path> file = findLibraryRobot(name);
   if (!file) return makeError(file.error());
-  Expected<Entity> entity = loadRobot(*file, diagnostics);
+  Expected<Entity> entity = loadRobot(*file, {}, diagnostics);
   if (!entity) return entity;
   entity->source = {what, 1.0};
   entity->name = name;
@@ -249,10 +253,14 @@ Expected<Entity> EntityLoader::loadMannequin(const std::string& what) {
   return entity;
 }
 
-Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diagnostics) {
-  auto& known = robots_[file.string()];
+Expected<Entity> EntityLoader::loadRobot(const fs::path& file, const xacro::Arguments& arguments,
+                                         Diagnostics& diagnostics) {
+  std::string key = file.string();
+  for (const auto& [name, value] : arguments) key += "|" + name + ":=" + value;
+  auto& known = robots_[key];
   if (!known.model) {
-    Expected<TomlRobot> robot = readRobot(file, diagnostics, monitor_);
+    declared_.clear();
+    Expected<TomlRobot> robot = readRobot(file, diagnostics, monitor_, RobotContent::kAll, arguments, &declared_);
     if (!robot) return makeError(robot.error());
     known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools)};
   }
@@ -262,6 +270,7 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, Diagnostics& diag
   entity.tools = known.tools;
   entity.name = known.model->name.empty() ? file.stem().string() : known.model->name;
   entity.source = {file.string(), 1.0};
+  entity.source.arguments = arguments;
   const int tip = known.model->defaultTip();
   if (tip >= 0) entity.tip_link = known.model->links[static_cast<std::size_t>(tip)].name;
   return entity;

@@ -49,7 +49,8 @@ class EntityLoader {
   Expected<Entity> loadShapeOf(const SourceFile& source, Diagnostics& diagnostics);
   Expected<Entity> loadLibraryRobot(const std::string& what, Diagnostics& diagnostics);
   Expected<Entity> loadMannequin(const std::string& what);
-  Expected<Entity> loadRobot(const std::filesystem::path& file, Diagnostics& diagnostics);
+  Expected<Entity> loadRobot(const std::filesystem::path& file, const xacro::Arguments& arguments,
+                             Diagnostics& diagnostics);
   Expected<Entity> loadMesh(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
   Expected<Entity> loadPart(const std::filesystem::path& file, const SourceFile& source, Diagnostics& diagnostics);
   Expected<ImportResult> loadMeshTree(const std::filesystem::path& file, const ImportOptions& options,
@@ -68,7 +69,8 @@ class EntityLoader {
     std::shared_ptr<const kinematics::RobotModel> model;
     std::vector<ToolFrame> tools;
   };
-  std::map<std::string, KnownRobot> robots_;
+  std::map<std::string, KnownRobot> robots_;       // By file and arguments.
+  std::vector<xacro::DeclaredArgument> declared_;  // Of the xacro that was read last.
   std::map<std::pair<MeshPointer, std::pair<bool, double>>, MeshPointer> cared_meshes_;  // By how they were made.
   std::map<std::string, ImportResult> trees_;                                            // By file and how it was read.
 };

@@ -83,6 +83,17 @@ void FieldReader::read(const char* key, double& target) {
   target = value->get<double>();
 }
 
+void FieldReader::read(const char* key, std::map<std::string, std::string>& target) {
+  const Json* value = member(key);
+  if (!value) return;
+  target.clear();
+  if (!value->is_object()) return fail(key, excerpt(*value), "an object in braces");
+  for (const auto& [name, item] : value->items()) {
+    if (!item.is_string()) return fail(key, excerpt(item), "texts in quotes");
+    target[name] = item.get<std::string>();
+  }
+}
+
 void FieldReader::read(const char* key, std::vector<std::string>& target) {
   const Json* value = array(key);
   if (!value) return;

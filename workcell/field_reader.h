@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -27,6 +28,7 @@ class FieldReader {
   void read(const char* key, double& target);  ///< Finite.
   void read(const char* key, Pose& target);    ///< {"position": [x, y, z], "quaternion": [w, x, y, z]}
   void read(const char* key, std::vector<std::string>& target);
+  void read(const char* key, std::map<std::string, std::string>& target);  ///< {"name": "text", …}
   /// Exactly `count` finite numbers.
   bool readNumbers(const char* key, std::size_t count, std::vector<double>& target);
   /// One of the words; `target` becomes its index.

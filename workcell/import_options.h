@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "geometry/error.h"
@@ -44,6 +46,7 @@ struct ImportOptions {
   bool weld = true;             ///< Merge corners, drop degenerate and duplicate triangles (geometry::weld).
   bool warn_about_unit = true;  ///< Tell where the size of a file without unit makes another one likely.
   ImportLimits limits = {};
+  std::map<std::string, std::string> arguments = {};  ///< Values of a xacro's arguments by name.
 };
 
 }  // namespace hapticell::workcell

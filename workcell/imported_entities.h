@@ -7,6 +7,7 @@
 #include "geometry/error.h"
 #include "workcell/document.h"
 #include "workcell/import_scene.h"
+#include "xacro/expand.h"
 
 namespace hapticell::workcell {
 
@@ -15,17 +16,18 @@ struct MeshFileParts;
 
 /// What an import did, for the user to read.
 struct ImportReport {
-  std::string format;                    ///< "step", "stl", "urdf", ...
-  double metres_per_unit = 1.0;          ///< As it was read.
-  bool unit_is_stated = true;            ///< False: the file names none.
-  UpAxis up_axis = UpAxis::kZ;           ///< The file's.
-  double chord = 0.0;                    ///< Metres; 0 where nothing was cut into triangles.
-  std::size_t parts = 0;                 ///< Solids and robots.
-  std::size_t triangles = 0;             ///< Of all parts, each use counted.
-  std::size_t merged_vertices = 0;       ///< Repaired: corners of neighbouring triangles made one.
-  std::size_t degenerate_triangles = 0;  ///< Dropped: no area.
-  std::size_t duplicate_triangles = 0;   ///< Dropped: there twice.
-  std::vector<std::string> warnings;     ///< All that was dropped, replaced or guessed, a sentence each.
+  std::string format;                              ///< "step", "stl", "urdf", ...
+  double metres_per_unit = 1.0;                    ///< As it was read.
+  bool unit_is_stated = true;                      ///< False: the file names none.
+  UpAxis up_axis = UpAxis::kZ;                     ///< The file's.
+  double chord = 0.0;                              ///< Metres; 0 where nothing was cut into triangles.
+  std::size_t parts = 0;                           ///< Solids and robots.
+  std::size_t triangles = 0;                       ///< Of all parts, each use counted.
+  std::size_t merged_vertices = 0;                 ///< Repaired: corners of neighbouring triangles made one.
+  std::size_t degenerate_triangles = 0;            ///< Dropped: no area.
+  std::size_t duplicate_triangles = 0;             ///< Dropped: there twice.
+  std::vector<xacro::DeclaredArgument> arguments;  ///< Of a xacro: what it asks for, and with what it was read.
+  std::vector<std::string> warnings;               ///< All that was dropped, replaced or guessed, a sentence each.
 };
 
 /// What a file became: entities in the order of the tree, parents before children, with names unique among them, placed

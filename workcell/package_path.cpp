@@ -3,7 +3,10 @@
 
 #include <tinyxml.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "workcell/file_content.h"
@@ -78,12 +81,16 @@ std::vector<fs::path> foldersOf(const char* variable, const fs::path& below) {
   return folders;
 }
 
-std::optional<fs::path> findInPackage(const std::string& name, const fs::path& rest, const fs::path& start) {
+/// The folder of the description and those above it.
+std::vector<fs::path> foldersAbove(const fs::path& start) {
   std::vector<fs::path> folders;
   for (fs::path folder = start;; folder = folder.parent_path()) {
     folders.push_back(folder);
-    if (folder == folder.parent_path()) break;
+    if (folder == folder.parent_path()) return folders;
   }
+}
+
+std::optional<fs::path> findInPackage(const std::string& name, const fs::path& rest, std::vector<fs::path> folders) {
   for (const fs::path& folder : foldersOf("ROS_PACKAGE_PATH", {})) folders.push_back(folder);
   for (const fs::path& folder : foldersOf("AMENT_PREFIX_PATH", "share")) folders.push_back(folder);
   for (const fs::path& folder : folders) {
@@ -92,9 +99,106 @@ std::optional<fs::path> findInPackage(const std::string& name, const fs::path& r
   return std::nullopt;
 }
 
+/// "abb-irb2400_Main" begins with "abb_irb2400" but for case and dashes.
+bool beginsWith(const std::string& folder, const std::string& name) {
+  const auto plain = [](char c) {
+    return c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  };
+  return folder.size() >= name.size() &&
+         std::equal(name.begin(), name.end(), folder.begin(), [&](char a, char b) { return plain(a) == plain(b); });
+}
+
+/// A folder beside `folder`'s children whose name begins with the package's.
+std::optional<fs::path> folderLike(const std::string& name, const fs::path& rest, const fs::path& folder) {
+  std::vector<fs::path> like;
+  std::error_code problem;
+  std::size_t seen = 0;
+  for (fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, problem), end;
+       !problem && entry != end && ++seen <= kMostNeighbours; entry.increment(problem)) {
+    if (beginsWith(entry->path().filename().string(), name) && isFileOfPackage(entry->path(), rest))
+      like.push_back(entry->path());
+  }
+  if (like.empty()) return std::nullopt;
+  return *std::min_element(like.begin(), like.end());
+}
+
+/// A folder under any name that holds the rest of the path. Not looked for near the root of the file system, where any
+/// path fits something.
+std::optional<FoundFile> findUnderAnyName(const std::string& name, fs::path rest,
+                                          const std::vector<fs::path>& folders) {
+  constexpr std::size_t kLevels = 5;
+  constexpr std::ptrdiff_t kNearRoot = 3;  // "/", "home", "user"
+  for (bool whole = true; std::distance(rest.begin(), rest.end()) >= (whole ? 1 : 2); whole = false) {
+    for (std::size_t i = 0; i < std::min(kLevels, folders.size()); ++i) {
+      const bool near_root = std::distance(folders[i].begin(), folders[i].end()) <= kNearRoot;
+      if (!near_root && std::distance(rest.begin(), rest.end()) >= 2 && isFileOfPackage(folders[i], rest))
+        return FoundFile{(folders[i] / rest).lexically_normal(), folders[i]};
+      if (const auto like = whole ? folderLike(name, rest, folders[i]) : std::nullopt)
+        return FoundFile{(*like / rest).lexically_normal(), *like};
+    }
+    rest = rest.lexically_relative(*rest.begin());
+  }
+  return std::nullopt;
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  const int letter = std::tolower(static_cast<unsigned char>(c));
+  return letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
+}
+
+/// RFC 3986; a percent sign without two digits stays.
+std::string percentDecoded(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
+    const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
+    if (low < 0 || high * 16 + low == 0) {
+      text += uri[i];
+      continue;
+    }
+    text += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return text;
+}
+
+/// The reference as it is written, decoded, and with slashes for backslashes, each once.
+std::vector<std::string> spellingsOf(const std::string& uri) {
+  std::vector<std::string> spellings = {uri};
+  const auto add = [&spellings](std::string text) {
+    if (std::find(spellings.begin(), spellings.end(), text) == spellings.end()) spellings.push_back(std::move(text));
+  };
+  add(percentDecoded(uri));
+  std::string slashes = percentDecoded(uri);
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  add(std::move(slashes));
+  return spellings;
+}
+
+/// Without "file://" and, as some write it, a host.
+std::string withoutFileScheme(const std::string& uri) {
+  if (!uri.starts_with("file:")) return uri;
+  std::string rest = uri.substr(uri.starts_with("file://") ? 7 : 5);
+  if (rest.starts_with("localhost/")) rest.erase(0, 9);
+  return rest;
+}
+
+/// Of "package://NAME/rest" and "model://NAME/rest".
+std::optional<std::pair<std::string, fs::path>> packageAndRest(const std::string& uri) {
+  for (const std::string scheme : {"package://", "model://"}) {
+    const std::string tail = uri.starts_with(scheme) ? uri.substr(scheme.size()) : "";
+    const std::size_t slash = tail.find('/');
+    if (slash != std::string::npos && slash > 0)
+      return std::pair(tail.substr(0, slash), fs::path(tail.substr(slash + 1)).relative_path());
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-bool leavesPackage(const std::string& uri) {
+bool leavesPackage(const std::string& written) {
+  const std::string uri = percentDecoded(withoutFileScheme(written));
   for (const std::string scheme : {"package://", "model://"}) {
     if (!uri.starts_with(scheme)) continue;
     const fs::path named = uri.substr(scheme.size());
@@ -111,19 +215,33 @@ bool leavesPackage(const std::string& uri) {
   return false;
 }
 
-std::optional<fs::path> resolveMeshPath(const std::string& uri, const fs::path& description_folder) {
+std::optional<FoundFile> findReference(const std::string& uri, const fs::path& description_folder) {
   std::error_code problem;
   const fs::path start = fs::absolute(description_folder, problem).lexically_normal();
-  for (const std::string scheme : {"package://", "model://"}) {
-    if (!uri.starts_with(scheme)) continue;
-    const std::string tail = uri.substr(scheme.size());
-    const std::size_t slash = tail.find('/');
-    if (slash == std::string::npos || slash == 0 || leavesPackage(uri)) return std::nullopt;
-    return findInPackage(tail.substr(0, slash), tail.substr(slash + 1), start);
+  const std::vector<fs::path> folders = foldersAbove(start);
+  const std::vector<std::string> spellings = spellingsOf(withoutFileScheme(uri));
+  bool is_package = false;
+  for (const std::string& spelling : spellings) {
+    const auto name = packageAndRest(spelling);
+    is_package = is_package || name || leavesPackage(spelling);
+    if (name && !leavesPackage(spelling)) {
+      if (auto found = findInPackage(name->first, name->second, folders)) return FoundFile{*found, {}};
+    } else if (!is_package) {
+      const fs::path path = (start / spelling).lexically_normal();  // An absolute right side stands alone.
+      if (isFile(path)) return FoundFile{path, {}};
+    }
   }
-  const std::string plain = uri.starts_with("file://") ? uri.substr(7) : uri;
-  const fs::path path = (start / plain).lexically_normal();  // an absolute right side stands alone
-  return isFile(path) ? std::optional(path) : std::nullopt;
+  for (const std::string& spelling : spellings) {
+    const auto name = packageAndRest(spelling);
+    if (!name || leavesPackage(spelling)) continue;
+    if (auto found = findUnderAnyName(name->first, name->second.lexically_normal(), folders)) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<fs::path> resolveMeshPath(const std::string& uri, const fs::path& description_folder) {
+  const auto found = findReference(uri, description_folder);
+  return found ? std::optional(found->path) : std::nullopt;
 }
 
 }  // namespace hapticell::workcell

@@ -7,15 +7,31 @@
 
 namespace hapticell::workcell {
 
+/// A file that a description names, and how it was found.
+struct FoundFile {
+  std::filesystem::path path;
+  /// The folder that was taken for the package although neither its name nor a package.xml says so; empty: it is the
+  /// package itself, or none is named.
+  std::filesystem::path taken_for_package;
+};
+
 /// Finds the file that a robot description names: "package://NAME/rest" or "model://NAME/rest", "file://path", an
-/// absolute path, or one relative to the description's folder.
+/// absolute path, or one relative to the description's folder; "file://package://NAME/rest", as xacro makes of
+/// file://$(find NAME), is the package's. Percent-encoded references (RFC 3986: %20, %C3%A4) and such with the
+/// backslashes of Windows are found where the name as it is written is not.
 ///
 /// A package is looked for beside the description and in each folder above it: a folder called NAME, or one whose
-/// package.xml says so; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Empty when
+/// package.xml says so; then in the folders of ROS_PACKAGE_PATH and, under share/, of AMENT_PREFIX_PATH. Then, for
+/// archives and vendors' folders have names of their own, a folder up to five above the description that holds the
+/// rest of the path, a folder beside these whose name begins with NAME, and the same with the first steps of the rest
+/// left out as long as a folder and a file are left; `taken_for_package` then says which. Empty when
 /// there is no such file, and for a package's file that is outside of it (leavesPackage()).
 ///
 /// Links inside a package are followed within it, and out of it only to a file of the same name: workspaces of ROS 2
 /// consist of such links, while "part.stl" that leads to somebody's "id_rsa" is no part of a package.
+std::optional<FoundFile> findReference(const std::string& uri, const std::filesystem::path& description_folder);
+
+/// The path of findReference().
 std::optional<std::filesystem::path> resolveMeshPath(const std::string& uri,
                                                      const std::filesystem::path& description_folder);
 

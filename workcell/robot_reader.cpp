@@ -10,7 +10,7 @@
 
 #include "workcell/sdf_reader.h"
 #include "workcell/srdf.h"
-#include "workcell/xacro.h"
+#include "workcell/xacro_file.h"
 
 namespace hapticell::workcell {
 
@@ -74,8 +74,7 @@ std::optional<RobotFormat> robotFormatOf(const fs::path& file) {
   if (begin == std::string::npos || head[begin] != '<') return std::nullopt;
   if (extension == ".xacro") return RobotFormat::kXacro;
   if (head.find("<robot") != std::string::npos) {
-    const bool xacro = extension != ".urdf" && head.find("<xacro:") != std::string::npos;
-    return xacro ? RobotFormat::kXacro : RobotFormat::kUrdf;
+    return head.find("<xacro:") != std::string::npos ? RobotFormat::kXacro : RobotFormat::kUrdf;
   }
   if (extension == ".sdf" || extension == ".world" || head.find("<sdf") != std::string::npos) return RobotFormat::kSdf;
   return extension == ".urdf" ? std::optional(RobotFormat::kUrdf) : std::nullopt;
@@ -96,15 +95,19 @@ const char* formatName(RobotFormat format) {
 }
 
 Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor,
-                              RobotContent content) {
+                              RobotContent content, const xacro::Arguments& arguments,
+                              std::vector<xacro::DeclaredArgument>* declared) {
   const RobotFormat format = robotFormatOf(file).value_or(RobotFormat::kUrdf);  // Whose reader says what it is instead.
+  if (format != RobotFormat::kXacro && !arguments.empty())
+    diagnostics.warn("the file is no xacro; the value of '" + arguments.begin()->first + "' was not used");
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
     if (format == RobotFormat::kSdf) return readSdf(file, diagnostics, monitor);
     if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
-    const auto expanded = expandXacro(file);
+    std::vector<xacro::DeclaredArgument> unasked;
+    const auto expanded = expandXacroFile(file, arguments, declared ? *declared : unasked, diagnostics);
     if (!expanded) return makeError(expanded.error());
-    return readUrdfText(*expanded, file, diagnostics, monitor, content);
+    return readUrdfText(expanded->text, file, diagnostics, monitor, content, &expanded->places);
   }();
   if (!model) return makeError(model.error());
   if (!model->closure) hintAtOpenLoops(*model, diagnostics);
@@ -115,6 +118,14 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
     if (auto read = readSrdf(*srdf, robot.model, diagnostics); !read) return makeError(read.error());
   }
   return robot;
+}
+
+std::vector<xacro::DeclaredArgument> robotArguments(const fs::path& file, const xacro::Arguments& arguments) {
+  std::vector<xacro::DeclaredArgument> declared;
+  Diagnostics ignored;
+  if (robotFormatOf(file) == RobotFormat::kXacro)
+    static_cast<void>(expandXacroFile(file, arguments, declared, ignored));
+  return declared;
 }
 
 }  // namespace hapticell::workcell

@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "workcell/robot_toml.h"
 #include "workcell/urdf_reader.h"
+#include "xacro/expand.h"
 
 namespace hapticell::workcell {
 
@@ -23,10 +24,17 @@ inline bool looksLikeRobot(const std::filesystem::path& file) {
   return robotFormatOf(file).has_value();
 }
 
-/// Reads a robot in any of the formats: readUrdf(), expandXacro(), readSdf(), readRobotToml(). Beside a URDF an SRDF is
-/// looked for (see readSrdf()). A file of another kind is refused. `monitor` and `content` as for
-/// readUrdf().
+/// Reads a robot in any of the formats: readUrdf(), expandXacroFile(), readSdf(), readRobotToml(). Beside a URDF an
+/// SRDF is looked for (see readSrdf()). A file of another kind is refused. `monitor` and `content` as for readUrdf().
+/// `arguments` are those of a xacro; for another file they are a warning. `declared` (may be null) gets what a xacro
+/// asks for, also where it is refused.
 Expected<TomlRobot> readRobot(const std::filesystem::path& file, Diagnostics& diagnostics,
-                              ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll);
+                              ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll,
+                              const xacro::Arguments& arguments = {},
+                              std::vector<xacro::DeclaredArgument>* declared = nullptr);
+
+/// The arguments that a xacro asks for, as far as it can be expanded with `arguments`; empty for other files.
+std::vector<xacro::DeclaredArgument> robotArguments(const std::filesystem::path& file,
+                                                    const xacro::Arguments& arguments = {});
 
 }  // namespace hapticell::workcell

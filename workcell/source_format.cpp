@@ -38,6 +38,7 @@ Json jsonFromSource(const SourceFile& source, const fs::path& folder) {
     json["chord"] = source.tessellation.chord;
     json["angle"] = source.tessellation.angle;
   }
+  if (!source.arguments.empty()) json["arguments"] = source.arguments;
   if (source.oriented) json["oriented"] = true;
   if (source.simplified > 0.0) json["simplified"] = source.simplified;
   return json;
@@ -74,6 +75,7 @@ void SourceReader::read(const Json& json, const std::string& place, SourceFile& 
   fields.readWord("up_axis", kAxisWords, axis);
   fields.read("chord", source.tessellation.chord);
   fields.read("angle", source.tessellation.angle);
+  fields.read("arguments", source.arguments);
   fields.read("oriented", source.oriented);
   fields.read("simplified", source.simplified);
   if (context_.error) return;

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "geometry/error.h"
 #include "kinematics/robot_model.h"
+#include "xacro/expand.h"
 
 namespace hapticell::workcell {
 
@@ -18,23 +20,26 @@ enum class RobotContent {
                 ///< all.
 };
 
-/// Reads a robot from a URDF file with its meshes (any readable format) and boxes, cylinders and spheres.
+/// Reads a robot from a URDF file with its meshes (any readable format) and boxes, cylinders, capsules and spheres.
 ///
 /// Joints come depth first in the order of the file, variables from base to tip; mimic chains are resolved to the joint
-/// that moves. Meshes are found by resolveMeshPath() and scaled by their own `scale`; one file is read once. A visual
+/// that moves. Meshes are found by findReference() and scaled by their own `scale`; one file is read once. A visual
 /// that cannot be read is replaced by the link's collision shapes, and a link without
-/// collision shapes is checked by its visual ones; each such case is told in `diagnostics`. Floating and planar joints
-/// are read as fixed, with a warning. Dynamics, transmissions and safety controllers are passed over.
+/// collision shapes is checked by its visual ones; each such case is told in `diagnostics`. A shape that cannot be had
+/// at all is left out, told and counted in Link::lost_shapes. Floating, planar and spherical joints
+/// are read as fixed, with a warning. Dynamics, inertias, efforts, transmissions, calibrations and safety controllers
+/// are passed over.
 ///
-/// Errors name file, line or link, and the fix: what checkUrdfStructure() refuses, a mesh that is missing or broken, a
-/// shape without positive size. Nothing throws. Any thread (the XML library's messages pass one lock).
+/// Errors name file, line, and the fix: what readUrdfStructure() refuses. Nothing throws. Any thread.
 /// `monitor` (may be null) is told of, and can end, the reading of meshes in the importer's process.
 Expected<kinematics::RobotModel> readUrdf(const std::filesystem::path& path, Diagnostics& diagnostics,
                                           ImportMonitor* monitor = nullptr, RobotContent content = RobotContent::kAll);
 
-/// The same of a text, as if it stood in the file `path` (for messages and relative mesh paths).
+/// The same of a text, as if it stood in the file `path` (for messages and relative mesh paths). `places` (may be
+/// null): where its lines come from.
 Expected<kinematics::RobotModel> readUrdfText(const std::string& text, const std::filesystem::path& path,
                                               Diagnostics& diagnostics, ImportMonitor* monitor = nullptr,
-                                              RobotContent content = RobotContent::kAll);
+                                              RobotContent content = RobotContent::kAll,
+                                              const std::vector<xacro::Expanded::Place>* places = nullptr);
 
 }  // namespace hapticell::workcell

@@ -7,15 +7,16 @@
 
 #include "geometry/shapes.h"
 #include "workcell/imported_entities.h"
-#include "workcell/package_path.h"
+#include "workcell/urdf_lines.h"
 
 namespace hapticell::workcell {
 
 namespace {
 
 using kinematics::LinkShape;
+using Kind = UrdfShape::Kind;
 
-std::string lowerExtension(const std::filesystem::path& path) {
+std::string lowerMeshExtension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -24,13 +25,6 @@ std::string lowerExtension(const std::filesystem::path& path) {
 
 bool readable(const std::string& extension) {
   return extension == ".stl" || extension == ".obj" || extension == ".ply" || extension == ".off";
-}
-
-std::optional<std::array<float, 4>> colorOf(const urdf::Visual& visual, const std::set<std::string>& undefined) {
-  if (!visual.material || undefined.count(visual.material->name)) return std::nullopt;
-  const urdf::Color& c = visual.material->color;
-  const auto channel = [](float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.7f; };
-  return std::array<float, 4>{channel(c.r), channel(c.g), channel(c.b), channel(c.a)};
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -56,67 +50,52 @@ ImportOptions asRosDoes() {
   return options;
 }
 
-}  // namespace
-
-Pose toPose(const urdf::Pose& origin) {
-  const urdf::Rotation& r = origin.rotation;
-  return {{origin.position.x, origin.position.y, origin.position.z}, glm::normalize(dquat(r.w, r.x, r.y, r.z))};
+geometry::TriangleMesh primitiveOf(const UrdfShape& shape) {
+  if (shape.kind == Kind::kBox) return geometry::makeBox(shape.size);
+  if (shape.kind == Kind::kCylinder) return geometry::makeCylinder(shape.radius, shape.length);
+  if (shape.kind == Kind::kCapsule) return geometry::makeCapsule(shape.radius, shape.length);
+  return geometry::makeSphere(shape.radius);
 }
 
-UrdfShapes::UrdfShapes(std::filesystem::path file, std::set<std::string> undefined_materials, Diagnostics& diagnostics,
-                       ImportMonitor* monitor)
-    : file_(std::move(file)),
-      undefined_materials_(std::move(undefined_materials)),
+const char* nameOf(Kind kind) {
+  return kind == Kind::kBox        ? "box"
+         : kind == Kind::kCylinder ? "cylinder"
+         : kind == Kind::kCapsule  ? "capsule"
+                                   : "sphere";
+}
+
+}  // namespace
+
+UrdfShapes::UrdfShapes(const UrdfLines& lines, Diagnostics& diagnostics, ImportMonitor* monitor)
+    : lines_(lines),
+      folder_(std::filesystem::path(lines.file()).parent_path()),
       diagnostics_(diagnostics),
       scenes_(asRosDoes(), monitor) {}
 
-void UrdfShapes::readAhead(const urdf::ModelInterface& model) {
+const std::optional<FoundFile>& UrdfShapes::find(const std::string& name) {
+  const auto known = found_.find(name);
+  return known != found_.end() ? known->second : found_[name] = findReference(name, folder_);
+}
+
+void UrdfShapes::readAhead(const std::vector<UrdfLink>& links) {
   std::vector<std::filesystem::path> files;
-  const auto add = [&](const urdf::GeometrySharedPtr& geometry) {
-    if (!geometry || geometry->type != urdf::Geometry::MESH) return;
-    const auto path = resolveMeshPath(static_cast<const urdf::Mesh&>(*geometry).filename, file_.parent_path());
-    if (path) files.push_back(*path);
-  };
-  for (const auto& [name, link] : model.links_) {
-    for (const urdf::VisualSharedPtr& visual : link->visual_array) add(visual->geometry);
-    for (const urdf::CollisionSharedPtr& collision : link->collision_array) add(collision->geometry);
+  for (const UrdfLink& link : links) {
+    for (const auto* shapes : {&link.visuals, &link.collisions}) {
+      for (const UrdfShape& shape : *shapes) {
+        if (shape.kind == Kind::kMesh && find(shape.mesh)) files.push_back(find(shape.mesh)->path);
+      }
+    }
   }
   scenes_.readAhead(files);
 }
 
-Error UrdfShapes::refusal(const std::string& link, std::string found, std::string expected, std::string fix) const {
-  return {file_.string(), "link '" + link + "'", std::move(found), std::move(expected), std::move(fix)};
+void UrdfShapes::reportOnce(int line, const std::string& what, const std::string& sentence) {
+  if (reported_.insert(what).second) diagnostics_.warn(lines_.words(line) + ": " + sentence);
 }
 
-Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::primitiveOf(const std::string& link,
-                                                                                const urdf::Geometry& geometry) const {
-  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
-  if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
-    if (!positive(box->dim.x) || !positive(box->dim.y) || !positive(box->dim.z)) {
-      return makeError(refusal(link, "a box without size", "three positive lengths", ""));
-    }
-    return std::make_shared<geometry::TriangleMesh>(geometry::makeBox({box->dim.x, box->dim.y, box->dim.z}));
-  }
-  if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
-    if (!positive(cylinder->radius) || !positive(cylinder->length)) {
-      return makeError(refusal(link, "a cylinder without size", "a positive radius and length", ""));
-    }
-    return std::make_shared<geometry::TriangleMesh>(geometry::makeCylinder(cylinder->radius, cylinder->length));
-  }
-  const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry);
-  if (!sphere || !positive(sphere->radius))
-    return makeError(refusal(link, "a sphere without size", "a positive radius", ""));
-  return std::make_shared<geometry::TriangleMesh>(geometry::makeSphere(sphere->radius));
-}
-
-Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::meshOf(const std::string& link,
-                                                                           const urdf::Mesh& mesh,
-                                                                           const std::filesystem::path& path) {
-  const dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
-  if (!(std::abs(scale.x * scale.y * scale.z) > 0.0)) {
-    return makeError(
-        refusal(link, "a mesh with a scale of zero (" + mesh.filename + ")", "three numbers other than zero", ""));
-  }
+Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::scaledMesh(const UrdfShape& source,
+                                                                               const std::filesystem::path& path) {
+  const dvec3 scale = source.size;
   const MeshKey key{path.string(), scale.x, scale.y, scale.z};
   if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
   const bool uniform = scale.x == scale.y && scale.y == scale.z && scale.x > 0.0;
@@ -130,101 +109,113 @@ Expected<std::shared_ptr<const geometry::TriangleMesh>> UrdfShapes::meshOf(const
   return meshes_[key] = std::make_shared<geometry::TriangleMesh>(std::move(*read));
 }
 
-Expected<std::optional<LinkShape>> UrdfShapes::shapeOf(const std::string& link, const urdf::GeometrySharedPtr& geometry,
-                                                       const urdf::Pose& origin) {
-  if (!geometry)
-    return makeError(refusal(link, "a shape without geometry", "<box>, <cylinder>, <sphere> or <mesh>", ""));
+std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfShape& source, std::string& file) {
+  const std::string& name = source.mesh;
+  if (leavesPackage(name)) {
+    reportOnce(source.line, name, "the mesh " + name + " leads out of the package; the shape is left out");
+    return nullptr;
+  }
+  const std::optional<FoundFile>& found = find(name);
+  if (!found) {
+    package_missing_ = package_missing_ || name.find("package://") != std::string::npos;
+    reportOnce(source.line, name, "the mesh " + name + " is not there; the shape is left out");
+    return nullptr;
+  }
+  if (!found->taken_for_package.empty()) {
+    const std::string folder = found->taken_for_package.string();
+    reportOnce(source.line, folder,
+               "the package of " + name + " is not found by its name; the folder " + folder +
+                   ", which holds the rest of the path, is taken for it");
+  }
+  const std::string extension = lowerMeshExtension(found->path);
+  const std::string format = extension.empty() ? "no extension" : extension.substr(1);
+  if (!readable(extension) && !holdsScene(found->path)) {
+    unreadable_formats_.insert(format);
+    return nullptr;
+  }
+  auto read = scaledMesh(source, found->path);
+  if (!read) {
+    unreadable_formats_.insert(format);
+    reportOnce(source.line, name, read.error().message() + " The shape is left out.");
+    return nullptr;
+  }
+  file = found->path.string();
+  return *read;
+}
+
+std::optional<LinkShape> UrdfShapes::shapeOf(const UrdfShape& source, int& lost) {
   LinkShape shape;
-  shape.X_LS = toPose(origin);
-  if (!shape.X_LS.isValid()) return makeError(refusal(link, "an origin that is not a pose", "finite numbers", ""));
-  if (geometry->type != urdf::Geometry::MESH) {
-    auto mesh = primitiveOf(link, *geometry);
-    if (!mesh) return makeError(mesh.error());
-    shape.mesh = std::move(*mesh);
-    shape.source = geometry->type == urdf::Geometry::BOX        ? "box"
-                   : geometry->type == urdf::Geometry::CYLINDER ? "cylinder"
-                                                                : "sphere";
-    return shape;
-  }
-  const auto& mesh = static_cast<const urdf::Mesh&>(*geometry);
-  const auto path = resolveMeshPath(mesh.filename, file_.parent_path());
-  if (leavesPackage(mesh.filename)) {
-    return makeError(refusal(link, "its mesh " + mesh.filename + " leads out of the package", "a file of the package",
-                             "Write its place without the '..' that leave the package."));
-  }
-  if (!path) {
-    return makeError(refusal(
-        link, "its mesh " + mesh.filename + " is not there", "a file",
-        mesh.filename.starts_with("package://")
-            ? "Put the package's folder beside the robot file or above it, or name its place in ROS_PACKAGE_PATH."
-            : "Correct the path or put the file there."));
-  }
-  const std::string extension = lowerExtension(*path);
-  const bool scene = holdsScene(*path);
-  if (!readable(extension) && !scene) {
-    unreadable_formats_.insert(extension.empty() ? "no extension" : extension.substr(1));
+  shape.X_LS = source.X_LS;
+  if (source.kind == Kind::kNone || source.kind == Kind::kEmpty) {
+    diagnostics_.warn(lines_.words(source.line) + ": " + source.reason + "; the shape is left out");
+    if (source.kind == Kind::kNone) ++lost;
     return std::nullopt;
   }
-  auto read = meshOf(link, mesh, *path);
-  if (!read && scene && !scenes_.isCancelled()) {  // A drawing that cannot be had is no reason to refuse the robot.
-    diagnostics_.warn(read.error().message());
-    unreadable_formats_.insert(extension.empty() ? "no extension" : extension.substr(1));
+  if (source.kind == Kind::kMesh) {
+    shape.mesh = fileMesh(source, shape.source);
+  } else {
+    shape.mesh = std::make_shared<geometry::TriangleMesh>(primitiveOf(source));
+    shape.source = nameOf(source.kind);
+  }
+  if (!shape.mesh) {
+    ++lost;
     return std::nullopt;
   }
-  if (!read) return makeError(read.error());
-  shape.mesh = std::move(*read);
-  shape.source = path->string();
   return shape;
 }
 
-Expected<void> UrdfShapes::fill(const urdf::Link& source, kinematics::Link& link) {
-  bool lost_visual = false, lost_collision = false;
+Expected<void> UrdfShapes::fill(const UrdfLink& source, kinematics::Link& link) {
+  int lost_visuals = 0, lost_collisions = 0;
   std::optional<std::array<float, 4>> color;
-  for (const urdf::VisualSharedPtr& visual : source.visual_array) {
-    auto shape = shapeOf(link.name, visual->geometry, visual->origin);
-    if (!shape) return makeError(shape.error());
-    const auto own_color = colorOf(*visual, undefined_materials_);
-    if (!color) color = own_color;
-    lost_visual = lost_visual || !shape->has_value();
-    if (!shape->has_value()) continue;
-    if (own_color) (*shape)->color = *own_color;
-    link.visuals.push_back(std::move(**shape));
+  for (const UrdfShape& visual : source.visuals) {
+    auto shape = shapeOf(visual, lost_visuals);
+    if (!color) color = visual.color;
+    if (!shape) continue;
+    if (visual.color) shape->color = *visual.color;
+    link.visuals.push_back(std::move(*shape));
   }
-  for (const urdf::CollisionSharedPtr& collision : source.collision_array) {
-    auto shape = shapeOf(link.name, collision->geometry, collision->origin);
-    if (!shape) return makeError(shape.error());
-    lost_collision = lost_collision || !shape->has_value();
-    if (!shape->has_value()) continue;
-    if (color) (*shape)->color = *color;
-    link.collisions.push_back(std::move(**shape));
+  for (const UrdfShape& collision : source.collisions) {
+    auto shape = shapeOf(collision, lost_collisions);
+    if (!shape) continue;
+    if (color) shape->color = *color;
+    link.collisions.push_back(std::move(*shape));
   }
+  if (scenes_.isCancelled()) return makeError({lines_.file(), "", "the reading was cancelled", "", ""});
+  link.lost_shapes = lost_visuals + lost_collisions;
   // A set of which a part cannot be read is replaced as a whole: half a link would mislead.
-  const bool visuals_usable = !link.visuals.empty() && !lost_visual;
-  const bool collisions_usable = !link.collisions.empty() && !lost_collision;
-  if (lost_visual && collisions_usable) {
+  const bool visuals_whole = !link.visuals.empty() && lost_visuals == 0;
+  const bool collisions_whole = !link.collisions.empty() && lost_collisions == 0;
+  if (lost_visuals > 0 && collisions_whole) {
     link.visuals = link.collisions;
     shown_by_collision_.push_back(link.name);
   }
-  if (!collisions_usable && visuals_usable) {
+  if (!collisions_whole && visuals_whole) {
     link.collisions = link.visuals;
-    if (lost_collision) checked_by_visual_.push_back(link.name);
+    if (lost_collisions > 0) checked_by_visual_.push_back(link.name);
   }
-  if ((lost_visual || lost_collision) && !visuals_usable && !collisions_usable) without_shape_.push_back(link.name);
+  if (link.lost_shapes == 0 || visuals_whole || collisions_whole) return {};
+  if (link.collisions.empty()) link.collisions = link.visuals;
+  if (link.visuals.empty()) link.visuals = link.collisions;
+  (link.collisions.empty() ? without_shape_ : partly_).push_back(link.name);
   return {};
 }
 
 void UrdfShapes::reportReplacements() {
   std::string formats;
   for (const std::string& format : unreadable_formats_) formats += (formats.empty() ? "" : ", ") + format;
-  const std::string reason = file_.string() + ": meshes that cannot be read (" + formats + "): ";
+  const std::string reason = "shapes that cannot be had" + (formats.empty() ? "" : " (" + formats + ")") + ": ";
   if (!shown_by_collision_.empty())
     diagnostics_.warn(reason + "the collision shape is shown instead for " + listed(shown_by_collision_));
   if (!checked_by_visual_.empty())
     diagnostics_.warn(reason + "the visual shape is checked instead for " + listed(checked_by_visual_));
-  if (!without_shape_.empty()) {
-    diagnostics_.warn(reason + "not (or not wholly) drawn and not checked are " + listed(without_shape_) +
-                      ". Convert the meshes to STL, OBJ or PLY");
-  }
+  if (!partly_.empty()) diagnostics_.warn(reason + "not wholly drawn and checked are " + listed(partly_));
+  if (!without_shape_.empty()) diagnostics_.warn(reason + "not drawn and not checked are " + listed(without_shape_));
+  if (!unreadable_formats_.empty() && (!without_shape_.empty() || !partly_.empty()))
+    diagnostics_.warn("meshes that cannot be read: convert them to STL, OBJ or PLY");
+  if (package_missing_)
+    diagnostics_.warn(
+        "packages that are not found: put the package's folder beside the robot file or above it, or name its place in "
+        "ROS_PACKAGE_PATH");
 }
 
 }  // namespace hapticell::workcell

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <urdf_model/link.h>
-#include <urdf_model/model.h>
-
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,26 +12,26 @@
 
 #include "geometry/error.h"
 #include "kinematics/robot_model.h"
+#include "workcell/package_path.h"
 #include "workcell/scene_batch.h"
+#include "workcell/urdf_elements.h"
 
 namespace hapticell::workcell {
 
-/// X_AB of a URDF origin.
-Pose toPose(const urdf::Pose& origin);
+class UrdfLines;
 
 /// Turns the shapes of URDF links into meshes; reads each mesh file once.
 class UrdfShapes {
  public:
-  /// Materials named in `undefined_materials` have no color of their own.
   /// `monitor` (may be null) is told of, and can end, the reading of Collada and other scene files.
-  UrdfShapes(std::filesystem::path file, std::set<std::string> undefined_materials, Diagnostics& diagnostics,
-             ImportMonitor* monitor = nullptr);
+  UrdfShapes(const UrdfLines& lines, Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
   /// Reads the scene files of all links together (see SceneBatch); fill() then finds them read.
-  void readAhead(const urdf::ModelInterface& model);
+  void readAhead(const std::vector<UrdfLink>& links);
 
-  /// Fills the link's visuals and collisions; see readUrdf() for what replaces what.
-  Expected<void> fill(const urdf::Link& source, kinematics::Link& link);
+  /// Fills the link's visuals and collisions; see readUrdf() for what replaces what. A shape that cannot be had is left
+  /// out, reported, and counted in Link::lost_shapes. The only error: the reading was cancelled.
+  Expected<void> fill(const UrdfLink& source, kinematics::Link& link);
 
   /// Tells once, for the whole robot, which links are shown or checked otherwise than their file says.
   void reportReplacements();
@@ -42,23 +39,23 @@ class UrdfShapes {
  private:
   using MeshKey = std::tuple<std::string, double, double, double>;
 
-  std::filesystem::path file_;
-  std::set<std::string> undefined_materials_;
+  const UrdfLines& lines_;
+  std::filesystem::path folder_;
   Diagnostics& diagnostics_;
   SceneBatch scenes_;
+  std::map<std::string, std::optional<FoundFile>> found_;  ///< By what the file names.
   std::map<MeshKey, std::shared_ptr<const geometry::TriangleMesh>> meshes_;
-  std::set<std::string> unreadable_formats_;
-  std::vector<std::string> shown_by_collision_, checked_by_visual_, without_shape_;
+  std::set<std::string> reported_, unreadable_formats_;
+  bool package_missing_ = false;
+  std::vector<std::string> shown_by_collision_, checked_by_visual_, partly_, without_shape_;
 
-  /// A shape, nothing (its format cannot be read yet), or an error.
-  Expected<std::optional<kinematics::LinkShape>> shapeOf(const std::string& link,
-                                                         const urdf::GeometrySharedPtr& geometry,
-                                                         const urdf::Pose& origin);
-  Expected<std::shared_ptr<const geometry::TriangleMesh>> meshOf(const std::string& link, const urdf::Mesh& mesh,
-                                                                 const std::filesystem::path& path);
-  Expected<std::shared_ptr<const geometry::TriangleMesh>> primitiveOf(const std::string& link,
-                                                                      const urdf::Geometry& geometry) const;
-  Error refusal(const std::string& link, std::string found, std::string expected, std::string fix) const;
+  /// A shape, or nothing where it cannot be had; `lost` is then counted up, unless nothing is missed of it.
+  std::optional<kinematics::LinkShape> shapeOf(const UrdfShape& source, int& lost);
+  std::shared_ptr<const geometry::TriangleMesh> fileMesh(const UrdfShape& source, std::string& file);
+  Expected<std::shared_ptr<const geometry::TriangleMesh>> scaledMesh(const UrdfShape& source,
+                                                                     const std::filesystem::path& path);
+  const std::optional<FoundFile>& find(const std::string& name);
+  void reportOnce(int line, const std::string& what, const std::string& sentence);
 };
 
 }  // namespace hapticell::workcell

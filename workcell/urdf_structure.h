@@ -5,35 +5,28 @@
 #include <vector>
 
 #include "geometry/error.h"
+#include "workcell/urdf_elements.h"
 
 namespace hapticell::workcell {
 
-/// A link or a joint as the file has it, with its line for messages.
-struct UrdfElement {
-  std::string name;
-  int line = 0;
-};
+class UrdfLines;
 
-struct UrdfJointElement : UrdfElement {
-  std::string type;
-  std::string parent, child;  ///< Names of links.
-};
-
-/// The tree of a URDF file, checked.
+/// A URDF file, read and checked.
 struct UrdfStructure {
-  std::string robot_name;
+  std::string robot_name;  ///< Empty: the file names none.
   std::string root_link;
-  std::vector<UrdfElement> undefined_materials;  ///< Named by a visual, defined nowhere.
-  std::vector<UrdfJointElement> joints;          ///< Depth first from the root, in the order of the file.
+  std::vector<UrdfLink> links;    ///< In the order of the file.
+  std::vector<UrdfJoint> joints;  ///< Depth first from the root, in the order of the file.
+
+  const UrdfLink& link(const std::string& name) const;
 };
 
-/// Checks the XML of a URDF file and the tree that its links and joints form, before any library sees it.
+/// Reads the XML of a URDF file: links with the colors of their materials, and the tree of its joints.
 ///
-/// Refused, each with line and fix: XML that does not parse, is nested deeper than 200 or holds NUL bytes; a root
-/// element other than <robot>; unexpanded xacro; nameless or duplicate links and joints; unknown joint types; a parent,
-/// child or mimicked joint that is not there; a link with two parents; two roots; a cycle; a mimic cycle; a revolute or
-/// prismatic joint without limits or with lower over upper; an axis of length zero; a number that is none. `file`
-/// stands in the messages only.
-Expected<UrdfStructure> checkUrdfStructure(const std::string& content, const std::string& file);
+/// Refused, each with line and fix: what xacro::parseXml() refuses; a root element other than <robot>; unexpanded
+/// xacro; nameless or duplicate links and joints; what readUrdfJoint() refuses; a parent, child or mimicked joint that
+/// is not there; a link with two parents; two roots, unless all but one have neither joints nor shapes (these are left
+/// out and reported); a cycle; a mimic cycle. `lines` says where the text stands.
+Expected<UrdfStructure> readUrdfStructure(const std::string& content, const UrdfLines& lines, Diagnostics& diagnostics);
 
 }  // namespace hapticell::workcell

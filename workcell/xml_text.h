@@ -6,7 +6,7 @@
 
 namespace hapticell::workcell {
 
-/// Text for TinyXML, ours and urdfdom's.
+/// Text for TinyXML.
 struct XmlText {
   std::string text;
   std::size_t replaced = 0;  ///< Bytes that were no part of a UTF-8 character, and were taken for Latin-1.

@@ -29,6 +29,7 @@ workcell::ImportOptions optionsOf(const ImportChoices& choices) {
   options.relative_chord = measure.relative_chord;
   options.tessellation.angle = measure.angle;
   options.merge = choices.merge;
+  options.arguments = choices.arguments;
   options.warn_about_unit = false;  // The panel says it.
   return options;
 }

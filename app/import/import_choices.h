@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QString>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "workcell/import_options.h"
 
@@ -16,7 +18,8 @@ struct ImportChoices {
   std::optional<double> metres_per_unit = {};
   std::optional<workcell::UpAxis> up_axis = {};
   MeshQuality quality = MeshQuality::kMedium;
-  bool merge = false;  ///< One solid instead of the file's tree.
+  bool merge = false;                                 ///< One solid instead of the file's tree.
+  std::map<std::string, std::string> arguments = {};  ///< Of a xacro, where not its defaults.
 
   bool operator==(const ImportChoices&) const = default;
 };

@@ -20,9 +20,12 @@ struct ImportFacts {
   bool unit_is_open = false;            ///< It names none, and the size does not tell either.
   workcell::UpAxis up_axis = workcell::UpAxis::kZ;
   std::size_t parts = 0, triangles = 0;
-  bool can_be_cut_finer = false;  ///< STEP and IGES; others hold triangles.
-  double chord = 0.0;             ///< Metres.
-  QImage picture;                 ///< Transparent ground.
+  bool can_be_cut_finer = false;                   ///< STEP and IGES; others hold triangles.
+  double chord = 0.0;                              ///< Metres.
+  QImage picture;                                  ///< Transparent ground.
+  bool robot = false;                              ///< Unit, up axis and tree are as its format says.
+  bool incomplete = false;                         ///< A xacro that cannot be read before an argument has a value.
+  std::vector<xacro::DeclaredArgument> arguments;  ///< Of a xacro.
 };
 
 /// Reads size and picture off an import. `picture_size` in device pixels. Any thread; 0.1 s a million triangles.

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/import/argument_fields.h"
 #include "app/import/unit_question.h"
 #include "app/panels/form.h"
 #include "app/style/segmented.h"
@@ -138,7 +139,13 @@ void ImportPanel::addChoices() {
   auto* column = new QVBoxLayout(choices_);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  QVBoxLayout* section = addSection(*column, {});
+  arguments_ = new ArgumentFields;
+  column->addWidget(arguments_);
+  mesh_choices_ = new QWidget;
+  column->addWidget(mesh_choices_);
+  auto* mesh_column = new QVBoxLayout(mesh_choices_);
+  mesh_column->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* section = addSection(*mesh_column, {});
   unit_asked_ = makeLabel({}, TextRole::kText);
   unit_asked_->setObjectName("importUnitAsked");
   unit_asked_->setWordWrap(true);
@@ -162,6 +169,9 @@ void ImportPanel::addChoices() {
   tree_->setObjectName("importTree");
   addRow(*section, tr("Bring in as"), tree_);
   layout()->addWidget(choices_);
+  connect(arguments_, &ArgumentFields::changed, this, [this](const std::map<std::string, std::string>& values) {
+    chooseCurrent([&values](ImportChoices& choices) { choices.arguments = values; });
+  });
   connect(unit_, &QComboBox::activated, this, [this](int row) {
     chooseCurrent([&](ImportChoices& choices) {
       const QVariant metres = unit_->itemData(row);
@@ -297,6 +307,15 @@ void ImportPanel::showFile(const FileImport& file) {
   kind_->setText(QStringLiteral("%1, %2, %3 %4")
                      .arg(facts.format, sizeText(facts.bytes), countText(static_cast<double>(facts.parts)),
                           facts.parts == 1 ? tr("part") : tr("parts")));
+  arguments_->setArguments(file.id, facts.arguments, file.choices.arguments);
+  mesh_choices_->setVisible(!facts.robot);
+  choices_->setEnabled(file.stage != FileImport::Stage::kImporting);
+  if (facts.incomplete) {
+    preview_->setPicture(QImage(), tr("Enter the arguments that have no value"));
+    size_->setText(QFileInfo(file.path).fileName());
+    kind_->setText(QStringLiteral("%1, %2").arg(facts.format, sizeText(facts.bytes)));
+  }
+  if (facts.robot) return;
   showUnits(file);
   up_->setCurrent(static_cast<int>(file.choices.up_axis.value_or(facts.up_axis)));
   quality_->setCurrent(facts.can_be_cut_finer ? static_cast<int>(file.choices.quality) : -1);

@@ -13,6 +13,7 @@ class QPushButton;
 
 namespace hapticell::app {
 
+class ArgumentFields;
 class PreviewBox;
 class Segmented;
 class UnitQuestion;
@@ -61,6 +62,8 @@ class ImportPanel : public QWidget {
   QWidget *facts_, *choices_, *progress_;
   QLabel *size_, *kind_, *estimate_, *stage_, *share_, *note_, *undo_hint_, *unit_asked_;
   UnitQuestion* unit_question_;
+  ArgumentFields* arguments_;
+  QWidget* mesh_choices_;
   Segmented *up_, *quality_, *tree_;
   QProgressBar* bar_;
   QPushButton *cancel_, *import_, *import_all_;

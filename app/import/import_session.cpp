@@ -14,9 +14,27 @@ namespace {
 
 constexpr int kPollMilliseconds = 50;
 
+/// A xacro may have arguments; other robots have nothing to choose.
+bool mayHaveArguments(const std::string& what) {
+  return !workcell::isBuiltIn(what) && workcell::robotFormatOf(what) == workcell::RobotFormat::kXacro;
+}
+
 bool hasChoices(const QString& path) {
   const std::string what = path.toStdString();
-  return !workcell::isBuiltIn(what) && !workcell::looksLikeRobot(what);
+  return !workcell::isBuiltIn(what) && (!workcell::looksLikeRobot(what) || mayHaveArguments(what));
+}
+
+/// What is known of a xacro that could not be read: its arguments, of which one has no value.
+std::optional<ImportFacts> factsWithoutRobot(const QString& path, const ImportChoices& choices) {
+  if (!mayHaveArguments(path.toStdString())) return std::nullopt;
+  ImportFacts facts;
+  facts.arguments = workcell::robotArguments(path.toStdString(), choices.arguments);
+  const auto open = [](const xacro::DeclaredArgument& one) { return !one.otherwise && one.value.empty(); };
+  if (std::none_of(facts.arguments.begin(), facts.arguments.end(), open)) return std::nullopt;
+  facts.format = formatText("xacro", path);
+  facts.bytes = QFileInfo(path).size();
+  facts.unit_is_stated = facts.robot = facts.incomplete = true;
+  return facts;
 }
 
 }  // namespace
@@ -121,9 +139,33 @@ void ImportSession::takeEnded(workcell::ImportId job) {
   const bool unit_unknown = *result && file.asks && !file.facts && !(*result)->report.unit_is_stated;
   if (*result && (file.stage == FileImport::Stage::kExamining || unit_unknown))
     return examined(file.id, std::move(result));
-  const QString path = file.path;
-  remove(file.id);
+  if (!*result && file.asks && mayHaveArguments(file.path.toStdString()))
+    return examineArguments(file.id, std::move(result));
+  finish(file.id, std::move(result));
+}
+
+void ImportSession::finish(int id, Result result) {
+  const QString path = find(id)->path;
+  remove(id);
   emit finished(path, result);
+}
+
+void ImportSession::examineArguments(int id, Result result) {
+  const FileImport& file = *find(id);
+  painters_.start([this, id, path = file.path, choices = file.choices, result = std::move(result)] {
+    auto facts = factsWithoutRobot(path, choices);
+    QMetaObject::invokeMethod(
+        this,
+        [this, id, facts = std::move(facts), result]() mutable {
+          FileImport* asked = get(id);
+          if (!asked) return;
+          if (!facts) return finish(id, result);
+          asked->facts = std::move(facts);
+          asked->stage = FileImport::Stage::kReady;
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 void ImportSession::examined(int id, Result result) {
@@ -154,7 +196,9 @@ void ImportSession::showFacts(int id, ImportFacts facts) {
   const double likely = facts.likely_metres_per_unit;
   const bool other_unit = first && !facts.unit_is_stated && likely != facts.metres_per_unit;
   file->facts = std::move(facts);
-  const bool wanted = first && file->stage == FileImport::Stage::kImporting;
+  // A xacro without arguments has nothing to choose.
+  const bool plain = first && file->asks && file->facts->robot && file->facts->arguments.empty();
+  const bool wanted = plain || (first && file->stage == FileImport::Stage::kImporting);
   if (file->stage == FileImport::Stage::kExamining || wanted) file->stage = FileImport::Stage::kReady;
   if (first && file->facts->unit_is_open && !file->choices.metres_per_unit) {
     file->choices.metres_per_unit = said_unit_;
@@ -188,10 +232,7 @@ void ImportSession::import(int id) {
   const bool fits = file->choices == file->examined_with;
   file->stage = FileImport::Stage::kImporting;
   if (work.result && fits) {
-    const Result result = work.result;
-    const QString path = file->path;
-    remove(id);
-    emit finished(path, result);
+    finish(id, work.result);
     return;
   }
   if (!fits || work.job == 0) {

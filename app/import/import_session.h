@@ -47,7 +47,8 @@ class ImportSession : public QObject {
   ~ImportSession() override;
 
   /// Begins with these files. `ask`: each waits for import(); else it goes into the cell as soon as it is read. Robots
-  /// and built-in things are never asked about: there is nothing to choose. Gives the new ids.
+  /// and built-in things are never asked about: there is nothing to choose, but the arguments of a xacro that has some.
+  /// Gives the new ids.
   std::vector<int> add(const QStringList& paths, bool ask);
   const std::vector<FileImport>& files() const { return files_; }
   const FileImport* find(int id) const;
@@ -84,6 +85,8 @@ class ImportSession : public QObject {
   void start(FileImport& file);
   void takeEnded(workcell::ImportId job);
   void examined(int id, Result result);
+  void examineArguments(int id, Result result);
+  void finish(int id, Result result);
   void paint(int id);
   void showFacts(int id, ImportFacts facts);
   void remove(int id);

@@ -39,9 +39,10 @@ int WorkcellTreeModel::append(std::vector<Node>& nodes, int parent, Node node) {
 
 void WorkcellTreeModel::appendRobot(std::vector<Node>& nodes, int row, const workcell::Entity& entity) {
   for (const auto& link : entity.robot->links) {
-    if (link.visuals.empty() && link.collisions.empty()) continue;
+    if (link.visuals.empty() && link.collisions.empty() && !link.isUnchecked()) continue;
     const QString name = QString::fromStdString(link.name);
-    append(nodes, row, {Kind::kLink, name, name, entity.id, -1, 0, {}, {}, {}});
+    const QString shown = link.isUnchecked() ? tr("%1 · no shape").arg(name) : name;
+    append(nodes, row, {Kind::kLink, shown, name, entity.id, -1, 0, {}, {}, {}});
   }
 }
 

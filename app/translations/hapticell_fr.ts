@@ -587,6 +587,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>%1 · Échap : terminer</translation>
     </message>
     <message>
+        <source>%1 · no shape</source>
+        <translation>%1 · sans forme</translation>
+    </message>
+    <message>
         <source>%1 · runs: %3 · next help %2 %</source>
         <translation>%1 · essais : %3 · aide suivante %2 %</translation>
     </message>
@@ -1091,6 +1095,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>Une trajectoire de la cellule ne peut pas être lue</translation>
     </message>
     <message>
+        <source>A value is needed</source>
+        <translation>Une valeur est nécessaire</translation>
+    </message>
+    <message>
         <source>ABB RAPID (.mod)</source>
         <translation>ABB RAPID (.mod)</translation>
     </message>
@@ -1305,6 +1313,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Archives (*.zip *.tar.gz)</source>
         <translation>Archives (*.zip *.tar.gz)</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Arguments</translation>
     </message>
     <message>
         <source>Arm</source>
@@ -2413,6 +2425,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>English</source>
         <translation>Anglais</translation>
+    </message>
+    <message>
+        <source>Enter the arguments that have no value</source>
+        <translation>Saisissez les arguments sans valeur</translation>
     </message>
     <message>
         <source>Entity</source>
@@ -4699,10 +4715,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir — %1</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Début</translation>
-    </message>
-    <message>
         <source>Opened last</source>
         <translation>Ouverts en dernier</translation>
     </message>
@@ -6169,6 +6181,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stands in world</source>
         <translation>Place dans le monde</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
     </message>
     <message>
         <source>Start the run</source>

@@ -24,7 +24,8 @@ ALLOWED = {
     "haptic/client": {"geometry", "config", "haptic/rendering", "haptic/protocol"},
     "haptic/server": {"geometry", "config", "haptic/rendering", "haptic/protocol", "haptic/devices",
                       "haptic/client"},
-    "workcell": {"geometry", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory"},
+    "xacro": {"geometry"},
+    "workcell": {"geometry", "xacro", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory"},
     "importer": {"geometry", "workcell"},
     "manipulation": {"geometry", "config", "collision", "kinematics", "mannequin", "mannequin/ergonomics", "trajectory", "workcell", "haptic/rendering",
                      "haptic/protocol", "haptic/devices", "haptic/server", "haptic/client"},
@@ -36,7 +37,8 @@ ALLOWED = {
 # Foreign headers that only some folders may see.
 FOREIGN = {
     r"^Q[A-Z]|^QtCore|^Qt": {"app"},
-    r"^(urdf_|tinyxml|console_bridge)": {"workcell"},
+    r"^tinyxml": {"workcell", "xacro"},
+    r"^yaml-cpp/": {"trajectory", "xacro"},
     r"^archive": {"workcell", "importer"},
     r"^meshoptimizer": {"mannequin", "workcell", "importer", "app"},
     r"^toml\+\+": {"config", "mannequin", "workcell"},
@@ -44,7 +46,6 @@ FOREIGN = {
     r"^openssl/": {"haptic/client"},
     r"^CLI/": {"cli"},
     r"^cairo": {"mannequin"},
-    r"^yaml-cpp/": {"trajectory"},
     r"^OpenMesh/": {"geometry"},
     r"^flatbuffers/": {"haptic/protocol"},
     r"^(Standard|TopoDS|STEP|XCAF|gp_|BRep|TDF_|Poly_|IGES|assimp/)": {"importer"},

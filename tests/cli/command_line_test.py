@@ -128,15 +128,45 @@ def test_bad_robots_are_one_sentence(case):
         assert old in ARM
         (case.folder / name).write_text(ARM.replace(old, new))
 
-    variant("mesh.urdf", '<link name="base"/>',
-            '<link name="base"><visual><geometry><mesh filename="gone.stl"/></geometry></visual></link>')
-    variant("roots.urdf", '<link name="base"/>', '<link name="base"/><link name="other"/>')
+    variant("roots.urdf", '<link name="base"/>', '<link name="base"/><link name="other"><visual/></link>')
     variant("cycle.urdf", '<parent link="base"/>', '<parent link="tip"/>')
     variant("parent.urdf", '<parent link="upper"/>', '<parent link="nowhere"/>')
     (case.folder / "broken.urdf").write_text(ARM[:200])
-    for name in ("mesh.urdf", "roots.urdf", "cycle.urdf", "parent.urdf", "broken.urdf"):
+    for name in ("roots.urdf", "cycle.urdf", "parent.urdf", "broken.urdf"):
         message = case.run("inspect", name, expect=2)
         assert name in message and message.strip().count("\n") == 0, (name, message)
+
+
+def test_a_missing_mesh_leaves_its_shape_out(case):
+    assert '<link name="base"/>' in ARM
+    (case.folder / "mesh.urdf").write_text(ARM.replace(
+        '<link name="base"/>', '<link name="base"><visual><geometry><mesh filename="gone.stl"/></geometry></visual></link>'))
+    answer = case.run("inspect", "mesh.urdf")
+    assert answer["entities"][0]["unchecked_links"] == ["base"]
+    assert any("gone.stl is not there" in warning for warning in answer["warnings"]), answer["warnings"]
+
+
+def test_xacro_takes_arguments(case):
+    (case.folder / "arm.xacro").write_text('''<robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="reach" default="0.5"/>
+  <link name="a"/><link name="b"/>
+  <joint name="j" type="revolute"><parent link="a"/><child link="b"/><origin xyz="${2 * $(arg reach)} 0 0"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" velocity="1" effort="1"/></joint>
+</robot>''')
+    message = case.run("inspect", "arm.xacro", expect=2)
+    assert "arm.xacro, line 1: undefined substitution argument name" in message and "name:=VALUE" in message, message
+    answer = case.run("inspect", "arm.xacro", "name:=mine", "reach:=0.75")
+    assert answer["format"] == "xacro" and answer["entities"][0]["name"] == "mine"
+    assert {"name": "reach", "value": "0.75", "default": "0.5"} in answer["arguments"], answer["arguments"]
+    (case.folder / "joints.csv").write_text("j\n0\n")
+    for text, reach in (("arm.xacro,name:=mine", 1.0), ("arm.xacro,name:=mine,reach:=0.75", 1.5)):
+        answer = case.run("fk", "--robot", text, "--joints", "joints.csv")
+        assert abs(answer["poses"][0][0] - reach) < 1e-12, answer
+    case.run("workcell", "new", "cell.hcell", "--add", "arm.xacro,name:=mine,reach:=0.75,name=arm")
+    cell = json.loads((case.folder / "cell.hcell").read_text())
+    assert cell["entities"][0]["source"]["arguments"] == {"name": "mine", "reach": "0.75"}, cell["entities"][0]
+    assert case.run("inspect", "cell.hcell")["entities"][0]["name"] == "arm"
+    assert "nothing" in case.run("inspect", "arm.xacro", "nothing", expect=2)
 
 
 def test_distance_between_boxes(case):

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "xacro/expand.h"
+
+class QLineEdit;
+class QVBoxLayout;
+
+namespace hapticell::app {
+
+/// A field for each argument of a xacro file: its name, its default as the field's hint, and what the user enters.
+/// Hidden where there is none.
+class ArgumentFields : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ArgumentFields(QWidget* parent = nullptr);
+  /// Fields are made anew where the file or its arguments are others than before.
+  void setArguments(int file, const std::vector<xacro::DeclaredArgument>& arguments,
+                    const std::map<std::string, std::string>& values);
+
+ signals:
+  /// What is entered, of fields that are not empty.
+  void changed(const std::map<std::string, std::string>& values);
+
+ private:
+  void fill(const std::vector<xacro::DeclaredArgument>& arguments);
+  std::map<std::string, std::string> values() const;
+
+  int file_ = 0;
+  QWidget* rows_ = nullptr;
+  std::map<std::string, QLineEdit*> fields_;
+};
+
+}  // namespace hapticell::app

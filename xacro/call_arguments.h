@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "xacro/value.h"
+
+namespace hapticell::xacro {
+
+/// Checks how often a function was given something: `least` to `most` values, and names only where `named` is true.
+inline void expectArguments(const Call& call, const std::string& name, std::size_t least, std::size_t most,
+                            bool named = false) {
+  if (call.arguments.size() >= least && call.arguments.size() <= most && (named || call.named.empty())) return;
+  throw Fault(name + "() with " + std::to_string(call.arguments.size() + call.named.size()) + " values",
+              least == most ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(most));
+}
+
+/// The text that was given; Fault for another kind.
+inline const std::string& textArgument(const Call& call, const std::string& name, std::size_t index) {
+  const std::string* text = call.arguments[index].text();
+  if (!text) throw Fault(name + "() with " + kindOf(call.arguments[index]), "a text");
+  return *text;
+}
+
+}  // namespace hapticell::xacro

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "xacro/expand.h"
+
+#include "xacro/expander.h"
+
+namespace hapticell::xacro {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return result;
+}
+
+/// Each tag and each text on a line of its own.
+class Writer {
+ public:
+  Writer(const Expander& expander, Expanded& result) : expander_(expander), result_(result) {}
+
+  void write(const XmlNode& node) {
+    if (!node.isElement()) return line(escaped(node.text), node);
+    std::string tag = "<" + node.name;
+    for (const XmlNode::Attribute& attribute : node.attributes)
+      tag += " " + attribute.name + "=\"" + escaped(attribute.value) + "\"";
+    if (node.children.empty()) return line(tag + "/>", node);
+    line(tag + ">", node);
+    for (const XmlPointer& child : node.children) write(*child);
+    line("</" + node.name + ">", node);
+  }
+
+ private:
+  const Expander& expander_;
+  Expanded& result_;
+
+  void line(const std::string& text, const XmlNode& node) {
+    result_.text += text + "\n";
+    result_.places.push_back({expander_.nameOf(node.file), node.line});
+  }
+};
+
+}  // namespace
+
+Expected<Expanded> expand(const std::filesystem::path& file, const Arguments& arguments, const Files& files,
+                          std::vector<DeclaredArgument>& declared, Diagnostics& diagnostics) {
+  Expander expander(arguments, files, declared, diagnostics);
+  try {
+    Expanded result;
+    Writer(expander, result).write(*expander.run(file));
+    result.files = expander.files();
+    return result;
+  } catch (const Fault& fault) {
+    const std::string name = fault.file.empty() ? file.string() : fault.file;
+    return makeError(
+        {name, fault.line > 0 ? "line " + std::to_string(fault.line) : "", fault.found, fault.expected, fault.fix});
+  }
+}
+
+}  // namespace hapticell::xacro
