@@ -4699,10 +4699,6 @@ Voulez-vous le remplacer ?</translation>
         <translation>Ouvrir — %1</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Début</translation>
-    </message>
-    <message>
         <source>Opened last</source>
         <translation>Ouverts en dernier</translation>
     </message>
@@ -6169,6 +6165,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>Stands in world</source>
         <translation>Place dans le monde</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
     </message>
     <message>
         <source>Start the run</source>
@@ -8181,6 +8181,10 @@ Voulez-vous le remplacer ?</translation>
     <message>
         <source>scale</source>
         <translation>échelle</translation>
+    </message>
+    <message>
+        <source>share of the limit</source>
+        <translation>part de la limite</translation>
     </message>
     <message>
         <source>simplified</source>
