@@ -12,7 +12,9 @@
 #include "cli/ergonomics_advice_report.h"
 #include "cli/ergonomics_input.h"
 #include "cli/ergonomics_posture_input.h"
+#include "cli/kept_result.h"
 #include "manipulation/mannequin_workplace.h"
+#include "manipulation/workplace_check.h"
 #include "mannequin/ergonomics/hand_force.h"
 #include "mannequin/ergonomics/posture_report.h"
 #include "mannequin/figure_model.h"
@@ -36,7 +38,7 @@ struct PostureOptions {
   std::string input;
   std::vector<std::string> station;
   std::vector<double> rise{-0.2, 0.2, 0.04}, away{-0.12, 0.2, 0.04};
-  bool sit = false;
+  bool sit = false, allow_miss = false;
   std::optional<double> fail_over;
 };
 
@@ -220,6 +222,15 @@ ExitStatus runWorkplace(const PostureOptions& options, const ResultWriter& write
     for (const workcell::Entity& entity : question->entities)
       if (entity.id == id) result["moves"].push_back(entity.name);
   }
+  if (map->best >= 0) {
+    const auto measure = [&](const std::filesystem::path& file) -> Expected<Promises> {
+      const auto place = bestPlaceIn(file);
+      if (!place) return tl::unexpected(place.error());
+      return manipulation::workplacePromises(*question, *place, manipulation::movedCell(*question, *place));
+    };
+    const auto kept = writeKept("", result.dump(), ".json", options.allow_miss, measure, result);
+    if (!kept) return failed(kept.error());
+  }
   if (auto written = writer.write(result); !written) return failed(written.error());
   const bool good = map->best >= 0 &&
                     (!options.fail_over || map->cells[static_cast<std::size_t>(map->best)].worst <= *options.fail_over);
@@ -274,6 +285,7 @@ void addErgonomicsPostureCommands(Subcommand ergonomics, Action& chosen) {
   workplace.option("--away", options->away, "From,to,step away from the mannequin, m").separatedByCommas().values(3);
   workplace.flag("--sit", options->sit, "Try sitting as well");
   workplace.option("--fail-over", options->fail_over, "Exit with 1 where no placement is this good");
+  addAllowMiss(workplace, options->allow_miss);
   workplace.onChosen(
       [options, &chosen] { chosen = [options](ResultWriter& writer) { return runWorkplace(*options, writer); }; });
 }

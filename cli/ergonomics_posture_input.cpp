@@ -13,6 +13,8 @@
 #include "mannequin/ergonomics/method_advice.h"
 #include "mannequin/ergonomics/owas.h"
 #include "mannequin/ergonomics/posture_advice.h"
+#include "mannequin/posture_file.h"
+#include "workcell/file_content.h"
 #include "workcell/work_task_format.h"
 
 namespace hapticell::cli {
@@ -344,10 +346,39 @@ ordered_json workplaceReport(const manipulation::WorkplaceMap& map) {
     if (!cell.why.empty()) entry["why_not"] = cell.why;
     return entry;
   };
-  report["best"] = map.best >= 0 ? cellJson(map.cells[static_cast<std::size_t>(map.best)]) : ordered_json(nullptr);
+  report["best"] = nullptr;
+  if (map.best >= 0) {
+    const manipulation::WorkplaceCell& best = map.cells[static_cast<std::size_t>(map.best)];
+    report["best"] = cellJson(best);
+    for (const mannequin::Posture& posture : best.postures)
+      report["best"]["postures"].push_back(ordered_json::parse(mannequin::postureText(posture)));
+  }
   report["placements"] = ordered_json::array();
   for (const auto& cell : map.cells) report["placements"].push_back(cellJson(cell));
   return report;
+}
+
+Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file) {
+  const auto text = workcell::readFileContent(file);
+  if (!text) return tl::unexpected(text.error());
+  const json report = json::parse(*text, nullptr, false);
+  manipulation::WorkplaceCell place;
+  try {
+    const json& best = report.at("best");
+    place.rise = best.at("rise");
+    place.away = best.at("away");
+    place.is_seated = best.at("seated");
+    place.worst = best.at("worst");
+    place.rula = best.at("rula");
+    for (const json& posture : best.at("postures")) {
+      auto read = mannequin::parsePosture(posture.dump(), "posture");
+      if (!read) return tl::unexpected(read.error());
+      place.postures.push_back(std::move(*read));
+    }
+  } catch (const json::exception& fault) {
+    return makeError({file.string(), "best", fault.what(), "the place and its four postures", ""});
+  }
+  return place;
 }
 
 }  // namespace hapticell::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "geometry/error.h"
@@ -25,6 +26,9 @@ nlohmann::ordered_json postureScoresReport(const ergonomics::PostureReportInput&
                                            const ergonomics::PostureScores& scores);
 nlohmann::ordered_json liftOfPosture(const mannequin::Figure& figure, const mannequin::FigurePose& pose,
                                      const ergonomics::PostureScores& scores, const ergonomics::WorkTask& task);
+/// The best place has its four postures, as posture files have them.
 nlohmann::ordered_json workplaceReport(const manipulation::WorkplaceMap& map);
+/// The best place of such a report as it was written. Error: there is none, or it cannot be read.
+Expected<manipulation::WorkplaceCell> bestPlaceIn(const std::filesystem::path& file);
 
 }  // namespace hapticell::cli

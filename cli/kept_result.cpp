@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/kept_result.h"
 
-#include <unistd.h>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 
 #include "cli/result_writer.h"
 
@@ -28,16 +30,17 @@ Expected<void> tellPromises(const Promises& promises, const std::string& path, b
 
 Expected<void> writeKept(const std::string& path, const std::string& content, const std::string& extension,
                          bool allow_miss, const MeasureFile& measure, nlohmann::ordered_json& result) {
-  const bool is_trial = path.empty();
-  std::error_code ignored;
-  const fs::path place =
-      is_trial ? fs::temp_directory_path(ignored) / ("hapticell-trial-" + std::to_string(::getpid()) + extension)
-               : fs::path(path);
-  auto written = workcell::writeFileChecked(place, content, [&](const fs::path& file) -> Expected<void> {
+  const auto check = [&](const fs::path& file) -> Expected<void> {
     const auto promises = measure(file);
     return promises ? tellPromises(*promises, path, allow_miss, result) : tl::unexpected(promises.error());
-  });
-  if (is_trial) fs::remove(place, ignored);
+  };
+  if (!path.empty()) return workcell::writeFileChecked(path, content, check);
+  std::error_code ignored;
+  std::string folder = (fs::temp_directory_path(ignored) / "hapticell-trial-XXXXXX").string();
+  if (!::mkdtemp(folder.data()))
+    return makeError({folder, "", std::strerror(errno), "a folder for temporary files that may be written", ""});
+  auto written = workcell::writeFileChecked(fs::path(folder) / ("trial" + extension), content, check);
+  fs::remove_all(folder, ignored);
   return written;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "workcell/file_content.h"
 
@@ -93,6 +94,34 @@ std::string exerciseText(const Exercise& exercise, const fs::path& folder) {
   Exercise copy = exercise;
   for (const NumberField& number : numbersOf(copy)) document[number.name] = *number.value;
   return document.dump(2) + "\n";
+}
+
+Expected<void> checkExercise(const Exercise& wanted, const fs::path& written) {
+  const auto read = readExercise(written);
+  if (!read) return makeError(read.error());
+  const auto differs = [&](const std::string& field, std::string found, std::string expected) {
+    return makeError({written.string(), "field '" + field + "'", "'" + std::move(found) + "' read back",
+                      "'" + std::move(expected) + "'", ""});
+  };
+  const auto text = [](const fs::path& file) { return file.lexically_normal().string(); };
+  const std::tuple<const char*, std::string, std::string> texts[] = {
+      {"name", read->name, wanted.name},
+      {"text", read->text, wanted.text},
+      {"workcell", text(read->workcell), text(wanted.workcell)},
+      {"recording", text(read->recording), text(wanted.recording)}};
+  for (const auto& [field, is, was] : texts)
+    if (is != was) return differs(field, is, was);
+  const std::tuple<const char*, double, double> numbers[] = {
+      {"tube_radius", read->tube_radius, wanted.tube_radius},
+      {"lead", read->lead, wanted.lead},
+      {"stiffness", read->stiffness, wanted.stiffness},
+      {"pass", read->pass, wanted.pass},
+      {"deviation_costs_all", read->rule.deviation, wanted.rule.deviation},
+      {"force_costs_all", read->rule.force, wanted.rule.force},
+      {"slowness_costs_all", read->rule.slowness, wanted.rule.slowness}};
+  for (const auto& [field, is, was] : numbers)
+    if (is != was) return differs(field, json(is).dump(), json(was).dump());
+  return {};
 }
 
 std::vector<fs::path> exercisesIn(const fs::path& folder) {

@@ -31,6 +31,9 @@ struct Exercise {
 Expected<Exercise> readExercise(const std::filesystem::path& file);
 /// Its text for a file in `folder`.
 std::string exerciseText(const Exercise& exercise, const std::filesystem::path& folder);
+/// Reads a written exercise and compares every field of it with what was to be written. Error: the field, what stands in
+/// the file and what should, or what keeps the file from being read (a number out of range).
+Expected<void> checkExercise(const Exercise& wanted, const std::filesystem::path& written);
 /// The *.hexercise files of a folder, by name.
 std::vector<std::filesystem::path> exercisesIn(const std::filesystem::path& folder);
 

@@ -89,6 +89,7 @@ class Search {
       cell.rula[i] = scoreBody(i, cell, shift);
       if (cell.rula[i] == 0) {
         cell.worst = 0;
+        cell.postures.clear();
         return;  // One that cannot is enough.
       }
       cell.worst = std::max(cell.worst, cell.rula[i]);
@@ -127,6 +128,7 @@ class Search {
       return 0;
     }
     const auto pose = mannequin::forwardKinematics(figure, found.posture);
+    cell.postures.push_back(found.posture);
     return ergonomics::scorePosture(figure, found.posture, pose, question_.task).rula();
   }
 
@@ -239,7 +241,7 @@ Expected<WorkplaceMap> searchWorkplace(const WorkplaceQuestion& question, const 
   for (const bool seated : {false, true}) {
     if (!(seated ? question.may_sit : question.may_stand)) continue;
     for (const double rise : map.rises) {
-      for (const double away : map.aways) map.cells.push_back({rise, away, seated, 0, {}, {}});
+      for (const double away : map.aways) map.cells.push_back({rise, away, seated, 0, {}, {}, {}});
     }
   }
   const Search search(question, *shown);

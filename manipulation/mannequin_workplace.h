@@ -33,6 +33,7 @@ struct WorkplaceCell {
   int worst = 0;              ///< Highest RULA of the four bodies; 0: one of them cannot do it.
   std::array<int, 4> rula{};  ///< P5F, P50F, P50M, P95M; 0 where that body cannot.
   std::string why{};          ///< Where it cannot: "P95M would touch Bench", "P5F is 42 mm short".
+  std::vector<mannequin::Posture> postures{};  ///< Of the four bodies; empty where one of them cannot.
 };
 
 struct WorkplaceMap {

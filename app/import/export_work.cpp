@@ -119,7 +119,7 @@ void ExportWork::packTo(const QString& path) {
   const auto work = [this, path, state, name](workcell::ImportMonitor& monitor) -> Expected<BackgroundWork::Then> {
     monitor.report("packing", 0.0);
     Diagnostics notes;
-    const auto packed = workcell::pack(state, path.toStdString(), name, notes);
+    const auto packed = workcell::pack(state, path.toStdString(), name, notes, &monitor);
     if (!packed) return makeError(packed.error());
     return BackgroundWork::Then([this, path, notes] { tellWritten(path, notes.warnings); });
   };

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "config/configuration.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/trajectory_io.h"
 #include "workcell/file_content.h"
 
@@ -43,6 +44,21 @@ QString newExerciseFile(const QString& name, const QString& folder) {
   return file;
 }
 
+namespace {
+
+/// The recording that trainees are measured against: every frame where the expert was.
+Expected<void> writeRecording(const trajectory::Trajectory& expert, const fs::path& place) {
+  return workcell::writeFileChecked(place, trajectory::toJsonText(expert), [&](const fs::path& file) -> Expected<void> {
+    constexpr double kSameTime = 1e-9;
+    const auto promises = trajectory_checks::copyPromises(expert, true, kSameTime, file);
+    if (!promises) return makeError(promises.error());
+    if (promises->areKept()) return {};
+    return makeError(promises->missed(place.string()));
+  });
+}
+
+}  // namespace
+
 Expected<void> saveExercise(manipulation::Exercise exercise, const trajectory::Trajectory& expert,
                             const QString& file) {
   const QFileInfo info(file);
@@ -56,13 +72,15 @@ Expected<void> saveExercise(manipulation::Exercise exercise, const trajectory::T
   const bool keeps = !named.isEmpty() && QFileInfo(named).absolutePath() == folder.absolutePath();
   if (!keeps) {
     exercise.recording = recording.toStdString();
-    const auto written = workcell::writeFileAtomically(exercise.recording, trajectory::toJsonText(expert));
+    const auto written = writeRecording(expert, exercise.recording);
     if (!written) return makeError(written.error());
   }
-  const auto written = workcell::writeFileAtomically(
-      file.toStdString(), manipulation::exerciseText(exercise, folder.absolutePath().toStdString()));
-  if (!written) return makeError(written.error());
-  return {};
+  const std::string text = manipulation::exerciseText(exercise, folder.absolutePath().toStdString());
+  const auto written = workcell::writeFileChecked(
+      file.toStdString(), text, [&](const fs::path& aside) { return manipulation::checkExercise(exercise, aside); });
+  std::error_code ignored;
+  if (!written && !keeps) fs::remove(exercise.recording, ignored);
+  return written;
 }
 
 }  // namespace hapticell::app

@@ -160,7 +160,7 @@ void MotionWork::measure(Result& result, const MeasureMotion& measure) {
                     .arg(QString::fromStdString(missed->name))
                     .arg(missed->measured, 0, 'g', 4)
                     .arg(missed->asked, 0, 'g', 4)
-                    .arg(QString::fromStdString(missed->unit.empty() ? "share of the limit" : missed->unit))
+                    .arg(missed->unit.empty() ? tr("share of the limit") : QString::fromStdString(missed->unit))
                     .arg(result.line);
 }
 

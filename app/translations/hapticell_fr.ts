@@ -8199,6 +8199,10 @@ Voulez-vous le remplacer ?</translation>
         <translation>échelle</translation>
     </message>
     <message>
+        <source>share of the limit</source>
+        <translation>part de la limite</translation>
+    </message>
+    <message>
         <source>simplified</source>
         <translation>simplifié</translation>
     </message>

@@ -4,12 +4,14 @@
 
 #include <set>
 
+#include "app/trajectory/exercise_files.h"
 #include "app/trajectory/kept_motion.h"
 #include "app/trajectory/motion_export.h"
 #include "app/trajectory/motion_work.h"
 #include "app/trajectory/time_axis.h"
 #include "app/trajectory/trace_curves.h"
 #include "app/trajectory/track_rows.h"
+#include "tests/support/test_data.h"
 #include "trajectory/checks/motion_promises.h"
 
 namespace hapticell::app {
@@ -163,6 +165,29 @@ TEST(KeptMotion, WhatIsAskedIsMeasuredOnTheFile) {
   EXPECT_TRUE(missedPromise(kept, [](const auto&) -> Expected<Promises> {
     return makeError({"", "", "unreadable", "", ""});
   })) << "what cannot be measured is not kept";
+}
+
+TEST(ExerciseFiles, WhatCannotBeReadBackIsNotKept) {
+  const test::TemporaryFolder folder;
+  trajectory::Trajectory expert;
+  expert.entity = "part";
+  for (int i = 0; i < 10; ++i) expert.addFrame({0.1 * i, Pose::translation({0.01 * i, 0, 0})});
+  manipulation::Exercise exercise;
+  exercise.name = "Over";
+  exercise.text = "Follow it.";
+  exercise.workcell = folder.path() / "cell.hcell";
+  const QString file = QString::fromStdString((folder.path() / "over.hexercise").string());
+  const auto files = [&] { return std::distance(std::filesystem::directory_iterator(folder.path()), {}); };
+  exercise.stiffness = 600.0;  // More than an exercise may have: the file could not be opened.
+  const auto refused = saveExercise(exercise, expert, file);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().message().find("stiffness"), std::string::npos) << refused.error().message();
+  EXPECT_EQ(files(), 0) << "neither the exercise nor its recording is kept";
+  exercise.stiffness = 300.0;
+  const auto saved = saveExercise(exercise, expert, file);
+  ASSERT_TRUE(saved.has_value()) << saved.error().message();
+  EXPECT_EQ(files(), 2);
+  EXPECT_EQ(manipulation::readExercise(file.toStdString())->stiffness, 300.0);
 }
 
 TEST(Formats, EachHasAWordAndANameOfItsOwn) {

@@ -57,6 +57,45 @@ Cell cellOf(const std::string& stem) {
   return cell;
 }
 
+TEST(ExerciseFile, IsComparedFieldByField) {
+  const test::TemporaryFolder folder;
+  Exercise exercise;
+  exercise.name = "Über den Tisch";
+  exercise.text = "Follow \"it\".";
+  exercise.workcell = folder.path() / "cell.hcell";
+  exercise.recording = folder.path() / "sub/way.htraj";
+  exercise.tube_radius = 1.0 / 30.0;
+  const fs::path file = folder.write("a.hexercise", exerciseText(exercise, folder.path()));
+  EXPECT_TRUE(checkExercise(exercise, file));
+  const auto expectMiss = [&](const Exercise& wanted, const std::string& field) {
+    const auto same = checkExercise(wanted, file);
+    ASSERT_FALSE(same) << field;
+    EXPECT_NE(same.error().message().find("'" + field + "'"), std::string::npos) << same.error().message();
+  };
+  Exercise other = exercise;
+  other.name = "Über";
+  expectMiss(other, "name");
+  other = exercise, other.text += " ";
+  expectMiss(other, "text");
+  other = exercise, other.workcell = folder.path() / "other.hcell";
+  expectMiss(other, "workcell");
+  other = exercise, other.recording = folder.path() / "way.htraj";
+  expectMiss(other, "recording");
+  for (const auto& [field, value] : {std::pair("tube_radius", &other.tube_radius), std::pair("lead", &other.lead),
+                                     std::pair("stiffness", &other.stiffness), std::pair("pass", &other.pass),
+                                     std::pair("deviation_costs_all", &other.rule.deviation),
+                                     std::pair("force_costs_all", &other.rule.force),
+                                     std::pair("slowness_costs_all", &other.rule.slowness)}) {
+    other = exercise;
+    *value *= 1.0 + 1e-12;
+    expectMiss(other, field);
+  }
+  // Written without a word, and refused by whoever opens it.
+  other = exercise, other.stiffness = 600.0;
+  folder.write("a.hexercise", exerciseText(other, folder.path()));
+  expectMiss(other, "stiffness");
+}
+
 class Exercises : public testing::TestWithParam<const char*> {};
 
 /// The expert's own hand, led by the expert's recording: it gets through, touches nothing it should not, and scores.

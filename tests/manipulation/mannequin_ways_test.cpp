@@ -13,6 +13,7 @@
 #include "manipulation/mannequin_own_pairs.h"
 #include "manipulation/mannequin_sight.h"
 #include "manipulation/mannequin_workplace.h"
+#include "manipulation/workplace_check.h"
 #include "mannequin/figure_model.h"
 #include "mannequin/support_polygon.h"
 #include "tests/manipulation/test_cells.h"
@@ -269,6 +270,44 @@ TEST(WorkplaceSearch, FindsAPlaceRefusesNonsenseAndCanBeCancelled) {
   question.station = {8};
   question.rise_step = 0.0;
   EXPECT_FALSE(searchWorkplace(question, {}, cancel));
+}
+
+TEST(WorkplaceSearch, WhatItPromisesIsMeasuredOnThePostures) {
+  WorkplaceQuestion question;
+  question.entities = {worker("both_hands_forward"), box(8, "table", {0.5, 0.8, 0.04}, {0.80, 0.0, 0.60})};
+  question.mannequin = 7;
+  question.station = {8};
+  question.rise_from = question.away_from = -0.1;
+  question.rise_to = question.away_to = 0.1;
+  question.rise_step = question.away_step = 0.1;
+  const std::atomic<bool> cancel{false};
+  const auto map = searchWorkplace(question, {}, cancel);
+  ASSERT_TRUE(map && map->best >= 0);
+  for (const WorkplaceCell& cell : map->cells) {
+    EXPECT_EQ(cell.postures.size(), cell.worst > 0 ? 4u : 0u);
+    if (cell.worst == 0) continue;
+    const Promises kept = workplacePromises(question, cell, movedCell(question, cell));
+    EXPECT_TRUE(kept.areKept()) << kept.missed("").message();
+    EXPECT_EQ(kept.list.size(), 16u);
+  }
+  const WorkplaceCell& best = map->cells[static_cast<std::size_t>(map->best)];
+  const auto worstOf = [&](const WorkplaceCell& place, const std::vector<workcell::Entity>& after) {
+    const Promises promises = workplacePromises(question, place, after);
+    return promises.areKept() ? std::string() : promises.worst()->name + ' ' + promises.worst()->place;
+  };
+  const auto after = movedCell(question, best);
+  WorkplaceCell place = best;
+  place.rula[2] -= 1;
+  EXPECT_EQ(worstOf(place, after), "rula_P50M P50M");
+  place = best, place.rise += 0.01;
+  EXPECT_NE(worstOf(place, after).find("hands_"), std::string::npos);
+  place = best, place.postures[3].X_WR.p.x -= 0.01;
+  EXPECT_EQ(worstOf(place, after), "hands_P95M P95M");
+  place = best, place.postures.pop_back();
+  EXPECT_EQ(worstOf(place, after), "bodies ");
+  auto blocked = after;  // A post where the trunk is.
+  blocked.push_back(box(12, "post", {0.1, 0.1, 2.0}, {best.postures[0].X_WR.p.x, best.postures[0].X_WR.p.y, 1.0}));
+  EXPECT_NE(worstOf(best, blocked).find(" in post"), std::string::npos);
 }
 
 }  // namespace
