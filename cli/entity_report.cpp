@@ -9,6 +9,7 @@
 #include "cli/result_writer.h"
 #include "geometry/mass_properties.h"
 #include "kinematics/inverse_factory.h"
+#include "kinematics/jacobian.h"
 #include "mannequin/skeleton.h"
 
 namespace hapticell::cli {
@@ -93,6 +94,34 @@ ordered_json jointsReport(const kinematics::RobotModel& robot) {
   return joints;
 }
 
+/// The ends of what joints move, each with the variables that move it: the default tip, and every other last link that
+/// ends on a joint of its own. What a closure holds together has only its tip.
+ordered_json chainsReport(const kinematics::RobotModel& robot, int default_tip) {
+  std::vector<int> tips;
+  if (default_tip >= 0) tips.push_back(default_tip);
+  std::vector<bool> carries(robot.links.size(), false);
+  for (const kinematics::Joint& joint : robot.joints) carries[static_cast<std::size_t>(joint.parent_link)] = true;
+  const std::vector<int> body = kinematics::rigidBodies(robot);
+  const auto isListed = [&](int link) {
+    const auto same = [&](int tip) { return body[static_cast<std::size_t>(tip)] == body[static_cast<std::size_t>(link)]; };
+    return std::any_of(tips.begin(), tips.end(), same);
+  };
+  for (std::size_t k = 0; k < robot.links.size() && !robot.closure; ++k) {
+    if (!carries[k] && !isListed(static_cast<int>(k))) tips.push_back(static_cast<int>(k));
+  }
+  ordered_json chains = ordered_json::array();
+  for (const int tip : tips) {
+    ordered_json joints = ordered_json::array();
+    for (const int variable : kinematics::variablesOfChain(robot, tip)) {
+      joints.push_back(robot.joints[static_cast<std::size_t>(robot.moving[static_cast<std::size_t>(variable)])].name);
+    }
+    if (!joints.empty()) {
+      chains.push_back({{"tip", robot.links[static_cast<std::size_t>(tip)].name}, {"joints", std::move(joints)}});
+    }
+  }
+  return chains;
+}
+
 ordered_json inverseModelReport(const kinematics::RobotModel& robot, const std::string& tip_link) {
   const int tip = tip_link.empty() ? robot.defaultTip() : robot.findLink(tip_link);
   if (tip < 0) return nullptr;
@@ -114,6 +143,7 @@ ordered_json robotReport(const workcell::Entity& entity) {
   ordered_json report = groupReport(entity.name, kind, std::move(links));
   report["dof"] = mannequin ? mannequin::kDofCount : robot.dof();  // The gaze is not counted.
   report["joints"] = jointsReport(robot);
+  if (!mannequin) report["chains"] = chainsReport(robot, robot.defaultTip());
   report["unchecked_links"] = ordered_json::array();
   for (const kinematics::Link& link : robot.links) {
     if (link.isUnchecked()) report["unchecked_links"].push_back(link.name);
