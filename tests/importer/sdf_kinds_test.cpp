@@ -197,6 +197,20 @@ TEST_F(SdfKinds, aRobotMayHaveMeshesOfEveryKindAndNamesWithBlanks) {
   EXPECT_THAT(notes_.warnings, Contains(HasSubstr("gone.dae")));
 }
 
+TEST_F(SdfKinds, aPackageUnderAnotherNameIsTakenAndReported) {
+  folder_.write("gate-main/meshes/wedge.stl", kWedge);
+  for (const std::string scheme : {"package://", "model://"}) {
+    const std::string uri = scheme + "gate_description/meshes/wedge.stl";
+    const auto inside = "<model name='gate'><link name='base'>" + shape("<mesh><uri>" + uri + "</uri></mesh>") + "</link>" +
+                        link("arm") + joint("revolute", axis("0 0 1", "")) + "</model>";
+    notes_ = {};
+    const auto read = readRobot(folder_.write("gate-main/sdf/robot.sdf", "<sdf version='1.9'>" + inside + "</sdf>"), notes_);
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->model.links[0].visuals.size(), 1u) << uri;
+    EXPECT_THAT(notes_.warnings, Contains(HasSubstr("gate-main, which holds the rest of the path"))) << uri;
+  }
+}
+
 TEST_F(SdfKinds, limitsOfEachSideAndEachAxis) {
   const auto one = robot("<model name='m'>" + link("base") + link("arm") +
                          joint("revolute", axis("0 1 0", "<lower>0</lower>")) + "</model>");

@@ -256,5 +256,15 @@ TEST(UrdfOfStrangers, AFaultInAXacroNamesTheFileAndLineThatSaysIt) {
   EXPECT_THAT(read.said, HasSubstr("m.xacro, line 4: joint 'j' has the type 'screw'"));
 }
 
+TEST(UrdfOfStrangers, APackageFolderThatAXacroTakesUnderAnotherNameIsReported) {
+  const hapticell::test::TemporaryFolder folder;
+  folder.write("gate-main/parts/m.xacro", "<robot xmlns:xacro=\"x\"><link name=\"a\"/></robot>");
+  const Read read = readFrom(folder.write("gate-main/urdf/r.xacro",
+                                          "<robot name=\"r\" xmlns:xacro=\"x\"><xacro:include "
+                                          "filename=\"$(find gate_description)/parts/m.xacro\"/></robot>"));
+  ASSERT_TRUE(read.model) << read.said;
+  EXPECT_THAT(read.said, HasSubstr((folder.path() / "gate-main").string() + ", which holds the rest of the path"));
+}
+
 }  // namespace
 }  // namespace hapticell::workcell
