@@ -101,8 +101,14 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
   if (format != RobotFormat::kXacro && !arguments.empty())
     diagnostics.warn("the file is no xacro; the value of '" + arguments.begin()->first + "' was not used");
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
+  Pose X_FB;
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
-    if (format == RobotFormat::kSdf) return readSdf(file, diagnostics, monitor);
+    if (format == RobotFormat::kSdf) {
+      Expected<SdfRobot> read = readSdf(file, diagnostics, monitor);
+      if (!read) return makeError(read.error());
+      X_FB = read->X_FB;
+      return std::move(read->model);
+    }
     if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
     std::vector<xacro::DeclaredArgument> unasked;
     const auto expanded = expandXacroFile(file, arguments, declared ? *declared : unasked, diagnostics);
@@ -113,6 +119,7 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
   if (!model->closure) hintAtOpenLoops(*model, diagnostics);
   TomlRobot robot;
   robot.model = std::move(*model);
+  robot.X_FB = X_FB;
   robot.sheet.name = robot.model.name;
   if (const auto srdf = format == RobotFormat::kSdf ? std::nullopt : findSrdf(file, robot.model.name)) {
     if (auto read = readSrdf(*srdf, robot.model, diagnostics); !read) return makeError(read.error());
