@@ -16,9 +16,7 @@ using trajectory::Trajectory;
 
 constexpr std::array<double, 5> kShares{0.5, 0.75, 0.9, 1.0, 1.0};  ///< By round.
 constexpr std::array<double, 5> kReach{0.05, 0.05, 0.1, 0.1, 0.3};  ///< s beyond the collision that are drawn fully.
-constexpr int kMostFiner = 2;
-constexpr double kFiner = 0.25;  ///< Of the time between new frames, where they are too far apart.
-constexpr double kEdge = 0.2;    ///< s from there to nothing.
+constexpr double kEdge = 0.2;  ///< s from there to nothing.
 
 /// 1 within `reach` of the interval, falling softly to 0 at `kEdge` beyond.
 double weight(double t, const PathFinding& finding, double reach) {
@@ -117,28 +115,20 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
 }
 
 Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const Trajectory& motion,
-                                  trajectory::RetimingOptions retiming, const PathCheckOptions& options,
+                                  const trajectory::RetimingOptions& retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration) {
   const workcell::Entity* entity = scene->find(motion.entity);
   if (entity == nullptr) return makeError({"", "entity", "'" + motion.entity + "'", "an entity of the cell", ""});
   auto with_poses = motion.has_poses ? Expected<Trajectory>(motion) : posesFromJoints(*entity, motion);
   if (!with_poses) return makeError(with_poses.error());
   const Trajectory given = std::move(*with_poses);
-  for (int finer = 0;; ++finer, retiming.sample_s *= kFiner) {
-    auto timed = trajectory::retimed(given, retiming);
-    if (!timed) return makeError(timed.error());
-    auto consistent = posesFromJoints(*entity, timed->trajectory);
-    if (!consistent) return makeError(consistent.error());
-    auto kept = keptFree(scene, timed->given, *consistent, options, configuration);
-    if (!kept) return makeError(kept.error());
-    bool done = finer == kMostFiner || kept->check.cancelled || !collides(kept->check);
-    if (!done) {  // What the given motion touches it goes on touching.
-      const auto before = checkPath(scene, given.entity, given, options, configuration);
-      if (!before) return makeError(before.error());
-      done = collides(*before);
-    }
-    if (done) return RetimedFree{std::move(*kept), timed->report};
-  }
+  auto timed = trajectory::retimed(given, retiming);
+  if (!timed) return makeError(timed.error());
+  auto consistent = posesFromJoints(*entity, timed->trajectory);
+  if (!consistent) return makeError(consistent.error());
+  auto kept = keptFree(scene, timed->given, *consistent, options, configuration);
+  if (!kept) return makeError(kept.error());
+  return RetimedFree{std::move(*kept), timed->report};
 }
 
 }  // namespace hapticell::manipulation

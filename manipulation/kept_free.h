@@ -33,16 +33,15 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const tr
                             const trajectory::Trajectory& processed, const PathCheckOptions& options,
                             const config::Configuration& configuration);
 
-/// A motion with new times along the same way, kept nearer to the given one where the fit to its frames, or the
-/// straight piece between two of the new ones, would touch something that the given motion does not; the new frames
-/// stand closer together where that alone helps. Joints and poses of a robot agree. Errors as retimed() and
-/// checkPath().
+/// A motion with new times along the same way, through every given frame, kept nearer to the given one where the fit
+/// between its frames would touch something that the given motion does not. Joints and poses of a robot agree. Errors as
+/// retimed() and checkPath().
 struct RetimedFree {
   KeptFree kept;
   trajectory::RetimingReport report;
 };
 Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const trajectory::Trajectory& given,
-                                  trajectory::RetimingOptions retiming, const PathCheckOptions& options,
+                                  const trajectory::RetimingOptions& retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration);
 
 }  // namespace hapticell::manipulation
