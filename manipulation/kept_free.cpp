@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "manipulation/motion_replay.h"
+#include "trajectory/checks/motion_measures.h"
 
 namespace hapticell::manipulation {
 
@@ -114,6 +115,36 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
   return kept;
 }
 
+bool posesFollowJoints(const Trajectory& motion, const trajectory_checks::PosesByJoints& poses_by_joints) {
+  if (!motion.has_poses || !motion.hasJoints() || !poses_by_joints) return false;
+  const auto placed = poses_by_joints(motion);
+  if (!placed) return false;
+  constexpr double kSame = 1e-6;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const auto off = trajectory::distanceBetween(motion[k].X_WT, (*placed)[k].X_WT);
+    if (!motion[k].is_pose_apart && (off.position > kSame || off.angle > kSame)) return false;
+  }
+  return true;
+}
+
+Expected<trajectory::Retimed> retimedByJoints(const Trajectory& given, trajectory::RetimingOptions options,
+                                              const trajectory_checks::PosesByJoints& poses_by_joints) {
+  constexpr int kTries = 4;  // To 1/40 of the tolerance: a tool at the end of 10 m.
+  const trajectory::PathTolerance asked = options.tolerance;
+  const bool follow = posesFollowJoints(given, poses_by_joints);
+  for (int round = 0;; ++round, options.tolerance.joint *= 0.4, options.sample_s *= 0.5) {
+    auto made = trajectory::retimed(given, options);
+    if (!made || !given.hasJoints() || !poses_by_joints) return made;
+    auto placed = poses_by_joints(made->trajectory);
+    if (!placed) return makeError(placed.error());
+    made->trajectory = std::move(*placed);
+    if (!follow) return made;
+    const auto off = trajectory_checks::passing(given, made->trajectory, {asked.position, asked.angle, asked.joint});
+    made->report.max_deviation = {off.position, off.angle};
+    if (round == kTries || asked.shareOf({off.position, off.angle}) <= 1.0) return made;
+  }
+}
+
 Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const Trajectory& motion,
                                   const trajectory::RetimingOptions& retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration) {
@@ -122,11 +153,10 @@ Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, co
   auto with_poses = motion.has_poses ? Expected<Trajectory>(motion) : posesFromJoints(*entity, motion);
   if (!with_poses) return makeError(with_poses.error());
   const Trajectory given = std::move(*with_poses);
-  auto timed = trajectory::retimed(given, retiming);
+  auto timed = retimedByJoints(given, retiming,
+                               [entity](const Trajectory& made) { return posesFromJoints(*entity, made); });
   if (!timed) return makeError(timed.error());
-  auto consistent = posesFromJoints(*entity, timed->trajectory);
-  if (!consistent) return makeError(consistent.error());
-  auto kept = keptFree(scene, timed->given, *consistent, options, configuration);
+  auto kept = keptFree(scene, timed->given, timed->trajectory, options, configuration);
   if (!kept) return makeError(kept.error());
   return RetimedFree{std::move(*kept), timed->report};
 }
