@@ -11,6 +11,7 @@
 #include "kinematics/inverse_factory.h"
 #include "kinematics/jacobian.h"
 #include "mannequin/skeleton.h"
+#include "workcell/imported_entities.h"
 
 namespace hapticell::cli {
 
@@ -261,7 +262,11 @@ ordered_json sceneReport(const workcell::ImportedScene& scene) {
     const workcell::SceneNode& node = scene.nodes[k];
     ordered_json& report = reports[k];
     std::reverse(children[k].begin(), children[k].end());
-    if (node.mesh < 0) {
+    if (node.robot) {
+      workcell::Entity robot = workcell::robotEntity(node.robot, node.name);
+      robot.X_WE = X_W[k];
+      report = robotReport(robot);
+    } else if (node.mesh < 0) {
       report = groupReport(node.name, "assembly", std::move(children[k]));
       if (node.color) report["color"] = colorReport((*node.color)[0], (*node.color)[1], (*node.color)[2]);
     } else {

@@ -8,7 +8,7 @@
 
 #include "cli/motion_of_robot.h"
 #include "cli/trajectory_report.h"
-#include "trajectory/checks/motion_measures.h"
+#include "manipulation/kept_free.h"
 #include "trajectory/checks/motion_promises.h"
 #include "trajectory/retiming.h"
 
@@ -19,22 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 using trajectory::Trajectory;
-
-/// With the robot the poses are those of the joints, and joints are passed as closely as the tool needs: `retiming` has
-/// their tolerance then.
-Expected<trajectory::Retimed> retimeWith(const Trajectory& given, trajectory::RetimingOptions& retiming,
-                                         const std::optional<ToolPoses>& tool) {
-  constexpr int kTries = 4;
-  const trajectory::PathTolerance asked = retiming.tolerance;
-  for (int round = 0;; ++round, retiming.tolerance.joint *= 0.4, retiming.sample_s *= 0.5) {
-    auto made = trajectory::retimed(given, retiming);
-    if (!made || !tool) return made;
-    made->trajectory = tool->posesOf(made->trajectory);
-    const auto off = trajectory_checks::passing(given, made->trajectory, {asked.position, asked.angle, asked.joint});
-    made->report.max_deviation = {off.position, off.angle};
-    if (round == kTries || asked.shareOf({off.position, off.angle}) <= 1.0) return made;
-  }
-}
 
 Expected<trajectory::RetimingOptions> retimingOf(const Trajectory& given, const TrajectoryOptions& options,
                                                  std::vector<std::string>& assumptions) {
@@ -81,13 +65,14 @@ Expected<ordered_json> retimeTrajectory(const Trajectory& file, const Trajectory
   const Trajectory& given = with->motion;
   const auto asked = retimingOf(given, options, assumptions);
   if (!asked) return tl::unexpected(asked.error());
-  trajectory::RetimingOptions retiming = *asked;
   ordered_json kept = nullptr;
-  auto result = retimeWith(given, retiming, with->tool);
+  trajectory_checks::PosesByJoints by_tool;
+  if (with->tool) by_tool = [&](const Trajectory& motion) { return Expected<Trajectory>(with->tool->posesOf(motion)); };
+  auto result = manipulation::retimedByJoints(given, *asked, by_tool);
   if (!result) return tl::unexpected(result.error());
   trajectory::Retimed made = std::move(*result);
   if (!options.check.workcell.empty()) {
-    auto free = retimeFree(given, retiming, options.check, made.report);
+    auto free = retimeFree(given, *asked, options.check, made.report);
     if (!free) return tl::unexpected(free.error());
     made.trajectory = std::move(free->trajectory);
     kept = std::move(free->report);

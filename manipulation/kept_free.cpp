@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "manipulation/motion_replay.h"
+#include "trajectory/checks/motion_measures.h"
 
 namespace hapticell::manipulation {
 
@@ -16,9 +17,7 @@ using trajectory::Trajectory;
 
 constexpr std::array<double, 5> kShares{0.5, 0.75, 0.9, 1.0, 1.0};  ///< By round.
 constexpr std::array<double, 5> kReach{0.05, 0.05, 0.1, 0.1, 0.3};  ///< s beyond the collision that are drawn fully.
-constexpr int kMostFiner = 2;
-constexpr double kFiner = 0.25;  ///< Of the time between new frames, where they are too far apart.
-constexpr double kEdge = 0.2;    ///< s from there to nothing.
+constexpr double kEdge = 0.2;  ///< s from there to nothing.
 
 /// 1 within `reach` of the interval, falling softly to 0 at `kEdge` beyond.
 double weight(double t, const PathFinding& finding, double reach) {
@@ -116,29 +115,50 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const Tr
   return kept;
 }
 
+bool posesFollowJoints(const Trajectory& motion, const trajectory_checks::PosesByJoints& poses_by_joints) {
+  if (!motion.has_poses || !motion.hasJoints() || !poses_by_joints) return false;
+  const auto placed = poses_by_joints(motion);
+  if (!placed) return false;
+  constexpr double kSame = 1e-6;
+  for (std::size_t k = 0; k < motion.size(); ++k) {
+    const auto off = trajectory::distanceBetween(motion[k].X_WT, (*placed)[k].X_WT);
+    if (!motion[k].is_pose_apart && (off.position > kSame || off.angle > kSame)) return false;
+  }
+  return true;
+}
+
+Expected<trajectory::Retimed> retimedByJoints(const Trajectory& given, trajectory::RetimingOptions options,
+                                              const trajectory_checks::PosesByJoints& poses_by_joints) {
+  constexpr int kTries = 4;  // To 1/40 of the tolerance: a tool at the end of 10 m.
+  const trajectory::PathTolerance asked = options.tolerance;
+  const bool follow = posesFollowJoints(given, poses_by_joints);
+  for (int round = 0;; ++round, options.tolerance.joint *= 0.4, options.sample_s *= 0.5) {
+    auto made = trajectory::retimed(given, options);
+    if (!made || !given.hasJoints() || !poses_by_joints) return made;
+    auto placed = poses_by_joints(made->trajectory);
+    if (!placed) return makeError(placed.error());
+    made->trajectory = std::move(*placed);
+    if (!follow) return made;
+    const auto off = trajectory_checks::passing(given, made->trajectory, {asked.position, asked.angle, asked.joint});
+    made->report.max_deviation = {off.position, off.angle};
+    if (round == kTries || asked.shareOf({off.position, off.angle}) <= 1.0) return made;
+  }
+}
+
 Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const Trajectory& motion,
-                                  trajectory::RetimingOptions retiming, const PathCheckOptions& options,
+                                  const trajectory::RetimingOptions& retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration) {
   const workcell::Entity* entity = scene->find(motion.entity);
   if (entity == nullptr) return makeError({"", "entity", "'" + motion.entity + "'", "an entity of the cell", ""});
   auto with_poses = motion.has_poses ? Expected<Trajectory>(motion) : posesFromJoints(*entity, motion);
   if (!with_poses) return makeError(with_poses.error());
   const Trajectory given = std::move(*with_poses);
-  for (int finer = 0;; ++finer, retiming.sample_s *= kFiner) {
-    auto timed = trajectory::retimed(given, retiming);
-    if (!timed) return makeError(timed.error());
-    auto consistent = posesFromJoints(*entity, timed->trajectory);
-    if (!consistent) return makeError(consistent.error());
-    auto kept = keptFree(scene, timed->given, *consistent, options, configuration);
-    if (!kept) return makeError(kept.error());
-    bool done = finer == kMostFiner || kept->check.cancelled || !collides(kept->check);
-    if (!done) {  // What the given motion touches it goes on touching.
-      const auto before = checkPath(scene, given.entity, given, options, configuration);
-      if (!before) return makeError(before.error());
-      done = collides(*before);
-    }
-    if (done) return RetimedFree{std::move(*kept), timed->report};
-  }
+  auto timed = retimedByJoints(given, retiming,
+                               [entity](const Trajectory& made) { return posesFromJoints(*entity, made); });
+  if (!timed) return makeError(timed.error());
+  auto kept = keptFree(scene, timed->given, timed->trajectory, options, configuration);
+  if (!kept) return makeError(kept.error());
+  return RetimedFree{std::move(*kept), timed->report};
 }
 
 }  // namespace hapticell::manipulation

@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "manipulation/path_check.h"
 #include "manipulation/prepared_scene.h"
+#include "trajectory/checks/motion_promises.h"
 #include "trajectory/retiming.h"
 #include "trajectory/trajectory.h"
 
@@ -33,16 +34,25 @@ Expected<KeptFree> keptFree(std::shared_ptr<const PreparedScene> scene, const tr
                             const trajectory::Trajectory& processed, const PathCheckOptions& options,
                             const config::Configuration& configuration);
 
-/// A motion with new times along the same way, kept nearer to the given one where the fit to its frames, or the
-/// straight piece between two of the new ones, would touch something that the given motion does not; the new frames
-/// stand closer together where that alone helps. Joints and poses of a robot agree. Errors as retimed() and
-/// checkPath().
+/// True where `poses_by_joints` gives the poses that a motion has, within 1e-6 m and rad in frames that do not say
+/// otherwise (is_pose_apart). False without poses or joints.
+bool posesFollowJoints(const trajectory::Trajectory& motion, const trajectory_checks::PosesByJoints& poses_by_joints);
+
+/// A motion with new times whose poses are those that `poses_by_joints` makes of its joints. The joints are passed so
+/// closely that the given poses, where they follow the joints, are passed within the tolerance too; `report.max_deviation` says how nearly that came
+/// out. Without joints, or without `poses_by_joints`, it is retimed(). Errors as of both.
+Expected<trajectory::Retimed> retimedByJoints(const trajectory::Trajectory& given, trajectory::RetimingOptions options,
+                                              const trajectory_checks::PosesByJoints& poses_by_joints);
+
+/// A motion with new times along the same way, through every given frame, kept nearer to the given one where the fit
+/// between its frames would touch something that the given motion does not. Joints and poses of a robot agree. Errors as
+/// retimed() and checkPath().
 struct RetimedFree {
   KeptFree kept;
   trajectory::RetimingReport report;
 };
 Expected<RetimedFree> retimedFree(std::shared_ptr<const PreparedScene> scene, const trajectory::Trajectory& given,
-                                  trajectory::RetimingOptions retiming, const PathCheckOptions& options,
+                                  const trajectory::RetimingOptions& retiming, const PathCheckOptions& options,
                                   const config::Configuration& configuration);
 
 }  // namespace hapticell::manipulation

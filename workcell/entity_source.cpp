@@ -262,17 +262,14 @@ Expected<Entity> EntityLoader::loadRobot(const fs::path& file, const xacro::Argu
     declared_.clear();
     Expected<TomlRobot> robot = readRobot(file, diagnostics, monitor_, RobotContent::kAll, arguments, &declared_);
     if (!robot) return makeError(robot.error());
-    known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools)};
+    known = {std::make_shared<const kinematics::RobotModel>(std::move(robot->model)), std::move(robot->tools),
+             robot->X_FB};
   }
-  Entity entity;
-  entity.kind = EntityKind::kRobot;
-  entity.robot = known.model;
+  Entity entity = robotEntity(known.model, known.model->name.empty() ? file.stem().string() : known.model->name);
+  entity.X_WE = known.X_FB;
   entity.tools = known.tools;
-  entity.name = known.model->name.empty() ? file.stem().string() : known.model->name;
   entity.source = {file.string(), 1.0};
   entity.source.arguments = arguments;
-  const int tip = known.model->defaultTip();
-  if (tip >= 0) entity.tip_link = known.model->links[static_cast<std::size_t>(tip)].name;
   return entity;
 }
 

@@ -68,6 +68,7 @@ class EntityLoader {
   struct KnownRobot {
     std::shared_ptr<const kinematics::RobotModel> model;
     std::vector<ToolFrame> tools;
+    Pose X_FB;
   };
   std::map<std::string, KnownRobot> robots_;       // By file and arguments.
   std::vector<xacro::DeclaredArgument> declared_;  // Of the xacro that was read last.

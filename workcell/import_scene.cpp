@@ -81,7 +81,7 @@ Expected<ImportedScene> readScene(const std::filesystem::path& file, const Impor
     return makeError({file.string(), "", "not a regular file", "a file", ""});
   }
   if (const auto sound = checkTessellation(options, file); !sound) return makeError(sound.error());
-  if (isSdfCell(absolute)) return readSdfCell(absolute, monitor);
+  if (isSdfCell(absolute)) return readSdfCell(absolute, monitor, !options.merge);
   ImporterCall call;
   call.file = file.string();
   call.arguments = {"read", absolute.string()};

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/error.h"
 #include "geometry/triangle_mesh.h"
+#include "kinematics/robot_model.h"
 #include "workcell/import_monitor.h"
 #include "workcell/import_options.h"
 
@@ -21,7 +23,7 @@ struct SceneOrigin {
   double metres_per_unit = 0.0;  ///< As it was read; 0: as the file says.
 };
 
-/// A node of an imported tree. With a mesh it is a solid, without one an assembly.
+/// A node of an imported tree. With a mesh it is a solid, with a robot that robot, else an assembly.
 struct SceneNode {
   std::string name;                           ///< The part's name; not unique.
   std::string instance;                       ///< The name of this use of the part, where the file has one; else empty.
@@ -30,6 +32,7 @@ struct SceneNode {
   int mesh = -1;                              ///< Index into the scene's meshes; several nodes may share one.
   std::optional<std::array<float, 3>> color;  ///< sRGB, 0 to 1.
   std::optional<SceneOrigin> origin;          ///< For exports.
+  std::shared_ptr<const kinematics::RobotModel> robot;  ///< Only of SDF worlds; its root is the node.
 };
 
 /// What a CAD file holds: a tree of placed parts. Metres, z up, every mesh in the frame of its nodes.
@@ -48,7 +51,7 @@ struct ImportedScene {
 /// FBX, 3DS), told by content (STEP, glTF, FBX, Collada) or name, and SDF cells (isSdfCell).
 bool holdsScene(const std::filesystem::path& file);
 
-/// Reads such a file; SDF in this process, the others in one of their own (`hapticell-importer`), so that a crash, a
+/// Reads such a file (with `options.merge` robots of an SDF world as solids); SDF in this process, the others in one of their own (`hapticell-importer`), so that a crash, a
 /// hang or a blow-up there is an error here. Whatever that process sends is checked: sizes, indices, finite numbers,
 /// unit quaternions, a tree. `monitor` may be null; a cancelled one ends the process within 0.2 s. Blocks; any thread.
 ///

@@ -99,7 +99,7 @@ class SceneConverter {
   }
 
   bool hasShape(const SceneNode& node) const {
-    return node.mesh >= 0 && !meshes_[static_cast<std::size_t>(node.mesh)]->triangles.empty();
+    return node.robot || (node.mesh >= 0 && !meshes_[static_cast<std::size_t>(node.mesh)]->triangles.empty());
   }
 
   /// Which nodes hold a shape or stand above one.
@@ -125,15 +125,16 @@ class SceneConverter {
         empty.push_back(usableName(node.name, "nameless"));
         continue;
       }
-      Entity entity;
-      named[k] = entity.name = names.unique(usableName(node.name, "part"));
-      entity.kind = hasShape(node) ? EntityKind::kSolid : EntityKind::kAssembly;
+      named[k] = names.unique(usableName(node.name, node.robot ? "robot" : "part"));
+      Entity entity = node.robot ? robotEntity(node.robot, named[k]) : Entity();
+      entity.name = named[k];
+      if (!node.robot) entity.kind = hasShape(node) ? EntityKind::kSolid : EntityKind::kAssembly;
       entity.X_WE = X_F[k];
       if (node.parent >= 0) entity.parent = named[static_cast<std::size_t>(node.parent)];
       if (node.color) entity.color = *node.color;
       entity.source = source_;
       entity.source.part = paths[k];
-      if (hasShape(node)) entity.mesh = meshes_[static_cast<std::size_t>(node.mesh)];
+      if (!node.robot && hasShape(node)) entity.mesh = meshes_[static_cast<std::size_t>(node.mesh)];
       add(std::move(entity));
     }
     tellEmpty(empty);
@@ -173,6 +174,7 @@ class SceneConverter {
   }
 
   void add(Entity entity) {
+    if (entity.robot) ++result_.report.parts;
     if (entity.mesh) {
       ++result_.report.parts;
       result_.report.triangles += entity.mesh->triangles.size();
@@ -191,6 +193,16 @@ class SceneConverter {
 
 }  // namespace
 
+Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const std::string& name) {
+  Entity entity;
+  entity.kind = EntityKind::kRobot;
+  entity.name = name;
+  const int tip = robot->defaultTip();
+  if (tip >= 0) entity.tip_link = robot->links[static_cast<std::size_t>(tip)].name;
+  entity.robot = std::move(robot);
+  return entity;
+}
+
 Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file, const ImportOptions& options,
                                                Diagnostics& diagnostics, const SceneBatch* batch) {
   if (!holdsScene(file)) {
@@ -200,7 +212,9 @@ Expected<geometry::TriangleMesh> readWholeMesh(const std::filesystem::path& file
     for (const std::string& note : notes.warnings) diagnostics.warn(file.filename().string() + ": " + note);
     return mesh;
   }
-  Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, options, nullptr);
+  ImportOptions as_solids = options;
+  as_solids.merge = true;
+  Expected<ImportedScene> scene = batch ? batch->scene(file) : readScene(file, as_solids, nullptr);
   if (!scene) return makeError(scene.error());
   for (const std::string& warning : scene->warnings) diagnostics.warn(warning);
   const std::vector<Pose> X_F = nodePoses(*scene);

@@ -37,6 +37,9 @@ struct ImportResult {
   ImportReport report;
 };
 
+/// A robot as an entity at the origin, with the tip that a user most likely means; source and tools are left out.
+Entity robotEntity(std::shared_ptr<const kinematics::RobotModel> robot, const std::string& name);
+
 /// All that a mesh or CAD file holds as one mesh in the file's frame, metres. `metres_per_unit` as in ImportOptions; a
 /// size that suggests another unit is not told. `batch` (may be null) has the scenes that were read ahead, with its own
 /// options. Errors as readMeshFile() and readScene().

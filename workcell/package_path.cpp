@@ -239,9 +239,9 @@ std::optional<FoundFile> findReference(const std::string& uri, const fs::path& d
   return std::nullopt;
 }
 
-std::optional<fs::path> resolveMeshPath(const std::string& uri, const fs::path& description_folder) {
-  const auto found = findReference(uri, description_folder);
-  return found ? std::optional(found->path) : std::nullopt;
+std::string takenForPackage(const std::string& uri, const FoundFile& found) {
+  return "the package of " + uri + " is not found by its name; the folder " + found.taken_for_package.string() +
+         ", which holds the rest of the path, is taken for it";
 }
 
 }  // namespace hapticell::workcell

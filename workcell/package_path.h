@@ -31,9 +31,8 @@ struct FoundFile {
 /// consist of such links, while "part.stl" that leads to somebody's "id_rsa" is no part of a package.
 std::optional<FoundFile> findReference(const std::string& uri, const std::filesystem::path& description_folder);
 
-/// The path of findReference().
-std::optional<std::filesystem::path> resolveMeshPath(const std::string& uri,
-                                                     const std::filesystem::path& description_folder);
+/// For reports: that the folder `found.taken_for_package` was taken for the package of `uri`.
+std::string takenForPackage(const std::string& uri, const FoundFile& found);
 
 /// True for a "package://" or "model://" whose ".." lead out of the package: no package needs it, and a description
 /// from a stranger might have other files looked at.

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,38 @@ std::string headOf(const fs::path& file) {
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
   return head;
+}
+
+/// An XML text without its comments.
+std::string withoutComments(const std::string& text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = text.find("<!--", at);
+    plain.append(text, at, begin - at);
+    if (begin == std::string::npos) break;
+    const std::size_t end = text.find("-->", begin + 4);
+    at = end == std::string::npos ? text.size() : end + 3;
+  }
+  return plain;
+}
+
+/// The name of the first element of an XML text without comments; empty where it begins otherwise, or later than there
+/// is text.
+std::string rootElementOf(const std::string& text) {
+  std::size_t at = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  while (at != std::string::npos && (text.compare(at, 2, "<?") == 0 || text.compare(at, 2, "<!") == 0)) {
+    const std::size_t end = text.find('>', at);
+    at = end == std::string::npos ? end : text.find_first_not_of(" \t\r\n", end + 1);
+  }
+  if (at == std::string::npos || text[at] != '<') return {};
+  return text.substr(at + 1, text.find_first_of(" \t\r\n/>", at + 1) - at - 1);
+}
+
+/// Whether something is defined, asked or worked out: a call of a macro that nothing defines is left of a file that was
+/// expanded without it, and no reason to take the file for a xacro.
+bool isXacroText(const std::string& text) {
+  static const std::regex defines("<xacro:(macro|property|include|arg|if|unless|insert_block|attribute|element)[ \t\r\n/>]");
+  return std::regex_search(text, defines);
 }
 
 /// The moving joints on the way to each link that carries no other, as "rrp"; a turning joint is an "r", limited or
@@ -73,10 +106,9 @@ std::optional<RobotFormat> robotFormatOf(const fs::path& file) {
   const std::size_t begin = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (begin == std::string::npos || head[begin] != '<') return std::nullopt;
   if (extension == ".xacro") return RobotFormat::kXacro;
-  if (head.find("<robot") != std::string::npos) {
-    return head.find("<xacro:") != std::string::npos ? RobotFormat::kXacro : RobotFormat::kUrdf;
-  }
-  if (extension == ".sdf" || extension == ".world" || head.find("<sdf") != std::string::npos) return RobotFormat::kSdf;
+  const std::string text = withoutComments(head), root = rootElementOf(text);
+  if (root == "robot") return isXacroText(text) ? RobotFormat::kXacro : RobotFormat::kUrdf;
+  if (extension == ".sdf" || extension == ".world" || root == "sdf") return RobotFormat::kSdf;
   return extension == ".urdf" ? std::optional(RobotFormat::kUrdf) : std::nullopt;
 }
 
@@ -101,8 +133,14 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
   if (format != RobotFormat::kXacro && !arguments.empty())
     diagnostics.warn("the file is no xacro; the value of '" + arguments.begin()->first + "' was not used");
   if (format == RobotFormat::kToml) return readRobotToml(file, diagnostics);
+  Pose X_FB;
   Expected<kinematics::RobotModel> model = [&]() -> Expected<kinematics::RobotModel> {
-    if (format == RobotFormat::kSdf) return readSdf(file, diagnostics, monitor);
+    if (format == RobotFormat::kSdf) {
+      Expected<SdfRobot> read = readSdf(file, diagnostics, monitor);
+      if (!read) return makeError(read.error());
+      X_FB = read->X_FB;
+      return std::move(read->model);
+    }
     if (format == RobotFormat::kUrdf) return readUrdf(file, diagnostics, monitor, content);
     std::vector<xacro::DeclaredArgument> unasked;
     const auto expanded = expandXacroFile(file, arguments, declared ? *declared : unasked, diagnostics);
@@ -113,6 +151,7 @@ Expected<TomlRobot> readRobot(const fs::path& file, Diagnostics& diagnostics, Im
   if (!model->closure) hintAtOpenLoops(*model, diagnostics);
   TomlRobot robot;
   robot.model = std::move(*model);
+  robot.X_FB = X_FB;
   robot.sheet.name = robot.model.name;
   if (const auto srdf = format == RobotFormat::kSdf ? std::nullopt : findSrdf(file, robot.model.name)) {
     if (auto read = readSrdf(*srdf, robot.model, diagnostics); !read) return makeError(read.error());

@@ -23,6 +23,7 @@ struct TomlRobot {
   kinematics::RobotModel model;
   RobotSheet sheet;
   std::vector<ToolFrame> tools;
+  Pose X_FB;  ///< Where the file puts its root; only SDF says.
 };
 
 /// Reads a robot from a robot.toml (docs/formats.md): OPW parameters, a Denavit-Hartenberg table, a chain of frames, a

@@ -6,6 +6,7 @@
 #include <map>
 #include <sdf/sdf.hh>
 
+#include "workcell/sdf_reader.h"
 #include "workcell/sdf_shapes.h"
 #include "workcell/sdf_tidier.h"
 
@@ -17,16 +18,17 @@ namespace {
 
 class CellReader {
  public:
-  CellReader(const SdfSource& source, const ImportOptions& options, ImportMonitor* monitor)
-      : source_(source), shapes_(source, options, monitor) {
+  CellReader(const SdfSource& source, const fs::path& file, const ImportOptions& options, ImportMonitor* monitor,
+             bool with_robots)
+      : source_(source), file_(file), monitor_(monitor), with_robots_(with_robots), shapes_(source, options, monitor) {
     scene_.format = "sdf";
     scene_.unit_is_stated = true;
     scene_.warnings = source.warnings();
   }
 
-  Expected<ImportedScene> read(const fs::path& file) {
+  Expected<ImportedScene> read() {
     for (const sdf::Model* model : source_.models()) {
-      if (shapes_.isCancelled()) return makeError({file.string(), "", "the import was cancelled", "", ""});
+      if (shapes_.isCancelled()) return makeError({file_.string(), "", "the import was cancelled", "", ""});
       addModel(*model, -1);
     }
     const std::vector<std::string>& notes = shapes_.notes().warnings;
@@ -40,16 +42,29 @@ class CellReader {
     node.name = model.Name();
     node.parent = parent;
     node.X_PN = resolved(model.SemanticPose(), "", model.RawPose(), model.Name());
+    if (hasMovingJoints(model) && addRobot(model, node)) return;
     const int index = add(std::move(node));
-    for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
-      if (model.JointByIndex(k)->Type() == sdf::JointType::FIXED) continue;
-      scene_.warnings.push_back("'" + model.Name() + "' has joints that move; it is read as a solid body");
-      break;
-    }
     for (std::uint64_t k = 0; k < model.LinkCount(); ++k) {
       if (model.LinkByIndex(k)->Name() != kNoLink) addLink(*model.LinkByIndex(k), model.LinkCount() > 1, index);
     }
     for (std::uint64_t k = 0; k < model.ModelCount(); ++k) addModel(*model.ModelByIndex(k), index);
+  }
+
+  /// False, told, where it is to be a solid body. `node` stands where the model does.
+  bool addRobot(const sdf::Model& model, const SceneNode& node) {
+    Diagnostics notes;
+    auto robot = with_robots_ ? readSdfRobot(source_, model, file_, notes, monitor_) : Expected<SdfRobot>();
+    if (!with_robots_ || !robot) {
+      scene_.warnings.push_back("'" + model.Name() + "' has joints that move; it is read as a solid body" +
+                                (with_robots_ ? ": " + robot.error().message() : ""));
+      return false;
+    }
+    scene_.warnings.insert(scene_.warnings.end(), notes.warnings.begin(), notes.warnings.end());
+    SceneNode standing = node;
+    standing.X_PN = node.X_PN * robot->X_FB;
+    standing.robot = std::make_shared<const kinematics::RobotModel>(std::move(robot->model));
+    add(std::move(standing));
+    return true;
   }
 
   void addLink(const sdf::Link& link, bool own_node, int model) {
@@ -126,6 +141,9 @@ class CellReader {
   }
 
   const SdfSource& source_;
+  const fs::path& file_;
+  ImportMonitor* monitor_;
+  bool with_robots_;
   SdfShapes shapes_;
   ImportedScene scene_;
   std::map<const geometry::TriangleMesh*, int> meshes_;
@@ -144,12 +162,12 @@ bool isSdfCell(const fs::path& file) {
   return outline->jointed != 1 || outline->models > 1 || outline->grouped;
 }
 
-Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor) {
+Expected<ImportedScene> readSdfCell(const fs::path& file, ImportMonitor* monitor, bool with_robots) {
   const auto source = SdfSource::load(file);
   if (!source) return makeError(source.error());
   ImportOptions options = asGazeboDoes();
   options.weld = false;
-  return CellReader(*source, options, monitor).read(file);
+  return CellReader(*source, file, options, monitor, with_robots).read();
 }
 
 }  // namespace hapticell::workcell

@@ -19,6 +19,7 @@ bool isSdfCell(const std::filesystem::path& file);
 ///
 /// A model or mesh that is not there, a name that is there twice, a pose of too few numbers and the like are told; the
 /// rest is read. What is silent, told and refused stands in docs/formats.md. Errors: see SdfSource::load(), cancelled.
-Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor);
+/// A model with joints that move is a robot, a solid where `with_robots` is false or it makes no robot (told).
+Expected<ImportedScene> readSdfCell(const std::filesystem::path& file, ImportMonitor* monitor, bool with_robots = true);
 
 }  // namespace hapticell::workcell

@@ -41,23 +41,22 @@ std::vector<fs::path> modelFolders(const fs::path& file) {
   return folders;
 }
 
-fs::path findAsWritten(const std::string& uri, const fs::path& file) {
+/// A file, or the folder of a model.
+std::optional<FoundFile> findAsWritten(const std::string& uri, const fs::path& file) {
   std::error_code ignored;
-  if (uri.empty() || leavesPackage(uri)) return {};
+  if (uri.empty() || leavesPackage(uri)) return std::nullopt;
   if (uri.starts_with(kModelScheme)) {
     for (const fs::path& folder : modelFolders(file)) {
       if (fs::path found = folder / uri.substr(std::string(kModelScheme).size()); fs::exists(found, ignored)) {
-        return found;
+        return FoundFile{std::move(found), {}};
       }
     }
-    return {};
   }
-  if (const auto found = resolveMeshPath(uri, file.parent_path())) return *found;
+  if (auto found = findReference(uri, file.parent_path())) return found;
+  if (uri.find("://") != std::string::npos && !uri.starts_with("file://")) return std::nullopt;
   const std::string plain = uri.starts_with("file://") ? uri.substr(7) : uri;
-  fs::path beside = (fs::absolute(file).parent_path() / plain).lexically_normal();  // A model may be a folder.
-  return uri.find("://") != std::string::npos && !uri.starts_with("file://") ? fs::path()
-         : fs::is_directory(beside, ignored)                                 ? beside
-                                                                             : fs::path();
+  fs::path beside = (fs::absolute(file).parent_path() / plain).lexically_normal();
+  return fs::is_directory(beside, ignored) ? std::optional(FoundFile{std::move(beside), {}}) : std::nullopt;
 }
 
 /// The file that a model's manifest names for the newest version that is read.
@@ -102,15 +101,15 @@ std::string percentDecoded(const std::string& text) {
   return decoded;
 }
 
-fs::path findSdfFile(const std::string& uri, const fs::path& file) {
-  fs::path found = findAsWritten(uri, file);
-  if (found.empty() && uri.find('%') != std::string::npos) found = findAsWritten(percentDecoded(uri), file);
-  return found;
+std::optional<FoundFile> findSdfFile(const std::string& uri, const fs::path& file) {
+  auto found = findAsWritten(uri, file);
+  return found || uri.find('%') == std::string::npos ? found : findAsWritten(percentDecoded(uri), file);
 }
 
 fs::path findSdfModel(const std::string& uri, const fs::path& file) {
   std::error_code ignored;
-  const fs::path found = findSdfFile(uri, file);
+  const auto reference = findSdfFile(uri, file);
+  const fs::path found = reference ? reference->path : fs::path();
   if (found.empty() || !fs::is_directory(found, ignored)) return found;
   for (const char* manifest : {"model.config", "manifest.xml"}) {
     const std::string named = fileNamedIn(found / manifest);

@@ -38,7 +38,7 @@ class SdfModelReader {
                  ImportMonitor* monitor)
       : model_(model), file_(file), diagnostics_(diagnostics), shapes_(source, asGazeboDoes(), monitor) {}
 
-  Expected<kinematics::RobotModel> read() {
+  Expected<SdfRobot> read() {
     graph_.name = model_.Name();
     if (auto added = addModel(model_, "", Pose()); !added) return makeError(added.error());
     if (graph_.links.empty())
@@ -55,7 +55,7 @@ class SdfModelReader {
     }
     chooseTip(*model);
     for (const std::string& note : shapes_.notes().warnings) diagnostics_.warn(file_.string() + ": " + note);
-    return model;
+    return SdfRobot{std::move(*model), graph_.links[static_cast<std::size_t>(graph_.root)].X_ML};
   }
 
  private:
@@ -395,9 +395,7 @@ class SdfModelReader {
 };
 
 bool movesInside(const sdf::Model& model) {
-  for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
-    if (model.JointByIndex(k)->Type() != sdf::JointType::FIXED) return true;
-  }
+  if (hasMovingJoints(model)) return true;
   for (std::uint64_t k = 0; k < model.ModelCount(); ++k) {
     if (movesInside(*model.ModelByIndex(k))) return true;
   }
@@ -406,7 +404,19 @@ bool movesInside(const sdf::Model& model) {
 
 }  // namespace
 
-Expected<kinematics::RobotModel> readSdf(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
+bool hasMovingJoints(const sdf::Model& model) {
+  for (std::uint64_t k = 0; k < model.JointCount(); ++k) {
+    if (model.JointByIndex(k)->Type() != sdf::JointType::FIXED) return true;
+  }
+  return false;
+}
+
+Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const fs::path& file,
+                                Diagnostics& diagnostics, ImportMonitor* monitor) {
+  return SdfModelReader(source, model, file, diagnostics, monitor).read();
+}
+
+Expected<SdfRobot> readSdf(const fs::path& file, Diagnostics& diagnostics, ImportMonitor* monitor) {
   const auto source = SdfSource::load(file);
   if (!source) return makeError(source.error());
   const std::vector<const sdf::Model*> models = source->models();
@@ -418,7 +428,11 @@ Expected<kinematics::RobotModel> readSdf(const fs::path& file, Diagnostics& diag
     diagnostics.warn(file.string() + ": of " + std::to_string(models.size()) + " models only '" + model->Name() +
                      "' is read, for it has joints that move");
   }
-  return SdfModelReader(*source, *model, file, diagnostics, monitor).read();
+  Expected<SdfRobot> robot = readSdfRobot(*source, *model, file, diagnostics, monitor);
+  ignition::math::Pose3d X_FM;
+  if (robot && model->SemanticPose().Resolve(X_FM).empty() && toPose(X_FM).isValid())
+    robot->X_FB = toPose(X_FM) * robot->X_FB;
+  return robot;
 }
 
 }  // namespace hapticell::workcell

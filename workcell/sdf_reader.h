@@ -6,8 +6,19 @@
 #include "geometry/error.h"
 #include "kinematics/robot_model.h"
 #include "workcell/import_monitor.h"
+#include "workcell/sdf_source.h"
+
+namespace sdf {
+class Model;
+}
 
 namespace hapticell::workcell {
+
+/// A robot and where its root B stands: in the file's frame F, or its model's (see readSdfRobot()).
+struct SdfRobot {
+  kinematics::RobotModel model;
+  Pose X_FB;
+};
 
 /// Reads the model of an SDF file that has joints that move (else the first) as a robot: links, visual and collision
 /// shapes, joints that may close loops, with what stands in models inside it ("load::base"). Frames as libsdformat has
@@ -22,7 +33,14 @@ namespace hapticell::workcell {
 /// A mesh that is missing is left out and told, as is all else that docs/formats.md calls reported. Errors, one sentence
 /// each with the file: see SdfSource::load(); no model, a joint type that is not known, a joint to a link that is not
 /// there, limits reversed, loops that stay open.
-Expected<kinematics::RobotModel> readSdf(const std::filesystem::path& file, Diagnostics& diagnostics,
-                                         ImportMonitor* monitor = nullptr);
+Expected<SdfRobot> readSdf(const std::filesystem::path& file, Diagnostics& diagnostics,
+                           ImportMonitor* monitor = nullptr);
+
+/// True where the model has a joint that moves, not counting those of models inside it.
+bool hasMovingJoints(const sdf::Model& model);
+
+/// One model of `source` as a robot, as readSdf() does; X_FB is its root in the model's frame.
+Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const std::filesystem::path& file,
+                                Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

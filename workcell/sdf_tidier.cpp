@@ -347,12 +347,15 @@ const SdfTidier::Taken& SdfTidier::take(const fs::path& file, const Place& place
 
 bool SdfTidier::keepMesh(TiXmlElement& mesh, const Place& place) {
   const std::string uri = textOf(&mesh, "uri");
-  const fs::path file = uri.empty() ? fs::path() : findSdfFile(uri, place.file);
+  const auto found = findSdfFile(uri, place.file);
+  const fs::path file = found ? found->path : fs::path();
   std::error_code ignored;
   if (file.empty() || !fs::is_regular_file(file, ignored)) {
     ++missing_meshes_[uri.empty() ? "a mesh without <uri>" : uri];
     return false;
   }
+  if (!found->taken_for_package.empty() && taken_packages_.insert(found->taken_for_package).second)
+    tell(mesh, place, takenForPackage(uri, *found));
   const std::vector<double> scale = numbersIn(textOf(&mesh, "scale"));
   if (std::find(scale.begin(), scale.end(), 0.0) != scale.end()) {
     tell(mesh, place, "the mesh " + uri + " is left out: a scale of 0");

@@ -53,6 +53,7 @@ class SdfTidier {
   std::set<std::string> open_;
   std::vector<std::string> told_;
   std::map<std::string, int> missing_models_, missing_meshes_;
+  std::set<std::filesystem::path> taken_packages_;  ///< That were reported as guessed.
 
   Place placeOf(TiXmlElement& root, const Place& place);
   void arrangeTop(TiXmlElement& root, const Place& place);

@@ -121,12 +121,8 @@ std::shared_ptr<const geometry::TriangleMesh> UrdfShapes::fileMesh(const UrdfSha
     reportOnce(source.line, name, "the mesh " + name + " is not there; the shape is left out");
     return nullptr;
   }
-  if (!found->taken_for_package.empty()) {
-    const std::string folder = found->taken_for_package.string();
-    reportOnce(source.line, folder,
-               "the package of " + name + " is not found by its name; the folder " + folder +
-                   ", which holds the rest of the path, is taken for it");
-  }
+  if (!found->taken_for_package.empty())
+    reportOnce(source.line, found->taken_for_package.string(), takenForPackage(name, *found));
   const std::string extension = lowerMeshExtension(found->path);
   const std::string format = extension.empty() ? "no extension" : extension.substr(1);
   if (!readable(extension) && !holdsScene(found->path)) {

@@ -31,7 +31,15 @@ class StructureReader {
   std::map<std::string, UrdfMaterial> materials_;
   std::map<std::string, int> undefined_, textured_;  ///< Materials without a color, with a line.
 
+  struct Unexpanded {
+    int line = 0;  ///< Of the first.
+    int count = 0;
+  };
+  std::map<std::string, Unexpanded> unexpanded_;  ///< Calls of macros that are not in the file.
+
   Expected<void> readElement(const TiXmlElement& element);
+  void reportUnexpanded();
+  Expected<void> addWorld();
   Expected<void> addLink(UrdfLink link);
   Expected<void> addJoint(UrdfJoint joint);
   void defineMaterial(UrdfMaterial material, bool at_top);
@@ -52,7 +60,7 @@ std::string listOfNames(const T& names) {
   std::size_t count = 0;
   for (const std::string& name : names) {
     if (++count > 8) return text + " and " + std::to_string(names.size() - 8) + " more";
-    text += (count > 1 ? ", " : "") + name;
+    text += std::string(count > 1 ? ", " : "") + "'" + name + "'";
   }
   return text;
 }
@@ -101,9 +109,12 @@ void StructureReader::defineMaterialsBelow(const TiXmlElement& element) {
 
 Expected<void> StructureReader::readElement(const TiXmlElement& element) {
   const std::string& name = element.ValueStr();
-  if (name.starts_with("xacro:"))
+  static const std::set<std::string> kOfXacro = {"xacro:macro", "xacro:property", "xacro:include", "xacro:arg",
+                                                 "xacro:if", "xacro:unless", "xacro:insert_block"};
+  if (kOfXacro.count(name) > 0)
     return lines_.refuse(element.Row(), "<" + name + ">", "plain URDF",
                          "Give the file the ending .xacro, and it is expanded.");
+  if (name.starts_with("xacro:")) ++unexpanded_.try_emplace(name, Unexpanded{element.Row(), 0}).first->second.count;
   if (name == "material") {
     defineMaterial(readUrdfMaterial(element, lines_, diagnostics_), true);
   } else if (name == "link") {
@@ -154,6 +165,28 @@ void StructureReader::reportVelocities() {
   if (!names.empty())
     diagnostics_.warn(lines_.words(line) + ": no finite velocity is stated for " + listOfNames(names) +
                       "; 180 deg/s or 1 m/s is assumed where one is needed");
+}
+
+void StructureReader::reportUnexpanded() {
+  for (const auto& [name, calls] : unexpanded_)
+    diagnostics_.warn(lines_.words(calls.line) + ": <" + name + "> was never expanded (" + std::to_string(calls.count) +
+                      (calls.count > 1 ? " times" : " time") +
+                      "), and its macro is not in the file: what it stands for is left out");
+}
+
+/// The world needs no link of its own in some tools (Drake, Bullet): what is joined to it stands on the cell.
+Expected<void> StructureReader::addWorld() {
+  if (link_lines_.count("world") > 0) return {};
+  for (const UrdfJoint& joint : structure_.joints) {
+    if (joint.parent != "world") continue;
+    diagnostics_.warn(lines_.words(joint.line) + ": joint '" + joint.joint.name +
+                      "' hangs on 'world', which is no link of the file; it is taken as the root");
+    UrdfLink world;
+    world.name = "world";
+    world.line = joint.line;
+    return addLink(std::move(world));
+  }
+  return {};
 }
 
 Expected<void> StructureReader::checkEnds() const {
@@ -277,6 +310,8 @@ Expected<UrdfStructure> StructureReader::read(const TiXmlElement& robot) {
     return lines_.refuse(robot.Row(), "<robot> has no links", "at least one <link>",
                          "A file of macros is opened through the file that includes it.");
   }
+  reportUnexpanded();
+  if (auto added = addWorld(); !added) return makeError(added.error());
   if (auto checked = checkEnds(); !checked) return makeError(checked.error());
   if (auto checked = checkMimics(); !checked) return makeError(checked.error());
   const auto root = findRoot();

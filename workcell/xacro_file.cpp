@@ -2,6 +2,7 @@
 #include "workcell/xacro_file.h"
 
 #include <algorithm>
+#include <set>
 
 #include "workcell/file_content.h"
 #include "workcell/package_path.h"
@@ -25,12 +26,11 @@ Expected<std::string> readXacroText(const std::filesystem::path& path) {
 }
 
 /// "package://a/../b/rest" leads to the package b beside a, as workspaces are laid out.
-std::optional<std::filesystem::path> findXacroFile(const std::string& reference, const std::filesystem::path& folder) {
+std::string withPlainPackage(const std::string& reference) {
   const std::string scheme = "package://";
   const std::size_t begin = reference.rfind(scheme);
-  if (begin == std::string::npos) return resolveMeshPath(reference, folder);
-  const std::string tail = std::filesystem::path(reference.substr(begin + scheme.size())).lexically_normal().string();
-  return resolveMeshPath(scheme + tail, folder);
+  if (begin == std::string::npos) return reference;
+  return scheme + std::filesystem::path(reference.substr(begin + scheme.size())).lexically_normal().string();
 }
 
 }  // namespace
@@ -39,7 +39,16 @@ Expected<xacro::Expanded> expandXacroFile(const std::filesystem::path& file, con
                                           std::vector<xacro::DeclaredArgument>& declared, Diagnostics& diagnostics) {
   std::error_code ignored;
   const auto whole = std::filesystem::absolute(file, ignored).lexically_normal();
-  auto expanded = xacro::expand(whole, arguments, {readXacroText, findXacroFile}, declared, diagnostics);
+  std::set<std::filesystem::path> taken;  // Reported once a package.
+  const auto find = [&](const std::string& reference,
+                        const std::filesystem::path& folder) -> std::optional<std::filesystem::path> {
+    const auto found = findReference(withPlainPackage(reference), folder);
+    if (!found) return std::nullopt;
+    if (!found->taken_for_package.empty() && taken.insert(found->taken_for_package).second)
+      diagnostics.warn(takenForPackage(reference, *found));
+    return found->path;
+  };
+  auto expanded = xacro::expand(whole, arguments, {readXacroText, find}, declared, diagnostics);
   if (!expanded) return expanded;
   for (const auto& [name, value] : arguments) {
     const bool known = std::any_of(declared.begin(), declared.end(), [&](const auto& one) { return one.name == name; });

@@ -21,6 +21,7 @@
 #include "app/panels/form.h"
 #include "app/style/units.h"
 #include "app/style/value_field.h"
+#include "manipulation/workplace_check.h"
 #include "workcell/built_in_parts.h"
 #include "workcell/part_resize.h"
 
@@ -210,6 +211,7 @@ void WorkplacePanel::search() {
   moved_.clear();
   for (const workcell::EntityId id : manipulation::movedWith(question))
     moved_.push_back(context_.host().documentModel().document().find(id)->name);
+  question_ = std::make_shared<const manipulation::WorkplaceQuestion>(std::move(question));
   run_ = std::make_shared<Run>();
   busy_ = true;
   map_.reset();
@@ -218,9 +220,9 @@ void WorkplacePanel::search() {
   showMap();
   runBeside(
       this,
-      [question = std::move(question), run = run_] {
+      [question = question_, run = run_] {
         return manipulation::searchWorkplace(
-            question, [&run](double share) { run->progress = share; }, run->cancel);
+            *question, [&run](double share) { run->progress = share; }, run->cancel);
       },
       [this, run = run_](Expected<manipulation::WorkplaceMap> map) {
         if (run != run_) return;
@@ -286,7 +288,23 @@ void WorkplacePanel::take() {
     }
     commands.emplace_back(workcell::SetPlacement{id, there});
   }
-  if (!commands.empty()) context_.host().documentModel().executeAll(tr("Move the workplace"), commands);
+  if (commands.empty() || !context_.host().documentModel().executeAll(tr("Move the workplace"), commands)) return;
+  checkTaken(place);
+}
+
+void WorkplacePanel::checkTaken(const manipulation::WorkplaceCell& place) {
+  runBeside(
+      this,
+      [question = question_, place, after = context_.host().documentModel().document().snapshotEntities()] {
+        return manipulation::workplacePromises(*question, place, after);
+      },
+      [this](const Promises& promises) {
+        if (promises.areKept()) return;
+        context_.host().messages().tell(
+            Severity::kProblem, tr("This place does not keep what the search found"),
+            shown(promises.missed("").message()) + ' ' +
+                tr("The parts are moved; undo it, or search again in the cell as it is now."));
+      });
 }
 
 WorkplaceView::WorkplaceView(QWidget* parent) : QWidget(parent) {

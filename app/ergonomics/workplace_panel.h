@@ -44,6 +44,8 @@ class WorkplacePanel : public QWidget {
   void search();
   void showMap();
   void take();
+  /// Measures what the search promised of the place on the cell as it now is, and says where that is missed.
+  void checkTaken(const manipulation::WorkplaceCell& place);
   void showMoves();
   /// The cell with the ticked parts.
   manipulation::WorkplaceQuestion questionOfStation() const;
@@ -59,6 +61,7 @@ class WorkplacePanel : public QWidget {
   WorkplaceView* view_;
   std::optional<manipulation::WorkplaceMap> map_;
   dvec3 ahead_W_{1.0, 0.0, 0.0};
+  std::shared_ptr<const manipulation::WorkplaceQuestion> question_;  ///< That map_ answers.
   std::vector<workcell::EntityId> searched_;
   std::vector<std::string> moved_;  ///< Names of all that the search moved.
   struct Run {

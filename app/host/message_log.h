@@ -18,6 +18,13 @@ struct MessageAction {
   std::function<void()> act;
 };
 
+/// One of many details of a message; lines of one `kind` that follow each other are shown as a group.
+struct MessageLine {
+  QString kind;
+  QString text;
+  std::function<void()> act = {};  ///< When it is clicked, e.g. select the part meant; may be empty.
+};
+
 /// One thing the user should know: what happened, and below it where and what to do.
 struct Message {
   Severity severity = Severity::kInformation;
@@ -25,6 +32,7 @@ struct Message {
   QString text;
   QDateTime when;
   std::vector<MessageAction> actions = {};
+  std::vector<MessageLine> lines = {};  ///< Where there are any, panels list them instead of `text`.
 };
 
 /// What was told so far, newest last. Never a window in front of the scene. GUI thread.
@@ -33,8 +41,8 @@ class MessageLog : public QObject {
  public:
   using QObject::QObject;
   void tell(Severity severity, const QString& title, const QString& text = {},
-            std::vector<MessageAction> actions = {}) {
-    messages_.push_back({severity, title, text, QDateTime::currentDateTime(), std::move(actions)});
+            std::vector<MessageAction> actions = {}, std::vector<MessageLine> lines = {}) {
+    messages_.push_back({severity, title, text, QDateTime::currentDateTime(), std::move(actions), std::move(lines)});
     emit told(messages_.back());
   }
   const std::vector<Message>& messages() const { return messages_; }

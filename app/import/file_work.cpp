@@ -151,17 +151,29 @@ void FileWork::tellError(const QString& title, const Error& error) {
                         QString::fromStdString(error.message()) + " " + tr("The cell is as it was."));
 }
 
-void FileWork::tellRemarks(const QString& name, const std::vector<std::string>& remarks) {
+void FileWork::tellRemarks(const QString& name, const std::vector<std::string>& remarks, const NamedParts& parts) {
   if (remarks.empty()) return;
-  QStringList lines;
-  for (const std::string& remark : remarks) lines << QString::fromStdString(remark);
-  constexpr qsizetype kAtOnce = 5;
-  const QString title = tr("%1 was read with remarks").arg(name);
-  if (lines.size() <= kAtOnce) return host_.messages().tell(Severity::kWarning, title, lines.join('\n'));
-  const QString first = lines.mid(0, kAtOnce).join('\n') + '\n' + tr("and %1 more").arg(lines.size() - kAtOnce);
-  host_.messages().tell(
-      Severity::kWarning, title, first,
-      {{tr("Show all"), [this, title, lines] { host_.messages().tell(Severity::kWarning, title, lines.join('\n')); }}});
+  std::vector<MessageLine> lines;
+  for (const RemarkLine& remark : remarkLines(remarks, parts)) {
+    MessageLine line{remark.kind, remark.text};
+    if (!remark.parts.empty()) line.act = [this, parts = remark.parts] { select(parts); };
+    lines.push_back(std::move(line));
+  }
+  const QString first = lines.front().text;
+  const QString text = lines.size() == 1 ? first : first + ' ' + tr("and %1 more").arg(lines.size() - 1);
+  host_.messages().tell(Severity::kWarning, tr("%1 was read with remarks").arg(name), text, {}, std::move(lines));
+}
+
+NamedParts FileWork::partsOfCell() const {
+  NamedParts parts;
+  for (const auto& entity : host_.documentModel().document().state().entities) addNames(*entity, entity->id, parts);
+  return parts;
+}
+
+void FileWork::select(const std::vector<workcell::EntityId>& parts) {
+  std::vector<workcell::EntityId> there = parts;  // What was deleted since cannot be selected.
+  std::erase_if(there, [this](workcell::EntityId part) { return !host_.documentModel().document().state().find(part); });
+  if (!there.empty()) host_.selection().setAll(there, there.front());
 }
 
 void FileWork::offer(Severity severity, const QString& title, const QString& text, std::vector<MessageAction> actions) {
@@ -210,7 +222,7 @@ void FileWork::takeOpened(const std::shared_ptr<OpenedDocument>& opened, const Q
       return remark.find("is kept without its shape: " + file.string()) != std::string::npos;
     });
   });
-  tellRemarks(name, remarks);
+  tellRemarks(name, remarks, partsOfCell());
   offerMissing(opened->missing);
   if (!restored.empty())
     autosaver_.adopt(restored);
@@ -288,7 +300,7 @@ void FileWork::reload(const std::vector<std::string>& paths) {
     auto reload = std::make_shared<ShapeReload>(reloadShapes(state, paths, monitor));
     if (monitor.isCancelled()) return makeError({name.toStdString(), "", "the reading was cancelled", "", ""});
     return BackgroundWork::Then([this, reload, name, text] {
-      tellRemarks(name, reload->problems);
+      tellRemarks(name, reload->problems, partsOfCell());
       const auto& document = host_.documentModel().document();
       // What was removed meanwhile needs no shape.
       std::erase_if(reload->commands, [&](const workcell::Command& command) {
@@ -364,6 +376,7 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
   }
   workcell::ImportReport report = (*result)->report;
   for (workcell::Entity& entity : (*result)->entities) startBent(entity, report);
+  const std::vector<workcell::Entity> named = (*result)->entities;  // As the file names them.
   host_.documentModel().beginStep(tr("Import %1").arg(name));
   const auto ids = host_.documentModel().addImported(std::move((*result)->entities));
   host_.documentModel().endStep();
@@ -372,15 +385,17 @@ void FileWork::takeImported(const QString& path, const ImportSession::Result& re
     emit imported(path, false);
     return;
   }
-  tellReport(name, report);
+  NamedParts parts;
+  for (std::size_t k = 0; k < ids->size(); ++k) addNames(named[k], (*ids)[k], parts);
+  tellReport(name, report, parts);
   if (!ids->empty()) host_.selection().set(ids->front());
   const bool held = host_.snapshot() && host_.snapshot()->held != 0;
   if (!held) host_.viewport().fitAll();
   emit imported(path, true);
 }
 
-void FileWork::tellReport(const QString& name, const workcell::ImportReport& report) {
-  tellRemarks(name, report.warnings);
+void FileWork::tellReport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts) {
+  tellRemarks(name, report.warnings, parts);
   host_.messages().tell(Severity::kInformation, tr("%1 is in the cell").arg(name), reportText(report));
 }
 

@@ -11,6 +11,7 @@
 #include "app/import/document_opener.h"
 #include "app/import/export_work.h"
 #include "app/import/import_session.h"
+#include "app/import/remark_lines.h"
 #include "app/import/source_watch.h"
 
 class QDockWidget;
@@ -68,9 +69,11 @@ class FileWork : public QObject {
  private:
   void takeOpened(const std::shared_ptr<OpenedDocument>& opened, const QString& path);
   void takeImported(const QString& path, const ImportSession::Result& result);
-  void tellReport(const QString& name, const workcell::ImportReport& report);
-  /// All as one message: long lists would bury what is asked.
-  void tellRemarks(const QString& name, const std::vector<std::string>& remarks);
+  void tellReport(const QString& name, const workcell::ImportReport& report, const NamedParts& parts);
+  /// All as one message, grouped by kind; a click on one selects the parts that it names.
+  void tellRemarks(const QString& name, const std::vector<std::string>& remarks, const NamedParts& parts);
+  NamedParts partsOfCell() const;
+  void select(const std::vector<workcell::EntityId>& parts);
   void tellError(const QString& title, const Error& error);
   void offerReload(const QStringList& paths);
   void cancelOther();

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "app/panels/form.h"
@@ -23,6 +24,51 @@ QColor colorOf(Severity severity, const Theme& theme) {
                                           : theme.selection;
 }
 
+/// Keeps a list as high as its rows, up to some of them.
+void fitHeight(QTreeWidget& list) {
+  constexpr int kMostRows = 10;
+  int rows = 0;
+  for (auto* item = list.topLevelItem(0); item && rows < kMostRows; item = list.itemBelow(item)) ++rows;
+  list.setFixedHeight(rows * list.sizeHintForRow(0) + 2 * list.frameWidth() + 2);
+}
+
+/// The lines of a message: those of one kind below a row that says the kind and how many there are. A click acts.
+QTreeWidget* makeLineList(const std::vector<MessageLine>& lines) {
+  auto* list = new QTreeWidget;
+  list->setObjectName("messageLines");
+  list->setHeaderHidden(true);
+  list->setUniformRowHeights(true);
+  list->setTextElideMode(Qt::ElideRight);
+  QTreeWidgetItem* group = nullptr;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const bool begins = k == 0 || lines[k].kind != lines[k - 1].kind;
+    const auto ends = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(k), lines.end(),
+                                   [&](const MessageLine& line) { return line.kind != lines[k].kind; });
+    const auto count = ends - (lines.begin() + static_cast<std::ptrdiff_t>(k));
+    if (begins) {
+      group = count > 1 ? new QTreeWidgetItem(list, {QStringLiteral("%1 (%2)").arg(lines[k].kind).arg(count)}) : nullptr;
+    }
+    auto* item = group ? new QTreeWidgetItem(group) : new QTreeWidgetItem(list);
+    item->setText(0, lines[k].text);
+    item->setToolTip(0, lines[k].text);
+    item->setData(0, Qt::UserRole, static_cast<int>(k));
+  }
+  list->setRootIsDecorated(std::any_of(lines.begin(), lines.end(), [&](const MessageLine& line) {
+    return std::count_if(lines.begin(), lines.end(), [&](const MessageLine& one) { return one.kind == line.kind; }) > 1;
+  }));
+  const auto act = [lines](QTreeWidgetItem* item) {
+    const QVariant number = item->data(0, Qt::UserRole);
+    if (!number.isValid()) return item->setExpanded(!item->isExpanded());
+    const MessageLine& line = lines[static_cast<std::size_t>(number.toInt())];
+    if (line.act) line.act();
+  };
+  QObject::connect(list, &QTreeWidget::itemClicked, list, act);
+  QObject::connect(list, &QTreeWidget::itemExpanded, list, [list] { fitHeight(*list); });
+  QObject::connect(list, &QTreeWidget::itemCollapsed, list, [list] { fitHeight(*list); });
+  fitHeight(*list);
+  return list;
+}
+
 }  // namespace
 
 MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(parent), message_(message) {
@@ -34,7 +80,9 @@ MessageCard::MessageCard(const Message& message, QWidget* parent) : QWidget(pare
   title->setWordWrap(true);
   title->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words->addWidget(title);
-  if (!message.text.isEmpty()) {
+  if (!message.lines.empty()) {
+    words->addWidget(makeLineList(message.lines));
+  } else if (!message.text.isEmpty()) {
     auto* text = makeLabel(message.text, TextRole::kSecond, true);
     text->setWordWrap(true);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse);

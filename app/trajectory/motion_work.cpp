@@ -249,6 +249,10 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
           if (!jerk.empty())
             for (const double a : options.limits.acceleration) options.limits.jerk.push_back(a / jerk.front());
         }
+        trajectory_checks::PosesByJoints placed;
+        if (entity != cell.entities.end())
+          placed = [&](const Trajectory& motion) { return manipulation::posesFromJoints(**entity, motion); };
+        const bool by_tool = manipulation::posesFollowJoints(*given, placed);
         Result result;
         if (keep_free && entity != cell.entities.end() && !(*entity)->locked) {
           auto check = optionsFor(*given, cell.take, monitor);
@@ -261,21 +265,16 @@ void MotionWork::retime(trajectory::RetimingOptions options, bool keep_free) {
           const bool passes = free->kept.nearer.empty();
           takeKept(std::move(free->kept), result);
           measure(result, [&](const auto& file) {
-            return trajectory_checks::retimePromises(*given, options, {passes, false}, file);
+            return trajectory_checks::retimePromises(*given, options, {passes, by_tool}, file);
           });
           return result;
         }
-        auto timed = trajectory::retimed(*given, options);
+        auto timed = manipulation::retimedByJoints(*given, options, placed);
         if (!timed) return makeError(timed.error());
         result.line = retimingLine(timed->report, options.mode);
-        if (entity != cell.entities.end()) {
-          auto consistent = manipulation::posesFromJoints(**entity, timed->trajectory);
-          if (!consistent) return makeError(consistent.error());
-          timed->trajectory = std::move(*consistent);
-        }
         result.motions.push_back(std::move(timed->trajectory));
         measure(result, [&](const auto& file) {
-          return trajectory_checks::retimePromises(*given, options, {true, false}, file);
+          return trajectory_checks::retimePromises(*given, options, {true, by_tool}, file);
         });
         return result;
       });

@@ -11,6 +11,7 @@
 #include "app/import/import_facts.h"
 #include "app/import/import_report_text.h"
 #include "app/import/preview_picture.h"
+#include "app/import/remark_lines.h"
 #include "geometry/shapes.h"
 
 namespace hapticell::app {
@@ -119,6 +120,32 @@ TEST(ImportFacts, sizeAndLikelyUnitOfAFileThatNamesNone) {
   EXPECT_NEAR(facts.size.x, 200.0, 1e-9);
   EXPECT_DOUBLE_EQ(facts.likely_metres_per_unit, 0.001);
   EXPECT_FALSE(facts.can_be_cut_finer);
+}
+
+TEST(RemarkLines, areGroupedByKindAndKnowTheirParts) {
+  workcell::Entity arm, clamp;
+  arm.name = "arm";
+  clamp.name = "it's clamped";
+  auto robot = std::make_shared<kinematics::RobotModel>();
+  robot->links.push_back({.name = "boom"});
+  arm.robot = robot;
+  NamedParts parts;
+  addNames(arm, 3, parts);
+  addNames(clamp, 5, parts);
+  const auto lines = remarkLines({"line 4: link 'boom': its mesh a/b.stl is not there", "the file names no unit",
+                                  "line 17: link 'foot': its mesh c.dae is not there", "no color for 'a', 'boom' and 3 more",
+                                  "no color for 'arm'"},
+                                 parts);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[0].kind, lines[1].kind);
+  EXPECT_EQ(lines[1].text, "line 17: link 'foot': its mesh c.dae is not there");
+  EXPECT_EQ(lines[0].parts, std::vector<workcell::EntityId>{3}) << "a link is selected by its robot";
+  EXPECT_TRUE(lines[1].parts.empty()) << "there is no such link";
+  EXPECT_EQ(lines[2].kind, "the file names no unit");
+  EXPECT_EQ(lines[3].kind, lines[4].kind) << "a list of names is no kind of its own";
+  EXPECT_NE(lines[2].kind, lines[3].kind);
+  EXPECT_EQ(lines[4].parts, std::vector<workcell::EntityId>{3});
+  EXPECT_TRUE(remarkLines({}, parts).empty());
 }
 
 TEST(ChangePage, tellsMillimetresAndDegrees) {

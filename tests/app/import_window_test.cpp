@@ -5,6 +5,8 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QTest>
+#include <QTreeWidget>
 #include <QUrl>
 
 #include <iostream>
@@ -87,6 +89,53 @@ TEST(ImportWindow, WhoIsNotAskedIsToldThatTheUnitMayBeAnother) {
   const Message* told = page.told("block.off was read with remarks");
   ASSERT_NE(told, nullptr);
   EXPECT_TRUE(told->text.contains("millimetres")) << told->text.toStdString();
+}
+
+TEST(ImportWindow, RemarksAreGroupedAndAClickSelectsThePart) {
+  QTemporaryDir folder;
+  QFile file(folder.filePath("arm.urdf"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  const auto link = [](const char* name) {
+    return QByteArray("<link name='") + name + "'><visual><geometry><mesh filename='" + name +
+           ".stl'/></geometry></visual></link>";
+  };
+  file.write("<robot name='arm'>" + link("foot") + link("boom") +
+             "<joint name='j' type='revolute'><parent link='foot'/><child link='boom'/><axis xyz='0 0 1'/>"
+             "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>");
+  file.close();
+  ImportPage page;
+  ASSERT_TRUE(page.add(file.fileName()));
+  ASSERT_TRUE(page.add(writeBlock(folder.filePath("block.off"), 1, 1, 1)));
+  const Message* told = page.told("arm.urdf was read with remarks");
+  ASSERT_NE(told, nullptr);
+  ASSERT_GE(told->lines.size(), 2u);
+  EXPECT_NE(page.window().selection().current(), page.entity("arm")->id);
+
+  auto* dock = page.window().findChild<QDockWidget*>("dockMessages");
+  dock->show();
+  dock->raise();
+  WindowPage::settle();
+  QTreeWidget* list = nullptr;
+  for (auto* one : dock->findChildren<QTreeWidget*>("messageLines"))
+    if (!one->findItems("foot.stl", Qt::MatchContains | Qt::MatchRecursive).isEmpty()) list = one;
+  ASSERT_NE(list, nullptr);
+  QTreeWidgetItem* item = list->findItems("boom.stl", Qt::MatchContains | Qt::MatchRecursive).front();
+  ASSERT_NE(item->parent(), nullptr) << "two shapes were lost for one reason";
+  EXPECT_TRUE(item->parent()->text(0).endsWith("(2)")) << item->parent()->text(0).toStdString();
+  const int closed = list->height();
+  list->parentWidget()->window()->activateWindow();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item->parent()).center());
+  ASSERT_TRUE(item->parent()->isExpanded());
+  EXPECT_GT(list->height(), closed);
+  WindowPage::settle();
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item).center());
+  EXPECT_EQ(page.window().selection().current(), page.entity("arm")->id);
+
+  page.trigger("actionDelete");
+  WindowPage::settle();
+  ASSERT_EQ(page.entity("arm"), nullptr);
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(item).center());
+  EXPECT_EQ(page.window().selection().current(), 0u) << "what is gone is not selected";
 }
 
 TEST(ImportWindow, NamesColoursAndUnitOfAnObjFileComeWithIt) {

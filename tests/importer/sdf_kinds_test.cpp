@@ -7,6 +7,8 @@
 
 #include "geometry/mass_properties.h"
 #include "tests/support/test_data.h"
+#include "workcell/document_io.h"
+#include "workcell/entity_source.h"
 #include "workcell/mesh_writer.h"
 #include "workcell/robot_reader.h"
 #include "workcell/sdf_cell_reader.h"
@@ -197,6 +199,20 @@ TEST_F(SdfKinds, aRobotMayHaveMeshesOfEveryKindAndNamesWithBlanks) {
   EXPECT_THAT(notes_.warnings, Contains(HasSubstr("gone.dae")));
 }
 
+TEST_F(SdfKinds, aPackageUnderAnotherNameIsTakenAndReported) {
+  folder_.write("gate-main/meshes/wedge.stl", kWedge);
+  for (const std::string scheme : {"package://", "model://"}) {
+    const std::string uri = scheme + "gate_description/meshes/wedge.stl";
+    const auto inside = "<model name='gate'><link name='base'>" + shape("<mesh><uri>" + uri + "</uri></mesh>") + "</link>" +
+                        link("arm") + joint("revolute", axis("0 0 1", "")) + "</model>";
+    notes_ = {};
+    const auto read = readRobot(folder_.write("gate-main/sdf/robot.sdf", "<sdf version='1.9'>" + inside + "</sdf>"), notes_);
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->model.links[0].visuals.size(), 1u) << uri;
+    EXPECT_THAT(notes_.warnings, Contains(HasSubstr("gate-main, which holds the rest of the path"))) << uri;
+  }
+}
+
 TEST_F(SdfKinds, limitsOfEachSideAndEachAxis) {
   const auto one = robot("<model name='m'>" + link("base") + link("arm") +
                          joint("revolute", axis("0 1 0", "<lower>0</lower>")) + "</model>");
@@ -259,6 +275,60 @@ TEST_F(SdfKinds, aRobotInAWorldOrJoinedToItOrWithALoad) {
   std::vector<Pose> X_BL;
   kinematics::forwardKinematics(loaded, {0.0}, X_BL);
   EXPECT_NEAR(X_BL[static_cast<std::size_t>(load)].p.z, 1.0, 1e-12);
+}
+
+TEST_F(SdfKinds, robotsStandBesideFurnitureInOneWorld) {
+  const auto arm = [](const std::string& name, const std::string& pose) {
+    return "<model name='" + name + "'><pose>" + pose + "</pose><link name='base'><pose>0 0 0.25 0 0 0</pose><collision "
+           "name='c'>" + kBox + "</collision></link><link name='arm'><pose>0 0 1 0 0 0</pose><collision name='c'>" + kBox +
+           "</collision></link>" + joint("revolute", axis("0 0 1", "<lower>-1</lower><upper>1</upper>")) + "</model>";
+  };
+  const auto file = folder_.write(
+      "cell.world", "<sdf version='1.9'><world name='w'><model name='table'><pose>5 0 0 0 0 0</pose>" + link("top") +
+                        "</model>" + arm("left", "1 2 0 0 0 1.5707963267948966") + arm("right", "0 -2 3 0 0 0") +
+                        "<model name='lost'>" + link("base") + joint("revolute", "") + "</model></world></sdf>");
+  ImportOptions options;
+  auto tree = EntityLoader(folder_.path()).loadTree(file.string(), options, notes_);
+  ASSERT_TRUE(tree) << tree.error().message();
+  const auto named = [&](const std::string& name) {
+    const auto found = std::find_if(tree->entities.begin(), tree->entities.end(),
+                                    [&](const Entity& entity) { return entity.name == name; });
+    return found == tree->entities.end() ? Entity() : *found;
+  };
+  EXPECT_EQ(named("left").kind, EntityKind::kRobot);
+  ASSERT_TRUE(named("left").robot && named("right").robot);
+  EXPECT_EQ(named("left").robot->dof(), 1u);
+  EXPECT_LT(glm::distance(named("left").X_WE.p, dvec3(1, 2, 0.25)), 1e-12) << "its root stands where the file says";
+  EXPECT_NEAR(named("left").X_WE.rotate({1, 0, 0}).y, 1.0, 1e-9);
+  EXPECT_LT(glm::distance(named("right").X_WE.p, dvec3(0, -2, 3.25)), 1e-12);
+  EXPECT_EQ(named("table").kind, EntityKind::kAssembly);
+  EXPECT_FALSE(named("lost").robot);
+  EXPECT_THAT(notes_.warnings, Contains(HasSubstr("'lost' has joints that move; it is read as a solid body: ")));
+
+  Document document;
+  ASSERT_TRUE(addImported(document, tree->entities, Pose()));
+  const auto cell = folder_.path() / "kept.hcell";
+  ASSERT_TRUE(saveDocument(document, cell));
+  const auto again = loadDocument(cell, notes_);
+  ASSERT_TRUE(again) << again.error().message();
+  const Entity* right = again->state().findByName("right");
+  ASSERT_TRUE(right && right->robot);
+  EXPECT_EQ(right->robot->name, "right");
+  EXPECT_LT(glm::distance(right->X_WE.p, dvec3(0, -2, 3.25)), 1e-12);
+
+  options.merge = true;
+  const auto merged = EntityLoader(folder_.path()).loadTree(file.string(), options, notes_);
+  ASSERT_TRUE(merged) << merged.error().message();
+  ASSERT_EQ(merged->entities.size(), 1u);
+  EXPECT_NEAR(merged->entities[0].mesh->bounds().max.z, 4.05, 1e-9) << "robots are part of the whole";
+}
+
+TEST_F(SdfKinds, aRobotAloneStandsWhereItsModelDoes) {
+  const auto file = folder_.write("r.sdf", "<sdf version='1.9'><model name='m'><pose>1 0 2 0 0 0</pose>" + link("base") +
+                                               link("arm") + joint("revolute", axis("0 0 1", "")) + "</model></sdf>");
+  const auto tree = EntityLoader(folder_.path()).loadTree(file.string(), {}, notes_);
+  ASSERT_TRUE(tree) << tree.error().message();
+  EXPECT_LT(glm::distance(tree->entities.at(0).X_WE.p, dvec3(1, 0, 2)), 1e-12);
 }
 
 TEST_F(SdfKinds, followersAndFreeBodiesAreToldOrKept) {

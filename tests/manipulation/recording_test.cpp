@@ -285,6 +285,50 @@ TEST(RetimedFree, GoesRoundTheCornerHoweverFarApartFramesAreAsked) {
   EXPECT_FALSE(retimedFree(scene, recording, wide, {}, {}).has_value());
 }
 
+/// The tool at the end of a long arm is farther off than its joints are.
+TEST(RetimedByJoints, PassesTheGivenPlacesOfTheTool) {
+  const workcell::Entity robot = libraryRobot("kuka_kr16_2");
+  const auto placed = [&](const Trajectory& motion) { return posesFromJoints(robot, motion); };
+  Trajectory motion;
+  motion.entity = "robot";
+  motion.moved = "tcp";
+  for (const int joint : robot.robot->moving)
+    motion.joint_names.push_back(robot.robot->joints[static_cast<std::size_t>(joint)].name);
+  for (int i = 0; i <= 6; ++i) {
+    std::vector<double> q = robot.joints;
+    for (std::size_t j = 0; j < q.size(); ++j) q[j] += 0.3 * ((i * (static_cast<int>(j) + 2)) % 5);
+    motion.addFrame({0.5 * i, toolOf(robot, q)}, q);
+  }
+  ASSERT_TRUE(posesFollowJoints(motion, placed));
+  trajectory::RetimingOptions options;
+  options.limits = {std::vector<double>(6, 2.0), std::vector<double>(6, 8.0), {}};
+  options.tolerance = {2e-5, 2e-4, 1e-3};  // As closely as 0.02 mm, where joints may be 1 mrad off.
+  const auto made = retimedByJoints(motion, options, placed);
+  ASSERT_TRUE(made.has_value()) << made.error().message();
+  for (std::size_t k = 0; k < motion.size(); ++k) {  // By forward kinematics between the new frames.
+    double nearest = 1e300;
+    for (std::size_t i = 0; i + 1 < made->trajectory.size(); ++i) {
+      const dvec3 a = made->trajectory[i].X_WT.p, b = made->trajectory[i + 1].X_WT.p, p = motion[k].X_WT.p;
+      const double share = a == b ? 0.0 : std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+      nearest = std::min(nearest, glm::distance(p, a + share * (b - a)));
+      const auto q = made->trajectory.joints(i);
+      if (k == 0) EXPECT_LT(glm::distance(toolOf(robot, {q.begin(), q.end()}).p, a), 1e-9) << i;
+    }
+    EXPECT_LE(nearest, 2e-5 * (1.0 + 1e-6)) << k;
+  }
+  EXPECT_LE(made->report.max_deviation.position, 2e-5);
+
+  Trajectory other = motion.emptyCopy();
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    Trajectory::Frame frame = motion[i];
+    frame.X_WT.p.x += 0.1;
+    other.addFrame(frame, motion.joints(i));
+  }
+  EXPECT_FALSE(posesFollowJoints(other, placed));
+  EXPECT_TRUE(retimedByJoints(other, options, placed).has_value());
+  EXPECT_FALSE(posesFollowJoints(motion, {}));
+}
+
 TEST(PathCheck, CanBeEndedAndTellsHowFarItIs) {
   const auto scene = PreparedScene::prepare(
       {solid(1, "wall", geometry::makeBox({0.001, 1, 1})), solid(2, "box", geometry::makeBox(dvec3(0.02)))}, {}, {});

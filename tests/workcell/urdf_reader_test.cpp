@@ -23,6 +23,11 @@ using test::meshText;
 using test::robotText;
 using ::testing::HasSubstr;
 
+std::optional<std::filesystem::path> pathOf(const std::string& uri, const std::filesystem::path& folder) {
+  const auto found = findReference(uri, folder);
+  return found ? std::optional(found->path) : std::nullopt;
+}
+
 Expected<RobotModel> readText(const hapticell::test::TemporaryFolder& folder, const std::string& text,
                               Diagnostics& diagnostics) {
   return readUrdf(folder.write("robot.urdf", text), diagnostics);
@@ -180,21 +185,21 @@ TEST(PackagePath, FindsPackagesByFolderByManifestAndByEnvironment) {
   folder.write("with space/a.stl", "x");
   elsewhere.write("by_environment/a.stl", "x");
   const auto urdf_folder = folder.path() / "other_name" / "urdf";
-  EXPECT_EQ(resolveMeshPath("package://by_folder/meshes/a.stl", urdf_folder), folder.path() / "by_folder/meshes/a.stl");
-  EXPECT_EQ(resolveMeshPath("package://by_manifest/meshes/a.stl", urdf_folder),
+  EXPECT_EQ(pathOf("package://by_folder/meshes/a.stl", urdf_folder), folder.path() / "by_folder/meshes/a.stl");
+  EXPECT_EQ(pathOf("package://by_manifest/meshes/a.stl", urdf_folder),
             folder.path() / "other_name/meshes/a.stl");
-  EXPECT_EQ(resolveMeshPath("package://by_manifest/meshes/a.stl", folder.path()),
+  EXPECT_EQ(pathOf("package://by_manifest/meshes/a.stl", folder.path()),
             folder.path() / "other_name/meshes/a.stl");
-  EXPECT_EQ(resolveMeshPath("../meshes/a.stl", urdf_folder), folder.path() / "other_name/meshes/a.stl");
+  EXPECT_EQ(pathOf("../meshes/a.stl", urdf_folder), folder.path() / "other_name/meshes/a.stl");
   const auto absolute = folder.path() / "with space/a.stl";
-  EXPECT_EQ(resolveMeshPath("file://" + absolute.string(), urdf_folder), absolute);
-  EXPECT_EQ(resolveMeshPath(absolute.string(), urdf_folder), absolute);
-  EXPECT_FALSE(resolveMeshPath("package://by_environment/a.stl", urdf_folder));
+  EXPECT_EQ(pathOf("file://" + absolute.string(), urdf_folder), absolute);
+  EXPECT_EQ(pathOf(absolute.string(), urdf_folder), absolute);
+  EXPECT_FALSE(pathOf("package://by_environment/a.stl", urdf_folder));
   ::setenv("ROS_PACKAGE_PATH", ("/nowhere:" + elsewhere.path().string()).c_str(), 1);
-  EXPECT_EQ(resolveMeshPath("package://by_environment/a.stl", urdf_folder), elsewhere.path() / "by_environment/a.stl");
+  EXPECT_EQ(pathOf("package://by_environment/a.stl", urdf_folder), elsewhere.path() / "by_environment/a.stl");
   ::unsetenv("ROS_PACKAGE_PATH");
-  EXPECT_FALSE(resolveMeshPath("package://", urdf_folder));
-  EXPECT_FALSE(resolveMeshPath("", urdf_folder));
+  EXPECT_FALSE(pathOf("package://", urdf_folder));
+  EXPECT_FALSE(pathOf("", urdf_folder));
 }
 
 TEST(PackagePath, StaysInThePackage) {
@@ -202,11 +207,11 @@ TEST(PackagePath, StaysInThePackage) {
   folder.write("pack/meshes/a.stl", "x");
   folder.write("secret.stl", "x");
   const auto here = folder.path() / "pack";
-  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/../meshes/a.stl", here));
+  EXPECT_TRUE(pathOf("package://pack/meshes/../meshes/a.stl", here));
   for (const char* uri : {"package://pack/../secret.stl", "package://../secret.stl", "package://./secret.stl",
                           "model://pack/meshes/../../secret.stl", "package://pack/../../../../../../etc/passwd"}) {
     EXPECT_TRUE(leavesPackage(uri)) << uri;
-    EXPECT_FALSE(resolveMeshPath(uri, here)) << uri;
+    EXPECT_FALSE(pathOf(uri, here)) << uri;
   }
   EXPECT_FALSE(leavesPackage("../meshes/a.stl")) << "a plain path is the user's own";
 }
@@ -223,12 +228,12 @@ TEST(PackagePath, FollowsTheLinksOfAWorkspaceAndNoBorrowedName) {
   std::filesystem::create_symlink("e.stl", meshes / "e.stl");
   std::filesystem::create_symlink("/dev/zero", meshes / "f.stl");
   const auto here = folder.path() / "install/pack";
-  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/a.stl", here)) << "as build tools of ROS 2 make them";
-  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/b.stl", here));
-  EXPECT_TRUE(resolveMeshPath("package://pack/meshes/c.stl", here)) << "within the package";
-  EXPECT_FALSE(resolveMeshPath("package://pack/meshes/d.stl", here)) << "another file under a borrowed name";
-  EXPECT_FALSE(resolveMeshPath("package://pack/meshes/e.stl", here)) << "a ring";
-  EXPECT_FALSE(resolveMeshPath("package://pack/meshes/f.stl", here)) << "a device without end";
+  EXPECT_TRUE(pathOf("package://pack/meshes/a.stl", here)) << "as build tools of ROS 2 make them";
+  EXPECT_TRUE(pathOf("package://pack/meshes/b.stl", here));
+  EXPECT_TRUE(pathOf("package://pack/meshes/c.stl", here)) << "within the package";
+  EXPECT_FALSE(pathOf("package://pack/meshes/d.stl", here)) << "another file under a borrowed name";
+  EXPECT_FALSE(pathOf("package://pack/meshes/e.stl", here)) << "a ring";
+  EXPECT_FALSE(pathOf("package://pack/meshes/f.stl", here)) << "a device without end";
 }
 
 struct RealRobot {

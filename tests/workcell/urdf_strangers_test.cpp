@@ -95,7 +95,7 @@ TEST(UrdfOfStrangers, LimitsThatAreNoneAreToldAndHoldNothing) {
   EXPECT_THAT(readBody(limited("<limit lower=\"0\" upper=\"-1\" velocity=\"1\"/>")).said,
               HasSubstr("line 5: joint 'j'"));
   EXPECT_THAT(readBody(limited("<limit lower=\"-1\" upper=\"1\" velocity=\"inf\"/>")).said,
-              HasSubstr("no finite velocity is stated for j"));
+              HasSubstr("no finite velocity is stated for 'j"));
   const Read no_number = readBody(limited("<limit lower=\"nan\" upper=\"1\"/>"));
   EXPECT_FALSE(no_number.model);
   EXPECT_THAT(no_number.said, HasSubstr("line 5"));
@@ -254,6 +254,47 @@ TEST(UrdfOfStrangers, AFaultInAXacroNamesTheFileAndLineThatSaysIt) {
       "<robot name=\"r\" xmlns:xacro=\"x\">\n<xacro:include filename=\"m.xacro\"/>\n<xacro:arm t=\"screw\"/></robot>"));
   EXPECT_FALSE(read.model);
   EXPECT_THAT(read.said, HasSubstr("m.xacro, line 4: joint 'j' has the type 'screw'"));
+}
+
+TEST(UrdfOfStrangers, WhatIsLeftOfMacrosAndTheWorldWithoutLinkRefuseNoRobot) {
+  const Read calls = readBody("<!-- <xacro:macro name='grey'/> -->" + limited("<limit lower=\"-1\" upper=\"1\"/>") +
+                              "<xacro:sensors usb=\"1\"/>\n<xacro:grey/><xacro:grey/>");
+  ASSERT_TRUE(calls.model) << calls.said;
+  EXPECT_EQ(calls.model->dof(), 1u);
+  EXPECT_THAT(calls.said, HasSubstr("<xacro:grey> was never expanded (2 times)"));
+  EXPECT_THAT(calls.said, HasSubstr("<xacro:sensors> was never expanded (1 time)"));
+
+  const Read world = readBody(linkText("a") + jointText("j", "world", "a", "prismatic",
+                                                       "<axis xyz=\"1 0 0\"/><limit lower=\"0\" upper=\"1\"/>"));
+  ASSERT_TRUE(world.model) << world.said;
+  EXPECT_EQ(world.model->links[0].name, "world");
+  EXPECT_EQ(world.model->dof(), 1u);
+  EXPECT_THAT(world.said, HasSubstr("joint 'j' hangs on 'world'"));
+  EXPECT_FALSE(readBody(linkText("a") + jointText("j", "body", "a", "fixed", "")).model) << "another link is missed";
+}
+
+TEST(UrdfOfStrangers, TheKindIsToldByTheFirstElementNotByAComment) {
+  const hapticell::test::TemporaryFolder folder;
+  const auto kind = [&](const std::string& name, const std::string& text) {
+    return robotFormatOf(folder.write(name, text));
+  };
+  EXPECT_EQ(kind("a.sdf", "<?xml version='1.0'?><!-- made of a <robot> --><sdf version='1.6'/>"), RobotFormat::kSdf);
+  EXPECT_EQ(kind("b.urdf", "<!DOCTYPE robot><!-- <sdf> <xacro:macro> --><robot name='r'/>"), RobotFormat::kUrdf);
+  EXPECT_EQ(kind("c.xml", "\xEF\xBB\xBF<robot name='r'><xacro:property name='p' value='1'/></robot>"),
+            RobotFormat::kXacro);
+  EXPECT_EQ(kind("d.urdf", "<robot name='r'><xacro:grey/></robot>"), RobotFormat::kUrdf) << "nothing is defined in it";
+  EXPECT_EQ(kind("e.xml", "<!-- <robot> never ends"), std::nullopt);
+  EXPECT_EQ(kind("f.xml", "<note><robot/></note>"), std::nullopt);
+}
+
+TEST(UrdfOfStrangers, APackageFolderThatAXacroTakesUnderAnotherNameIsReported) {
+  const hapticell::test::TemporaryFolder folder;
+  folder.write("gate-main/parts/m.xacro", "<robot xmlns:xacro=\"x\"><link name=\"a\"/></robot>");
+  const Read read = readFrom(folder.write("gate-main/urdf/r.xacro",
+                                          "<robot name=\"r\" xmlns:xacro=\"x\"><xacro:include "
+                                          "filename=\"$(find gate_description)/parts/m.xacro\"/></robot>"));
+  ASSERT_TRUE(read.model) << read.said;
+  EXPECT_THAT(read.said, HasSubstr((folder.path() / "gate-main").string() + ", which holds the rest of the path"));
 }
 
 }  // namespace
