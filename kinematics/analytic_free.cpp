@@ -38,7 +38,8 @@ void AnalyticInverse::freeRange(std::size_t index, double& lower, double& upper)
   const bool last_joint = classification_.robot_class == RobotClass::kPanda;
   if (index >= rails_ && !last_joint) return;  // a swivel angle
   const std::size_t variable = index < rails_ ? index : chain.size() - 1;
-  const double bound = index < rails_ ? chain.reach() : std::numbers::pi;
+  // A rail without limits is tried for ten times the arm either way.
+  const double bound = index < rails_ ? 10.0 * chain.scale() : std::numbers::pi;
   lower = std::isfinite(chain.lower()[variable]) ? chain.lower()[variable] : -bound;
   upper = std::isfinite(chain.upper()[variable]) ? chain.upper()[variable] : bound;
 }

@@ -16,7 +16,7 @@ ArmAxes armAxes(const Chain& chain) {
     axes.simple = axes.simple && elements[i].variable == static_cast<int>(i) && elements[i].factor == 1.0 &&
                   elements[i].offset == 0.0;
   }
-  axes.reach = std::max(chain.reach(), 1e-6);
+  axes.reach = std::max(chain.scale(), 1e-6);
   axes.R_BT = state.R_BT;
   axes.p_BT = state.p_BT;
   if (!axes.simple) return axes;

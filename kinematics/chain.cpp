@@ -80,13 +80,15 @@ Expected<Chain> Chain::create(const RobotModel& model, int tip_link, const Pose&
 }
 
 void Chain::setReach() {
-  reach_ = glm::length(p_LT_);
+  reach_ = scale_ = glm::length(p_LT_);
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     if (i > 0) reach_ += glm::length(elements_[i].p_PJ);
+    if (i > 0) scale_ += glm::length(elements_[i].p_PJ);
     if (!elements_[i].prismatic) continue;
     const auto variable = static_cast<std::size_t>(elements_[i].variable);
     const double extent = std::max(std::abs(lower_[variable]), std::abs(upper_[variable]));
     reach_ += std::abs(elements_[i].factor) * extent + std::abs(elements_[i].offset);
+    scale_ += std::abs(elements_[i].factor) * (std::isfinite(extent) ? extent : 1.0) + std::abs(elements_[i].offset);
   }
 }
 

@@ -52,7 +52,9 @@ class Chain {
   /// True when a full turn of the variable changes nothing at the tip.
   bool turns(std::size_t variable) const { return turns_[variable]; }
   /// An upper bound (m) of the tip's distance from the first joint's origin.
-  double reach() const { return reach_; }
+  double reach() const { return reach_; }  ///< Infinite with a slide that has no limits.
+  /// A length (m) of the chain, by which misfits are scaled: reach(), with 1 m for each slide without limits.
+  double scale() const { return scale_; }
 
   void evaluate(const ChainPositions& x, ChainState& state) const;
 
@@ -67,7 +69,7 @@ class Chain {
   std::array<bool, kMaxChainVariables> turns_{};
   dmat3 R_LT_{1.0};  ///< From the last element to the tip.
   dvec3 p_LT_{0.0};
-  double reach_ = 0.0;
+  double reach_ = 0.0, scale_ = 0.0;
 
   void addElement(const RobotModel& model, const Joint& joint, const Pose& X_PJ);
   void setReach();

@@ -23,7 +23,7 @@ Jacobian6 scaledJacobian(const Chain& chain, const ChainPositions& x) {
   ChainState state;
   chain.evaluate(x, state);
   Jacobian6 J = Jacobian6::Zero(6, static_cast<Eigen::Index>(chain.size()));
-  const double scale = 2.0 / std::max(chain.reach(), 1e-6);
+  const double scale = 2.0 / std::max(chain.scale(), 1e-6);
   for (std::size_t i = 0; i < chain.elements().size(); ++i) {
     const Chain::Element& element = chain.elements()[i];
     const dvec3& z = state.axis_B[i];

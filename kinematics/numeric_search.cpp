@@ -42,7 +42,7 @@ bool NumericInverse::isTooFar(const Pose& X_BT) const {
 }
 
 std::vector<std::size_t> NumericInverse::seedsNear(const Pose& X_BT) const {
-  const double scale = 3.0 / std::max(chain_.reach(), 1e-3);
+  const double scale = 3.0 / std::max(chain_.scale(), 1e-3);
   std::vector<double> cost(seeds_.size());
   for (std::size_t s = 0; s < seeds_.size(); ++s) {
     const dvec3 apart = scale * (seeds_[s].X_BT.p - X_BT.p);
@@ -72,7 +72,7 @@ ChainPositions NumericInverse::aboutStart(const ChainPositions& x_start, std::si
 double NumericInverse::startApart(const Pose& X_BT, const ChainPositions& x_start) const {
   ChainState state;
   chain_.evaluate(x_start, state);
-  const dvec3 apart = 3.0 / std::max(chain_.reach(), 1e-3) * (state.p_BT - X_BT.p);
+  const dvec3 apart = 3.0 / std::max(chain_.scale(), 1e-3) * (state.p_BT - X_BT.p);
   // The trace of R^T R' is 4 c^2 - 1, c the cosine of half the angle between them.
   const dmat3 R = X_BT.R();
   double trace = 0.0;
@@ -121,6 +121,9 @@ FitResult NumericInverse::searchWithinLimits(const Pose& X_BT, const ChainPositi
     if (fitCost(patient, options_.lever) < fitCost(best, options_.lever)) best = patient;
     if (best.converged) break;
   }
+  // There the last digits of the joints are lost: what is met to this is met (arm 356 of RandomArms with 2000 arms).
+  constexpr double kMet = 1e-8;  // m and rad
+  best.converged = best.converged || (best.position_error < kMet && best.orientation_error < kMet);
   return best;
 }
 
@@ -161,7 +164,7 @@ FitResult NumericInverse::searchAny(const Pose& X_BT, const ChainPositions& x_st
   float numbers[7];
   std::transform(wanted, wanted + 7, numbers, [](double number) { return static_cast<float>(number); });
   int order[kernels::kSeedGroups] = {};
-  kernels::table().nearestSeeds(seeds, numbers, static_cast<float>(3.0 / std::max(chain_.reach(), 1e-3)), order);
+  kernels::table().nearestSeeds(seeds, numbers, static_cast<float>(3.0 / std::max(chain_.scale(), 1e-3)), order);
   for (const int seed : order) {
     if (tryFrom(seeds_[static_cast<std::size_t>(seed)].x)) return best;
   }

@@ -179,7 +179,7 @@ bool Descent::fixBlocked() {
     fixed_[i] = (x_[i] <= box_.lower[i] && slope < 0.0) || (x_[i] >= box_.upper[i] && slope > 0.0);
     if (!fixed_[i]) steepest = std::max(steepest, std::abs(slope));
   }
-  return steepest > 1e-13 * std::max(1.0, chain_.reach()) * std::sqrt(2.0 * residual_.cost);
+  return steepest > 1e-13 * std::max(1.0, chain_.scale()) * std::sqrt(2.0 * residual_.cost);
 }
 
 bool Descent::tryStep(double predicted) {

@@ -45,7 +45,7 @@ kernels::TrueArm trueArm(const Chain& chain, std::size_t slides) {
     before = glm::transpose(A);
   }
   put(before * chain.R_LT(), before * chain.p_LT(), arm.R_tip, arm.p_tip);
-  arm.scale = 3.0 / std::max(chain.reach(), 1e-3);
+  arm.scale = 3.0 / std::max(chain.scale(), 1e-3);
   return arm;
 }
 

@@ -181,6 +181,7 @@ std::string withoutFileScheme(const std::string& uri) {
   if (!uri.starts_with("file:")) return uri;
   std::string rest = uri.substr(uri.starts_with("file://") ? 7 : 5);
   if (rest.starts_with("localhost/")) rest.erase(0, 9);
+  if (rest.starts_with("/package://") || rest.starts_with("/model://")) rest.erase(0, 1);  // file:///$(find NAME)
   return rest;
 }
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <sdf/sdf.hh>
 
-#include "workcell/sdf_reader.h"
+#include "workcell/sdf_robot.h"
 #include "workcell/sdf_shapes.h"
 #include "workcell/sdf_tidier.h"
 

@@ -9,6 +9,7 @@
 #include <sdf/sdf.hh>
 
 #include "kinematics/joint_graph.h"
+#include "workcell/sdf_robot.h"
 #include "workcell/sdf_shapes.h"
 #include "workcell/sdf_tidier.h"
 

@@ -4,17 +4,13 @@
 #include <filesystem>
 
 #include "geometry/error.h"
+#include "geometry/pose.h"
 #include "kinematics/robot_model.h"
 #include "workcell/import_monitor.h"
-#include "workcell/sdf_source.h"
-
-namespace sdf {
-class Model;
-}
 
 namespace hapticell::workcell {
 
-/// A robot and where its root B stands: in the file's frame F, or its model's (see readSdfRobot()).
+/// A robot and where its root B stands: in the file's frame F, or its model's (readSdfRobot()).
 struct SdfRobot {
   kinematics::RobotModel model;
   Pose X_FB;
@@ -35,12 +31,5 @@ struct SdfRobot {
 /// there, limits reversed, loops that stay open.
 Expected<SdfRobot> readSdf(const std::filesystem::path& file, Diagnostics& diagnostics,
                            ImportMonitor* monitor = nullptr);
-
-/// True where the model has a joint that moves, not counting those of models inside it.
-bool hasMovingJoints(const sdf::Model& model);
-
-/// One model of `source` as a robot, as readSdf() does; X_FB is its root in the model's frame.
-Expected<SdfRobot> readSdfRobot(const SdfSource& source, const sdf::Model& model, const std::filesystem::path& file,
-                                Diagnostics& diagnostics, ImportMonitor* monitor = nullptr);
 
 }  // namespace hapticell::workcell

@@ -12,6 +12,7 @@
 #include "tests/importer/model_texts.h"
 #include "tests/support/test_data.h"
 #include "workcell/archive.h"
+#include "workcell/content_rules.h"
 #include "workcell/file_content.h"
 #include "workcell/import_scene.h"
 #include "workcell/scene_export.h"
@@ -334,6 +335,32 @@ TEST_F(ModelKinds, colorsAndRequiredExtensionsOfA3mf) {
   EXPECT_THAT(refused.error().message(), HasSubstr("beamlattice"));
 }
 
+TEST_F(ModelKinds, everyElementOfA3mfIsTreatedAsListed) {
+  std::string inside, in_mesh;
+  std::vector<std::string> reported;
+  for (const FormatRules& format : contentRules()) {
+    if (format.format != "3MF") continue;
+    for (const ContentRule& rule : format.rules) {
+      const std::string element = "<x:" + std::string(rule.element) + "/>";
+      if (rule.treatment == Treatment::kReported) reported.emplace_back(rule.element);
+      if (rule.treatment == Treatment::kReported || rule.treatment == Treatment::kNoted)
+        (rule.element == "beamlattice" || rule.element == "trianglesets" ? in_mesh : inside) += element;
+    }
+  }
+  ASSERT_GE(reported.size(), 5u);
+  std::string box = object(1, "name='box'", 1.0);
+  box.insert(box.find("</mesh>"), in_mesh);
+  box.insert(box.find("</object>"), inside);
+  const auto scene = package(model("xmlns:x='http://schemas.example/all'", box, "<item objectid='1'/>"));
+  EXPECT_EQ(scene.warnings.size(), reported.size());
+  for (const std::string& element : reported) {
+    const bool told = std::any_of(scene.warnings.begin(), scene.warnings.end(), [&](const std::string& warning) {
+      return warning.find(element) != std::string::npos && warning.find("'box'") != std::string::npos;
+    });
+    EXPECT_TRUE(told) << element;
+  }
+}
+
 /// A STEP file of one box, called `name` in whatever bytes.
 std::string stepOf(const std::string& name) {
   test::TemporaryFolder folder;
@@ -378,6 +405,30 @@ TEST_F(ModelKinds, rawBytesInStepNamesAreGuessedAndTold) {
     EXPECT_EQ(told, *w.told != '\0') << w.name;
     EXPECT_TRUE(hasNode(scene, w.name)) << w.name;
   }
+}
+
+TEST_F(ModelKinds, whatAStepFileHoldsBesideItsShapesIsTreatedAsListed) {
+  const auto with = [](const std::string& entities, const std::string& name = "box") {
+    std::string text = stepOf(name);
+    return text.insert(text.rfind("ENDSEC;"), entities);
+  };
+  const auto plain = read("a.step", stepOf("box"));
+  EXPECT_TRUE(plain.warnings.empty());
+  // Manufacturing information, layers and properties are passed over.
+  const auto silent = read("a.step", with("#90001=PRESENTATION_LAYER_ASSIGNMENT('l','',(#1));\n"
+                                          "#90002=DESCRIPTIVE_REPRESENTATION_ITEM('material','steel');\n"
+                                          "#90003=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.),#1);\n"));
+  EXPECT_TRUE(silent.warnings.empty()) << silent.warnings.front();
+  const auto told = read("a.step", with("#90004=TESSELLATED_SOLID('',(#1),$);\n#90005=KINEMATIC_JOINT('',#1,#1);\n",
+                                        "Geh\xE4use"));
+  for (const char* words : {"Latin-1", "tessellated", "joints"}) {
+    const bool is_told = std::any_of(told.warnings.begin(), told.warnings.end(), [&](const std::string& warning) {
+      return warning.find(words) != std::string::npos;
+    });
+    EXPECT_TRUE(is_told) << words;
+  }
+  EXPECT_EQ(told.warnings.size(), 3u);
+  expectBounds(told, {0, 0, 0}, {0.01, 0.02, 0.03}, 1e-7);
 }
 
 TEST_F(ModelKinds, stepBehindAMarkACommentOrPacked) {

@@ -138,6 +138,47 @@ TEST(RandomArms, SixJointsOfFiveFreedomsGoToTheNumericModel) {
                RobotClass::kNumeric, 60);
 }
 
+/// Mobile bases in URDF are two slides and a turn without limits.
+TEST(RandomArms, SlidesWithoutLimitsAreSolved) {
+  const dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const auto slide = [](RobotModel& model, int parent, const dvec3& axis) {
+    Joint& joint = addJoint(model, parent, test::numbered("s", static_cast<std::size_t>(parent)), JointType::kPrismatic,
+                            axis, Pose::translation({0, 0, 0.1}));
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
+  };
+  RobotModel base = emptyModel();
+  slide(base, 0, x);
+  slide(base, 1, y);
+  addJoint(base, 2, "turn", JointType::kContinuous, z, Pose::translation({0, 0, 0.1}));
+  addJoint(base, 3, "laser", JointType::kFixed, z, Pose::translation({0.3, 0.1, 0.2}));
+  expectSolves(base, RobotClass::kNumeric, 100);
+
+  for (const double wrist : {0.0, 0.1}) {  // With a closed form and without.
+    RobotModel arm = emptyModel();
+    slide(arm, 0, x);
+    const std::vector<std::pair<dvec3, dvec3>> joints = {{z, {0, 0, 0.4}},   {y, {0.1, 0, 0}},       {y, {0, 0, 0.5}},
+                                                         {x, {0.1, 0, 0.1}}, {y, {0.4, wrist, 0.0}}, {x, {wrist, 0, 0}}};
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      addJoint(arm, static_cast<int>(i) + 1, test::numbered("j", i), JointType::kRevolute, joints[i].first,
+               Pose::translation(joints[i].second));
+    }
+    addJoint(arm, 7, "flange", JointType::kFixed, z, Pose::translation({0.1, 0, 0}));
+    const auto inverse = createInverse(arm, 8);
+    ASSERT_TRUE(inverse);
+    std::mt19937 random(11);
+    for (int k = 0; k < 60; ++k) {
+      std::vector<double> q = drawnPositions(random, arm);
+      q[0] *= 7.0;  // 21 m along a rail.
+      std::vector<Pose> X_BL;
+      forwardKinematics(arm, q, X_BL);
+      const InverseSolution solution = (*inverse)->solve(X_BL.back(), std::vector<double>(arm.dof(), 0.0));
+      ASSERT_EQ(solution.status, InverseStatus::kSolved) << (*inverse)->name() << ", pose " << k << ", rail " << q[0];
+      ASSERT_NO_FATAL_FAILURE(expectMet(arm, solution.q, X_BL.back()));
+    }
+  }
+}
+
 TEST(RandomArms, APositionerWhoseTipStandsOnBothAxesIsSolved) {
   const dvec3 y(0, 1, 0), z(0, 0, 1);
   expectSolves(armOf({{y, {0, 0, 0.5}}, {z, {0, 0, 0.1}}}, dvec3(0.0)), RobotClass::kNumeric, 300);
