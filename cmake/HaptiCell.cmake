@@ -24,6 +24,11 @@ if(HAPTICELL_LLD)  # Some hundred programs are linked: a fraction of the time of
   add_link_options(-fuse-ld=lld)
 endif()
 
+# Of a function whose unlikely part is unreachable g++ leaves an empty piece with an unwind entry of its own, at the address
+# of the piece that follows. Where that one throws, the unwinder takes the empty entry, finds nothing that goes on, and the
+# program ends. tests/architecture/unwind_entries.py sees to it that no such entry is left.
+add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-reorder-blocks-and-partition>)
+
 add_library(hapticell_warnings INTERFACE)
 target_compile_options(hapticell_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
