@@ -61,7 +61,8 @@ std::string rootElementOf(const std::string& text) {
 /// Whether something is defined, asked or worked out: a call of a macro that nothing defines is left of a file that was
 /// expanded without it, and no reason to take the file for a xacro.
 bool isXacroText(const std::string& text) {
-  static const std::regex defines("<xacro:(macro|property|include|arg|if|unless|insert_block|attribute|element)[ \t\r\n/>]");
+  static const std::regex defines(
+      R"(<xacro:(macro|property|include|arg|if|unless|insert_block|attribute|element)[\s/>]|\$\((arg|optenv|env|eval) )");
   return std::regex_search(text, defines);
 }
 

@@ -26,11 +26,13 @@ std::string attributeOf(const TiXmlElement& element, const char* name) {
   return value ? value : "";
 }
 
-/// The numbers in a text; nothing where one is none. "inf" and "nan" are numbers here.
+/// The numbers in a text, between blanks or commas with a blank behind ("0, 0, 1"); nothing where one is none. "inf" and
+/// "nan" are numbers here.
 std::optional<std::vector<double>> numbersIn(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
+    if (word.size() > 1 && word.back() == ',') word.pop_back();
     const char* begin = word.c_str() + (word[0] == '+' ? 1 : 0);
     double value = 0.0;
     const auto [end, problem] = std::from_chars(begin, word.c_str() + word.size(), value);

@@ -4,6 +4,7 @@
 #include <tinyxml.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace hapticell::xacro {
 
@@ -68,7 +69,8 @@ Expected<void> parseXml(const std::string& content, const std::string& file, TiX
     return makeError(
         {file, line > 0 ? "line " + std::to_string(line) : "", std::move(found), std::move(expected), std::move(fix)});
   };
-  if (const std::size_t nul = content.find('\0'); nul != std::string::npos)
+  constexpr std::string_view kNothing("\0 \t\r\n", 5);  // Some programs write NULs behind the end.
+  if (const std::size_t nul = content.find('\0'); content.find_first_not_of(kNothing, nul) != std::string::npos)
     return refuse(lineAt(content, nul), "a NUL byte", "XML text");
   if (deepestNesting(content) > kDeepestElements) return refuse(0, "elements nested deeper than 200", "a robot's file");
   if (const auto entities = content.find("<!ENTITY"); entities != std::string::npos)

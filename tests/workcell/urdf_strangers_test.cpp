@@ -273,6 +273,20 @@ TEST(UrdfOfStrangers, WhatIsLeftOfMacrosAndTheWorldWithoutLinkRefuseNoRobot) {
   EXPECT_FALSE(readBody(linkText("a") + jointText("j", "body", "a", "fixed", "")).model) << "another link is missed";
 }
 
+TEST(UrdfOfStrangers, CommasBetweenNumbersAndZerosBehindTheEndAreRead) {
+  const auto at = [](const std::string& xyz) {
+    return readBody(kPair + jointText("j", "a", "b", "fixed", "<origin xyz=\"" + xyz + "\" rpy=\"0 0 0\"/>"));
+  };
+  const Read read = at("0.07, 0, -0.69");
+  ASSERT_TRUE(read.model) << read.said;
+  EXPECT_EQ(read.model->joints[0].X_PJ.p, dvec3(0.07, 0.0, -0.69));
+  for (const char* wrong : {"0,07 0 0", "1,2 3", ", 0 0", "0 0 0,,", "0, 0"}) EXPECT_FALSE(at(wrong).model) << wrong;
+  const hapticell::test::TemporaryFolder folder;
+  const std::string text = robotText(linkText("a"));
+  EXPECT_TRUE(readFrom(folder.write("z.urdf", text + std::string("\0\n\0", 3))).model);
+  EXPECT_FALSE(readFrom(folder.write("y.urdf", text + std::string("\0<", 2))).model);
+}
+
 TEST(UrdfOfStrangers, TheKindIsToldByTheFirstElementNotByAComment) {
   const hapticell::test::TemporaryFolder folder;
   const auto kind = [&](const std::string& name, const std::string& text) {
@@ -283,6 +297,7 @@ TEST(UrdfOfStrangers, TheKindIsToldByTheFirstElementNotByAComment) {
   EXPECT_EQ(kind("c.xml", "\xEF\xBB\xBF<robot name='r'><xacro:property name='p' value='1'/></robot>"),
             RobotFormat::kXacro);
   EXPECT_EQ(kind("d.urdf", "<robot name='r'><xacro:grey/></robot>"), RobotFormat::kUrdf) << "nothing is defined in it";
+  EXPECT_EQ(kind("g.urdf", "<robot name='r'><link name='$(optenv NAME a)'/></robot>"), RobotFormat::kXacro);
   EXPECT_EQ(kind("e.xml", "<!-- <robot> never ends"), std::nullopt);
   EXPECT_EQ(kind("f.xml", "<note><robot/></note>"), std::nullopt);
 }
