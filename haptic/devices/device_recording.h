@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "haptic/devices/device.h"
@@ -33,7 +34,8 @@ struct DeviceRecording {
 Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file);
 
 /// A device that is recorded while it is used. The force loop's calls only copy a tick into a ring; a thread of its own
-/// writes the file every tenth of a second and the rest at close().
+/// writes the file every tenth of a second. It has its name once finish() or close() has written the rest: until then
+/// what stood there stands, and a recording that is killed or finds the disk full leaves nothing.
 class RecordingDevice final : public Device {
  public:
   RecordingDevice(std::unique_ptr<Device> device, std::filesystem::path file);
@@ -46,6 +48,11 @@ class RecordingDevice final : public Device {
   DeviceStatus write(const dvec3& force_D, const dvec3& torque_D) noexcept override;
   void setMotors(bool on) noexcept override { device_->setMotors(on); }
   void setEngaged(bool engaged) noexcept override { device_->setEngaged(engaged); }
+  /// Ends the recording: the rest is written and the file gets its name. Error: it could not be written, at the end or
+  /// before. Not while the force loop runs. After close(), which does it too, what came of that.
+  Expected<void> finish();
+  /// What keeps the recording from being written, if anything does. Not by the force loop's thread.
+  std::optional<Error> fault() const;
   void close() noexcept override;
   SimulatedDevice* simulated() noexcept override { return device_->simulated(); }
   DeviceCare* care() noexcept override { return device_->care(); }
@@ -58,6 +65,7 @@ class RecordingDevice final : public Device {
   std::unique_ptr<Device> device_;
   std::filesystem::path file_;
   std::unique_ptr<Writer> writer_;
+  Expected<void> finished_;
   RecordedTick tick_;
 };
 

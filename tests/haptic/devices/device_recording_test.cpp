@@ -81,6 +81,27 @@ TEST(DeviceRecording, ACutFileKeepsItsWholeTicks) {
   EXPECT_EQ(recording->ticks[8].force_D.x, 0.1 * 8);
 }
 
+TEST(DeviceRecording, HasItsNameWhenItIsWholeAndTellsWhereItCannotBe) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("below/session.hdev", "old");
+  RecordingDevice device(std::make_unique<SimulatedDevice>(), file);
+  ASSERT_TRUE(device.open());
+  DeviceReading reading;
+  device.read(reading);
+  device.write(dvec3(0.0), dvec3(0.0));
+  EXPECT_EQ(std::filesystem::file_size(file), 3u) << "the old one stands until then";
+  ASSERT_TRUE(device.finish());
+  EXPECT_TRUE(readDeviceRecording(file));
+  device.close();
+  ASSERT_TRUE(device.open());
+  device.write(dvec3(0.0), dvec3(0.0));
+  std::filesystem::remove_all(file.parent_path());
+  device.close();
+  const auto finished = device.finish();
+  ASSERT_FALSE(finished) << "who asks after the end is told too";
+  EXPECT_THAT(finished.error().message(), HasSubstr("session.hdev"));
+}
+
 TEST(DeviceRecording, RefusesWhatIsNone) {
   const test::TemporaryFolder folder;
   EXPECT_FALSE(readDeviceRecording(folder.path() / "missing.hdev"));
