@@ -104,6 +104,10 @@ RecordedTick unpack(const char* bytes) {
   return tick;
 }
 
+std::uint32_t statusOf(const RecordedTick& tick) {
+  return tick.status & ~(RecordedTick::kNotFresh | RecordedTick::kForceless);
+}
+
 }  // namespace
 
 Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file) {
@@ -129,7 +133,7 @@ Expected<DeviceRecording> readDeviceRecording(const std::filesystem::path& file)
   while (stream.read(bytes.data(), bytes.size())) {
     recording.ticks.push_back(unpack(bytes.data()));
     const RecordedTick& tick = recording.ticks.back();
-    if (!tick.X_DS.isValid() || tick.status > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
+    if (!tick.X_DS.isValid() || statusOf(tick) > static_cast<std::uint32_t>(DeviceStatus::kVanished)) {
       return refuse("tick " + std::to_string(recording.ticks.size()), "no pose or no status", "a finite pose");
     }
   }
@@ -241,6 +245,8 @@ DeviceStatus RecordingDevice::read(DeviceReading& reading) noexcept {
   const DeviceStatus status = device_->read(reading);
   tick_.status = static_cast<std::uint32_t>(status);
   if (status != DeviceStatus::kOk) return status;
+  if (!reading.fresh) tick_.status |= RecordedTick::kNotFresh;
+  if (!reading.takes_force) tick_.status |= RecordedTick::kForceless;
   tick_.buttons = reading.buttons;
   tick_.X_DS = reading.X_DS;
   tick_.motor_temperature = reading.motor_temperature;
@@ -275,8 +281,10 @@ Expected<void> ReplayDevice::open() {
 DeviceStatus ReplayDevice::read(DeviceReading& reading) noexcept {
   if (!open_) return DeviceStatus::kNotOpen;
   const RecordedTick& tick = ended() ? recording_.ticks.back() : recording_.ticks[next_];
-  const auto status = static_cast<DeviceStatus>(tick.status);
+  const auto status = static_cast<DeviceStatus>(statusOf(tick));
   if (status == DeviceStatus::kOk) {
+    reading.fresh = ended() || (tick.status & RecordedTick::kNotFresh) == 0;
+    reading.takes_force = (tick.status & RecordedTick::kForceless) == 0;
     reading.X_DS = tick.X_DS;
     reading.buttons = ended() ? 0 : tick.buttons;
     reading.motor_temperature = tick.motor_temperature;

@@ -13,8 +13,10 @@ namespace hapticell::haptic {
 
 /// One tick of a device: what it told and what it was commanded.
 struct RecordedTick {
-  std::uint32_t status = 0;  ///< A DeviceStatus.
+  std::uint32_t status = 0;  ///< A DeviceStatus, and the bits below.
   std::uint32_t buttons = 0;
+  static constexpr std::uint32_t kNotFresh = 0x100;   ///< Bit of `status`: DeviceReading::fresh was false.
+  static constexpr std::uint32_t kForceless = 0x200;  ///< Bit of `status`: DeviceReading::takes_force was false.
   Pose X_DS;
   double motor_temperature = 0.0;
   dvec3 force_D{0.0}, torque_D{0.0};  ///< Commanded.
@@ -22,8 +24,9 @@ struct RecordedTick {
 
 /// A device's session: what the device could do, and every tick. Kept in a file *.hdev: the letters "HCELDEV1", the
 /// length of a JSON text (32 bits) and that text (the capabilities), then 120 bytes a tick: status, buttons (32 bits
-/// each), pose (x, y, z, w, x, y, z), temperature, force, torque as 64-bit IEEE numbers; little-endian. Every bit of
-/// every number is kept, so that what is computed from a replay is bit-equal.
+/// each; status 0 good, 1 not open, 2 fault, 3 vanished, plus 256 nothing new, plus 512 takes no force), pose (x, y, z,
+/// w, x, y, z), temperature, force, torque as 64-bit IEEE numbers; little-endian. Every bit of every number is kept, so
+/// that what is computed from a replay is bit-equal.
 struct DeviceRecording {
   DeviceCapabilities capabilities;
   std::vector<RecordedTick> ticks;
